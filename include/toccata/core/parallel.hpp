@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace toccata {
+
+/// Calls `body(i)` once for every i in [0, count), on up to `threads` threads (0: as many as the machine has, 1: the
+/// caller's thread, in order). Work is split by index and never by thread, so a body that writes only its own slot
+/// gives the same result for any thread count. The first exception (of the least index) is rethrown after all have
+/// ended.
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+}  // namespace toccata

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "toccata/math/mat3.hpp"
+#include "toccata/math/vec3.hpp"
+
+namespace toccata {
+
+/// Places a shape in the world: world = linear · local + offset. `linear` is the R and `offset` the t of the truth page
+/// (docs/truth.md). It is used exactly as given: it need not be a rotation, and is never re-orthonormalised.
+struct Pose {
+  Mat3 linear;
+  Vec3 offset;
+
+  static constexpr Pose translation(double x, double y, double z) { return {Mat3{}, {x, y, z}}; }
+
+  /// Twelve numbers: R row by row, then t.
+  static Pose from_numbers(const std::array<double, 12>& numbers);
+  [[nodiscard]] std::array<double, 12> numbers() const;
+
+  friend constexpr bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// The world vertex of the truth page: w_i = ((R_i0·x + R_i1·y) + R_i2·z) + t_i in binary64, round to nearest, in this
+/// order, never fused. The result may overflow to ±∞; callers that take user data check it.
+[[nodiscard]] Vec3 transform(const Pose& pose, const Vec3& local);
+
+/// The pose `outer` applied after `inner`, rounded by a fixed formula:
+/// R_ij = (O_i0·I_0j + O_i1·I_1j) + O_i2·I_2j, and t = transform(outer, inner.offset).
+/// Node chains are composed with it once, from the root down; nothing is composed during a query.
+[[nodiscard]] Pose compose(const Pose& outer, const Pose& inner);
+
+/// `pose` with every number of its linear part multiplied by `factor`: a mesh in another unit, placed.
+[[nodiscard]] Pose scaled(const Pose& pose, double factor);
+
+[[nodiscard]] bool is_finite(const Pose& pose);
+
+/// The sign of the exact determinant of `m` is zero.
+[[nodiscard]] bool is_singular(const Mat3& m);
+
+}  // namespace toccata

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "toccata/shapes/triangle.hpp"
+
+namespace toccata {
+
+/// A part of a triangle. Vertex i; edge i, from vertex i to vertex (i + 1) % 3 without its ends; face, without its
+/// boundary. A triangle without area has fewer parts: those of its segment (whose middle vertex, if any, lies on the
+/// edge between the outer two, given the index of that edge) or of its point (vertex 0).
+enum class FeatureKind : std::uint8_t { vertex, edge, face };
+
+struct Feature {
+  FeatureKind kind = FeatureKind::face;
+  std::uint8_t index = 0;
+  friend constexpr bool operator==(const Feature&, const Feature&) = default;
+};
+
+enum class MeetingKind : std::uint8_t {
+  none,     ///< the triangles have no point in common
+  point,    ///< exactly one
+  segment,  ///< a segment of positive length
+  polygon,  ///< a piece of area: the triangles are coplanar and overlap
+};
+
+/// One extreme point of a meeting: the single point in which these two features meet.
+struct MeetingPoint {
+  Feature on_a;
+  Feature on_b;
+  friend constexpr bool operator==(const MeetingPoint&, const MeetingPoint&) = default;
+};
+
+/// The exact common set of two closed triangles, told by features, without a rounded coordinate.
+struct Meeting {
+  MeetingKind kind = MeetingKind::none;
+  bool coplanar = false;  ///< all six vertices lie in one plane
+  bool crossing = false;  ///< the relative interiors meet and the six vertices are not coplanar
+  Feature on_a;           ///< the smallest feature of each triangle that contains the whole meeting
+  Feature on_b;
+  std::uint8_t count = 0;  ///< of extreme points: 0, 1, 2, or up to 6
+  std::array<MeetingPoint, 6>
+      points{};  ///< of a polygon in cyclic order (from the least (on_a, on_b)); of a segment least first
+  friend constexpr bool operator==(const Meeting&, const Meeting&) = default;
+};
+
+/// The extreme points of a meeting as coordinates. Each number is the double nearest to the exact one, so it is off by
+/// at most half a unit in the last place, and by nothing where the point is a vertex.
+struct MeetingCoordinates {
+  std::uint8_t count = 0;
+  std::array<Vec3, 6> points{};
+};
+
+/// Do the closed triangles have a point in common? Exact for all finite doubles, triangles without area included. Two
+/// methods that share nothing but the predicates; each is the oracle of the other.
+///
+/// The penetration method: vertices on both sides of the other's plane, and the segment in which the triangle cuts that
+/// plane meets the other triangle (T. Möller, "A fast triangle-triangle intersection test", 1997; P. Guigue,
+/// O. Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", 2003).
+[[nodiscard]] bool overlap_by_penetration(const Triangle& a, const Triangle& b);
+
+/// The separating-axes method: eleven axes where the six vertices span space, the edges' normals where they are
+/// coplanar (S. Gottschalk, "Separating axis theorem", 1996).
+[[nodiscard]] bool overlap_by_separating_axes(const Triangle& a, const Triangle& b);
+
+/// The one the queries use (penetration).
+[[nodiscard]] bool overlap(const Triangle& a, const Triangle& b);
+
+/// What the two triangles have in common.
+[[nodiscard]] Meeting meeting(const Triangle& a, const Triangle& b);
+
+/// Coordinates of `m = meeting(a, b)`.
+[[nodiscard]] MeetingCoordinates coordinates(const Meeting& m, const Triangle& a, const Triangle& b);
+
+/// The same with the roles of a and b exchanged.
+[[nodiscard]] Meeting flipped(const Meeting& m);
+
+}  // namespace toccata

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/core/progress.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata {
+
+/// A model at a place, as part of many.
+struct Posed {
+  Model model;
+  Pose pose;
+  Solid solid = Solid::automatic;
+  std::string name;   ///< for messages
+  std::string group;  ///< posed models of one non-empty group are not checked against each other
+};
+
+struct PairAnswer {
+  Index a = 0;  ///< index in the span, a < b
+  Index b = 0;
+  Relation relation;
+  std::vector<Contact> contacts;  ///< filled when asked for
+};
+
+struct CheckOptions {
+  bool contacts = false;  ///< list the meeting triangles of every pair
+  int threads = 0;        ///< 0: as many as the machine has; the answer does not depend on it
+  Progress progress;      ///< told the pairs of overlapping boxes that are done
+};
+
+struct CheckAnswer {
+  std::vector<PairAnswer> pairs;    ///< those that are not apart, ascending by (a, b)
+  std::size_t candidate_pairs = 0;  ///< pairs whose boxes overlap: those that were looked at
+};
+
+/// Every two of the posed models that are not apart, and their relation. Only pairs whose boxes overlap are looked at.
+/// Throws Error naming the model when one is asked about wrongly.
+[[nodiscard]] CheckAnswer check_all(std::span<const Posed> models, const CheckOptions& options = {});
+
+}  // namespace toccata

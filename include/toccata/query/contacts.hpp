@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "toccata/core/index.hpp"
+#include "toccata/narrow/triangle_triangle.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/query/pair_query.hpp"
+
+namespace toccata {
+
+/// Two triangles, one of each model, that have a point in common, and what they have in common.
+struct Contact {
+  Index triangle_a = 0;
+  Index triangle_b = 0;
+  Index face_a = 0;  ///< the file's own face, counted from 0
+  Index face_b = 0;
+  Meeting meeting;
+};
+
+/// All pairs of triangles that meet, ascending by (triangle_a, triangle_b). Exact; nothing is left out. A model inside
+/// a solid without touching its surface has no contacts: ask `relation`.
+[[nodiscard]] std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// The least of them by (triangle_a, triangle_b).
+[[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// The world triangles of a contact, for coordinates(contact.meeting, …).
+[[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);
+
+}  // namespace toccata

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
+#include "toccata/trees/tree.hpp"
+
+namespace toccata {
+
+/// A shape made ready for questions: the shape, shared and immutable, and the tree over it. Copies share both. Build
+/// one per shape and pose it as often as needed; questions from many threads may share one.
+class Model {
+ public:
+  explicit Model(TriangleMesh mesh);
+  explicit Model(std::shared_ptr<const TriangleMesh> mesh);
+
+  [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const Tree<Aabb>& tree() const { return *tree_; }
+
+  /// Closed: may be taken as a solid.
+  [[nodiscard]] bool closed() const { return closed_; }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  std::shared_ptr<const Tree<Aabb>> tree_;
+  bool closed_ = false;
+};
+
+}  // namespace toccata

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "toccata/query/model.hpp"
+#include "toccata/query/pair_query.hpp"
+
+namespace toccata {
+
+/// Do the two posed models have a point in common? Touching counts; a model wholly inside a solid counts. Exact.
+/// Throws Error when a world vertex is not finite, or a model is asked about as a solid that is open or singularly
+/// posed.
+[[nodiscard]] bool overlap(const Model& a, const Model& b, const PairQuery& query = {});
+
+}  // namespace toccata

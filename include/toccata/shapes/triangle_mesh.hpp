@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/core/index.hpp"
+#include "toccata/shapes/triangle.hpp"
+
+namespace toccata {
+
+/// Vertices and triangles that do not change after construction. Every triangle belongs to a face: the polygon of the
+/// file it was cut from, counted from 0 in the order of the file. Answers speak of these face numbers.
+class TriangleMesh {
+ public:
+  /// Throws Error naming the element when a coordinate is not finite, an index is out of range, there is no triangle,
+  /// or `face_of_triangle` is neither empty (triangle i is face i) nor as long as `triangles` and ascending.
+  TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
+               std::vector<Index> face_of_triangle = {});
+
+  [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }
+  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const { return triangles_; }
+  [[nodiscard]] Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
+  [[nodiscard]] Index face_count() const { return face_count_; }
+  [[nodiscard]] Index face_of(Index triangle) const {
+    return face_of_triangle_.empty() ? triangle : face_of_triangle_[triangle];
+  }
+
+ private:
+  std::vector<Vec3> vertices_;
+  std::vector<std::array<Index, 3>> triangles_;
+  std::vector<Index> face_of_triangle_;
+  Index face_count_ = 0;
+};
+
+/// Faces of any number of corners, as files hold them: face i has the corners [first[i], first[i + 1]).
+struct PolygonMesh {
+  std::vector<Vec3> vertices;
+  std::vector<Index> corners;
+  std::vector<Index> first{0};
+};
+
+/// Cuts every face into triangles by ear clipping in the coordinate plane in which the face is largest, with exact
+/// signs (G. H. Meisters, "Polygons have ears", 1975). A face that has no proper ears (it crosses itself or has no
+/// area) is fanned from its first corner. Faces of fewer than three corners are an Error naming the face.
+[[nodiscard]] TriangleMesh triangulate(const PolygonMesh& polygons);
+
+}  // namespace toccata

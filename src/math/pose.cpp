@@ -1,0 +1,52 @@
+#include "toccata/math/pose.hpp"
+
+#include "toccata/math/predicates.hpp"
+
+namespace toccata {
+namespace {
+
+double row_times(const Vec3& row, const Vec3& v) { return (row.x * v.x + row.y * v.y) + row.z * v.z; }
+
+}  // namespace
+
+Pose Pose::from_numbers(const std::array<double, 12>& n) {
+  Pose pose;
+  pose.linear = {{{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}}};
+  pose.offset = {n[9], n[10], n[11]};
+  return pose;
+}
+
+std::array<double, 12> Pose::numbers() const {
+  const auto& [r0, r1, r2] = linear.row;
+  return {r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, r2.x, r2.y, r2.z, offset.x, offset.y, offset.z};
+}
+
+// This function defines the truth. It lives here, in a file compiled with -ffp-contract=off, and not in the header, so
+// that a user's compiler cannot fuse it.
+Vec3 transform(const Pose& pose, const Vec3& v) {
+  const Mat3& r = pose.linear;
+  return {row_times(r[0], v) + pose.offset.x, row_times(r[1], v) + pose.offset.y, row_times(r[2], v) + pose.offset.z};
+}
+
+Pose compose(const Pose& outer, const Pose& inner) {
+  Pose result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result.linear[i][j] = row_times(outer.linear[i], inner.linear.column(j));
+  result.offset = transform(outer, inner.offset);
+  return result;
+}
+
+Pose scaled(const Pose& pose, double factor) {
+  Pose result = pose;
+  for (Vec3& row : result.linear.row) row = factor * row;
+  return result;
+}
+
+bool is_finite(const Pose& pose) { return is_finite(pose.linear) && is_finite(pose.offset); }
+
+bool is_singular(const Mat3& m) {
+  const Vec3 zero{};
+  return triple_product_sign({m[0], zero}, {m[1], zero}, {m[2], zero}) == Sign::zero;
+}
+
+}  // namespace toccata
