@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/tree.hpp"
 
@@ -26,5 +27,10 @@ class Model {
   std::shared_ptr<const Tree<Aabb>> tree_;
   bool closed_ = false;
 };
+
+/// What a question takes the model for: `all` means solid, `none` surface, `automatic` solid when the mesh is closed.
+[[nodiscard]] inline bool taken_as_solid(const Model& model, Solid solid) {
+  return solid == Solid::all || (solid == Solid::automatic && model.closed());
+}
 
 }  // namespace toccata

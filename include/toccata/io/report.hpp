@@ -1,0 +1,79 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/query/check_all.hpp"
+#include "toccata/shapes/mesh_health.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata {
+
+/// One piece of what two faces have in common: its extreme points in world units, each number the double nearest to the
+/// exact one.
+struct ReportedMeeting {
+  MeetingKind kind = MeetingKind::none;
+  std::vector<Vec3> points;
+};
+
+/// Two faces of the files that meet. Faces of more than three corners may meet in several pieces.
+struct ReportedFacePair {
+  Index face_a = 0;
+  Index face_b = 0;
+  bool crossing = false;
+  std::vector<ReportedMeeting> meetings;
+};
+
+struct ReportedPair {
+  Index a = 0;
+  Index b = 0;
+  Relation relation;
+  std::vector<ReportedFacePair> face_pairs;  ///< ascending by (face_a, face_b); filled when the answer has contacts
+};
+
+/// Whether pairs that touch without their interiors meeting are reported.
+enum class Touching { count, ignore };
+
+/// What `check` found, ready to be written: pairs that count as contact, and how many merely touching ones were left
+/// out.
+struct CheckReport {
+  std::vector<ReportedPair> pairs;
+  std::size_t ignored_touching = 0;
+  std::size_t candidate_pairs = 0;
+  bool has_faces = false;
+};
+
+[[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, Touching touching,
+                                            bool faces);
+
+/// JSON by the schema docs/reference/check-report.md. Doubles round-trip.
+[[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const Posed> models,
+                                            const CheckReport& report, std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per pair, or per pair of faces when the report has them.
+[[nodiscard]] std::string check_report_csv(const Scene& scene, const CheckReport& report);
+
+/// A mesh and how it is, for `inspect`.
+struct InspectedObject {
+  std::string name;
+  std::string source;
+  Pose pose;
+  bool solid = false;
+  MeshHealth health;
+};
+
+/// JSON by the schema docs/reference/inspect-report.md.
+[[nodiscard]] std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
+                                              std::span<const std::string> warnings);
+
+/// "apart", "touching", "overlapping", "crossing".
+[[nodiscard]] std::string name_of(RelationKind kind);
+/// "none", "a_in_b", "b_in_a", "equal".
+[[nodiscard]] std::string name_of(Containment containment);
+/// "none", "point", "segment", "polygon".
+[[nodiscard]] std::string name_of(MeetingKind kind);
+/// "exact", "undecided", "not_converged".
+[[nodiscard]] std::string name_of(Status status);
+
+}  // namespace toccata

@@ -1,0 +1,238 @@
+#include "toccata/io/report.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "toccata/core/version.hpp"
+
+namespace toccata {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+/// A pair that only touches is left out when touching is ignored, unless the faces cannot tell the sides apart.
+bool counts_as_contact(const Relation& relation, Touching touching) {
+  if (relation.kind == RelationKind::apart) return false;
+  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved;
+}
+
+ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& contact) {
+  const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
+                                               world_triangle(b.model, b.pose, contact.triangle_b));
+  return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
+}
+
+std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
+                                                  const std::vector<Contact>& contacts) {
+  std::map<std::pair<Index, Index>, ReportedFacePair> pairs;
+  for (const Contact& contact : contacts) {
+    ReportedFacePair& pair = pairs[{contact.face_a, contact.face_b}];
+    pair.face_a = contact.face_a;
+    pair.face_b = contact.face_b;
+    pair.crossing = pair.crossing || contact.meeting.crossing;
+    pair.meetings.push_back(reported_meeting(a, b, contact));
+  }
+  std::vector<ReportedFacePair> result;
+  result.reserve(pairs.size());
+  for (auto& [faces, pair] : pairs) result.push_back(std::move(pair));
+  return result;
+}
+
+Json json_of(const ReportedFacePair& pair) {
+  Json meetings = Json::array();
+  for (const ReportedMeeting& meeting : pair.meetings) {
+    Json points = Json::array();
+    for (const Vec3& point : meeting.points) points.push_back(json_of(point));
+    meetings.push_back({{"kind", name_of(meeting.kind)}, {"points", std::move(points)}});
+  }
+  return {
+      {"face_a", pair.face_a}, {"face_b", pair.face_b}, {"crossing", pair.crossing}, {"meetings", std::move(meetings)}};
+}
+
+Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
+  Json json = {{"a", scene.objects[pair.a].name},
+               {"b", scene.objects[pair.b].name},
+               {"relation", name_of(pair.relation.kind)},
+               {"containment", name_of(pair.relation.containment)},
+               {"side_unresolved", pair.relation.side_unresolved},
+               {"status", name_of(pair.relation.status)}};
+  if (!faces) return json;
+  Json& list = json["faces"] = Json::array();
+  for (const ReportedFacePair& face_pair : pair.face_pairs) list.push_back(json_of(face_pair));
+  return json;
+}
+
+Json json_of(const SceneObject& object, const Posed& posed) {
+  return {{"name", object.name},
+          {"source", object.source},
+          {"triangles", object.mesh->triangle_count()},
+          {"faces", object.mesh->face_count()},
+          {"closed", posed.model.closed()},
+          {"solid", taken_as_solid(posed.model, object.solid)},
+          {"group", object.group},
+          {"pose", object.pose.numbers()}};
+}
+
+std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+/// A field with a comma, quote or line break is quoted (RFC 4180).
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_names(const Scene& scene, const ReportedPair& pair) {
+  return csv_field(scene.objects[pair.a].name) + "," + csv_field(scene.objects[pair.b].name);
+}
+
+std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
+  std::string csv = "a,b,relation,containment,side_unresolved,status\n";
+  for (const ReportedPair& pair : report.pairs)
+    csv +=
+        fmt::format("{},{},{},{},{}\n", csv_names(scene, pair), name_of(pair.relation.kind),
+                    name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status));
+  return csv;
+}
+
+/// A pair without meeting faces (one solid inside the other) still has its line, with empty face fields.
+std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
+  std::string csv = "a,b,relation,containment,face_a,face_b,crossing\n";
+  for (const ReportedPair& pair : report.pairs) {
+    const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
+                                          name_of(pair.relation.containment));
+    if (pair.face_pairs.empty()) csv += start + ",,,\n";
+    for (const ReportedFacePair& faces : pair.face_pairs)
+      csv += fmt::format("{},{},{},{}\n", start, faces.face_a, faces.face_b, faces.crossing);
+  }
+  return csv;
+}
+
+Json json_of(const MeshHealth& h) {
+  return {{"vertices", h.vertices},
+          {"distinct_vertices", h.distinct_vertices},
+          {"unused_vertices", h.unused_vertices},
+          {"triangles", h.triangles},
+          {"faces", h.faces},
+          {"components", h.components},
+          {"closed", h.closed},
+          {"unbalanced_edges", h.unbalanced_edges},
+          {"boundary_edges", h.boundary_edges},
+          {"non_manifold_edges", h.non_manifold_edges},
+          {"flipped_edges", h.flipped_edges},
+          {"degenerate_triangles", h.degenerate_triangles},
+          {"duplicate_triangles", h.duplicate_triangles},
+          {"signed_volume", h.signed_volume},
+          {"box", {{"lower", json_of(h.lower)}, {"upper", json_of(h.upper)}}}};
+}
+
+}  // namespace
+
+std::string name_of(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::apart:
+      return "apart";
+    case RelationKind::touching:
+      return "touching";
+    case RelationKind::overlapping:
+      return "overlapping";
+    case RelationKind::crossing:
+      return "crossing";
+  }
+  return {};
+}
+
+std::string name_of(Containment containment) {
+  switch (containment) {
+    case Containment::none:
+      return "none";
+    case Containment::a_in_b:
+      return "a_in_b";
+    case Containment::b_in_a:
+      return "b_in_a";
+    case Containment::equal:
+      return "equal";
+  }
+  return {};
+}
+
+std::string name_of(MeetingKind kind) {
+  switch (kind) {
+    case MeetingKind::none:
+      return "none";
+    case MeetingKind::point:
+      return "point";
+    case MeetingKind::segment:
+      return "segment";
+    case MeetingKind::polygon:
+      return "polygon";
+  }
+  return {};
+}
+
+std::string name_of(Status status) {
+  switch (status) {
+    case Status::exact:
+      return "exact";
+    case Status::undecided:
+      return "undecided";
+    case Status::not_converged:
+      return "not_converged";
+  }
+  return {};
+}
+
+CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, Touching touching, bool faces) {
+  CheckReport report;
+  report.candidate_pairs = answer.candidate_pairs;
+  report.has_faces = faces;
+  for (const PairAnswer& pair : answer.pairs) {
+    if (!counts_as_contact(pair.relation, touching)) {
+      ++report.ignored_touching;
+      continue;
+    }
+    ReportedPair& reported = report.pairs.emplace_back();
+    reported.a = pair.a;
+    reported.b = pair.b;
+    reported.relation = pair.relation;
+    if (faces) reported.face_pairs = reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
+  }
+  return report;
+}
+
+std::string check_report_json(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+                              std::span<const std::string> warnings) {
+  Json json = {{"schema", "toccata/check/1"}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};
+  Json& objects = json["objects"] = Json::array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) objects.push_back(json_of(scene.objects[i], models[i]));
+  json["candidate_pairs"] = report.candidate_pairs;
+  json["ignored_touching"] = report.ignored_touching;
+  Json& pairs = json["pairs"] = Json::array();
+  for (const ReportedPair& pair : report.pairs) pairs.push_back(json_of(pair, scene, report.has_faces));
+  return document(json);
+}
+
+std::string check_report_csv(const Scene& scene, const CheckReport& report) {
+  return report.has_faces ? csv_of_faces(scene, report) : csv_of_pairs(scene, report);
+}
+
+std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
+                                std::span<const std::string> warnings) {
+  Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
+  Json& list = json["objects"] = Json::array();
+  for (const InspectedObject& object : objects) {
+    Json item = {{"name", object.name}, {"source", object.source}, {"solid", object.solid}};
+    item["pose"] = object.pose.numbers();
+    item.update(json_of(object.health));
+    list.push_back(std::move(item));
+  }
+  return document(json);
+}
+
+}  // namespace toccata
