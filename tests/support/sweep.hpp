@@ -11,7 +11,7 @@ namespace toccata::test {
 struct SweepResult {
   std::uint64_t cases = 0;
   std::uint64_t wrong = 0;
-  std::string first_failure;
+  std::string first_failure{};
 };
 
 /// A long comparison of a fast answer with an oracle, in families of input. The tests run a thin slice of every family;

@@ -13,10 +13,10 @@ namespace toccata {
 /// A model at a place, as part of many.
 struct Posed {
   Model model;
-  Pose pose;
+  Pose pose{};
   Solid solid = Solid::automatic;
-  std::string name;   ///< for messages
-  std::string group;  ///< posed models of one non-empty group are not checked against each other
+  std::string name{};   ///< for messages
+  std::string group{};  ///< posed models of one non-empty group are not checked against each other
 };
 
 struct PairAnswer {
@@ -29,7 +29,7 @@ struct PairAnswer {
 struct CheckOptions {
   bool contacts = false;  ///< list the meeting triangles of every pair
   int threads = 0;        ///< 0: as many as the machine has; the answer does not depend on it
-  Progress progress;      ///< told the pairs of overlapping boxes that are done
+  Progress progress{};    ///< told the pairs of overlapping boxes that are done
 };
 
 struct CheckAnswer {
