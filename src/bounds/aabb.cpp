@@ -11,6 +11,12 @@ Aabb merge(const Aabb& a, const Vec3& p) {
 
 Aabb merge(const Aabb& a, const Aabb& b) { return is_empty(b) ? a : merge(merge(a, b.lower), b.upper); }
 
+double half_area(const Aabb& box) {
+  if (is_empty(box)) return 0;
+  const Vec3 size = box.upper - box.lower;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 Aabb fit_aabb(std::span<const Vec3> points) {
   Aabb box;
   for (const Vec3& p : points) box = merge(box, p);

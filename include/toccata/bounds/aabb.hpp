@@ -34,4 +34,7 @@ struct Aabb {
          inner.upper.y <= outer.upper.y && outer.lower.z <= inner.lower.z && inner.upper.z <= outer.upper.z;
 }
 
+/// Half the area of its sides, rounded: the size that decides what to split. 0 for an empty box; +∞ when too large.
+[[nodiscard]] double half_area(const Aabb& box);
+
 }  // namespace toccata

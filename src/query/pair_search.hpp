@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "query/posed_mesh.hpp"
+#include "toccata/query/contacts.hpp"
+
+namespace toccata {
+
+// The questions about the surfaces of two posed meshes, whatever they are taken for.
+
+/// Some triangle of `a` meets some triangle of `b`. Stops at the first found.
+[[nodiscard]] bool surfaces_meet(const PosedMesh& a, const PosedMesh& b);
+
+/// All pairs of triangles that meet, ascending.
+[[nodiscard]] std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b);
+
+/// The least of them.
+[[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b);
+
+}  // namespace toccata
