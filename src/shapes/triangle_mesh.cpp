@@ -1,0 +1,50 @@
+#include "toccata/shapes/triangle_mesh.hpp"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+void check_vertices(std::span<const Vec3> vertices) {
+  if (vertices.size() > std::numeric_limits<Index>::max()) throw Error("a mesh has at most 4294967295 vertices");
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!is_finite(vertices[i])) throw Error("vertex " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+void check_triangles(std::span<const std::array<Index, 3>> triangles, std::size_t vertex_count) {
+  if (triangles.empty()) throw Error("a mesh needs at least one triangle");
+  if (triangles.size() > std::numeric_limits<Index>::max()) throw Error("a mesh has at most 4294967295 triangles");
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const Index corner : triangles[t])
+      if (corner >= vertex_count)
+        throw Error("triangle " + std::to_string(t) + " names vertex " + std::to_string(corner) + ", but there are " +
+                    std::to_string(vertex_count) + " vertices, counted from 0");
+}
+
+void check_faces(std::span<const Index> face_of_triangle, std::size_t triangle_count) {
+  if (face_of_triangle.empty()) return;
+  if (face_of_triangle.size() != triangle_count)
+    throw Error("a mesh of " + std::to_string(triangle_count) + " triangles was given " +
+                std::to_string(face_of_triangle.size()) + " face numbers; give one for each triangle, or none");
+  for (std::size_t t = 1; t < triangle_count; ++t)
+    if (face_of_triangle[t] < face_of_triangle[t - 1])
+      throw Error("triangle " + std::to_string(t) + " has a lower face number than the triangle before it; order the " +
+                  "triangles by face");
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
+                           std::vector<Index> face_of_triangle)
+    : vertices_(std::move(vertices)), triangles_(std::move(triangles)), face_of_triangle_(std::move(face_of_triangle)) {
+  check_vertices(vertices_);
+  check_triangles(triangles_, vertices_.size());
+  check_faces(face_of_triangle_, triangles_.size());
+  face_count_ = face_of_triangle_.empty() ? static_cast<Index>(triangles_.size()) : face_of_triangle_.back() + 1;
+}
+
+}  // namespace toccata
