@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata {
+
+/// How the numbers of a file become world units.
+struct ReadOptions {
+  /// What a length of 1 in the file is, in metres; the world's unit is then the metre. Not given: glTF is metres as its
+  /// standard says, other meshes keep their numbers. A scene file states its units itself: giving one is an Error.
+  std::optional<double> metres_per_unit;
+  /// Multiplies everything in the file, poses included; positive and finite.
+  double scale = 1;
+};
+
+/// Reads any supported file as a scene: a mesh file as one object named after the file, glTF and GLB as the posed
+/// meshes of their node tree, a scene file (.json, docs/reference/scene-file.md) with all it names, and
+/// "gen:<name>?<parameter>=<number>&…" as that generated mesh (generate/meshes.hpp). Object names are unique. Objects
+/// from the same mesh share it. Throws Error naming the file, and the line or the place in it.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same
+/// objects with the same doubles; the node tree is not written. The folder is complete or not there: it must not exist
+/// or be empty.
+void write_scene(const Scene& scene, const std::filesystem::path& folder);
+
+/// One sentence for every object that is so much larger or smaller than the rest (its box diagonal in the world, 10⁴
+/// times the median of the others or more, or as much less) that a unit is probably missing.
+[[nodiscard]] std::vector<std::string> scale_warnings(const Scene& scene);
+
+/// Metres per unit of "mm", "cm", "m", "km", "in", "ft", or of a positive number written out. Throws Error otherwise.
+[[nodiscard]] double metres_per_unit(std::string_view unit);
+
+}  // namespace toccata
