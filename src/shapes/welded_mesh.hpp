@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "toccata/shapes/triangle_mesh.hpp"
+
+namespace toccata {
+
+/// The triangles of a mesh with vertices of equal coordinates (−0 equals 0) taken as one. Distinct vertices are
+/// numbered in the order of their coordinates.
+struct WeldedTriangles {
+  std::vector<std::array<Index, 3>> triangles;
+  std::size_t distinct_vertices = 0;
+};
+
+[[nodiscard]] WeldedTriangles weld(const TriangleMesh& mesh);
+
+/// An edge of a welded mesh, and how often triangles run along it. Triangles with two equal vertices have no edges.
+struct EdgeUse {
+  Index low = 0;             ///< the lesser vertex
+  Index high = 0;            ///< the greater
+  std::size_t upward = 0;    ///< uses from low to high
+  std::size_t downward = 0;  ///< uses from high to low
+};
+
+/// All edges, ascending by (low, high).
+[[nodiscard]] std::vector<EdgeUse> edge_uses(const WeldedTriangles& welded);
+
+}  // namespace toccata
