@@ -12,6 +12,7 @@
 
 #include "support/evidence.hpp"
 #include "support/sweep.hpp"
+#include "toccata/core/version.hpp"
 
 namespace toccata::test {
 namespace {
@@ -102,7 +103,7 @@ void run_sweep(const Sweep& sweep, const Options& options, Clock::time_point dea
       }
       for (std::size_t i = first; i < end; ++i) {
         const ShardAnswer answer = answers[i - first].get();
-        evidence.add(round[i].family, round[i].seed, answer.result, answer.seconds, TOCCATA_VERSION, options.commit);
+        evidence.add(round[i].family, round[i].seed, answer.result, answer.seconds, version, options.commit);
       }
       evidence.write(file);
     }

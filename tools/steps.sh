@@ -1,0 +1,90 @@
+# The steps of ./toccata that are not needed when nothing changed. Sourced by it; expects source_folder to be set.
+# Everything here speaks on standard error except the tests themselves.
+
+say() { printf 'toccata: %s\n' "$*" >&2; }
+
+# install_packages LIST…: installs what the lists tools/LIST.txt name and dpkg does not have.
+install_packages() {
+  command -v dpkg-query >/dev/null || return 0  # not Debian: CMake will tell what it cannot find
+  local wanted missing
+  wanted=$(cd "$source_folder/tools" && cat "${@/%/.txt}" | sort -u)
+  # shellcheck disable=SC2086
+  missing=$(comm -23 <(echo "$wanted") <(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' $wanted 2>/dev/null | sed -n 's/^ii //p' | sort -u) | xargs)
+  [[ -n $missing ]] || return 0
+  local as_root=()
+  if [[ $EUID -ne 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      say "these packages are missing and only an administrator can install them: apt-get install $missing"
+      return 2
+    fi
+    as_root=(sudo)
+  fi
+  say "installing $missing"
+  # shellcheck disable=SC2086
+  if ! { "${as_root[@]}" apt-get update -qq && "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $missing; } </dev/null >/dev/null; then
+    say "could not install the packages; please install them yourself: apt-get install $missing"
+    return 2
+  fi
+}
+
+# One build at a time in one source folder; a second waits. Held until this process ends.
+lock_build_folder() {
+  mkdir -p "$source_folder/build"
+  exec 9>"$source_folder/build/.lock"
+  flock 9
+}
+
+# configure PRESET OPTION…: once, and again when the presets or the options are new.
+configure() {
+  local preset=$1 folder=$source_folder/build/$1 known="" wanted new=no
+  shift
+  if command -v ccache >/dev/null; then set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+  wanted=("$(cksum <"$source_folder/CMakePresets.json")" "$@")
+  if [[ -f $folder/build.ninja && -f $folder/.configured-with ]]; then known=$(<"$folder/.configured-with"); fi
+  for word in "${wanted[@]}"; do [[ $known == *"$word"* ]] || new=yes; done
+  [[ $new == yes ]] || return 0
+  local output
+  if ! output=$(cd "$source_folder" && cmake --preset "$preset" "$@" 2>&1); then
+    say "configuring failed:"
+    printf '%s\n' "$output" >&2
+    return 2
+  fi
+  printf '%s\n' "${wanted[@]}" >"$folder/.configured-with"
+}
+
+# build PRESET TARGET…: quiet, with ninja's one status line on a terminal.
+build() {
+  local folder=$source_folder/build/$1 quiet=(--quiet)
+  shift
+  if [[ -t 2 ]]; then quiet=(); fi
+  [[ -f $folder/.ninja_log ]] || say "building; the first time takes a few minutes"
+  ninja "${quiet[@]}" -C "$folder" "$@" >&2 9>&-
+}
+
+# run_tests [--all]: everything that judges a commit. The last thing printed is the summary of the tests, or of the
+# part that failed.
+run_tests() {
+  if [[ ${1-} == --all ]]; then
+    exec bash "$source_folder/tools/test_all.sh"
+  elif [[ $# -gt 0 ]]; then
+    say "test takes --all or nothing, not: $*"
+    return 2
+  fi
+  install_packages packages packages-test
+  lock_build_folder
+  say "the tests under the address and undefined-behaviour sanitizers"
+  configure asan-ubsan
+  build asan-ubsan
+  run_ctest asan-ubsan -E Slow
+  say "all tests, optimised"
+  configure release -DTOCCATA_BUILD_TESTS=ON
+  build release
+  run_ctest release
+}
+
+# run_ctest PRESET OPTION…: the tests built in build/PRESET; those that fail show what they printed.
+run_ctest() {
+  local folder=$source_folder/build/$1
+  shift
+  ctest --test-dir "$folder" --output-on-failure -j "$(nproc)" "$@" 9>&-
+}
