@@ -52,13 +52,17 @@ configure() {
   printf '%s\n' "${wanted[@]}" >"$folder/.configured-with"
 }
 
-# build PRESET TARGET…: quiet, with ninja's one status line on a terminal.
+# build PRESET TARGET…: one status line on a terminal; elsewhere nothing but what went wrong.
 build() {
-  local folder=$source_folder/build/$1 quiet=(--quiet)
+  local folder=$source_folder/build/$1 output
   shift
-  if [[ -t 2 ]]; then quiet=(); fi
   [[ -f $folder/.ninja_log ]] || say "building; the first time takes a few minutes"
-  ninja "${quiet[@]}" -C "$folder" "$@" >&2 9>&-
+  if [[ -t 2 ]]; then
+    ninja -C "$folder" "$@" >&2 9>&-
+  elif ! output=$(ninja --quiet -C "$folder" "$@" 2>&1 9>&-); then
+    printf '%s\n' "$output" >&2
+    return 2
+  fi
 }
 
 # run_tests [--all]: everything that judges a commit. The last thing printed is the summary of the tests, or of the

@@ -1,0 +1,21 @@
+# Install rules: the library with its headers, a CMake package, a relocatable pkg-config file, and the command.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(TOCCATA_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Toccata)
+install(TARGETS toccata EXPORT ToccataTargets)
+install(DIRECTORY include/toccata DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT ToccataTargets NAMESPACE Toccata:: DESTINATION ${TOCCATA_CMAKE_FOLDER})
+if(TOCCATA_BUILD_COMMAND)
+  install(TARGETS toccata_command)
+endif()
+
+configure_package_config_file(cmake/ToccataConfig.cmake.in ToccataConfig.cmake INSTALL_DESTINATION ${TOCCATA_CMAKE_FOLDER})
+write_basic_package_version_file(ToccataConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ToccataConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/ToccataConfigVersion.cmake
+        DESTINATION ${TOCCATA_CMAKE_FOLDER})
+
+# From <prefix>/<libdir>/pkgconfig back to the prefix, so that the installed tree can be moved.
+file(RELATIVE_PATH TOCCATA_PREFIX_FROM_PKGCONFIG /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(cmake/toccata.pc.in toccata.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/toccata.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
