@@ -1,34 +1,50 @@
 #include "toccata/math/predicates.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "math/filter.hpp"
+#include "math/stages.hpp"
 
-// Placeholder until the filtered stages land: rational arithmetic throughout. Exact, and slow.
 namespace toccata {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
+bool is_null(const Difference& d) { return d.head == d.tail; }
+bool same(const Difference& p, const Difference& q) { return p.head == q.head && p.tail == q.tail; }
 
-Sign sign_of(const Rational& r) { return r > 0 ? Sign::positive : r < 0 ? Sign::negative : Sign::zero; }
+// What the filter left open. Shared vertices are by far the most frequent zero, and need no arithmetic.
+Sign decide_orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+  if (a == b || a == c || b == c) return Sign::zero;
+  if (const auto sign = orient2d_by_expansions(a, b, c)) return *sign;
+  return orient2d_by_integers(a, b, c);
+}
+
+Sign decide_triple_product(const Difference& u, const Difference& v, const Difference& w) {
+  if (is_null(u) || is_null(v) || is_null(w) || same(u, v) || same(v, w) || same(u, w)) return Sign::zero;
+  if (const auto sign = triple_product_sign_by_expansions(u, v, w)) return *sign;
+  return triple_product_sign_by_integers(u, v, w);
+}
+
+Vec3 rounded(const Difference& d) { return d.head - d.tail; }
 
 }  // namespace
 
 Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const Rational ux = Rational(b.x) - Rational(a.x), uy = Rational(b.y) - Rational(a.y);
-  const Rational vx = Rational(c.x) - Rational(a.x), vy = Rational(c.y) - Rational(a.y);
-  return sign_of(ux * vy - uy * vx);
-}
-
-Sign triple_product_sign(const Difference& u, const Difference& v, const Difference& w) {
-  Rational r[3][3];
-  const Difference* rows[3] = {&u, &v, &w};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) r[i][j] = Rational(rows[i]->head[j]) - Rational(rows[i]->tail[j]);
-  return sign_of(r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) - r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-                 r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]));
+  const Filtered area = filtered_orient2d(a, b, c);
+  if (area.is_positive()) return Sign::positive;
+  if (area.is_negative()) return Sign::negative;
+  return decide_orient2d(a, b, c);
 }
 
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return triple_product_sign({b, a}, {c, a}, {d, a});
+  const Filtered volume = filtered_orient3d(a, b, c, d);
+  if (volume.is_positive()) return Sign::positive;
+  if (volume.is_negative()) return Sign::negative;
+  return decide_triple_product({b, a}, {c, a}, {d, a});
+}
+
+Sign triple_product_sign(const Difference& u, const Difference& v, const Difference& w) {
+  const Filtered product = filtered_triple_product(filtered_cross(rounded(u), rounded(v)), rounded(w));
+  if (product.is_positive()) return Sign::positive;
+  if (product.is_negative()) return Sign::negative;
+  return decide_triple_product(u, v, w);
 }
 
 }  // namespace toccata
