@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Checks that what the documentation shows is true.
+
+usage: check_docs.py --prefix DIR --compiler CXX [FILE.md…]
+
+DIR is where the library and the command are installed. In README.md, CHANGELOG.md and docs/ (or the files named):
+
+  ```cpp run     compiled against the library and run; what it prints must be the ```output block after it
+  ```cpp         compiled: as it is when it has a main, otherwise as the inside of a function
+  ```sh run      run by bash in a folder that all blocks of one file share, with the installed command first on PATH;
+                 compared with the ```output block after it, if any. `exit=1` after `run` is the status expected.
+  ```json        parsed
+
+In an output block … stands for anything within a line, and a line … for any number of lines. Links between files and to
+headings must lead somewhere, also the docs/….md that C++ comments name.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```\s*$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
+NAMED_IN_SOURCE = re.compile(r"\bdocs/[\w/.-]+\.md\b")
+
+
+class Block:
+    def __init__(self, file, line, info, text, output):
+        self.file, self.line, self.info, self.text, self.output = file, line, info.split(), text, output
+        self.language = self.info[0] if self.info else ""
+        self.runs = "run" in self.info
+        self.status = next((int(w[5:]) for w in self.info if w.startswith("exit=")), 0)
+
+    def where(self):
+        return f"{self.file.relative_to(ROOT) if self.file.is_relative_to(ROOT) else self.file}:{self.line}"
+
+
+def blocks(file):
+    text = file.read_text()
+    found = []
+    for match in FENCE.finditer(text):
+        info, content = match.group(1).strip(), match.group(2)
+        if info == "output" and found:
+            found[-1].output = content
+        else:
+            found.append(Block(file, text.count("\n", 0, match.start()) + 1, info, content, None))
+    return found
+
+
+def matches(expected, printed):
+    """Whether `printed` is what an output block shows, … being a wildcard."""
+    pattern = ""
+    for line in expected.rstrip("\n").split("\n"):
+        pattern += r"(?:[^\n]*\n)*" if line.strip() == "…" else re.escape(line.rstrip()).replace("…", "[^\n]*") + r"[ ]*\n"
+    return re.fullmatch(pattern, printed.rstrip("\n") + "\n") is not None
+
+
+class Checker:
+    def __init__(self, prefix, compiler):
+        self.prefix, self.compiler = prefix.resolve(), compiler
+        environment = {**os.environ, "PKG_CONFIG_PATH": str(next(self.prefix.rglob("pkgconfig")))}
+        ask = ["pkg-config", "--static", "--cflags", "--libs", "toccata"]
+        self.flags = subprocess.run(ask, env=environment, check=True, capture_output=True, text=True).stdout.split()
+        self.environment = {**os.environ, "PATH": f"{self.prefix}/bin:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
+
+    def compile(self, block, folder):
+        source, program = folder / f"snippet{block.line}.cpp", folder / f"snippet{block.line}"
+        text = block.text
+        if "int main(" not in text:
+            head = [line for line in text.split("\n") if line.startswith("#include")]
+            body = [line for line in text.split("\n") if not line.startswith("#include")]
+            text = "\n".join([*head, "void snippet() {", *body, "}"])
+        source.write_text(text)
+        want = ["-o", program] if block.runs else ["-fsyntax-only"]
+        command = [self.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-Wno-unused", source, *want, *self.flags]
+        run = subprocess.run(command, capture_output=True, text=True)
+        return None if run.returncode == 0 else f"{block.where()}: does not compile\n{run.stderr}"
+
+    def compare(self, block, run):
+        if run.returncode != block.status:
+            return f"{block.where()}: exit status {run.returncode} instead of {block.status}\n{run.stdout}{run.stderr}"
+        if block.output is not None and not matches(block.output, run.stdout):
+            return f"{block.where()}: prints something else than the documentation says:\n{run.stdout}{run.stderr}"
+        return None
+
+    def check_cpp(self, block, folder):
+        complaint = self.compile(block, folder)
+        if complaint or not block.runs:
+            return complaint
+        program = [folder / f"snippet{block.line}"]
+        return self.compare(block, subprocess.run(program, cwd=folder, env=self.environment, capture_output=True, text=True))
+
+    def check_sh(self, block, folder):
+        run = subprocess.run(["bash", "-c", block.text], cwd=folder, env=self.environment, capture_output=True, text=True,
+                             stdin=subprocess.DEVNULL)
+        return self.compare(block, run)
+
+    def check_json(self, block):
+        try:
+            json.loads(block.text)
+        except ValueError as error:
+            return f"{block.where()}: is not JSON: {error}"
+        return None
+
+    def check_file(self, file):
+        complaints = []
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for block in blocks(file):
+                if block.language == "cpp":
+                    complaints.append(self.check_cpp(block, folder))
+                elif block.language == "sh" and block.runs:
+                    complaints.append(self.check_sh(block, folder))
+                elif block.language == "json":
+                    complaints.append(self.check_json(block))
+        return [c for c in complaints if c]
+
+
+def anchor(heading):
+    """The name under which GitHub links to a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def check_links(file):
+    text = FENCE.sub("", file.read_text())
+    for target in LINK.findall(text):
+        if "://" in target or target.startswith("mailto:"):
+            continue
+        path, _, heading = target.partition("#")
+        linked = (file.parent / path).resolve() if path else file
+        if not linked.exists():
+            yield f"{file.relative_to(ROOT)}: links to {target}, which does not exist"
+        elif heading and heading not in map(anchor, HEADING.findall(FENCE.sub("", linked.read_text()))):
+            yield f"{file.relative_to(ROOT)}: links to {target}, and there is no such heading"
+
+
+def check_names_in_sources():
+    for folder in ["include", "src", "apps", "tests", "cmake"]:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in {".hpp", ".cpp", ".txt"}:
+                for name in NAMED_IN_SOURCE.findall(path.read_text()):
+                    if not (ROOT / name).exists():
+                        yield f"{path.relative_to(ROOT)}: names {name}, which does not exist"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--prefix", type=pathlib.Path, required=True)
+    parser.add_argument("--compiler", default="c++")
+    parser.add_argument("files", nargs="*", type=pathlib.Path)
+    options = parser.parse_args()
+    checker = Checker(options.prefix, options.compiler)
+    files = [f.resolve() for f in options.files]
+    complaints = []
+    if not files:
+        files = [f for f in [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").rglob("*.md"))] if f.exists()]
+        complaints = [c for f in files for c in check_links(f)] + list(check_names_in_sources())
+    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
+        for found in pool.map(checker.check_file, files):
+            complaints += found
+    for complaint in complaints:
+        print(complaint)
+    count = sum(len(blocks(f)) for f in files)
+    print(f"docs: {len(files)} files, {count} blocks, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Checks which file includes which.
+
+A file of a room (include/toccata/<room>/, src/<room>/) includes only its own room and those before it in
+tools/rooms.txt. A public header includes only public headers and the standard library. The command includes only public
+headers and its own. include/toccata/toccata.hpp names every public header, and no folder is a room without a name.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOMS = (ROOT / "tools/rooms.txt").read_text().split()
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
+# Rooms that exist to meet other libraries: their headers include them and are not part of toccata.hpp.
+GUEST_ROOMS = {"interop", "distributed"}
+
+
+def sources(folder):
+    return sorted(p for p in (ROOT / folder).rglob("*") if p.suffix in {".hpp", ".cpp"})
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text())
+
+
+def room_of(included):
+    """The room that an include in quotes names, or None."""
+    parts = included.removeprefix("toccata/").split("/")
+    return parts[0] if len(parts) > 1 and parts[0] in ROOMS else None
+
+
+def check_room_file(path, room, public):
+    for quote, included in includes(path):
+        if quote == "<":
+            if public and room not in GUEST_ROOMS and not STANDARD_HEADER.fullmatch(included):
+                yield f"{path}: a public header includes <{included}>, which is not of the standard library"
+            continue
+        other = room_of(included)
+        if other is None:
+            yield f'{path}: "{included}" names no room; write "toccata/<room>/x.hpp" or "<room>/x.hpp"'
+        elif ROOMS.index(other) > ROOMS.index(room):
+            yield f'{path}: "{included}" is in {other}, which comes after {room} in tools/rooms.txt'
+        elif public and not included.startswith("toccata/"):
+            yield f'{path}: a public header includes the private "{included}"'
+
+
+def check_rooms(base, public):
+    for path in sources(base):
+        parts = path.relative_to(ROOT / base).parts
+        if len(parts) == 1 and public:
+            continue  # toccata.hpp, checked on its own
+        if parts[0] not in ROOMS:
+            yield f"{path}: {parts[0]} is not in tools/rooms.txt"
+        else:
+            yield from check_room_file(path, parts[0], public)
+
+
+def check_command():
+    own = {p.name for p in sources("apps/toccata")}
+    for path in sources("apps/toccata"):
+        for quote, included in includes(path):
+            if quote == '"' and not included.startswith("toccata/") and included not in own:
+                yield f'{path}: the command includes the private "{included}"'
+
+
+def check_umbrella():
+    umbrella = ROOT / "include/toccata/toccata.hpp"
+    named = {included for _, included in includes(umbrella)}
+    public = {str(p.relative_to(ROOT / "include")) for p in sources("include/toccata")}
+    expected = {p for p in public - {"toccata/toccata.hpp"} if p.split("/")[1] not in GUEST_ROOMS}
+    for missing in sorted(expected - named):
+        yield f'{umbrella}: does not include "{missing}"'
+
+
+def main():
+    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrella()]
+    for complaint in complaints:
+        print(complaint.replace(f"{ROOT}/", ""))
+    print(f"layering: {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Checks docs/evidence/ledger.json, the list of methods and of what shows that each works.
+
+A row has the cells api, command, oracle_test, benchmark, docs, picture. A cell is a reference or a list of references,
+"n/a: reason", or empty; a row with an empty cell is open. Every reference must lead somewhere:
+
+  api          a name declared in include/            command    a subcommand of the command
+  oracle_test  FILE:Suite.Test or FILE:sweep          the others a file, docs with or without #heading
+
+With --write the table docs/methods.md is made anew; without, it must be what would be written.
+"""
+import json
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LEDGER = ROOT / "docs/evidence/ledger.json"
+TABLE = ROOT / "docs/methods.md"
+CELLS = ["api", "command", "oracle_test", "benchmark", "docs", "picture"]
+IDS = [*(f"A{i}" for i in range(1, 15)), *(f"B{i}" for i in range(1, 14)), *(f"C{i}" for i in range(1, 18))]
+
+
+def text_of(folder, suffixes=(".hpp", ".cpp")):
+    return "\n".join(p.read_text() for p in sorted((ROOT / folder).rglob("*")) if p.suffix in suffixes)
+
+
+def references(cell):
+    """The references of a cell; none when it is empty or does not apply."""
+    entries = cell if isinstance(cell, list) else [cell]
+    return [e for e in entries if e and not e.startswith("n/a: ")]
+
+
+def is_test(reference):
+    name, _, test = reference.partition(":")
+    path = ROOT / name
+    if not path.is_file() or not test:
+        return False
+    suite, dot, case = test.partition(".")
+    if dot:
+        return re.search(rf"\bTEST(_F|_P)?\(\s*{re.escape(suite)}\s*,\s*{re.escape(case)}\s*\)", path.read_text()) is not None
+    return f'"{test}"' in path.read_text()
+
+
+def exists(kind, reference, public_headers, command):
+    if kind == "api":
+        return re.search(rf"\b{re.escape(reference)}\b", public_headers) is not None
+    if kind == "command":
+        return f'add_subcommand("{reference}"' in command
+    if kind == "oracle_test":
+        return is_test(reference)
+    return (ROOT / reference.partition("#")[0]).is_file()
+
+
+def check_rows(rows):
+    public_headers, command = text_of("include"), text_of("apps/toccata")
+    if [row["id"] for row in rows] != IDS:
+        yield "the ledger's rows are not A1 … A14, B1 … B13, C1 … C17 in this order"
+    for row in rows:
+        if set(row) != {"id", "method", *CELLS}:
+            yield f"{row['id']}: has other cells than {', '.join(CELLS)}"
+            continue
+        for kind in CELLS:
+            for reference in references(row[kind]):
+                if not exists(kind, reference, public_headers, command):
+                    yield f"{row['id']}: {kind} {reference} leads nowhere"
+
+
+def is_open(row):
+    return any(not row[kind] for kind in CELLS)
+
+
+def shown(kind, cell):
+    entries = cell if isinstance(cell, list) else [cell]
+    if entries == [""]:
+        return ""
+    if kind in {"docs", "picture", "benchmark"}:
+        links = {e: f"[{pathlib.Path(e.partition('#')[0]).stem}]({pathlib.Path('..') / e})" for e in references(cell)}
+        links = {e: link.replace("](../docs/", "](") for e, link in links.items()}
+        return ", ".join(links.get(e, e) for e in entries)
+    return ", ".join(e if e.startswith("n/a: ") else f"`{e.rpartition(':')[2]}`" for e in entries)
+
+
+def table(rows):
+    done = sum(not is_open(row) for row in rows)
+    lines = [
+        "# The methods",
+        "",
+        "What Toccata is to contain, and what shows that it does: made from [ledger.json](evidence/ledger.json) by",
+        "`tools/check_ledger.py --write`. A row with an empty cell is open. "
+        f"Now {done} of {len(rows)} rows are complete.",
+        "",
+        "| | method | C++ | command | test against an oracle | benchmark | docs | picture |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for row in rows:
+        cells = " | ".join(shown(kind, row[kind]) for kind in CELLS)
+        lines.append(f"| {row['id']} | {row['method']} | {cells} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    rows = json.loads(LEDGER.read_text())["rows"]
+    complaints = list(check_rows(rows))
+    if "--write" in sys.argv:
+        TABLE.write_text(table(rows))
+    elif not TABLE.exists() or TABLE.read_text() != table(rows):
+        complaints.append("docs/methods.md is not what the ledger says: run tools/check_ledger.py --write")
+    for complaint in complaints:
+        print(complaint)
+    touched = sum(any(references(row[kind]) for kind in CELLS) for row in rows)
+    print(f"ledger: {len(rows)} rows, {touched} begun, {sum(not is_open(r) for r in rows)} complete, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
