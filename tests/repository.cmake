@@ -1,0 +1,25 @@
+# What is checked about the repository itself: each check is a test, so that the tests' summary tells of all.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+foreach(check IN ITEMS format layering ledger)
+  add_test(NAME repository/${check} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${check}.py)
+endforeach()
+
+add_subdirectory(package)
+add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py --compiler ${CMAKE_CXX_COMPILER}
+                                      --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
+set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2)
+
+# Every header compiles alone: a unit that includes nothing else, for each.
+file(GLOB_RECURSE HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp ${PROJECT_SOURCE_DIR}/src/*.hpp)
+foreach(header IN LISTS HEADERS)
+  string(REGEX REPLACE "^${PROJECT_SOURCE_DIR}/(include|src)/" "" name ${header})
+  string(MAKE_C_IDENTIFIER ${name} unit)
+  file(CONFIGURE OUTPUT headers/${unit}.cpp CONTENT "#include \"@name@\"\n" @ONLY)
+  list(APPEND HEADER_UNITS ${CMAKE_CURRENT_BINARY_DIR}/headers/${unit}.cpp)
+endforeach()
+add_library(toccata_headers_alone OBJECT ${HEADER_UNITS})
+target_include_directories(toccata_headers_alone PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(toccata_headers_alone PRIVATE -O0)
+target_link_libraries(toccata_headers_alone PRIVATE toccata_build_flags)
+target_compile_features(toccata_headers_alone PRIVATE cxx_std_20)
