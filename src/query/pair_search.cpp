@@ -68,26 +68,36 @@ class LeastMeeting : public PairSearch {
   std::optional<ItemPair> least;
 };
 
-class AllMeetings : public PairSearch {
+class EachMeeting : public PairSearch {
  public:
-  using PairSearch::PairSearch;
-  double limit() const { return 0; }
+  EachMeeting(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see)
+      : PairSearch(a, b), see_(see) {}
+  double limit() const { return ended_ ? -1 : 0; }
   void visit(std::span<const ItemPair> pairs) {
     for (const ItemPair& pair : pairs) {
       const Triangle a = a_.triangle(pair.first), b = b_.triangle(pair.second);
       if (!boxes_meet(a, b)) continue;
       const Meeting common = meeting(a, b);
-      if (common.kind != MeetingKind::none) found.push_back(contact_of(pair, common));
+      if (common.kind == MeetingKind::none) continue;
+      ended_ = !see_(contact_of(pair, common));
+      if (ended_) return;
     }
   }
 
-  std::vector<Contact> found;
+ private:
+  const std::function<bool(const Contact&)>& see_;
+  bool ended_ = false;
 };
+
+template <class Search>
+void run(Search& question, const PosedMesh& a, const PosedMesh& b) {
+  if (overlap(a.box(), b.box())) walk_pair(a.model().tree(), b.model().tree(), question);
+}
 
 template <class Search>
 Search search(const PosedMesh& a, const PosedMesh& b) {
   Search question(a, b);
-  if (overlap(a.box(), b.box())) walk_pair(a.model().tree(), b.model().tree(), question);
+  run(question, a, b);
   return question;
 }
 
@@ -95,8 +105,17 @@ Search search(const PosedMesh& a, const PosedMesh& b) {
 
 bool surfaces_meet(const PosedMesh& a, const PosedMesh& b) { return search<AnyMeeting>(a, b).found; }
 
+void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see) {
+  EachMeeting question(a, b, see);
+  run(question, a, b);
+}
+
 std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b) {
-  std::vector<Contact> found = search<AllMeetings>(a, b).found;
+  std::vector<Contact> found;
+  visit_surface_contacts(a, b, [&](const Contact& contact) {
+    found.push_back(contact);
+    return true;
+  });
   std::sort(found.begin(), found.end(), [](const Contact& x, const Contact& y) { return place(x) < place(y); });
   return found;
 }

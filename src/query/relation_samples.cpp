@@ -1,0 +1,63 @@
+#include "query/relation_samples.hpp"
+
+#include <vector>
+
+#include "query/inside_winding.hpp"
+#include "query/relation_sheets.hpp"
+
+namespace toccata {
+namespace {
+
+RegionsSeen region_of(int winding_a, int winding_b) {
+  const bool in_a = winding_a != 0, in_b = winding_b != 0;
+  return {in_a && in_b, in_a && !in_b, in_b && !in_a};
+}
+
+RegionsSeen glance_at_cells(const SolidPair& pair, const Triangle& t, std::span<const Triangle> cuts) {
+  RegionsSeen seen;
+  if (!has_area(t)) return seen;
+  visit_cells(t, cuts, [&](const ExactPoint& p) {
+    seen = seen | sides_of(pair, p, t).seen;
+    return seen.all() ? CellVisit::stop : CellVisit::next;
+  });
+  return seen;
+}
+
+std::vector<Triangle> triangles_of(const SolidPair& pair) {
+  std::vector<Triangle> triangles;
+  for (const PosedMesh* mesh : {&pair.a, &pair.b})
+    for (Index i = 0; i < mesh->model().mesh().triangle_count(); ++i) triangles.push_back(mesh->triangle(i));
+  return triangles;
+}
+
+}  // namespace
+
+RegionsSeen operator|(const RegionsSeen& x, const RegionsSeen& y) {
+  return {x.in_both || y.in_both, x.only_in_a || y.only_in_a, x.only_in_b || y.only_in_b};
+}
+
+SidesOfPoint sides_of(const SolidPair& pair, const ExactPoint& p, const Triangle& t) {
+  const int axis = projection_axis(t);
+  const LineWinding a = wind_along(pair.a, p, axis, t), b = wind_along(pair.b, p, axis, t);
+  return {region_of(a.ahead, b.ahead) | region_of(a.behind, b.behind), a.on_another_plane || b.on_another_plane};
+}
+
+RegionsSeen glance(const SolidPair& pair, const Triangle& t) { return glance_at_cells(pair, t, {}); }
+
+RegionsSeen glance(const SolidPair& pair, const Triangle& t, const Triangle& cut) {
+  return glance_at_cells(pair, t, std::span(&cut, 1));
+}
+
+RegionsSeen all_regions(const SolidPair& pair, const RegionsSeen& seen) {
+  RegionsSeen result = seen;
+  const Sheets sheets(triangles_of(pair));
+  sheets.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
+    const SidesOfPoint sides = sides_of(pair, p, sheet);
+    if (sides.on_another_plane) return CellVisit::another;
+    result = result | sides.seen;
+    return result.all() ? CellVisit::stop : CellVisit::next;
+  });
+  return result;
+}
+
+}  // namespace toccata

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "query/posed_mesh.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata {
+
+/// The relation of two solids. Preconditions: both closed and posed regularly.
+[[nodiscard]] Relation relation_of_solids(const PosedMesh& a, const PosedMesh& b);
+
+/// Of a solid and a surface: apart, touching or crossing; b_in_a when all of the surface is in the solid's interior.
+[[nodiscard]] Relation relation_of_solid_and_surface(const PosedMesh& solid, const PosedMesh& surface);
+
+}  // namespace toccata
