@@ -15,6 +15,15 @@ namespace toccata::io {
 inline constexpr std::size_t most_elements = 0xFFFFFFFF;
 
 [[nodiscard]] PolygonMesh parse_obj(std::span<const char> bytes, std::string_view name);
+[[nodiscard]] PolygonMesh parse_off(std::span<const char> bytes, std::string_view name);
+[[nodiscard]] PolygonMesh parse_ply(std::span<const char> bytes, std::string_view name);
+/// Every facet has three vertices of its own, as stored.
+[[nodiscard]] TriangleMesh parse_stl(std::span<const char> bytes, std::string_view name);
+
+// Whether the bytes begin, or have the size, as in no other format. OBJ has no such sign.
+[[nodiscard]] bool looks_like_off(std::span<const char> bytes);
+[[nodiscard]] bool looks_like_ply(std::span<const char> bytes);
+[[nodiscard]] bool looks_like_stl(std::span<const char> bytes);
 
 /// Chooses the reader by the content, or by the extension (lower case, with its point) where the content has no
 /// signature, and triangulates.

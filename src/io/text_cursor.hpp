@@ -35,6 +35,8 @@ class TextCursor {
   /// The next word of this line, empty at its end.
   [[nodiscard]] std::string_view word();
   [[nodiscard]] std::string_view peek_word();
+  /// Moves over so many characters of the word ahead.
+  void skip(std::size_t characters) { position_ += characters; }
 
   /// The next word as a number; `what` is what the message calls it, "the x coordinate" say.
   [[nodiscard]] double number(std::string_view what);
