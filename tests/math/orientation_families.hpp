@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "toccata/core/random.hpp"
+#include "toccata/math/predicates.hpp"
 #include "toccata/math/vec3.hpp"
 
 // Families of four points, most of them in one plane or a hair beside it, for every stage of the orientation
@@ -148,6 +149,18 @@ inline FourPoints stretched(Random& random) {
   const auto factor = [&] { return power_of_two_between(random, -700, 700); };
   const FourPoints points = random.below(2) == 0 ? coplanar(random) : nudged(random, coplanar(random));
   return stretched_by({factor(), factor(), factor()}, points);
+}
+
+using ThreePoints = std::array<Vec2, 3>;
+
+/// Three of the points without one axis; in half the cases the third is put on the line of the others, up to rounding.
+inline ThreePoints flattened(Random& random, const FourPoints& points) {
+  const int axis = static_cast<int>(random.below(3));
+  const Vec2 a = drop_axis(points[0], axis), b = drop_axis(points[1], axis), c = drop_axis(points[2], axis);
+  const double s = random.below(2) == 0 ? integer_between(random, -3, 3) : random.between(-1, 2);
+  const Vec2 on_line{a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
+  const bool replace = random.below(2) == 0 && std::isfinite(on_line.x) && std::isfinite(on_line.y);
+  return {a, b, replace ? on_line : c};
 }
 
 struct OrientationFamily {

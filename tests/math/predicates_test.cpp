@@ -51,6 +51,13 @@ TEST(Orientation, UnderflowTimesAHugeNumberStillCounts) {
   EXPECT_EQ(triple_product_sign(u, v, {{-1e300, 1e300, -1e300}, {}}), Sign::negative);
 }
 
+// Two products beside the middle between 0 and the least double: they round apart in the wrong order, because the
+// differences were rounded too.
+TEST(Orientation, UnderflowDoesNotTurnTheSign) {
+  const double above = 0x1.0000000000001p-537;
+  EXPECT_EQ(orient2d({0x1p-591, 0x1p-590}, {above, above}, {above / 2, above / 2}), Sign::negative);
+}
+
 TEST(Orientation, OverflowIsNotAnAnswer) {
   EXPECT_EQ(orient2d({-largest, -largest}, {largest, -largest}, {-largest, largest}), Sign::positive);
   const FourPoints corner{{{-largest, -largest, -largest},
