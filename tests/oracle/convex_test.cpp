@@ -126,7 +126,7 @@ ConvexSet random_hull(Random& random) {
 TEST(OracleConvex, RandomHullsAgreeWithTheirFlip) {
   const std::uint64_t seed = 7;
   Random random(seed);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE("seed 7 round " + std::to_string(round));
     ConvexSet a = random_hull(random);
     ConvexSet b = random_hull(random);

@@ -30,17 +30,17 @@ enum class Passing { misses, doubtful, upwards, downwards };
 
 Passing passing(const RationalPoint& p, const RationalPoint& direction, const RationalTriangle& triangle) {
   const auto& v = triangle.vertex;
-  const RationalPoint up = normal(triangle);
-  // Without area it bounds nothing.
-  if (is_zero(up)) return Passing::misses;
   int least = 1;
   int greatest = -1;
   for (std::size_t i = 0; i < 3; ++i) {
     const int turn = dot(direction, cross(v[i] - p, v[(i + 1) % 3] - p)).sign();
     least = std::min(least, turn);
     greatest = std::max(greatest, turn);
+    if (least < 0 && greatest > 0) return Passing::misses;
   }
-  if (least < 0 && greatest > 0) return Passing::misses;
+  const RationalPoint up = normal(triangle);
+  // Without area it bounds nothing.
+  if (is_zero(up)) return Passing::misses;
   if (least == 0 || greatest == 0) return Passing::doubtful;
   const int slope = dot(up, direction).sign();
   if (slope * dot(up, v[0] - p).sign() < 0) return Passing::misses;
@@ -90,6 +90,7 @@ bool some_vertex_in(const MeshSet& a, const MeshSet& b) {
 
 /// The planes along which `cutter` divides `triangle`: no open cell between them is partly in and partly out of it.
 std::vector<HalfSpace> dividing_planes(const RationalTriangle& triangle, const RationalTriangle& cutter) {
+  if (!boxes_overlap(triangle, cutter)) return {};
   const CommonSet common = common_set(triangle, cutter);
   const bool reaches_the_inside =
       common.kind != CommonSetKind::none && contains_in_relative_interior(triangle, centroid(common.extreme_points));
@@ -155,6 +156,7 @@ Regions regions(const MeshSet& a, const MeshSet& b) {
           found.both = found.both || (in_a && in_b);
           found.only_a = found.only_a || (in_a && !in_b);
           found.only_b = found.only_b || (in_b && !in_a);
+          if (found.both && found.only_a && found.only_b) return found;
         }
     }
   return found;
@@ -252,7 +254,7 @@ std::optional<TrianglePair> first_meeting_pair(const MeshSet& a, const MeshSet& 
 bool surfaces_cross(const MeshSet& a, const MeshSet& b) {
   for (const RationalTriangle& s : a.triangles)
     for (const RationalTriangle& t : b.triangles)
-      if (common_set(s, t).crossing) return true;
+      if (boxes_overlap(s, t) && common_set(s, t).crossing) return true;
   return false;
 }
 

@@ -182,7 +182,7 @@ TEST(OracleMeshes, RandomBoxesAgreeWithTheirCoordinates) {
     return Vec3{low.x + 1 + static_cast<double>(random.below(2)), low.y + 1 + static_cast<double>(random.below(2)),
                 low.z + 1 + static_cast<double>(random.below(2))};
   };
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < 6; ++round) {
     const Vec3 low{static_cast<double>(random.below(3)), static_cast<double>(random.below(3)), 0};
     const Vec3 high = corner(low);
     const Vec3 other_high = corner({});

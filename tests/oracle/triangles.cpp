@@ -56,13 +56,12 @@ Bounding bounding_of_point(const RationalPoint& p) {
   return {{half_space(p, {1, 0, 0}), half_space(p, {0, 1, 0}), half_space(p, {0, 0, 1})}, {}};
 }
 
-bool boxes_are_apart(const RationalTriangle& a, const RationalTriangle& b) {
-  for (const auto axis : {&RationalPoint::x, &RationalPoint::y, &RationalPoint::z}) {
-    const auto [least_a, greatest_a] = std::minmax({a.vertex[0].*axis, a.vertex[1].*axis, a.vertex[2].*axis});
-    const auto [least_b, greatest_b] = std::minmax({b.vertex[0].*axis, b.vertex[1].*axis, b.vertex[2].*axis});
-    if (greatest_a < least_b || greatest_b < least_a) return true;
-  }
-  return false;
+const Rational& least(const RationalTriangle& t, Rational RationalPoint::*axis) {
+  return std::ranges::min_element(t.vertex, {}, axis)->*axis;
+}
+
+const Rational& greatest(const RationalTriangle& t, Rational RationalPoint::*axis) {
+  return std::ranges::max_element(t.vertex, {}, axis)->*axis;
 }
 
 CommonSetKind kind_of(const std::vector<RationalPoint>& extreme) {
@@ -94,7 +93,14 @@ Bounding bounding(const RationalTriangle& triangle) {
   return extreme.size() == 2 ? bounding_of_segment(extreme[0], extreme[1]) : bounding_of_point(extreme[0]);
 }
 
+bool boxes_overlap(const RationalTriangle& a, const RationalTriangle& b) {
+  for (const auto axis : {&RationalPoint::x, &RationalPoint::y, &RationalPoint::z})
+    if (least(a, axis) > greatest(b, axis) || least(b, axis) > greatest(a, axis)) return false;
+  return true;
+}
+
 bool contains(const RationalTriangle& triangle, const RationalPoint& p) {
+  if (!boxes_overlap(triangle, {{p, p, p}})) return false;
   const Bounding bounds = bounding(triangle);
   return std::ranges::all_of(bounds.containing, [&](const HalfSpace& h) { return height_above(h, p).is_zero(); }) &&
          std::ranges::all_of(bounds.sides, [&](const HalfSpace& h) { return height_above(h, p) <= 0; });
@@ -128,7 +134,7 @@ CommonSet common_set(const RationalTriangle& a, const RationalTriangle& b) {
   six.insert(six.end(), b.vertex.begin(), b.vertex.end());
   CommonSet result;
   result.coplanar = are_coplanar(six);
-  if (boxes_are_apart(a, b)) return result;
+  if (!boxes_overlap(a, b)) return result;
 
   std::vector<RationalPoint> rest = extreme_points(a);
   const Bounding bounds = bounding(b);
@@ -149,7 +155,7 @@ CommonSet common_set(const RationalTriangle& a, const RationalTriangle& b) {
 }
 
 bool overlap(const RationalTriangle& a, const RationalTriangle& b) {
-  return common_set(a, b).kind != CommonSetKind::none;
+  return boxes_overlap(a, b) && common_set(a, b).kind != CommonSetKind::none;
 }
 
 }  // namespace toccata::oracle

@@ -33,6 +33,9 @@ struct Bounding {
 
 Bounding bounding(const RationalTriangle& triangle);
 
+/// The closed axis-aligned boxes around the triangles have a point in common; without one the triangles have none.
+bool boxes_overlap(const RationalTriangle& a, const RationalTriangle& b);
+
 bool contains(const RationalTriangle& triangle, const RationalPoint& p);
 bool contains_in_relative_interior(const RationalTriangle& triangle, const RationalPoint& p);
 
