@@ -14,6 +14,7 @@ using FilePoint = std::tuple<double, double, double>;
 FilePoint file_point(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 MeshSet world_triangles(const TriangleMesh& mesh, const Pose& pose) {
+  if (!is_finite(pose.linear) || !is_finite(pose.offset)) throw std::invalid_argument("the pose is not finite");
   std::vector<RationalPoint> world;
   for (const Vec3& local : mesh.vertices()) {
     const Vec3 vertex = world_vertex(pose, local);
@@ -218,8 +219,8 @@ MeshSet surface_set(const TriangleMesh& mesh, const Pose& pose) { return world_t
 
 MeshSet solid_set(const TriangleMesh& mesh, const Pose& pose) {
   if (!is_closed(mesh)) throw std::invalid_argument("an open mesh has no inside");
-  if (is_singular(pose)) throw std::invalid_argument("a solid needs a pose that is not singular");
   MeshSet result = world_triangles(mesh, pose);
+  if (is_singular(pose)) throw std::invalid_argument("a solid needs a pose that is not singular");
   result.solid = true;
   return result;
 }

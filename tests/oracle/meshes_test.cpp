@@ -5,10 +5,13 @@
 #include <stdexcept>
 
 #include "oracle/test_meshes.hpp"
+#include "support/mesh_soups.hpp"
 #include "toccata/core/random.hpp"
 
 namespace toccata::oracle {
 namespace {
+
+using test::box_mesh;
 
 const TriangleMesh unit_box = box_mesh({0, 0, 0}, {1, 1, 1});
 

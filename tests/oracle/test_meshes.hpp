@@ -1,32 +1,13 @@
 #pragma once
 
+#include "support/mesh_soups.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata::oracle {
 
-/// The twelve triangles of an axis-aligned box, normals outwards.
-inline TriangleMesh box_mesh(const Vec3& lower, const Vec3& upper) {
-  std::vector<Vec3> corners;
-  for (const double z : {lower.z, upper.z})
-    for (const double y : {lower.y, upper.y})
-      for (const double x : {lower.x, upper.x}) corners.push_back({x, y, z});
-  return TriangleMesh(std::move(corners), {{0, 3, 1},
-                                           {0, 2, 3},
-                                           {4, 5, 7},
-                                           {4, 7, 6},
-                                           {0, 1, 5},
-                                           {0, 5, 4},
-                                           {2, 7, 3},
-                                           {2, 6, 7},
-                                           {0, 4, 6},
-                                           {0, 6, 2},
-                                           {1, 3, 7},
-                                           {1, 7, 5}});
-}
-
-/// The box with its sides as in `box_mesh`, every triangle turned round: it winds −1 times around its inside.
+/// `test::box_mesh` with every triangle turned round: it winds −1 times around its inside.
 inline TriangleMesh inverted_box_mesh(const Vec3& lower, const Vec3& upper) {
-  const TriangleMesh box = box_mesh(lower, upper);
+  const TriangleMesh box = test::box_mesh(lower, upper);
   std::vector<std::array<Index, 3>> triangles;
   for (const auto& [i, j, k] : box.triangles()) triangles.push_back({i, k, j});
   return TriangleMesh({box.vertices().begin(), box.vertices().end()}, std::move(triangles));
