@@ -1,3 +1,163 @@
-#include "toccata/math/pose.hpp"
+#include <fmt/format.h>
 
-int main() { return toccata::is_finite(toccata::Pose{}) ? 0 : 2; }
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <map>
+
+#include "arguments.hpp"
+#include "load.hpp"
+#include "suggest.hpp"
+#include "toccata/core/version.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+constexpr int trouble = 2;
+
+/// What the options say before they become arguments.
+struct Options {
+  CheckArguments check;
+  InspectArguments inspect;
+  DemoArguments demo;
+  bool json = false;
+  bool csv = false;
+  std::vector<std::string> pose_a;
+  std::vector<std::string> pose_b;
+  std::string solid;
+  std::string touching = "count";
+};
+
+Format format_of(const Options& options) {
+  return options.json ? Format::json : options.csv ? Format::csv : Format::table;
+}
+
+void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
+  app.add_option("files", input.files, what)->required();
+  app.add_option(
+      "--unit", input.unit,
+      "unit of the numbers in plain mesh files: mm, cm, m, in, ft, or metres per unit; the world is in metres");
+  app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+}
+
+void add_check(CLI::App& app, Options& options) {
+  CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
+  add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  check->add_option("--pose-a", options.pose_a, "places the first of two files: R row by row, then t")
+      ->expected(12)
+      ->type_name("12 NUMBERS");
+  check->add_option("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")
+      ->expected(12)
+      ->type_name("12 NUMBERS");
+  check
+      ->add_option("--solid", options.solid,
+                   "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                   "(default: as the scene says, else auto)")
+      ->check(CLI::IsMember({"auto", "all", "none"}));
+  check->add_option("--touching", options.touching, "whether merely touching counts")
+      ->check(CLI::IsMember({"count", "ignore"}))
+      ->capture_default_str();
+  check->add_flag("--faces", options.check.faces, "list the faces that meet, by the files' own numbers from 0");
+  CLI::Option* json = check->add_flag("--json", options.json, "write JSON (docs/reference/check-report.md)");
+  check->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+  check->add_option("--threads", options.check.threads, "threads to use; 0: as many as there are; same answer for any")
+      ->check(CLI::NonNegativeNumber);
+  check->footer(
+      "Exit code: 0 nothing touches, 1 something does, 2 trouble.\n\n"
+      "Example:\n"
+      "  toccata demo --write scenes\n"
+      "  toccata check scenes/a.obj scenes/b.stl --faces\n"
+      "  toccata check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
+      "  toccata check scenes/shelf.json --json");
+}
+
+void add_inspect(CLI::App& app, Options& options) {
+  CLI::App* inspect = app.add_subcommand("inspect", "what a mesh is: closed? degenerate? how large?");
+  add_input(*inspect, options.inspect.input, "mesh or scene files");
+  inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
+  inspect->footer("Nothing is repaired; everything is counted exactly.\n\nExample:\n  toccata inspect part.stl");
+}
+
+void add_demo(CLI::App& app, Options& options) {
+  CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
+  demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder");
+  demo->add_option("--threads", options.demo.threads, "threads to use; 0: as many as there are")
+      ->check(CLI::NonNegativeNumber);
+  demo->add_flag("--json", options.json, "write the answers as JSON");
+  demo->footer("Example:\n  toccata demo\n  toccata demo --write scenes");
+}
+
+std::optional<Solid> solid_of(const std::string& word) {
+  static const std::map<std::string, Solid> words{
+      {"auto", Solid::automatic}, {"all", Solid::all}, {"none", Solid::none}};
+  if (word.empty()) return std::nullopt;
+  return words.at(word);
+}
+
+int run(const CLI::App& app, Options& options) {
+  if (app.got_subcommand("check")) {
+    options.check.format = format_of(options);
+    if (!options.pose_a.empty()) options.check.pose_a = parse_pose(options.pose_a, "--pose-a");
+    if (!options.pose_b.empty()) options.check.pose_b = parse_pose(options.pose_b, "--pose-b");
+    options.check.solid = solid_of(options.solid);
+    options.check.touching = options.touching == "ignore" ? Touching::ignore : Touching::count;
+    return run_check(options.check);
+  }
+  if (app.got_subcommand("inspect")) {
+    options.inspect.format = format_of(options);
+    return run_inspect(options.inspect);
+  }
+  options.demo.format = format_of(options);
+  return run_demo(options.demo);
+}
+
+/// A mistyped subcommand gets the one that was probably meant; nothing when the first word is one.
+std::string mistyped_subcommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  const std::string word = argv[1];
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
+  if (std::find(known.begin(), known.end(), word) != known.end()) return {};
+  const std::string meant = nearest_word(word, known);
+  if (!meant.empty()) return fmt::format("there is no subcommand '{}'; did you mean '{}'?", word, meant);
+  return fmt::format("there is no subcommand '{}'; there are: {}", word, fmt::join(known, ", "));
+}
+
+int report_trouble(const std::string& message) {
+  fmt::print(stderr, "toccata: error: {}\n", printable(message));
+  return trouble;
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("Toccata tells whether 3-D things touch: exactly, on real files.", "toccata");
+  Options options;
+  app.set_version_flag("--version", fmt::format("toccata {}", version));
+  app.require_subcommand(1);
+  app.footer("Example:\n  toccata demo\n  toccata check a.stl b.obj\n\n`toccata SUBCOMMAND --help` tells more.");
+  add_check(app, options);
+  add_inspect(app, options);
+  add_demo(app, options);
+  if (const std::string message = mistyped_subcommand(app, argc, argv); !message.empty())
+    return report_trouble(message);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked_for_text) {
+    return app.exit(asked_for_text);
+  } catch (const CLI::ParseError& error) {
+    return report_trouble(std::string(error.what()) + " (--help tells the options)");
+  }
+  return run(app, options);
+}
+
+}  // namespace
+}  // namespace toccata::command
+
+int main(int argc, char** argv) {
+  try {
+    return toccata::command::main_of(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return toccata::command::report_trouble("not enough memory for this");
+  } catch (const std::exception& error) {
+    return toccata::command::report_trouble(error.what());
+  }
+}

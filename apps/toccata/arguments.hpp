@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toccata/io/report.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata::command {
+
+/// How a subcommand writes its answer to standard output.
+enum class Format { table, json, csv };
+
+/// Files to read and what their numbers mean.
+struct InputArguments {
+  std::vector<std::string> files;
+  std::string unit;  ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
+  double scale = 1;
+};
+
+struct CheckArguments {
+  InputArguments input;
+  std::optional<Pose> pose_a;
+  std::optional<Pose> pose_b;
+  std::optional<Solid> solid;  ///< overrides what the scene says
+  Touching touching = Touching::count;
+  bool faces = false;
+  Format format = Format::table;
+  int threads = 0;
+};
+
+struct InspectArguments {
+  InputArguments input;
+  Format format = Format::table;
+};
+
+struct DemoArguments {
+  std::string write_folder;  ///< empty: run the demo
+  Format format = Format::table;
+  int threads = 0;
+};
+
+/// Each runs a subcommand and returns the exit code: 0 nothing to report, 1 something. Trouble is an exception.
+int run_check(const CheckArguments& arguments);
+int run_inspect(const InspectArguments& arguments);
+int run_demo(const DemoArguments& arguments);
+
+}  // namespace toccata::command

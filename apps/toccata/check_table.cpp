@@ -1,0 +1,74 @@
+#include "check_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+constexpr std::size_t most_face_pairs = 10;  // per pair of objects; JSON and CSV list all
+
+std::size_t triangle_count(const Scene& scene) {
+  std::size_t count = 0;
+  for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
+  return count;
+}
+
+std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
+std::string meeting_text(const ReportedMeeting& meeting) {
+  std::string text = name_of(meeting.kind);
+  for (const Vec3& point : meeting.points) text += " " + point_text(point);
+  return text;
+}
+
+std::string face_lines(const ReportedPair& pair) {
+  if (pair.face_pairs.empty()) return "      no faces meet\n";
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t shown = std::min(pair.face_pairs.size(), most_face_pairs);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const ReportedFacePair& faces = pair.face_pairs[i];
+    for (const ReportedMeeting& meeting : faces.meetings)
+      rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
+                      faces.crossing ? "cross in a" : "touch in a", meeting_text(meeting)});
+  }
+  std::string text = columns(rows, 6);
+  if (shown < pair.face_pairs.size())
+    text += fmt::format("      … and {} more; --json and --csv list all\n",
+                        counted(pair.face_pairs.size() - shown, "pair") + " of faces");
+  return text;
+}
+
+std::vector<std::string> row_of(const Scene& scene, const ReportedPair& pair) {
+  return {printable(scene.objects[pair.a].name), verb(pair.relation), printable(scene.objects[pair.b].name),
+          remark(pair.relation)};
+}
+
+std::string pair_lines(const Scene& scene, const CheckReport& report) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(scene, pair));
+  if (!report.has_faces) return columns(rows, 2);
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) text += columns({rows[i]}, 2) + face_lines(report.pairs[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string check_table(const Scene& scene, const CheckReport& report) {
+  std::string text = fmt::format("{} with {}, {} with overlapping boxes.\n", counted(scene.objects.size(), "object"),
+                                 counted(triangle_count(scene), "triangle"), counted(report.candidate_pairs, "pair"));
+  if (report.pairs.empty())
+    text += "Nothing collides.\n";
+  else
+    text += pair_lines(scene, report) +
+            fmt::format("{} in contact, decided exactly.\n", counted(report.pairs.size(), "pair"));
+  if (report.ignored_touching > 0)
+    text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
+  return text;
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,104 @@
+#include "load.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "toccata/core/error.hpp"
+#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/scene_file.hpp"
+
+namespace toccata::command {
+namespace {
+
+double parse_double(const std::string& word, const std::string& option) {
+  const bool plain = word.find_first_not_of("+-.0123456789eE") == std::string::npos;
+  char* end = nullptr;
+  const double value = plain ? std::strtod(word.c_str(), &end) : 0;
+  if (!plain || word.empty() || end != word.c_str() + word.size() || !std::isfinite(value))
+    throw Error(fmt::format("{}: '{}' is not a finite number", option, word));
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t i = text.find_first_not_of(" ,\t"); i != std::string::npos;) {
+    const std::size_t end = text.find_first_of(" ,\t", i);
+    words.push_back(text.substr(i, end - i));
+    i = text.find_first_not_of(" ,\t", end);
+  }
+  return words;
+}
+
+ReadOptions read_options(const InputArguments& input) {
+  ReadOptions options;
+  if (!input.unit.empty()) options.metres_per_unit = metres_per_unit(input.unit);
+  options.scale = input.scale;
+  return options;
+}
+
+/// `name`, or with the file's path in front, or with a number behind, whichever is free first.
+std::string free_name(const std::set<std::string>& taken, const std::string& name, const std::string& file) {
+  if (!taken.contains(name)) return name;
+  const std::string longer = name.find(file) == std::string::npos ? file + ":" + name : name;
+  if (!taken.contains(longer)) return longer;
+  for (int number = 2;; ++number) {
+    const std::string numbered = fmt::format("{} #{}", name, number);
+    if (!taken.contains(numbered)) return numbered;
+  }
+}
+
+/// Appends `part` to `whole`; its node and parent numbers move with it.
+void append(Scene& whole, const Scene& part, const std::string& file, std::set<std::string>& taken) {
+  const Index node_offset = static_cast<Index>(whole.nodes.size());
+  for (SceneNode node : part.nodes) {
+    if (node.parent) *node.parent += node_offset;
+    whole.nodes.push_back(std::move(node));
+  }
+  for (SceneObject object : part.objects) {
+    if (object.node) *object.node += node_offset;
+    object.name = free_name(taken, object.name, file);
+    taken.insert(object.name);
+    whole.objects.push_back(std::move(object));
+  }
+}
+
+}  // namespace
+
+LoadedScene load(const InputArguments& input) {
+  LoadedScene loaded;
+  std::map<std::string, Scene> read;
+  std::set<std::string> taken;
+  const ReadOptions options = read_options(input);
+  for (const std::string& file : input.files) {
+    if (!read.contains(file)) read.emplace(file, read_scene(file, options));
+    loaded.first_object.push_back(loaded.scene.objects.size());
+    const Scene& scene = read.at(file);
+    if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
+    if (scene.unit != loaded.scene.unit)
+      loaded.warnings.push_back(
+          fmt::format("{} is in {}, but {} is in {}: coordinates are compared as they are; say what "
+                      "the unit is with --unit, or in a scene file",
+                      file, scene.unit, input.files.front(), loaded.scene.unit));
+    append(loaded.scene, scene, file, taken);
+  }
+  loaded.first_object.push_back(loaded.scene.objects.size());
+  for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
+  return loaded;
+}
+
+Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
+  std::vector<double> numbers;
+  for (const std::string& word : words)
+    for (const std::string& number : split(word)) numbers.push_back(parse_double(number, option));
+  std::array<double, 12> twelve{};
+  if (numbers.size() != twelve.size())
+    throw Error(fmt::format("{} takes 12 numbers, R row by row and then t; here are {}", option, numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), twelve.begin());
+  return Pose::from_numbers(twelve);
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace toccata::command {
+
+/// One scene of everything the files hold, and what to warn about.
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::size_t> first_object;  ///< of each file, and one past the last
+  std::vector<std::string> warnings;
+};
+
+/// Reads all files into one scene. Objects of different files that are named alike get the file's path, or a number,
+/// added to their names. A file named twice is read once.
+LoadedScene load(const InputArguments& input);
+
+/// Twelve numbers, separated by spaces or commas: R row by row, then t. `option` names them in errors.
+Pose parse_pose(const std::vector<std::string>& words, const std::string& option);
+
+}  // namespace toccata::command

@@ -1,0 +1,88 @@
+#include "words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace toccata::command {
+namespace {
+
+/// Characters, not bytes: UTF-8 continuation bytes take no column.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace
+
+std::string verb(const Relation& relation) {
+  switch (relation.containment) {
+    case Containment::a_in_b:
+      return "lies inside";
+    case Containment::b_in_a:
+      return "contains";
+    case Containment::equal:
+      return "equals";
+    case Containment::none:
+      break;
+  }
+  switch (relation.kind) {
+    case RelationKind::apart:
+      return "is apart from";
+    case RelationKind::touching:
+      return "touches";
+    case RelationKind::overlapping:
+      return "overlaps";
+    case RelationKind::crossing:
+      return "crosses";
+  }
+  return {};
+}
+
+std::string remark(const Relation& relation) {
+  if (relation.side_unresolved)
+    return "surfaces; no two faces cross, so the faces cannot tell whether they pass through";
+  if (relation.a_solid && relation.b_solid) return "solids";
+  if (!relation.a_solid && !relation.b_solid) return "surfaces";
+  return relation.a_solid ? "a solid and a surface" : "a surface and a solid";
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
+  return digits;
+}
+
+std::string counted(std::size_t number, const std::string& noun) {
+  return fmt::format("{} {}{}", grouped(number), noun, number == 1 ? "" : "s");
+}
+
+std::string printable(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F)
+      result += fmt::format("\\x{:02x}", byte);
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string columns(const std::vector<std::vector<std::string>>& rows, std::size_t indent) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line(indent, ' ');
+    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] - width_of(row[i]) + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace toccata::command

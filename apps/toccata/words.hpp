@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "toccata/query/relation.hpp"
+
+namespace toccata::command {
+
+/// The relation as a verb between the names of a and b: "overlaps", "contains", "lies inside", "touches", …
+std::string verb(const Relation& relation);
+
+/// What the two were taken for, and what the relation leaves open: "solids", "a surface, a solid", …
+std::string remark(const Relation& relation);
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::size_t number);
+
+/// "1 pair", "2 pairs".
+std::string counted(std::size_t number, const std::string& noun);
+
+/// A name from a file, safe for a terminal: control characters are shown as escapes.
+std::string printable(const std::string& text);
+
+/// Rows of equally many cells as lines, columns two spaces apart, without trailing spaces. `indent` spaces in front.
+std::string columns(const std::vector<std::vector<std::string>>& rows, std::size_t indent);
+
+}  // namespace toccata::command

@@ -1,0 +1,75 @@
+#include "support/command.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace toccata::test {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void redirect(const std::filesystem::path& file, int descriptor) {
+  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(opened, descriptor);
+  close(opened);
+}
+
+[[noreturn]] void become_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                                 const std::filesystem::path& out, const std::filesystem::path& err) {
+  redirect(out, STDOUT_FILENO);
+  redirect(err, STDERR_FILENO);
+  std::vector<char*> arguments;
+  std::string program = TOCCATA_COMMAND;
+  arguments.push_back(program.data());
+  std::vector<std::string> copies = words;
+  for (std::string& word : copies) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  if (chdir(folder.c_str()) == 0) execv(program.c_str(), arguments.data());
+  _exit(127);
+}
+
+}  // namespace
+
+CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+  const TemporaryFolder results;
+  const std::filesystem::path out = results.path() / "out";
+  const std::filesystem::path err = results.path() / "err";
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0) become_command(words, folder, out, err);
+  int state = 0;
+  waitpid(child, &state, 0);
+  const int code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+  return {code, text_of(out), text_of(err)};
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "toccata-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder could be made");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::filesystem::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+  const std::filesystem::path file = path_ / name;
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+  return file;
+}
+
+}  // namespace toccata::test
