@@ -8,7 +8,6 @@
 #include <set>
 
 #include "toccata/core/error.hpp"
-#include "toccata/io/mesh_file.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata::command {

@@ -68,7 +68,7 @@ void add_check(CLI::App& app, Options& options) {
       "  toccata demo --write scenes\n"
       "  toccata check scenes/a.obj scenes/b.stl --faces\n"
       "  toccata check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
-      "  toccata check scenes/shelf.json --json");
+      "  toccata check scenes/shelf/scene.json --json");
 }
 
 void add_inspect(CLI::App& app, Options& options) {

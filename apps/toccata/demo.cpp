@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "arguments.hpp"
+#include "check_table.hpp"
+#include "demo_readme.hpp"
+#include "output.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/generate/scenes.hpp"
+#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/scene_file.hpp"
+#include "toccata/query/scene_models.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct SceneAnswer {
+  std::string text;
+  bool contact = false;
+};
+
+SceneAnswer answer_scene(const Scene& scene, const DemoArguments& arguments) {
+  const std::vector<Posed> models = scene_models(scene, arguments.threads);
+  CheckOptions options;
+  options.threads = arguments.threads;
+  const CheckReport report = make_check_report(models, check_all(models, options), Touching::count, false);
+  const bool json = arguments.format == Format::json;
+  return {json ? check_report_json(scene, models, report, {}) : check_table(scene, report), !report.pairs.empty()};
+}
+
+int show_scenes(const DemoArguments& arguments) {
+  const Clock::time_point start = Clock::now();
+  const bool json = arguments.format == Format::json;
+  std::string text = json ? "{\n" : "";
+  bool contact = false;
+  for (const NamedScene& named : demo_scenes()) {
+    const SceneAnswer answer = answer_scene(demo_scene(named.name), arguments);
+    contact = contact || answer.contact;
+    if (json)
+      text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", named.name, answer.text);
+    else
+      text += fmt::format("{}: {}\n{}\n", named.name, named.description, answer.text);
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (json)
+    text += "}\n";
+  else
+    text += fmt::format(
+        "{} made, built and checked in {:.2f} s. Every answer is exact: no tolerance, no hull in place of a shape.\n"
+        "To play with them as files:\n  toccata demo --write scenes\n  toccata check scenes/a.obj scenes/b.stl "
+        "--faces\n",
+        counted(demo_scenes().size(), "scene"), seconds);
+  print_answer(text);
+  return contact ? 1 : 0;
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw Error(fmt::format("{}: could not be written; is the disk full?", file.string()));
+}
+
+/// Everything goes into a folder beside the final one and is renamed at the end, so that the folder is complete or not
+/// there.
+void write_files(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_mesh(generate_mesh("torus-knot"), folder / "a.obj");
+  write_mesh(generate_mesh("star"), folder / "b.stl");
+  for (const NamedScene& named : demo_scenes()) write_scene(demo_scene(named.name), folder / named.name);
+  write_text(folder / "README.md", demo_readme());
+}
+
+int write_scenes(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  const bool occupied = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
+  if (occupied)
+    throw Error(
+        fmt::format("{}: exists and is not an empty folder; name another, or remove it first", folder.string()));
+  const UninterruptedWriting writing;
+  const fs::path normal = fs::absolute(folder / "").parent_path();
+  const fs::path partial = normal.parent_path() / (normal.filename().string() + ".partial");
+  std::error_code failed;
+  fs::remove_all(partial, failed);
+  try {
+    write_files(partial);
+    fs::remove(normal, failed);  // an empty folder
+    fs::rename(partial, normal);
+  } catch (...) {
+    fs::remove_all(partial, failed);
+    throw;
+  }
+  print_answer(
+      fmt::format("Written to {}: {}, two meshes, and a README.md with commands to try, for example\n"
+                  "  toccata check {}/a.obj {}/b.stl\n",
+                  folder.string(), counted(demo_scenes().size(), "scene"), folder.string(), folder.string()));
+  return 0;
+}
+
+}  // namespace
+
+int run_demo(const DemoArguments& arguments) {
+  return arguments.write_folder.empty() ? show_scenes(arguments) : write_scenes(arguments.write_folder);
+}
+
+}  // namespace toccata::command

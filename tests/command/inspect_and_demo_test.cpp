@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+#include "toccata/core/version.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+TEST(Command, TellsItsVersion) {
+  const auto result = run_command({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, std::string("toccata ") + version + "\n");
+}
+
+TEST(Command, EveryHelpHasAnExample) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--help"}, {"check", "--help"}, {"inspect", "--help"}, {"demo", "--help"}}) {
+    const auto result = run_command(words);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("Example:"), std::string::npos) << result.out;
+  }
+}
+
+TEST(Command, WithoutWordsSaysWhatToDo) {
+  const auto result = run_command({});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--help"), std::string::npos);
+}
+
+TEST(Inspect, OpenMeshIsToldAsOpen) {
+  const TemporaryFolder folder;
+  folder.write("open.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n7 7 7\n2 0 0\n3 0 1 2\n3 0 1 4\n");
+  const auto result = run_command({"inspect", "open.off"}, folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("taken as a surface"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("degenerate triangles"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("unused vertices"), std::string::npos) << result.out;
+  const Json json = Json::parse(run_command({"inspect", "open.off", "--json"}, folder.path()).out);
+  EXPECT_EQ(json["schema"], "toccata/inspect/1");
+  EXPECT_EQ(json["objects"][0]["closed"], false);
+  EXPECT_EQ(json["objects"][0]["degenerate_triangles"], 1);
+  EXPECT_EQ(json["objects"][0]["unused_vertices"], 1);
+  EXPECT_EQ(json["objects"][0]["box"]["upper"], Json::parse("[2, 1, 0]"));
+}
+
+TEST(Inspect, UnitsComposeIntoThePose) {
+  const TemporaryFolder folder;
+  folder.write("part.off", "OFF\n3 1 0\n0 0 0\n1000 0 0\n0 1000 0\n3 0 1 2\n");
+  const Json json = Json::parse(run_command({"inspect", "part.off", "--json", "--unit", "mm"}, folder.path()).out);
+  EXPECT_EQ(json["objects"][0]["pose"][0], 0.001);
+  EXPECT_EQ(json["unit"], "m");
+}
+
+TEST(Demo, FindsCollisionsInEveryScene) {
+  const auto result = run_command({"demo"});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("in contact, decided exactly"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("toccata demo --write scenes"), std::string::npos);
+  const Json json = Json::parse(run_command({"demo", "--json"}).out);
+  for (const auto& [name, report] : json.items()) EXPECT_FALSE(report["pairs"].empty()) << name;
+}
+
+TEST(Demo, WritesFilesThatCheckAsItSays) {
+  const TemporaryFolder folder;
+  const auto written = run_command({"demo", "--write", "scenes"}, folder.path());
+  ASSERT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "scenes/README.md"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "scenes.partial"));
+  EXPECT_EQ(run_command({"check", "scenes/a.obj", "scenes/b.stl"}, folder.path()).exit_code, 1);
+
+  // A written scene gives the answer of the generated one.
+  const Json direct = Json::parse(run_command({"demo", "--json"}).out);
+  for (const auto& [name, report] : direct.items()) {
+    const auto again = run_command({"check", "scenes/" + name + "/scene.json", "--json"}, folder.path());
+    EXPECT_EQ(Json::parse(again.out)["pairs"], report["pairs"]) << name;
+  }
+}
+
+TEST(Demo, DoesNotOverwrite) {
+  const TemporaryFolder folder;
+  folder.write("scenes/mine.txt", "precious");
+  const auto result = run_command({"demo", "--write", "scenes"}, folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "scenes/mine.txt"));
+}
+
+}  // namespace
+}  // namespace toccata
