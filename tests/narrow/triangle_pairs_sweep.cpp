@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "narrow/feature_meeting.hpp"
+#include "narrow/triangle_pairs.hpp"
+#include "oracle/triangles.hpp"
+#include "support/sweep.hpp"
+#include "toccata/narrow/triangle_triangle.hpp"
+
+// Every answer about two triangles, compared with rational arithmetic, with the other methods and with itself under
+// exchange and renumbering.
+namespace toccata::test {
+namespace {
+
+using oracle::Rational;
+using oracle::RationalPoint;
+
+struct Truth {
+  oracle::RationalTriangle a;
+  oracle::RationalTriangle b;
+  oracle::CommonSet common;
+};
+
+Feature to_feature(const oracle::TriangleFeature& f) {
+  return {static_cast<FeatureKind>(f.dimension), static_cast<std::uint8_t>(f.index)};
+}
+
+bool is_nearest(double rounded, const Rational& value) {
+  const auto error = [&](double candidate) { return Rational(abs(oracle::exact(candidate) - value)); };
+  const auto no_better = [&](double candidate) {
+    return !std::isfinite(candidate) || error(rounded) <= error(candidate);
+  };
+  return no_better(std::nextafter(rounded, INFINITY)) && no_better(std::nextafter(rounded, -INFINITY));
+}
+
+bool is_nearest(const Vec3& rounded, const RationalPoint& p) {
+  return is_nearest(rounded.x, p.x) && is_nearest(rounded.y, p.y) && is_nearest(rounded.z, p.z);
+}
+
+/// The true extreme points in the order of the meeting's, by what features they lie on; empty if they are not the same.
+std::vector<std::size_t> matching(const Meeting& m, const Truth& truth) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < m.count; ++i)
+    for (std::size_t k = 0; k < truth.common.extreme_points.size(); ++k) {
+      const RationalPoint& p = truth.common.extreme_points[k];
+      if (to_feature(oracle::feature_at(truth.a, p)) == m.points[i].on_a &&
+          to_feature(oracle::feature_at(truth.b, p)) == m.points[i].on_b)
+        order.push_back(k);
+    }
+  return order.size() == m.count ? order : std::vector<std::size_t>{};
+}
+
+/// From one point to the next is one step around, always the same way.
+bool is_cyclic(const std::vector<std::size_t>& order) {
+  const std::size_t count = order.size();
+  for (const std::size_t step : {std::size_t{1}, count - 1}) {
+    bool all = true;
+    for (std::size_t i = 0; i + 1 < count; ++i) all = all && order[i + 1] == (order[i] + step) % count;
+    if (all) return true;
+  }
+  return false;
+}
+
+bool is_in_order(const Meeting& m) {
+  if (m.count < 2) return true;
+  const auto least = std::min_element(m.points.begin(), m.points.begin() + m.count);
+  return least == m.points.begin() && (m.count < 3 || m.points[1] < m.points[m.count - 1U]);
+}
+
+std::string compare_with_truth(const Meeting& m, const Triangle& a, const Triangle& b, const Truth& truth) {
+  if (static_cast<int>(m.kind) != static_cast<int>(truth.common.kind)) return "kind";
+  if (m.count != truth.common.extreme_points.size()) return "count";
+  if (m.coplanar != truth.common.coplanar) return "coplanar";
+  if (m.crossing != truth.common.crossing) return "crossing";
+  if (m.count == 0) return m.on_a == Feature{} && m.on_b == Feature{} ? "" : "features of nothing";
+  const std::vector<std::size_t> order = matching(m, truth);
+  if (order.empty()) return "features of the extreme points";
+  if (m.count > 2 && !is_cyclic(order)) return "cyclic order";
+  if (!is_in_order(m)) return "first point";
+  const RationalPoint middle = oracle::centroid(truth.common.extreme_points);
+  if (to_feature(oracle::feature_at(truth.a, middle)) != m.on_a) return "on_a";
+  if (to_feature(oracle::feature_at(truth.b, middle)) != m.on_b) return "on_b";
+  const MeetingCoordinates at = coordinates(m, a, b);
+  for (std::size_t i = 0; i < m.count; ++i)
+    if (!is_nearest(at.points[i], truth.common.extreme_points[order[i]])) return "coordinates";
+  return "";
+}
+
+/// As `meeting` must tell it when vertex i of a is called (i + 1) % 3 instead.
+Meeting with_a_renumbered(const Meeting& m) {
+  const auto renumbered = [](const Feature& f) {
+    return f.kind == FeatureKind::face ? f : Feature{f.kind, static_cast<std::uint8_t>((f.index + 1) % 3)};
+  };
+  Meeting r = m;
+  if (m.count == 0) return r;
+  r.on_a = renumbered(m.on_a);
+  for (std::size_t i = 0; i < m.count; ++i) r.points[i].on_a = renumbered(m.points[i].on_a);
+  return flipped(flipped(r));  // puts the points into their order again
+}
+
+std::string compare_with_itself(const Meeting& m, const Triangle& a, const Triangle& b, const Truth& truth) {
+  if (flipped(flipped(m)) != m) return "flipped twice";
+  if (meeting(b, a) != flipped(m)) return "exchanged";
+  if (oracle::dimension(truth.a) == 2 && meeting({{a[2], a[0], a[1]}}, b) != with_a_renumbered(m)) return "renumbered";
+  const MeetingCoordinates at = coordinates(m, a, b);
+  const MeetingCoordinates exchanged = coordinates(flipped(m), b, a);
+  if (!std::is_permutation(at.points.begin(), at.points.begin() + at.count, exchanged.points.begin()))
+    return "coordinates exchanged";
+  return "";
+}
+
+/// Empty, or what is wrong.
+std::string check(const TrianglePair& pair) {
+  const auto& [a, b] = pair;
+  const Truth truth{oracle::exact(a), oracle::exact(b), oracle::common_set(oracle::exact(a), oracle::exact(b))};
+  const bool overlapping = truth.common.kind != oracle::CommonSetKind::none;
+  if (overlap_by_penetration(a, b) != overlapping) return "penetration";
+  if (overlap_by_separating_axes(a, b) != overlapping) return "separating axes";
+  const Meeting m = meeting(a, b);
+  if (feature_meeting(a, b) != m) return "meeting by features";
+  const std::string wrong = compare_with_truth(m, a, b, truth);
+  return wrong.empty() ? compare_with_itself(m, a, b, truth) : wrong;
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  for (; result.cases < cases; ++result.cases) {
+    const TrianglePair pair = triangle_pair(family, random);
+    const std::string wrong = check(pair);
+    if (wrong.empty()) continue;
+    if (result.wrong++ == 0)
+      result.first_failure =
+          wrong + ", case " + std::to_string(result.cases) + ": a" + to_text(pair.a) + ", b" + to_text(pair.b);
+  }
+  return result;
+}
+
+const bool known = register_sweep({"triangle-pairs", triangle_pair_families(), 1'000'000, 100, run});
+
+}  // namespace
+}  // namespace toccata::test
