@@ -119,12 +119,12 @@ TriangleFeature feature_at(const RationalTriangle& triangle, const RationalPoint
     const RationalPoint& corner = v[static_cast<std::size_t>(i)];
     if (corner == point_of_it && std::ranges::count(extreme, corner) > 0) return {0, i};
   }
-  for (int i = 0; i < 3; ++i) {
-    const RationalPoint& from = v[static_cast<std::size_t>(i)];
-    const RationalPoint& to = v[static_cast<std::size_t>((i + 1) % 3)];
-    const bool joins_extreme_points =
-        !(from == to) && std::ranges::count(extreme, from) > 0 && std::ranges::count(extreme, to) > 0;
-    if (joins_extreme_points && is_between(point_of_it, from, to)) return {1, i};
+  const auto is_named = [&](std::size_t i) {
+    return std::ranges::count(extreme, v[i]) > 0 && std::ranges::find(v, v[i]) == v.begin() + i;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (is_named(i) && is_named(j) && is_between(point_of_it, v[i], v[j])) return {1, static_cast<int>(i)};
   }
   return {2, 0};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 
 #include "toccata/shapes/triangle.hpp"
@@ -15,7 +16,8 @@ enum class FeatureKind : std::uint8_t { vertex, edge, face };
 struct Feature {
   FeatureKind kind = FeatureKind::face;
   std::uint8_t index = 0;
-  friend constexpr bool operator==(const Feature&, const Feature&) = default;
+  /// By kind, then by index.
+  friend constexpr auto operator<=>(const Feature&, const Feature&) = default;
 };
 
 enum class MeetingKind : std::uint8_t {
@@ -29,7 +31,7 @@ enum class MeetingKind : std::uint8_t {
 struct MeetingPoint {
   Feature on_a;
   Feature on_b;
-  friend constexpr bool operator==(const MeetingPoint&, const MeetingPoint&) = default;
+  friend constexpr auto operator<=>(const MeetingPoint&, const MeetingPoint&) = default;
 };
 
 /// The exact common set of two closed triangles, told by features, without a rounded coordinate.
@@ -40,8 +42,9 @@ struct Meeting {
   Feature on_a;           ///< the smallest feature of each triangle that contains the whole meeting
   Feature on_b;
   std::uint8_t count = 0;  ///< of extreme points: 0, 1, 2, or up to 6
-  std::array<MeetingPoint, 6>
-      points{};  ///< of a polygon in cyclic order (from the least (on_a, on_b)); of a segment least first
+  /// Of a segment the lesser first, by (on_a, on_b); of a polygon in cyclic order, from the least towards the lesser of
+  /// its two neighbours.
+  std::array<MeetingPoint, 6> points{};
   friend constexpr bool operator==(const Meeting&, const Meeting&) = default;
 };
 
