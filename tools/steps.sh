@@ -69,9 +69,11 @@ build() {
 # part that failed.
 run_tests() {
   if [[ ${1-} == --all ]]; then
-    exec bash "$source_folder/tools/test_all.sh"
+    shift
+    install_packages packages-test
+    exec python3 "$source_folder/tools/test_all.py" "$@"
   elif [[ $# -gt 0 ]]; then
-    say "test takes --all or nothing, not: $*"
+    say "test takes --all or nothing, not $*"
     return 2
   fi
   install_packages packages packages-test
