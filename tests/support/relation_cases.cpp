@@ -148,10 +148,10 @@ TriangleMesh other_box_mesh(const Vec3& lower, const Vec3& upper) {
 }
 
 TriangleMesh l_mesh() {
-  const std::array<Vec2, 6> outline{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  const std::array<Vec3, 6> outline{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}};
   std::vector<Vec3> vertices;
   for (const double z : {0.0, 1.0})
-    for (const Vec2& p : outline) vertices.push_back({p.x, p.y, z});
+    for (const Vec3& p : outline) vertices.push_back({p.x, p.y, z});
   std::vector<std::array<Index, 3>> triangles;
   const std::array<std::array<Index, 3>, 4> floor{{{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}}};
   for (const auto& [i, j, k] : floor) {
@@ -177,7 +177,8 @@ TriangleMesh sphere_mesh(double radius, int levels) {
   for (; levels > 0; --levels) {
     std::map<std::pair<Index, Index>, Index> middle_of;
     const auto middle = [&](Index i, Index j) {
-      const auto [place, made] = middle_of.try_emplace({std::min(i, j), std::max(i, j)}, vertices.size());
+      const auto [place, made] =
+          middle_of.try_emplace({std::min(i, j), std::max(i, j)}, static_cast<Index>(vertices.size()));
       if (made) {
         const Vec3 sum = vertices[i] + vertices[j];
         vertices.push_back(1 / std::sqrt(dot(sum, sum)) * sum);
