@@ -12,12 +12,14 @@ bool same(const Difference& p, const Difference& q) { return p.head == q.head &&
 // What the filter left open. Shared vertices are by far the most frequent zero, and need no arithmetic.
 Sign decide_orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
   if (a == b || a == c || b == c) return Sign::zero;
+  if (const auto sign = orient2d_by_machine_integers(a, b, c)) return *sign;
   if (const auto sign = orient2d_by_expansions(a, b, c)) return *sign;
   return orient2d_by_integers(a, b, c);
 }
 
 Sign decide_triple_product(const Difference& u, const Difference& v, const Difference& w) {
   if (is_null(u) || is_null(v) || is_null(w) || same(u, v) || same(v, w) || same(u, w)) return Sign::zero;
+  if (const auto sign = triple_product_sign_by_machine_integers(u, v, w)) return *sign;
   if (const auto sign = triple_product_sign_by_expansions(u, v, w)) return *sign;
   return triple_product_sign_by_integers(u, v, w);
 }

@@ -40,6 +40,7 @@ std::optional<std::string> wrong_stage(const FourPoints& p) {
   if (triple_product_sign(u, v, w) != truth) return "triple_product_sign";
   if (triple_product_sign(u, v, {w.tail, w.head}) != -truth) return "triple_product_sign, w turned";
   if (!agrees(filtered_orient3d(a, b, c, d), volume)) return "filter";
+  if (!agrees(triple_product_sign_by_machine_integers(u, v, w), truth)) return "machine integers";
   if (!agrees(triple_product_sign_by_expansions(u, v, w), truth)) return "expansions";
   if (triple_product_sign_by_integers(u, v, w) != truth) return "integers";
   return std::nullopt;
@@ -53,6 +54,7 @@ std::optional<std::string> wrong_stage(const ThreePoints& p) {
   if (orient2d(a, b, c) != truth) return "orient2d";
   if (orient2d(a, c, b) != -truth) return "orient2d, b and c exchanged";
   if (!agrees(filtered_orient2d(a, b, c), area)) return "filter 2d";
+  if (!agrees(orient2d_by_machine_integers(a, b, c), truth)) return "machine integers 2d";
   if (!agrees(orient2d_by_expansions(a, b, c), truth)) return "expansions 2d";
   if (orient2d_by_integers(a, b, c) != truth) return "integers 2d";
   return std::nullopt;

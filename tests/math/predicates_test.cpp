@@ -133,6 +133,36 @@ TEST(Filter, DecidesAlmostAllUniformPointsAndNoCoplanarOnes) {
   EXPECT_EQ(open, 0);
 }
 
+TEST(MachineIntegers, TakeUpTo60BitsPerAxisAndLeaveTheRest) {
+  const Difference x{{0x1p-500, 0, 0}, {}}, y{{0, 0x1p700, 0}, {}};
+  const auto sign = [&](const Vec3& head, const Vec3& tail) {
+    return triple_product_sign_by_machine_integers(x, y, {head, tail});
+  };
+  EXPECT_EQ(sign({0, 0, 1}, {0, 0, -0x1p59}), Sign::positive);
+  EXPECT_EQ(sign({0, 0, 1}, {0, 0, 0x1p59}), Sign::negative);
+  EXPECT_EQ(sign({0x1p-501, 0, -0.0}, {0, 0, 0}), Sign::zero);
+  EXPECT_EQ(sign({0, 0, 1}, {0, 0, -0x1p60}), std::nullopt);
+  EXPECT_EQ(sign({0, 0, 1e-200}, {0, 0, 1e200}), std::nullopt);
+  EXPECT_EQ(sign({0, 0, largest}, {}), std::nullopt);
+  EXPECT_EQ(sign({0, 0, least}, {}), std::nullopt);
+  EXPECT_EQ(orient2d_by_machine_integers({0x1p59, -0x1p59}, {-0x1p59, 0x1p59}, {-0x1p59, 0x1p59}), Sign::zero);
+  EXPECT_EQ(orient2d_by_machine_integers({-0x1p59, -0x1p59}, {0x1p59, -0x1p59}, {0x1p59, 0x1p59}), Sign::positive);
+  EXPECT_EQ(orient2d_by_machine_integers({0x1p60, 0}, {1, 0}, {0, 1}), std::nullopt);
+}
+
+// The largest determinant the integers may meet, of both signs, and one beside zero that needs all 192 bits.
+TEST(MachineIntegers, DoNotOverflow) {
+  const double most = 0x1.fffffffffffffp59;
+  const Vec3 low{-most, -most, -most};
+  const Difference u{{most, -most, -most}, {-most, most, most}}, v{{-most, most, -most}, {most, -most, most}},
+      w{{-most, -most, most}, {most, most, -most}};
+  EXPECT_EQ(triple_product_sign_by_machine_integers(u, v, w), triple_product_sign_by_integers(u, v, w));
+  EXPECT_EQ(triple_product_sign_by_machine_integers(v, u, w), triple_product_sign_by_integers(v, u, w));
+  const Difference x{{most, most, 1}, low}, y{{most, most, 0}, low}, z{{most, 1 - most, 3}, {1, -most, 2}};
+  EXPECT_EQ(triple_product_sign_by_machine_integers(x, y, z), triple_product_sign_by_integers(x, y, z));
+  EXPECT_NE(triple_product_sign_by_integers(x, y, z), Sign::zero);
+}
+
 TEST(Expansions, TakeCoplanarPointsOfOrdinarySizeAndLeaveTheRest) {
   const Difference x{{1, 0, 0}, {}}, y{{0, 1, 0}, {}};
   EXPECT_EQ(triple_product_sign_by_expansions(x, y, {{1, 1, 0}, {}}), Sign::zero);
