@@ -9,6 +9,7 @@
 
 #include "query/pair_search.hpp"
 #include "query/posed_mesh.hpp"
+#include "query/relation_posed.hpp"
 #include "query/semantics.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/parallel.hpp"
@@ -111,12 +112,12 @@ class Check {
 
   /// Nothing where the two are apart.
   [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair) const {
-    const Posed& a = models_[pair.first];
-    const Posed& b = models_[pair.second];
-    PairAnswer answer{pair.first, pair.second, relation(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}), {}};
-    if (answer.relation.kind == RelationKind::apart) return std::nullopt;
-    if (options_.contacts) answer.contacts = surface_contacts(*posed_[pair.first], *posed_[pair.second]);
-    return answer;
+    const PosedMesh& a = *posed_[pair.first];
+    const PosedMesh& b = *posed_[pair.second];
+    const Relation relation = relation_of({a, solid_[pair.first] != 0}, {b, solid_[pair.second] != 0});
+    if (relation.kind == RelationKind::apart) return std::nullopt;
+    return PairAnswer{pair.first, pair.second, relation,
+                      options_.contacts ? surface_contacts(a, b) : std::vector<Contact>()};
   }
 
   std::span<const Posed> models_;

@@ -2,7 +2,7 @@
 
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
-#include "toccata/query/relation.hpp"
+#include "query/relation_posed.hpp"
 
 namespace toccata {
 
@@ -11,7 +11,8 @@ bool overlap(const Model& a, const Model& b, const PairQuery& query) {
   if (!overlap(pair.a.box(), pair.b.box())) return false;
   if (surfaces_meet(pair.a, pair.b)) return true;
   // One may lie wholly inside the other.
-  return (pair.a_solid || pair.b_solid) && relation(a, b, query).kind != RelationKind::apart;
+  return (pair.a_solid || pair.b_solid) &&
+         relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid}).kind != RelationKind::apart;
 }
 
 }  // namespace toccata

@@ -4,6 +4,7 @@
 
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
+#include "query/relation_posed.hpp"
 #include "query/relation_solids.hpp"
 
 namespace toccata {
@@ -25,23 +26,27 @@ Relation relation_of_surfaces(const PosedMesh& a, const PosedMesh& b) {
   return result;
 }
 
-Relation relation_of(const PosedPair& pair) {
-  if (pair.a_solid && pair.b_solid) return relation_of_solids(pair.a, pair.b);
-  if (pair.a_solid) return relation_of_solid_and_surface(pair.a, pair.b);
-  if (!pair.b_solid) return relation_of_surfaces(pair.a, pair.b);
-  Relation result = relation_of_solid_and_surface(pair.b, pair.a);
+Relation relation_as_taken(const TakenMesh& a, const TakenMesh& b) {
+  if (a.solid && b.solid) return relation_of_solids(a.mesh, b.mesh);
+  if (a.solid) return relation_of_solid_and_surface(a.mesh, b.mesh);
+  if (!b.solid) return relation_of_surfaces(a.mesh, b.mesh);
+  Relation result = relation_of_solid_and_surface(b.mesh, a.mesh);
   result.containment = flipped(result.containment);
   return result;
 }
 
 }  // namespace
 
+Relation relation_of(const TakenMesh& a, const TakenMesh& b) {
+  Relation result = relation_as_taken(a, b);
+  result.a_solid = a.solid;
+  result.b_solid = b.solid;
+  return result;
+}
+
 Relation relation(const Model& a, const Model& b, const PairQuery& query) {
   const PosedPair pair(a, b, query);
-  Relation result = relation_of(pair);
-  result.a_solid = pair.a_solid;
-  result.b_solid = pair.b_solid;
-  return result;
+  return relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid});
 }
 
 }  // namespace toccata
