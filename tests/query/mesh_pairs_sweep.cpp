@@ -42,7 +42,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
 }
 
 // Overlap, first contact and all contacts of two posed surfaces against brute force, both ways round.
-const bool known = register_sweep({"mesh-pairs", pose_families(), 10000, 40, run});
+const bool known = register_sweep({"mesh-pairs", pose_families(), 10000, 100, run});
 
 }  // namespace
 }  // namespace toccata::test

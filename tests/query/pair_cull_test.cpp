@@ -51,7 +51,7 @@ double worst_ratio(const std::string& family, std::uint64_t seed, double coordin
 TEST(PairCull, ThePadsCoverTheRounding) {
   double worst = 0;
   for (const std::string& family : test::pose_families())
-    for (std::uint64_t seed = 0; seed < 8; ++seed)
+    for (std::uint64_t seed = 0; seed < 4; ++seed)
       for (const double scale : {1.0, 1e3, 1e-3, 1e-300, 5e-324, 1e-160}) {
         const double ratio = worst_ratio(family, seed, scale);
         EXPECT_LT(ratio, 1) << family << ", seed " << seed << ", coordinates of size " << scale;
