@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
+#include "math/filter.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/shapes/triangle.hpp"
 
@@ -21,27 +21,14 @@ struct PlaneSides {
 };
 
 /// The sides as far as plain arithmetic can tell; zero means unknown. The normal is computed once for the three.
-///
-/// The error bound is that of Shewchuk's orient3d, stage A, whose operations these are, for arithmetic that does not
-/// underflow. Underflow adds at most 2^-1074 to each minor and to the sum; the two small constants are larger than what
-/// this can become. Where anything overflows the bound does too, or is not a number, and nothing is decided.
 inline PlaneSides likely_sides(const Triangle& plane, const Triangle& t) {
-  constexpr double relative = 7.7715611723761027e-16;  // (7 + 56 u) u with u = 2^-53
-  const Vec3 u = plane[1] - plane[0], v = plane[2] - plane[0];
-  const double yz = u.y * v.z, zy = u.z * v.y, zx = u.z * v.x, xz = u.x * v.z, xy = u.x * v.y, yx = u.y * v.x;
-  const Vec3 normal{yz - zy, zx - xz, xy - yx};
-  const Vec3 magnitude{std::abs(yz) + std::abs(zy) + 1e-290, std::abs(zx) + std::abs(xz) + 1e-290,
-                       std::abs(xy) + std::abs(yx) + 1e-290};
+  const FilteredCross normal = filtered_cross(plane[1] - plane[0], plane[2] - plane[0]);
   PlaneSides sides;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 w = t[i] - plane[0];
-    const double height = dot(normal, w);
-    const double error =
-        relative * (magnitude.x * std::abs(w.x) + magnitude.y * std::abs(w.y) + magnitude.z * std::abs(w.z)) + 1e-300;
-    // Written so that a bound that is not a number leaves the sign unknown.
-    sides.of[static_cast<std::size_t>(i)] = height > error    ? Sign::positive
-                                            : height < -error ? Sign::negative
-                                                              : Sign::zero;
+    const Filtered height = filtered_triple_product(normal, t[i] - plane[0]);
+    sides.of[static_cast<std::size_t>(i)] = height.is_positive()   ? Sign::positive
+                                            : height.is_negative() ? Sign::negative
+                                                                   : Sign::zero;
   }
   return sides;
 }

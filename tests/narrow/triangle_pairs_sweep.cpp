@@ -137,7 +137,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"triangle-pairs", triangle_pair_families(), 1'000'000, 100, run});
+const bool known = register_sweep({"triangle-pairs", triangle_pair_families(), 1'000'000, 1000, run});
 
 }  // namespace
 }  // namespace toccata::test

@@ -28,14 +28,7 @@ RationalPoint centroid(const std::vector<RationalPoint>& points) {
   return Rational(1, points.size()) * sum;
 }
 
-Rational exact(double value) {
-  int exponent = 0;
-  const auto mantissa = static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
-  const boost::multiprecision::cpp_int integer = mantissa;
-  const boost::multiprecision::cpp_int one = 1;
-  const int shift = exponent - 53;
-  return shift >= 0 ? Rational(integer << shift) : Rational(integer, one << -shift);
-}
+Rational exact(double value) { return Rational(value); }  // GMP's mpq_set_d, which does not round
 
 RationalPoint exact(const Vec3& point) { return {exact(point.x), exact(point.y), exact(point.z)}; }
 
