@@ -30,8 +30,8 @@ struct ReadOptions {
 /// or be empty.
 void write_scene(const Scene& scene, const std::filesystem::path& folder);
 
-/// One sentence for every object that is so much larger or smaller than the rest (its box diagonal in the world, 10⁴
-/// times the median of the others or more, or as much less) that a unit is probably missing.
+/// One sentence for every object whose box diagonal in the world is 10⁴ times the median of the scene's or more, or as
+/// much less: a unit is probably missing.
 [[nodiscard]] std::vector<std::string> scale_warnings(const Scene& scene);
 
 /// Metres per unit of "mm", "cm", "m", "km", "in", "ft", or of a positive number written out. Throws Error otherwise.

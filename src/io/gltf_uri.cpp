@@ -1,0 +1,85 @@
+#include "io/gltf_uri.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "io/file_error.hpp"
+
+namespace toccata::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+int base64_digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+int hexadecimal_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// RFC 4648.
+std::vector<char> decode_base64(const JsonValue& place, std::string_view text) {
+  while (text.ends_with('=')) text.remove_suffix(1);
+  std::vector<char> bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  unsigned bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const int digit = base64_digit(c);
+    if (digit < 0) place.fail("the data is not base64", "export the file again");
+    bits = (bits << 6 | static_cast<unsigned>(digit)) & 0xffffU;
+    held += 6;
+    if (held >= 8) bytes.push_back(static_cast<char>(bits >> (held -= 8) & 0xffU));
+  }
+  return bytes;
+}
+
+/// RFC 3986, section 2.1.
+std::string decode_percents(std::string_view uri) {
+  std::string result;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool coded =
+        uri[i] == '%' && i + 2 < uri.size() && hexadecimal_digit(uri[i + 1]) >= 0 && hexadecimal_digit(uri[i + 2]) >= 0;
+    result += coded ? static_cast<char>(16 * hexadecimal_digit(uri[i + 1]) + hexadecimal_digit(uri[i + 2])) : uri[i];
+    if (coded) i += 2;
+  }
+  return result;
+}
+
+bool leads_out(const fs::path& relative) {
+  return relative.empty() || relative.is_absolute() || *relative.lexically_normal().begin() == "..";
+}
+
+}  // namespace
+
+std::vector<char> decode_data_uri(const JsonValue& place, std::string_view uri) {
+  constexpr std::string_view marker = ";base64,";
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos || comma + 1 < marker.size() ||
+      uri.substr(comma + 1 - marker.size(), marker.size()) != marker)
+    place.fail("the data is not in base64", "export the file again");
+  return decode_base64(place, uri.substr(comma + 1));
+}
+
+fs::path file_of_uri(const JsonValue& place, std::string_view uri, const fs::path& folder) {
+  const std::string name = decode_percents(uri);
+  const bool strange = name.find('\0') != std::string::npos || name.find(':') != std::string::npos ||
+                       name.find('\\') != std::string::npos;
+  std::error_code code;
+  const fs::path start = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, code);
+  const fs::path file = strange ? fs::path() : fs::weakly_canonical(start / name, code);
+  if (strange || code || leads_out(name) || leads_out(file.lexically_relative(start)))
+    place.fail(fmt::format("{} is not a file within the folder of this one", io::quoted(uri)),
+               "put the buffer beside it and name it without a folder");
+  return file;
+}
+
+}  // namespace toccata::io

@@ -1,0 +1,267 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "io/file_bytes.hpp"
+#include "io/json_value.hpp"
+#include "io/scene_parts.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/suggestion.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/io/scene_file.hpp"
+#include "toccata/math/rotation.hpp"
+
+namespace toccata::io {
+namespace {
+
+constexpr const char* format_name = "toccata-scene";
+constexpr std::size_t format_version = 1;
+
+/// Runs `action`; an Error in it is said to be at `place`.
+template <class Action>
+auto located(const JsonValue& place, const Action& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    place.fail(error.what(), "correct it");
+  }
+}
+
+double unit_of(const JsonValue& value) {
+  if (!value.is_number()) return located(value, [&] { return metres_per_unit(value.text()); });
+  if (!(value.number() > 0)) value.fail("a unit must be positive", "write the metres per unit, or \"mm\"");
+  return value.number();
+}
+
+Mat3 rotation_of(const JsonValue& value) {
+  value.expect_keys({"axis", "degrees", "quaternion"});
+  if (!value.has("quaternion"))
+    return located(value, [&] { return rotation_about(value.at("axis").vector(), value.at("degrees").number()); });
+  if (value.has("axis") || value.has("degrees"))
+    value.fail("there is a quaternion and an axis or an angle", "keep one of the two");
+  const std::vector<double> q = value.at("quaternion").numbers(4);
+  return located(value, [&] { return toccata::rotation_of(Quaternion{q[0], q[1], q[2], q[3]}); });
+}
+
+Vec3 scale_of(const JsonValue& value) {
+  if (!value.is_number()) return value.vector();
+  return {value.number(), value.number(), value.number()};
+}
+
+Pose pose_of(const JsonValue& value) {
+  if (value.is_array()) {
+    const std::vector<double> numbers = value.numbers(12);
+    std::array<double, 12> twelve{};
+    std::copy(numbers.begin(), numbers.end(), twelve.begin());
+    return Pose::from_numbers(twelve);
+  }
+  value.expect_keys({"translation", "rotation", "scale"});
+  return toccata::pose_of(value.has("translation") ? value.at("translation").vector() : Vec3{},
+                          value.has("rotation") ? rotation_of(value.at("rotation")) : Mat3{},
+                          value.has("scale") ? scale_of(value.at("scale")) : Vec3{1, 1, 1});
+}
+
+Solid solid_of(const JsonValue& value) {
+  const std::map<std::string, Solid> known = {{"auto", Solid::automatic}, {"all", Solid::all}, {"none", Solid::none}};
+  const auto found = known.find(value.text());
+  if (found == known.end()) value.fail("this is not a way to take a mesh", "write \"auto\", \"all\" or \"none\"");
+  return found->second;
+}
+
+/// An entry of "frames" or "objects": what both have.
+struct Entry {
+  JsonValue value;
+  std::string name;
+  bool is_object;
+};
+
+std::vector<Entry> entries_of(const JsonValue& top) {
+  std::vector<Entry> entries;
+  std::map<std::string, bool> taken;
+  for (const char* list : {"frames", "objects"})
+    for (const JsonValue& value : top.elements(list)) {
+      const bool is_object = std::string_view(list) == "objects";
+      value.expect_keys(is_object ? std::vector<std::string>{"name", "file", "generate", "parameters", "parent", "pose",
+                                                             "solid", "group", "unit", "comment"}
+                                  : std::vector<std::string>{"name", "parent", "pose", "comment"});
+      Entry entry{value, value.at("name").text(), is_object};
+      if (entry.name.empty()) value.at("name").fail("the name is empty", "give it a name");
+      if (!taken.emplace(entry.name, true).second)
+        value.at("name").fail(fmt::format("the name '{}' is taken", entry.name), "give every frame and object its own");
+      entries.push_back(std::move(entry));
+    }
+  return entries;
+}
+
+/// Puts the entries into the order in which parents come first, and makes nodes of them.
+class NodeTree {
+ public:
+  explicit NodeTree(const std::vector<Entry>& entries) : entries_(entries), node_of_(entries.size()) {
+    for (std::size_t i = 0; i < entries.size(); ++i) index_.emplace(entries[i].name, i);
+    for (std::size_t i = 0; i < entries.size(); ++i) place(i);
+  }
+
+  [[nodiscard]] const std::vector<SceneNode>& nodes() const { return nodes_; }
+  [[nodiscard]] Index node_of(std::size_t entry) const { return *node_of_[entry]; }
+  /// In the world, composed from the root down.
+  [[nodiscard]] const Pose& world_of(std::size_t entry) const { return world_[*node_of_[entry]]; }
+
+ private:
+  /// Places the entry after all its ancestors. A loop, as chains may be long.
+  void place(std::size_t entry) {
+    std::vector<std::size_t> chain;
+    for (std::optional<std::size_t> at = entry; at && !node_of_[*at]; at = parent_of(*at)) {
+      chain.push_back(*at);
+      if (chain.size() > entries_.size())
+        entries_[entry].value.at("parent").fail("the parents go around in a circle", "remove one of them");
+    }
+    for (auto at = chain.rbegin(); at != chain.rend(); ++at) add_node(*at);
+  }
+
+  [[nodiscard]] std::optional<std::size_t> parent_of(std::size_t entry) const {
+    const JsonValue& value = entries_[entry].value;
+    if (!value.has("parent")) return std::nullopt;
+    const std::string name = value.at("parent").text();
+    const auto found = index_.find(name);
+    if (found == index_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [known_name, index] : index_) known.push_back(known_name);
+      const std::string near = nearest_word(name, known);
+      value.at("parent").fail(fmt::format("there is no frame or object named '{}'", name),
+                              near.empty() ? "name one of this file" : fmt::format("did you mean '{}'?", near));
+    }
+    return found->second;
+  }
+
+  void add_node(std::size_t entry) {
+    const JsonValue& value = entries_[entry].value;
+    SceneNode node{entries_[entry].name, std::nullopt, value.has("pose") ? pose_of(value.at("pose")) : Pose{}};
+    if (const auto parent = parent_of(entry)) node.parent = *node_of_[*parent];
+    world_.push_back(node.parent ? compose(world_[*node.parent], node.pose) : node.pose);
+    node_of_[entry] = static_cast<Index>(nodes_.size());
+    nodes_.push_back(std::move(node));
+  }
+
+  const std::vector<Entry>& entries_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<std::optional<Index>> node_of_;
+  std::vector<SceneNode> nodes_;
+  std::vector<Pose> world_;
+};
+
+/// Reads every file once and makes every generated mesh once.
+class ShapeSource {
+ public:
+  explicit ShapeSource(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  const Scene& shapes_of(const JsonValue& object) {
+    if (object.has("file") == object.has("generate"))
+      object.fail("an object needs one shape", "write either \"file\" or \"generate\"");
+    if (object.has("generate")) return generated(object);
+    if (object.has("parameters"))
+      object.at("parameters").fail("a file takes no parameters", "remove them, or write \"generate\"");
+    return from_file(object.at("file"));
+  }
+
+ private:
+  const Scene& from_file(const JsonValue& file) {
+    const std::filesystem::path path = (folder_ / file.text()).lexically_normal();
+    if (lower_case_extension(path) == ".json") file.fail("a scene cannot hold another", "name meshes or glTF files");
+    const auto [found, is_new] = known_.try_emplace(path.string());
+    if (is_new) found->second = located(file, [&] { return read_shapes(path); });
+    return found->second;
+  }
+
+  const Scene& generated(const JsonValue& object) {
+    const std::string name = object.at("generate").text();
+    GeneratorParameters parameters;
+    std::string key = "gen:" + name;
+    if (object.has("parameters")) {
+      const JsonValue given = object.at("parameters");
+      if (!given.is_object()) given.fail("this is not an object", "write {\"<parameter>\": <number>, …}");
+      for (const std::string& parameter : given.keys()) {
+        parameters[parameter] = given.at(parameter).number();
+        key += fmt::format("{}{}={}", key.find('?') == std::string::npos ? '?' : '&', parameter, parameters[parameter]);
+      }
+    }
+    const auto [found, is_new] = known_.try_emplace(key);
+    if (!is_new) return found->second;
+    SceneObject made;
+    made.mesh = located(object, [&] { return std::make_shared<const TriangleMesh>(generate_mesh(name, parameters)); });
+    made.source = "generated: " + key;
+    found->second.unit = "unit";
+    found->second.objects.push_back(std::move(made));
+    return found->second;
+  }
+
+  std::filesystem::path folder_;
+  std::map<std::string, Scene> known_;
+};
+
+/// World units per unit of the object's shape.
+double unit_factor(const JsonValue& object, const Scene& shapes, double scene_metres) {
+  if (object.has("unit")) return unit_of(object.at("unit")) / scene_metres;
+  return shapes.unit == "m" ? 1 / scene_metres : 1;  // glTF is in metres; other files are in the scene's unit
+}
+
+void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common) {
+  for (const SceneObject& part : shapes.objects) {
+    SceneObject object = common;
+    object.name = shapes.objects.size() == 1 ? entry.name : entry.name + "/" + part.name;
+    object.mesh = part.mesh;
+    object.source = part.source;
+    object.pose = compose(common.pose, part.pose);
+    if (!is_finite(object.pose))
+      entry.value.fail(fmt::format("the pose of '{}' is not finite once its parents and unit are applied", object.name),
+                       "use smaller numbers");
+    scene.objects.push_back(std::move(object));
+  }
+}
+
+void check_format(const JsonValue& top) {
+  top.expect_keys({"format", "version", "unit", "frames", "objects", "comment"});
+  if (top.at("format").text() != format_name)
+    top.at("format").fail("this is not a scene of Toccata", fmt::format("write \"{}\"", format_name));
+  if (top.at("version").whole(1000000) != format_version)
+    top.at("version").fail("this version is not known",
+                           fmt::format("write {}, or use a newer Toccata", format_version));
+}
+
+std::string unit_name(const JsonValue& top) {
+  if (!top.has("unit")) return "m";
+  const JsonValue unit = top.at("unit");
+  return unit.is_number() ? fmt::format("{} m", unit.number()) : unit.text();
+}
+
+}  // namespace
+
+Scene parse_scene_file(const SceneBytes& bytes) {
+  const nlohmann::json document = parse_json(bytes.bytes, bytes.file, RepeatedKeys::refused);
+  const JsonValue top(document, bytes.file);
+  check_format(top);
+  const double metres = top.has("unit") ? unit_of(top.at("unit")) : 1;
+  const std::vector<Entry> entries = entries_of(top);
+  const NodeTree tree(entries);
+  ShapeSource source(bytes.folder);
+  Scene scene;
+  scene.unit = unit_name(top);
+  scene.nodes = tree.nodes();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const JsonValue& value = entries[i].value;
+    if (!entries[i].is_object) continue;
+    const Scene& shapes = source.shapes_of(value);
+    SceneObject common;
+    common.pose = scaled(tree.world_of(i), unit_factor(value, shapes, metres));
+    common.solid = value.has("solid") ? solid_of(value.at("solid")) : Solid::automatic;
+    common.group = value.text_or("group", "");
+    common.node = tree.node_of(i);
+    add_objects(scene, entries[i], shapes, common);
+  }
+  if (scene.objects.empty()) top.fail("the scene has no objects", "add one to \"objects\"");
+  return scene;
+}
+
+}  // namespace toccata::io

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata::io {
+
+/// The bytes of a file, what it is called in messages, and the folder that the names in it start from.
+struct SceneBytes {
+  std::span<const char> bytes;
+  std::string file;
+  std::filesystem::path folder;
+};
+
+/// A glTF or GLB file as its posed meshes, in metres.
+[[nodiscard]] Scene parse_gltf(const SceneBytes& source);
+
+/// A scene file, docs/reference/scene-file.md.
+[[nodiscard]] Scene parse_scene_file(const SceneBytes& source);
+
+/// A file that holds shapes but no scene file: a mesh as one object at the identity, or a glTF.
+[[nodiscard]] Scene read_shapes(const std::filesystem::path& path);
+
+[[nodiscard]] bool is_gltf(const std::filesystem::path& path);
+
+/// Tells names apart: gives `name`, or "name #2", "name #3" … whichever is free.
+class UniqueNames {
+ public:
+  std::string make(const std::string& name);
+
+ private:
+  std::map<std::string, int> uses_;  ///< how often a name was asked for, or 1 when it came about by a number
+};
+
+}  // namespace toccata::io
