@@ -66,10 +66,12 @@ Rational to_rational(double value) {
   return Rational(Integer(f.mantissa), Integer(1) << as_shift(-f.exponent));
 }
 
-double nearest_double(const Rational& value) {
-  const Integer n = numerator(value);
+double nearest_double(const Rational& value) { return nearest_double(numerator(value), denominator(value), 0); }
+
+double nearest_double(const Integer& n, const Integer& d, int exponent) {
   if (n == 0) return 0;
-  const double magnitude = nearest_positive(abs(n), denominator(value));
+  const double magnitude = exponent >= 0 ? nearest_positive(abs(n) << as_shift(exponent), d)
+                                         : nearest_positive(abs(n), d << as_shift(-exponent));
   if (magnitude == 0) return 0;
   return n < 0 ? -magnitude : magnitude;
 }

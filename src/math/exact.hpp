@@ -20,6 +20,9 @@ using Rational =
 /// The double nearest to `value`, ties to even; ±∞ from 2^1024 − 2^970 on, 0 (never −0) up to 2^-1075.
 [[nodiscard]] double nearest_double(const Rational& value);
 
+/// The same for numerator · 2^exponent / denominator, in any terms; the denominator is positive.
+[[nodiscard]] double nearest_double(const Integer& numerator, const Integer& denominator, int exponent);
+
 [[nodiscard]] Sign sign_of(const Integer& value);
 [[nodiscard]] Sign sign_of(const Rational& value);
 

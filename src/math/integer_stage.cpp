@@ -1,26 +1,8 @@
-#include <algorithm>
-#include <initializer_list>
-#include <limits>
-
 #include "math/scaled_integer.hpp"
 #include "math/stages.hpp"
 
 namespace toccata {
 namespace {
-
-/// The least exponent among the values: over it all of them are integers.
-int common_exponent(std::initializer_list<double> values) {
-  int least = std::numeric_limits<int>::max();
-  for (const double value : values)
-    if (value != 0) least = std::min(least, binary_fraction(value).exponent);
-  return least;
-}
-
-/// value / 2^exponent.
-Integer scaled(double value, int exponent) {
-  const BinaryFraction f = binary_fraction(value);
-  return f.mantissa == 0 ? Integer(0) : Integer(f.mantissa) << static_cast<unsigned>(f.exponent - exponent);
-}
 
 Integer scaled_difference(double head, double tail, int exponent) {
   return scaled(head, exponent) - scaled(tail, exponent);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 
 #include "math/exact.hpp"
 
@@ -15,6 +16,12 @@ struct BinaryFraction {
 
 /// A finite double, taken apart; exponents lie in [-1074, 1023].
 [[nodiscard]] BinaryFraction binary_fraction(double value);
+
+/// The least exponent among the values: over it all of them are integers. Zeros have none.
+[[nodiscard]] int common_exponent(std::initializer_list<double> values);
+
+/// value / 2^exponent, which must be whole.
+[[nodiscard]] Integer scaled(double value, int exponent);
 
 /// One row of a matrix of integers.
 using IntegerRow = std::array<Integer, 3>;

@@ -33,35 +33,44 @@ inline PlaneSides likely_sides(const Triangle& plane, const Triangle& t) {
   return sides;
 }
 
+/// Lies in the plane for a reason that needs no arithmetic: most of what a filter cannot decide in meshes.
+inline bool plainly_in_plane(const Vec3& v, const Triangle& plane) {
+  if (v == plane[0] || v == plane[1] || v == plane[2]) return true;
+  for (int axis = 0; axis < 3; ++axis)
+    if (v[axis] == plane[0][axis] && v[axis] == plane[1][axis] && v[axis] == plane[2][axis]) return true;
+  return false;
+}
+
 /// Decides what `likely_sides` left unknown.
 inline PlaneSides exact_sides(PlaneSides likely, const Triangle& plane, const Triangle& t) {
-  for (int i = 0; i < 3; ++i) {
-    if (likely[i] != Sign::zero) continue;
-    // Shared vertices are most of what a filter cannot decide in meshes, and need no arithmetic.
-    if (t[i] == plane[0] || t[i] == plane[1] || t[i] == plane[2]) continue;
-    likely.of[static_cast<std::size_t>(i)] = orient3d(plane[0], plane[1], plane[2], t[i]);
-  }
+  for (int i = 0; i < 3; ++i)
+    if (likely[i] == Sign::zero && !plainly_in_plane(t[i], plane))
+      likely.of[static_cast<std::size_t>(i)] = orient3d(plane[0], plane[1], plane[2], t[i]);
   return likely;
 }
 
-/// The sides of two triangles against each other's planes, or that one of the planes keeps them apart.
+/// How two triangles lie to each other's planes.
 struct MutualSides {
-  bool apart = false;
-  PlaneSides of_a;  ///< the vertices of a against the plane of b
+  bool apart = false;  ///< one of the planes keeps them apart
+  bool flat = false;   ///< they are coplanar, or one of them has no area and so no plane
+  PlaneSides of_a;     ///< where neither: the vertices of a against the plane of b
   PlaneSides of_b;
 };
 
 inline MutualSides mutual_sides(const Triangle& a, const Triangle& b) {
-  MutualSides sides;
-  sides.of_b = likely_sides(a, b);
-  if (sides.of_b.apart()) return {true, {}, {}};
-  sides.of_a = likely_sides(b, a);
-  if (sides.of_a.apart()) return {true, {}, {}};
-  sides.of_b = exact_sides(sides.of_b, a, b);
-  if (sides.of_b.apart()) return {true, {}, {}};
-  sides.of_a = exact_sides(sides.of_a, b, a);
-  sides.apart = sides.of_a.apart();
-  return sides;
+  constexpr MutualSides apart{true, false, {}, {}}, flat{false, true, {}, {}};
+  // Both filters come before any exact sign.
+  const PlaneSides likely_b = likely_sides(a, b);
+  if (likely_b.apart()) return apart;
+  const PlaneSides likely_a = likely_sides(b, a);
+  if (likely_a.apart()) return apart;
+  const PlaneSides of_b = exact_sides(likely_b, a, b);
+  if (of_b.apart()) return apart;
+  if (of_b.all_zero()) return flat;
+  const PlaneSides of_a = exact_sides(likely_a, b, a);
+  if (of_a.apart()) return apart;
+  if (of_a.all_zero()) return flat;
+  return {false, false, of_a, of_b};
 }
 
 }  // namespace toccata

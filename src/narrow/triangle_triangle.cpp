@@ -40,14 +40,10 @@ bool both_have_area(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-// A triangle without area has no plane, and all sides against it are zero. So sides that are not all zero, both ways,
-// mean that both triangles have area and that their planes are different.
-
 bool overlap_by_penetration(const Triangle& a, const Triangle& b) {
   const MutualSides sides = mutual_sides(a, b);
   if (sides.apart) return false;
-  if (sides.of_a.all_zero() || sides.of_b.all_zero())
-    return both_have_area(a, b) ? coplanar_overlap(a, b) : features_overlap(a, b);
+  if (sides.flat) return both_have_area(a, b) ? coplanar_overlap(a, b) : features_overlap(a, b);
   const PlaneInterval in_a = plane_interval(a, sides.of_a), in_b = plane_interval(b, sides.of_b);
   return order(in_a.start, in_b.start) != Sign::negative && order(in_a.end, in_b.end) != Sign::positive;
 }
@@ -57,8 +53,7 @@ bool overlap(const Triangle& a, const Triangle& b) { return overlap_by_penetrati
 Meeting meeting(const Triangle& a, const Triangle& b) {
   const MutualSides sides = mutual_sides(a, b);
   if (sides.apart) return {};
-  if (sides.of_a.all_zero() || sides.of_b.all_zero())
-    return both_have_area(a, b) ? coplanar_meeting(a, b) : feature_meeting(a, b);
+  if (sides.flat) return both_have_area(a, b) ? coplanar_meeting(a, b) : feature_meeting(a, b);
   return meeting_of_intervals(plane_interval(a, sides.of_a), plane_interval(b, sides.of_b));
 }
 
