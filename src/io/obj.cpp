@@ -104,6 +104,8 @@ class ObjReader {
 PolygonMesh parse_obj(std::span<const char> bytes, std::string_view name) {
   ObjReader reader(bytes, name);
   PolygonMesh mesh = reader.read(most_elements);
+  if (mesh.vertices.empty() && mesh.first.size() == 1)
+    fail_in_file(name, {"there is neither a vertex nor a face in it", "check that it is an OBJ file"});
   if (mesh.first.size() == 1)
     fail_in_file(name, {"there is no face in it (" + std::to_string(mesh.vertices.size()) + " vertices)",
                         "export the mesh with its faces"});

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 #include <string>
 
 namespace toccata::io {
@@ -100,41 +99,6 @@ TEST(Number, TheEndIsWhereTheNumberEnds) {
   const std::ptrdiff_t lengths[] = {1, 1, 1, 3, 1, 1, 1, 1, 1, 1};
   for (std::size_t i = 0; i < std::size(texts); ++i)
     EXPECT_EQ(parsed(texts[i]).end - texts[i].data(), lengths[i]) << texts[i];
-}
-
-std::string random_digits(std::mt19937_64& random, int most) {
-  std::string digits(std::uniform_int_distribution<std::size_t>(1, static_cast<std::size_t>(most))(random), '0');
-  for (char& digit : digits) digit = static_cast<char>('0' + random() % 10);
-  return digits;
-}
-
-std::string random_decimal(std::mt19937_64& random) {
-  const char* signs[] = {"", "-", "+"};
-  std::string text = signs[random() % 3] + random_digits(random, random() % 8 == 0 ? 60 : 12);
-  if (random() % 4 != 0) text += "." + random_digits(random, random() % 8 == 0 ? 60 : 17);
-  if (random() % 2 == 0) text += (random() % 2 ? "e" : "E") + std::to_string(static_cast<int>(random() % 720) - 370);
-  return text;
-}
-
-TEST(Number, RandomDecimalsAreRoundedLikeStrtod) {
-  std::mt19937_64 random(20261);
-  for (int i = 0; i < 100'000; ++i) expect_like_strtod(random_decimal(random));
-}
-
-TEST(Number, DecimalsAroundTheMiddleOfTwoDoublesAreRoundedLikeStrtod) {
-  std::mt19937_64 random(20262);
-  for (int i = 0; i < 20'000; ++i) {
-    const double low = std::bit_cast<double>(random() & 0x7FFF'FFFF'FFFF'FFFF);
-    const double high = std::nextafter(low, INFINITY);
-    if (!std::isfinite(high)) continue;
-    // A long double has 11 bits more: it holds the middle exactly.
-    const long double middle = (static_cast<long double>(low) + static_cast<long double>(high)) / 2;
-    char text[1200];
-    for (const char* format : {"%.1100Lg", "%.25Lg", "%.17Lg"}) {
-      std::snprintf(text, sizeof text, format, middle);
-      expect_like_strtod(text);
-    }
-  }
 }
 
 TEST(Number, TheLocaleHasNoSay) {

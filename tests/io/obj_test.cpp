@@ -91,7 +91,7 @@ TEST(Obj, EveryErrorNamesFileAndLine) {
       {"v 0 0 0 red\n", "a.obj:1: the weight or colour \"red\" is not a finite decimal number; "},
       {"v 0 0 0 1 2 3 4 5\n", "a.obj:1: \"5\" does not belong after a vertex; "},
       {triangle, "a.obj: there is no face in it (3 vertices); "},
-      {"hello\nworld\n", "a.obj: there is no face in it (0 vertices); "},
+      {"hello\nworld\n", "a.obj: there is neither a vertex nor a face in it; check that it is an OBJ file"},
       {std::string("v 0 0 0\0\n", 9), "a.obj: this is binary data where text was expected; "},
       {"\xFF\xFEv", "a.obj: this is UTF-16 text; save it as UTF-8 or ASCII"},
   };
