@@ -22,10 +22,13 @@ constexpr std::size_t largest_index = std::numeric_limits<Index>::max();
 
 /// Extensions that a file may require without changing any shape, by the start of their names.
 constexpr std::string_view harmless_extensions[] = {"KHR_materials_",      "KHR_texture_",          "EXT_texture_",
-                                                    "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_xmp"};
+                                                    "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_xmp",
+                                                    "KHR_technique"};
 
 void check_header(const JsonValue& top) {
-  if (!top.has("asset") || !top.at("asset").has("version") || !top.at("asset").at("version").text().starts_with("2."))
+  const bool has_version = top.has("asset") && top.at("asset").has("version");
+  if (!has_version || !top.at("asset").at("version").is_string() ||
+      !top.at("asset").at("version").text().starts_with("2."))
     top.fail("this is not glTF 2", "export it as glTF 2.0");
   for (const JsonValue& required : top.elements("extensionsRequired")) {
     const std::string name = required.text();

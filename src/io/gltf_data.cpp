@@ -11,6 +11,7 @@
 #include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
 #include "io/gltf_uri.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata::io {
 namespace {
@@ -123,9 +124,14 @@ GltfData::GltfData(const JsonValue& top, const SceneBytes& source, const GltfChu
 std::span<const char> GltfData::external_buffer(const JsonValue& uri) {
   const std::string text = uri.text();
   if (text.starts_with("data:")) return loaded_.emplace_back(decode_data_uri(uri, text));
-  const FileBytes bytes = read_file(file_of_uri(uri, text, source_.folder));
-  budget_ += 8 * bytes.size;
-  return loaded_.emplace_back(bytes.span().begin(), bytes.span().end());
+  const std::filesystem::path file = file_of_uri(uri, text, source_.folder);
+  try {
+    const FileBytes bytes = read_file(file);
+    budget_ += 8 * bytes.size;
+    return loaded_.emplace_back(bytes.span().begin(), bytes.span().end());
+  } catch (const Error& error) {
+    uri.fail(error.what(), "put the buffer beside this file");
+  }
 }
 
 std::span<const char> GltfData::buffer(std::size_t index) {

@@ -134,7 +134,7 @@ TEST(Triangulate, FacesWithoutProperEarsAreFanned) {
 
 TEST(Triangulate, CombOfManyCornersIsQuick) {
   std::vector<Vec3> comb;
-  const int teeth = 100;
+  const int teeth = 2500;
   for (int i = 0; i < teeth; ++i) {
     comb.push_back({4.0 * i, 0, 0});
     comb.push_back({4.0 * i + 1, -1000, 0});

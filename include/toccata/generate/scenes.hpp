@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,9 +17,11 @@ struct Placement {
   double offset = 0;
 };
 
-/// Two tubes wound around each other, half a turn apart, of tube radius 1. The gap between their surfaces is `gap`: the
-/// second tube is turned so that it is `gap` (in units of the radius) short of touching the first, or for a negative
-/// gap is pushed into it.
+/// Two tubes of radius 1 wound around each other, half a turn apart. The second is the first moved up by half a pitch;
+/// the flat top of each lies under the flat bottom of the other over its whole length, with triangles that are
+/// translates of each other, so `gap` is the height of the air between them, in tube radii, everywhere: positive is
+/// apart, negative overlaps. The sign survives rounding while gap · scale is above 8 units in the last place of
+/// offset + 20 · scale.
 [[nodiscard]] Scene interleaved_helices(double gap, const Placement& placement = {});
 
 /// A star-shaped noise sphere within its own negative image: the surfaces coincide, the solids touch everywhere.
@@ -32,13 +35,15 @@ struct Placement {
 [[nodiscard]] Scene boxes_sharing_half(const Placement& placement = {});
 [[nodiscard]] Scene equal_boxes(const Placement& placement = {});
 
-/// Two gears in mesh, on parallel axes. Their teeth are `clearance` apart at the tightest place; 0 lets them touch.
-[[nodiscard]] Scene gear_pair();
-/// A robot arm of five links on a base over a table with a box on it: the gripper runs into the table.
+/// Three gears: two in mesh that do not touch, and a third whose teeth meet the first one's head on.
+[[nodiscard]] Scene gear_train();
+/// A robot arm with its tree of joints on a table, beside a workpiece: the base and the workpiece stand on the table,
+/// the gripper runs into it. The arm's links are one group.
 [[nodiscard]] Scene robot_arm();
-/// A shelf with about 40 parts on its boards, each standing on its board; two of them clash, and one is inside another.
+/// A shelf with 40 parts a millimetre above its boards. Among them one clash, one part inside another, and one part
+/// that stands on its board. The boards and sides are one group.
 [[nodiscard]] Scene shelf_of_parts(std::uint64_t seed = 1);
-/// A torus knot that passes through a ring without touching it, and a second ring that it cuts.
+/// A torus knot that passes through one ring freely, and is cut by a second.
 [[nodiscard]] Scene knot_through_ring();
 
 /// `count` small meshes, of a few kinds shared by all, scattered so that some collide.
