@@ -6,13 +6,14 @@ namespace {
 /// The point in which the edge from vertex i to the next, whose signs are opposite, crosses the plane.
 IntervalEnd edge_end_of(const Triangle& t, const PlaneSides& sides, int i) {
   const Vec3 &from = edge_start(t, i), &to = edge_end(t, i);
-  return sides[i] == Sign::negative ? IntervalEnd{edge_feature(i), from, to} : IntervalEnd{edge_feature(i), to, from};
+  return sides[i] == Sign::negative ? IntervalEnd{edge_feature(i), &from, &to}
+                                    : IntervalEnd{edge_feature(i), &to, &from};
 }
 
 /// Vertex i, whose sign is zero; `off` is a vertex whose sign is not.
 IntervalEnd vertex_end_of(const Triangle& t, const PlaneSides& sides, int i, int off) {
-  return sides[off] == Sign::positive ? IntervalEnd{vertex_feature(i), t[i], t[off]}
-                                      : IntervalEnd{vertex_feature(i), t[off], t[i]};
+  return sides[off] == Sign::positive ? IntervalEnd{vertex_feature(i), &t[i], &t[off]}
+                                      : IntervalEnd{vertex_feature(i), &t[off], &t[i]};
 }
 
 constexpr int next(int i) { return (i + 1) % 3; }

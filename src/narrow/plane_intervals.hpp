@@ -9,11 +9,12 @@ namespace toccata {
 // Each then has an interval in common with L. Ends are compared along L by a single orient3d and no coordinates.
 
 /// One end of the interval in which a triangle meets the other's plane: the feature that lies there, and a line in the
-/// triangle through the end and across L, from the negative to the positive side of the other plane.
+/// triangle through the end and across L, from the negative to the positive side of the other plane. Its two points are
+/// vertices of the triangle, which must outlive it.
 struct IntervalEnd {
   Feature feature;
-  Vec3 below;
-  Vec3 above;
+  const Vec3* below;
+  const Vec3* above;
 };
 
 /// Ordered along (normal of the triangle) × (normal of the other).
@@ -35,7 +36,7 @@ struct PlaneInterval {
 /// d·(u × v) = (n_a·u)(n_b·v) − (n_a·v)(n_b·u) = −(n_a·v)(n_b·u) < 0, because u lies in the plane of a, v in that of b,
 /// and both go to the positive side of the other.
 [[nodiscard]] inline Sign order(const IntervalEnd& of_a, const IntervalEnd& of_b) {
-  return orient3d(of_a.below, of_a.above, of_b.below, of_b.above);
+  return orient3d(*of_a.below, *of_a.above, *of_b.below, *of_b.above);
 }
 
 }  // namespace toccata
