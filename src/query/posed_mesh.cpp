@@ -35,6 +35,4 @@ PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who)
     for (const Index corner : corners) box_ = merge(box_, vertices_[corner]);
 }
 
-Aabb box_of(const Triangle& triangle) { return fit_aabb(triangle.vertex); }
-
 }  // namespace toccata

@@ -39,6 +39,8 @@ class PosedMesh {
 };
 
 /// Around one world triangle, exact.
-[[nodiscard]] Aabb box_of(const Triangle& triangle);
+[[nodiscard]] constexpr Aabb box_of(const Triangle& triangle) {
+  return merge(merge({triangle[0], triangle[0]}, triangle[1]), triangle[2]);
+}
 
 }  // namespace toccata

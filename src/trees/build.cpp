@@ -17,32 +17,50 @@ constexpr int greatest_heuristic_depth = 64;
 
 struct Item {
   Aabb box;
-  Vec3 centre;
   Index number;
 };
 
 Vec3 centre_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
-/// What is known of a run of items: what a node needs, and where to split it.
-struct Run {
-  std::size_t first = 0;
-  std::size_t count = 0;
+/// What is known of some items together: what their node needs, and where to split them.
+struct Extent {
   Aabb box;
   Aabb centres;
+  std::size_t count = 0;
+
+  void add(const Aabb& item) {
+    box = merge(box, item);
+    centres = merge(centres, centre_of(item));
+    ++count;
+  }
+  void add(const Extent& other) {
+    box = merge(box, other.box);
+    centres = merge(centres, other.centres);
+    count += other.count;
+  }
 };
 
+Extent extent_of(std::span<const Item> items) {
+  Extent extent;
+  for (const Item& item : items) extent.add(item.box);
+  return extent;
+}
+
+/// A node that is to be split: its items, and their extent.
 struct Task {
   Index node;
   int depth;
-  Run run;
+  std::size_t first;
+  Extent extent;
 };
 
-struct Bin {
-  Aabb box;
-  std::size_t count = 0;
+/// Where a node is split: the items of the left child come first.
+struct Split {
+  Extent left;
+  Extent right;
 };
 
-using Bins = std::array<Bin, bin_count>;
+using Bins = std::array<Extent, bin_count>;
 
 /// Tells the slab of a centre.
 class Slabs {
@@ -67,50 +85,60 @@ class Slabs {
   double scale_ = 0;
 };
 
-double cost(const Bin& side) { return half_area(side.box) * static_cast<double>(side.count); }
-
-void merge_into(Bin& side, const Bin& bin) {
-  side.box = merge(side.box, bin.box);
-  side.count += bin.count;
-}
+double cost(const Extent& side) { return half_area(side.box) * static_cast<double>(side.count); }
 
 /// The first bin of the right side, where the cost is least; the first of equals.
-std::size_t best_split(const Bins& bins) {
+std::size_t best_border(const Bins& bins) {
   std::array<double, bin_count> right_cost{};
-  Bin right;
+  Extent right;
   for (std::size_t i = bin_count - 1; i > 0; --i) {
-    merge_into(right, bins[i]);
+    right.add(bins[i]);
     right_cost[i] = cost(right);
   }
-  Bin left;
+  Extent left;
   std::size_t best = 1;
   double best_cost = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < bin_count; ++i) {
-    merge_into(left, bins[i - 1]);
+    left.add(bins[i - 1]);
     const double both = cost(left) + right_cost[i];
-    // Flat boxes cost nothing anywhere, so an empty side must not win.
-    if (left.count == 0 || both >= best_cost) continue;
+    if (both >= best_cost) continue;
     best_cost = both;
     best = i;
   }
   return best;
 }
 
+/// The slab of the least centre is the first, and that of the greatest the last, so no side is empty.
+Split split_by_heuristic(std::span<Item> items, const Slabs& slabs) {
+  Bins bins;
+  for (const Item& item : items) bins[slabs.of(centre_of(item.box))].add(item.box);
+  const std::size_t border = best_border(bins);
+  std::partition(items.begin(), items.end(), [&](const Item& item) { return slabs.of(centre_of(item.box)) < border; });
+  Split split;
+  for (std::size_t i = 0; i < bin_count; ++i) (i < border ? split.left : split.right).add(bins[i]);
+  return split;
+}
+
+Split split_in_halves(std::span<const Item> items) {
+  const std::size_t half = items.size() / 2;
+  return {extent_of(items.first(half)), extent_of(items.subspan(half))};
+}
+
 class Builder {
  public:
   Builder(std::span<const Aabb> boxes, Index leaf_size) : leaf_size_(std::max<Index>(leaf_size, 1)) {
     items_.reserve(boxes.size());
-    for (const Aabb& box : boxes) items_.push_back({box, centre_of(box), static_cast<Index>(items_.size())});
+    for (const Aabb& box : boxes) items_.push_back({box, static_cast<Index>(items_.size())});
   }
 
   Tree<Aabb> build() {
     if (items_.empty()) return {};
     tree_.nodes.reserve(items_.size());
-    add_node({0, items_.size(), {}, {}}, 0);
+    add_node(0, extent_of(items_), 0);
     while (!tasks_.empty()) {
       const Task task = tasks_.back();
       tasks_.pop_back();
-      split(task);
+      expand(task);
     }
     tree_.items.reserve(items_.size());
     for (const Item& item : items_) tree_.items.push_back(item.number);
@@ -118,46 +146,24 @@ class Builder {
   }
 
  private:
-  std::span<Item> items_of(const Run& run) { return std::span(items_).subspan(run.first, run.count); }
-
-  /// Adds the node of a run, and the task to split it when it is no leaf.
-  void add_node(Run run, int depth) {
-    for (const Item& item : items_of(run)) {
-      run.box = merge(run.box, item.box);
-      run.centres = merge(run.centres, item.centre);
-    }
+  /// Adds the node of a run of items, and the task to split it when it is no leaf.
+  void add_node(std::size_t first, const Extent& extent, int depth) {
     const Index number = static_cast<Index>(tree_.nodes.size());
-    const bool leaf = run.count <= leaf_size_;
-    tree_.nodes.push_back({run.box, static_cast<Index>(run.first), leaf ? static_cast<Index>(run.count) : 0, 0});
-    if (!leaf) tasks_.push_back({number, depth, run});
+    const bool leaf = extent.count <= leaf_size_;
+    tree_.nodes.push_back({extent.box, static_cast<Index>(first), leaf ? static_cast<Index>(extent.count) : 0, 0});
+    if (!leaf) tasks_.push_back({number, depth, first, extent});
   }
 
-  void split(const Task& task) {
-    const std::size_t left = left_count(task);
+  void expand(const Task& task) {
+    const auto items = std::span(items_).subspan(task.first, task.extent.count);
+    const Slabs slabs(task.extent.centres);
+    const bool by_heuristic = slabs.usable() && task.depth < greatest_heuristic_depth;
+    const Split split = by_heuristic ? split_by_heuristic(items, slabs) : split_in_halves(items);
     TreeNode<Aabb>& node = tree_.nodes[task.node];
     node.first = static_cast<Index>(tree_.nodes.size());
     node.child_count = 2;
-    add_node({task.run.first, left, {}, {}}, task.depth + 1);
-    add_node({task.run.first + left, task.run.count - left, {}, {}}, task.depth + 1);
-  }
-
-  /// Moves the items of the left child to the front and counts them: at least one, and not all.
-  std::size_t left_count(const Task& task) {
-    const std::size_t half = task.run.count / 2;
-    const Slabs slabs(task.run.centres);
-    if (!slabs.usable() || task.depth >= greatest_heuristic_depth) return half;
-    const auto items = items_of(task.run);
-    Bins bins;
-    for (const Item& item : items) {
-      Bin& bin = bins[slabs.of(item.centre)];
-      bin.box = merge(bin.box, item.box);
-      ++bin.count;
-    }
-    const std::size_t border = best_split(bins);
-    const auto middle =
-        std::partition(items.begin(), items.end(), [&](const Item& item) { return slabs.of(item.centre) < border; });
-    const auto left = static_cast<std::size_t>(middle - items.begin());
-    return left == 0 || left == items.size() ? half : left;
+    add_node(task.first, split.left, task.depth + 1);
+    add_node(task.first + split.left.count, split.right, task.depth + 1);
   }
 
   Index leaf_size_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -19,9 +20,17 @@ struct Aabb {
 
 [[nodiscard]] constexpr bool is_empty(const Aabb& box) { return !(box.lower.x <= box.upper.x); }
 
+[[nodiscard]] constexpr Aabb merge(const Aabb& a, const Vec3& point) {
+  return {{std::min(a.lower.x, point.x), std::min(a.lower.y, point.y), std::min(a.lower.z, point.z)},
+          {std::max(a.upper.x, point.x), std::max(a.upper.y, point.y), std::max(a.upper.z, point.z)}};
+}
+
+[[nodiscard]] constexpr Aabb merge(const Aabb& a, const Aabb& b) {
+  return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
+          {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
+}
+
 [[nodiscard]] Aabb fit_aabb(std::span<const Vec3> points);
-[[nodiscard]] Aabb merge(const Aabb& a, const Aabb& b);
-[[nodiscard]] Aabb merge(const Aabb& a, const Vec3& point);
 
 /// The closed boxes have a point in common; compares the corner coordinates, so it is exact.
 [[nodiscard]] constexpr bool overlap(const Aabb& a, const Aabb& b) {
@@ -35,6 +44,10 @@ struct Aabb {
 }
 
 /// Half the area of its sides, rounded: the size that decides what to split. 0 for an empty box; +∞ when too large.
-[[nodiscard]] double half_area(const Aabb& box);
+[[nodiscard]] constexpr double half_area(const Aabb& box) {
+  if (is_empty(box)) return 0;
+  const Vec3 size = box.upper - box.lower;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 }  // namespace toccata
