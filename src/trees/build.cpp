@@ -10,7 +10,10 @@
 namespace toccata {
 namespace {
 
-constexpr std::size_t bin_count = 16;
+constexpr std::size_t greatest_bin_count = 16;
+
+// Most nodes are small; more slabs than items would only cost time.
+std::size_t bin_count_for(std::size_t items) { return std::clamp<std::size_t>(items / 2, 4, greatest_bin_count); }
 
 // Below this depth nodes are halved instead: boxes spread over many orders of magnitude cannot make the tree a list.
 constexpr int greatest_heuristic_depth = 64;
@@ -60,26 +63,27 @@ struct Split {
   Extent right;
 };
 
-using Bins = std::array<Extent, bin_count>;
-
 /// Tells the slab of a centre.
 class Slabs {
  public:
-  explicit Slabs(const Aabb& centres) {
+  Slabs(const Aabb& centres, std::size_t count) : count_(count) {
     const Vec3 size = centres.upper - centres.lower;
     axis_ = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     origin_ = centres.lower[axis_];
-    scale_ = static_cast<double>(bin_count) / size[axis_];
+    scale_ = static_cast<double>(count) / size[axis_];
   }
 
   /// Not where all centres coincide, or lie too near or too far apart for the arithmetic.
   [[nodiscard]] bool usable() const { return std::isfinite(scale_) && scale_ > 0; }
 
+  [[nodiscard]] std::size_t count() const { return count_; }
+
   [[nodiscard]] std::size_t of(const Vec3& centre) const {
-    return std::min(static_cast<std::size_t>((centre[axis_] - origin_) * scale_), bin_count - 1);
+    return std::min(static_cast<std::size_t>((centre[axis_] - origin_) * scale_), count_ - 1);
   }
 
  private:
+  std::size_t count_;
   int axis_ = 0;
   double origin_ = 0;
   double scale_ = 0;
@@ -88,17 +92,17 @@ class Slabs {
 double cost(const Extent& side) { return half_area(side.box) * static_cast<double>(side.count); }
 
 /// The first bin of the right side, where the cost is least; the first of equals.
-std::size_t best_border(const Bins& bins) {
-  std::array<double, bin_count> right_cost{};
+std::size_t best_border(std::span<const Extent> bins) {
+  std::array<double, greatest_bin_count> right_cost;
   Extent right;
-  for (std::size_t i = bin_count - 1; i > 0; --i) {
+  for (std::size_t i = bins.size() - 1; i > 0; --i) {
     right.add(bins[i]);
     right_cost[i] = cost(right);
   }
   Extent left;
   std::size_t best = 1;
   double best_cost = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < bin_count; ++i) {
+  for (std::size_t i = 1; i < bins.size(); ++i) {
     left.add(bins[i - 1]);
     const double both = cost(left) + right_cost[i];
     if (both >= best_cost) continue;
@@ -110,12 +114,13 @@ std::size_t best_border(const Bins& bins) {
 
 /// The slab of the least centre is the first, and that of the greatest the last, so no side is empty.
 Split split_by_heuristic(std::span<Item> items, const Slabs& slabs) {
-  Bins bins;
+  std::array<Extent, greatest_bin_count> all_bins;
+  const auto bins = std::span(all_bins).first(slabs.count());
   for (const Item& item : items) bins[slabs.of(centre_of(item.box))].add(item.box);
   const std::size_t border = best_border(bins);
   std::partition(items.begin(), items.end(), [&](const Item& item) { return slabs.of(centre_of(item.box)) < border; });
   Split split;
-  for (std::size_t i = 0; i < bin_count; ++i) (i < border ? split.left : split.right).add(bins[i]);
+  for (std::size_t i = 0; i < bins.size(); ++i) (i < border ? split.left : split.right).add(bins[i]);
   return split;
 }
 
@@ -156,7 +161,7 @@ class Builder {
 
   void expand(const Task& task) {
     const auto items = std::span(items_).subspan(task.first, task.extent.count);
-    const Slabs slabs(task.extent.centres);
+    const Slabs slabs(task.extent.centres, bin_count_for(task.extent.count));
     const bool by_heuristic = slabs.usable() && task.depth < greatest_heuristic_depth;
     const Split split = by_heuristic ? split_by_heuristic(items, slabs) : split_in_halves(items);
     TreeNode<Aabb>& node = tree_.nodes[task.node];
