@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/data.hpp"
+#include "support/mesh_pairs.hpp"
+#include "support/mesh_soups.hpp"
+#include "toccata/io/mesh_file.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/overlap.hpp"
+
+namespace toccata {
+namespace {
+
+double width_of(const Model& model) {
+  const Aabb& box = model.tree().nodes.front().volume;
+  return box.upper.x - box.lower.x;
+}
+
+TEST(RealMeshes, TheBunnyAgainstItselfShifted) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const Model bunny(read_mesh(*data / "meshes/stanford-bunny.obj"));
+  PairQuery query{.pose_b = Pose::translation(0.8 * width_of(bunny), 0, 0)};
+  const auto found = contacts(bunny, bunny, query);
+  EXPECT_FALSE(found.empty());
+  EXPECT_TRUE(overlap(bunny, bunny, query));
+  EXPECT_TRUE(test::same({*first_contact(bunny, bunny, query)}, {found.front()}));
+  query.pose_b = Pose::translation(1.01 * width_of(bunny), 0, 0);
+  EXPECT_FALSE(overlap(bunny, bunny, query));
+}
+
+/// Every pair of triangles of two real meshes, under poses that are not rigid.
+TEST(RealMeshes, AsBruteForceUnderEveryKindOfPose) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const Model suzanne(read_mesh(*data / "meshes/suzanne.obj"));
+  for (const std::string& family : test::pose_families()) {
+    Random random(family.size());
+    EXPECT_EQ(test::fault_of_surface_queries(suzanne, suzanne, test::random_poses(family, random)), "") << family;
+  }
+}
+
+}  // namespace
+}  // namespace toccata
