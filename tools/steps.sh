@@ -92,5 +92,5 @@ run_tests() {
 run_ctest() {
   local folder=$source_folder/build/$1
   shift
-  ctest --test-dir "$folder" --output-on-failure -j "$(nproc)" "$@" 9>&-
+  ctest --test-dir "$folder" --output-on-failure --timeout 300 -j "$(nproc)" "$@" 9>&-
 }

@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Files, BadFileTest,
                                          BadFile{"claims.ply", claiming_ply, "claims.ply"},
                                          BadFile{"missing-part.json", scene_of_missing_file, "gone.obj"},
                                          BadFile{"alike.json", scene_of_two_alike, "twin"}),
-                         [](const testing::TestParamInfo<BadFile>& info) {
-                           std::string name = info.param.name;
+                         [](const testing::TestParamInfo<BadFile>& file) {
+                           std::string name = file.param.name;
                            for (char& c : name)
                              if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
                            return name;
