@@ -1,10 +1,11 @@
 #include "toccata/core/parallel.hpp"
 
-#include <atomic>
+#include <algorithm>
 #include <exception>
 #include <mutex>
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -48,7 +49,9 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
       }
     }
   };
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  // TBB prints a warning when asked for more threads than the machine has.
+  const int available = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, available) : available);
   arena.execute([&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), run); });
   failure.rethrow();
 }
