@@ -9,8 +9,8 @@
 namespace toccata {
 
 /// A part of a triangle. Vertex i; edge i, from vertex i to vertex (i + 1) % 3 without its ends; face, without its
-/// boundary. A triangle without area has fewer parts: those of its segment (whose middle vertex, if any, lies on the
-/// edge between the outer two, given the index of that edge) or of its point (vertex 0).
+/// boundary. A triangle without area has fewer parts: those of its segment (two vertices, of equal ones the one of
+/// least index; the edge between these two, on which the middle vertex lies, if any) or of its point (vertex 0).
 enum class FeatureKind : std::uint8_t { vertex, edge, face };
 
 struct Feature {
