@@ -14,7 +14,7 @@ namespace toccata {
 struct ReadOptions {
   /// What a length of 1 in the file is, in metres; the world's unit is then the metre. Not given: glTF is metres as its
   /// standard says, other meshes keep their numbers. A scene file states its units itself: giving one is an Error.
-  std::optional<double> metres_per_unit;
+  std::optional<double> metres_per_unit = std::nullopt;
   /// Multiplies everything in the file, poses included; positive and finite.
   double scale = 1;
 };

@@ -1,0 +1,242 @@
+#include "toccata/io/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <set>
+
+#include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/scenes.hpp"
+#include "toccata/math/rotation.hpp"
+
+namespace toccata {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Every test has a folder of its own, gone afterwards.
+class SceneFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              (std::string("toccata-scene-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "parts");
+    write("parts/plate.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  [[nodiscard]] Scene read(const std::string& text, const ReadOptions& options = {}) const {
+    write("scene.json", text);
+    return read_scene(folder_ / "scene.json", options);
+  }
+
+  /// A scene with these members beside the format.
+  [[nodiscard]] Scene read_members(const std::string& members) const {
+    return read(R"({"format": "toccata-scene", "version": 1, )" + members + "}");
+  }
+
+  void expect_error(const std::string& members, const std::string& part) const {
+    const std::string message = message_of([&] { (void)read_members(members); });
+    EXPECT_NE(message.find(part), std::string::npos) << members << "\n" << message;
+    EXPECT_NE(message.find("scene.json"), std::string::npos) << message;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(SceneFile, ObjectsWithFilesAndGenerators) {
+  const Scene scene = read_members(R"("comment": "two", "objects": [
+    {"name": "plate", "file": "parts/plate.obj", "solid": "none", "group": "g"},
+    {"name": "plate again", "file": "parts/../parts/plate.obj"},
+    {"name": "ball", "generate": "icosphere", "parameters": {"radius": 2, "subdivisions": 1}},
+    {"name": "same ball", "generate": "icosphere", "parameters": {"subdivisions": 1, "radius": 2}}])");
+  ASSERT_EQ(scene.objects.size(), 4U);
+  EXPECT_EQ(scene.unit, "m");
+  EXPECT_EQ(scene.objects[0].solid, Solid::none);
+  EXPECT_EQ(scene.objects[0].group, "g");
+  EXPECT_EQ(scene.objects[0].pose, Pose{});
+  EXPECT_EQ(scene.objects[0].mesh, scene.objects[1].mesh);
+  EXPECT_EQ(scene.objects[2].mesh, scene.objects[3].mesh);
+  EXPECT_EQ(scene.objects[2].mesh->triangle_count(), 80U);
+  EXPECT_NE(scene.objects[2].source.find("icosphere"), std::string::npos);
+}
+
+TEST_F(SceneFile, PosesAndParentsAreComposedFromTheRoot) {
+  const Scene scene = read_members(R"("unit": "mm",
+    "frames": [{"name": "elbow", "parent": "shoulder", "pose": [1,0,0, 0,1,0, 0,0,1, 0.1,0,0]},
+               {"name": "shoulder", "pose": {"translation": [1, 2, 3],
+                "rotation": {"axis": [0, 0, 1], "degrees": 30}, "scale": 2}}],
+    "objects": [{"name": "hand", "generate": "box", "parent": "elbow", "unit": "in",
+                 "pose": {"rotation": {"quaternion": [0, 0, 1, 1]}, "scale": [1, 2, 3]}}])");
+  const Pose shoulder = pose_of({1, 2, 3}, rotation_about({0, 0, 1}, 30), {2, 2, 2});
+  const Pose elbow = Pose::translation(0.1, 0, 0);
+  const Pose hand = pose_of({}, rotation_of({0, 0, 1, 1}), {1, 2, 3});
+  ASSERT_EQ(scene.nodes.size(), 3U);
+  EXPECT_EQ(scene.nodes[0].name, "shoulder");
+  EXPECT_EQ(scene.nodes[1].parent, 0U);
+  EXPECT_EQ(scene.objects[0].node, 2U);
+  EXPECT_EQ(scene.objects[0].pose, scaled(compose(compose(shoulder, elbow), hand), 0.0254 / 0.001));
+}
+
+TEST_F(SceneFile, UnitsScaleTheShapeOnly) {
+  const Scene scene = read_members(R"("unit": "m", "objects": [
+    {"name": "a", "file": "parts/plate.obj", "unit": "mm", "pose": [1,0,0, 0,1,0, 0,0,1, 5,6,7]},
+    {"name": "b", "file": "parts/plate.obj", "unit": 0.5},
+    {"name": "c", "file": "parts/plate.obj"}])");
+  EXPECT_EQ(scene.objects[0].pose.linear, scaled(Pose{}, 0.001).linear);
+  EXPECT_EQ(scene.objects[0].pose.offset, (Vec3{5, 6, 7}));
+  EXPECT_EQ(scene.objects[1].pose, scaled(Pose{}, 0.5));
+  EXPECT_EQ(scene.objects[2].pose, Pose{});
+}
+
+TEST_F(SceneFile, ErrorsSayWhere) {
+  expect_error(R"("objects": [])", "no objects");
+  expect_error(R"("objekts": [])", "\"objekts\" is not known; did you mean 'objects'?");
+  expect_error(R"("objects": [{"name": "a", "fil": "x"}])",
+               "/objects/0: the key \"fil\" is not known; did you mean 'file'?");
+  expect_error(R"("objects": [{"file": "parts/plate.obj"}])", "/objects/0: the key \"name\" is missing");
+  expect_error(R"("objects": [{"name": "", "generate": "box"}])", "/objects/0/name: the name is empty");
+  expect_error(R"("objects": [{"name": "a"}])", "needs one shape");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "file": "x"}])", "needs one shape");
+  expect_error(R"("objects": [{"name": "a", "file": "parts/plate.obj", "parameters": {}}])", "takes no parameters");
+  expect_error(R"("objects": [{"name": "a", "generate": "box"}, {"name": "a", "generate": "box"}])",
+               "/objects/1/name: the name 'a' is taken");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "parent": "b"}])", "no frame or object named 'b'");
+  expect_error(
+      R"("objects": [{"name": "ab", "generate": "box", "parent": "cc"}, {"name": "cd", "generate": "box", "parent": "ab"}])",
+      "did you mean 'cd'?");
+  expect_error(R"("frames": [{"name": "p", "parent": "q"}, {"name": "q", "parent": "p"}],
+                  "objects": [{"name": "a", "generate": "box"}])",
+               "circle");
+  expect_error(R"("objects": [{"name": "a", "file": "no.obj"}])", "no.obj: there is no such file");
+  expect_error(R"("objects": [{"name": "a", "file": "scene.json"}])", "cannot hold another");
+  expect_error(R"("objects": [{"name": "a", "generate": "bux"}])", "did you mean 'box'?");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "parameters": {"half-w": 1}}])",
+               "no parameter 'half-w'");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "pose": [1, 2]}])",
+               "/objects/0/pose: here are 2 numbers, not 12");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "pose": {"translation": [1, 2, "3"]}}])",
+               "/objects/0/pose/translation/2: this is not a number");
+  expect_error(
+      R"("objects": [{"name": "a", "generate": "box", "pose": {"rotation": {"axis": [0,0,0], "degrees": 1}}}])",
+      "/objects/0/pose/rotation: a rotation's axis");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "pose": {"rotation": {"axis": [0,0,1]}}}])",
+               "the key \"degrees\" is missing");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "pose": {"scale": 1e308}, "unit": 1e10}])",
+               "not finite");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "solid": "maybe"}])", "/objects/0/solid");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "unit": "parsec"}])", "'parsec' is not a unit");
+  expect_error(R"("objects": [{"name": "a", "generate": "box", "unit": -1}])", "must be positive");
+  expect_error(R"("objects": [{"name": "a", "name": "b", "generate": "box"}])", "\"name\" appears twice");
+  expect_error("\"unit\": NaN", ":1: this is not valid JSON");
+  expect_error("\n\n\"unit\": 1e400", "too large for a double");
+  expect_error("\n\n\"unit\": 1,, ", ":3: this is not valid JSON");
+}
+
+TEST_F(SceneFile, FormatAndVersionMustFit) {
+  EXPECT_NE(message_of([&] { (void)read("[]"); }).find("not an object"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read("{}"); }).find("\"format\" is missing"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read(R"({"format": "toccata-scene", "version": 2})"); }).find("version"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read(""); }).find("empty"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)read_scene(folder_ / "none.json"); }).find("no such file"), std::string::npos);
+  EXPECT_THROW((void)read(R"({"format": "toccata-scene", "version": 1})", {.metres_per_unit = 1}), Error);
+}
+
+TEST_F(SceneFile, LongChainsAndManyNamesAreQuick) {
+  std::string members = R"("objects": [)";
+  for (int i = 0; i < 5000; ++i)
+    members += R"({"generate": "box", "name": "o)" + std::to_string(i) + "\"" +
+               (i + 1 < 5000 ? ", \"parent\": \"o" + std::to_string(i + 1) + "\"}," : std::string("}]"));
+  EXPECT_EQ(read_members(members).objects.size(), 5000U);
+}
+
+TEST_F(SceneFile, MeshFileIsAnObjectNamedAfterIt) {
+  const Scene plain = read_scene(folder_ / "parts/plate.obj");
+  ASSERT_EQ(plain.objects.size(), 1U);
+  EXPECT_EQ(plain.objects[0].name, "plate");
+  EXPECT_EQ(plain.objects[0].pose, Pose{});
+  const Scene metres = read_scene(folder_ / "parts/plate.obj", {.metres_per_unit = 0.001, .scale = 2});
+  EXPECT_EQ(metres.objects[0].pose, scaled(Pose{}, 0.002));
+  EXPECT_EQ(metres.unit, "m");
+  EXPECT_THROW((void)read_scene(folder_ / "parts/plate.obj", {.scale = -1}), Error);
+  EXPECT_EQ(read_scene("gen:torus?sides=8").objects[0].name, "torus");
+}
+
+TEST_F(SceneFile, WrittenSceneIsReadBackTheSame) {
+  for (Scene scene : {robot_arm(), shelf_of_parts(), interleaved_helices(1e-6, {1e-3, 1e6})}) {
+    scene.objects[0].solid = Solid::all;
+    scene.unit = "mm";
+    const fs::path target = folder_ / "written";
+    write_scene(scene, target);
+    const Scene back = read_scene(target / "scene.json");
+    ASSERT_EQ(back.objects.size(), scene.objects.size());
+    EXPECT_EQ(back.unit, "mm");
+    std::set<const TriangleMesh*> before, after;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const SceneObject &a = scene.objects[i], &b = back.objects[i];
+      EXPECT_EQ(a.name, b.name);
+      EXPECT_EQ(a.pose, b.pose);
+      EXPECT_EQ(a.solid, b.solid);
+      EXPECT_EQ(a.group, b.group);
+      EXPECT_TRUE(std::ranges::equal(a.mesh->vertices(), b.mesh->vertices())) << a.name;
+      EXPECT_TRUE(std::ranges::equal(a.mesh->triangles(), b.mesh->triangles())) << a.name;
+      before.insert(a.mesh.get());
+      after.insert(b.mesh.get());
+    }
+    EXPECT_EQ(before.size(), after.size());
+    fs::remove_all(target);
+  }
+}
+
+TEST_F(SceneFile, WritingDoesNotTouchWhatIsThere) {
+  EXPECT_NE(message_of([&] { write_scene(gear_train(), folder_); }).find("something already"), std::string::npos);
+  Scene twins = gear_train();
+  twins.objects[1].name = twins.objects[0].name;
+  EXPECT_THROW(write_scene(twins, folder_ / "twins"), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "twins"));
+  write("blocked", "");
+  EXPECT_THROW(write_scene(gear_train(), folder_ / "blocked" / "below"), Error);
+  fs::create_directories(folder_ / "empty");
+  write_scene(gear_train(), folder_ / "empty");
+  EXPECT_TRUE(fs::exists(folder_ / "empty" / "scene.json"));
+}
+
+TEST(ScaleWarnings, NameTheObjectThatIsOff) {
+  const Scene gears = gear_train();
+  EXPECT_TRUE(scale_warnings(gears).empty());
+  Scene scene = gears;
+  scene.objects[2].pose = scaled(scene.objects[2].pose, 1e-6);
+  const std::vector<std::string> warnings = scale_warnings(scene);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("'misassembled gear'"), std::string::npos);
+  scene.objects.erase(scene.objects.begin());
+  EXPECT_EQ(scale_warnings(scene).size(), 1U);
+}
+
+TEST(Units, HaveTheirMetres) {
+  EXPECT_EQ(metres_per_unit("mm"), 0.001);
+  EXPECT_EQ(metres_per_unit("in"), 0.0254);
+  EXPECT_EQ(metres_per_unit("0.25"), 0.25);
+  for (const char* wrong : {"", "MM", "0", "-1", "1m", "1e400", "nan"})
+    EXPECT_THROW((void)metres_per_unit(wrong), Error) << wrong;
+}
+
+}  // namespace
+}  // namespace toccata
