@@ -19,9 +19,9 @@ std::size_t triangle_count(const Scene& scene) {
 
 std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
-std::string meeting_text(const ReportedMeeting& meeting) {
-  std::string text = name_of(meeting.kind);
-  for (const Vec3& point : meeting.points) text += " " + point_text(point);
+std::string points_text(const ReportedMeeting& meeting) {
+  std::string text;
+  for (const Vec3& point : meeting.points) text += (text.empty() ? "" : " ") + point_text(point);
   return text;
 }
 
@@ -33,12 +33,12 @@ std::string face_lines(const ReportedPair& pair) {
     const ReportedFacePair& faces = pair.face_pairs[i];
     for (const ReportedMeeting& meeting : faces.meetings)
       rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
-                      faces.crossing ? "cross in a" : "touch in a", meeting_text(meeting)});
+                      (faces.crossing ? "cross in a " : "touch in a ") + name_of(meeting.kind), points_text(meeting)});
   }
   std::string text = columns(rows, 6);
   if (shown < pair.face_pairs.size())
-    text += fmt::format("      … and {} more; --json and --csv list all\n",
-                        counted(pair.face_pairs.size() - shown, "pair") + " of faces");
+    text += fmt::format("      … and {} of faces; --json and --csv list all\n",
+                        counted(pair.face_pairs.size() - shown, "more pair"));
   return text;
 }
 

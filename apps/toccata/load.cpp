@@ -39,11 +39,13 @@ ReadOptions read_options(const InputArguments& input) {
   return options;
 }
 
-/// `name`, or with the file's path in front, or with a number behind, whichever is free first.
-std::string free_name(const std::set<std::string>& taken, const std::string& name, const std::string& file) {
+/// `name`; or, where an object of another file has it, the file's path; or with a number behind, whichever is free
+/// first.
+std::string free_name(const std::set<std::string>& taken, const std::string& name, const std::string& file,
+                      bool file_is_new) {
   if (!taken.contains(name)) return name;
-  const std::string longer = name.find(file) == std::string::npos ? file + ":" + name : name;
-  if (!taken.contains(longer)) return longer;
+  const std::string longer = file + ":" + name;
+  if (file_is_new && !taken.contains(longer)) return longer;
   for (int number = 2;; ++number) {
     const std::string numbered = fmt::format("{} #{}", name, number);
     if (!taken.contains(numbered)) return numbered;
@@ -51,7 +53,7 @@ std::string free_name(const std::set<std::string>& taken, const std::string& nam
 }
 
 /// Appends `part` to `whole`; its node and parent numbers move with it.
-void append(Scene& whole, const Scene& part, const std::string& file, std::set<std::string>& taken) {
+void append(Scene& whole, const Scene& part, const std::string& file, bool file_is_new, std::set<std::string>& taken) {
   const Index node_offset = static_cast<Index>(whole.nodes.size());
   for (SceneNode node : part.nodes) {
     if (node.parent) *node.parent += node_offset;
@@ -59,7 +61,7 @@ void append(Scene& whole, const Scene& part, const std::string& file, std::set<s
   }
   for (SceneObject object : part.objects) {
     if (object.node) *object.node += node_offset;
-    object.name = free_name(taken, object.name, file);
+    object.name = free_name(taken, object.name, file, file_is_new);
     taken.insert(object.name);
     whole.objects.push_back(std::move(object));
   }
@@ -73,7 +75,8 @@ LoadedScene load(const InputArguments& input) {
   std::set<std::string> taken;
   const ReadOptions options = read_options(input);
   for (const std::string& file : input.files) {
-    if (!read.contains(file)) read.emplace(file, read_scene(file, options));
+    const bool file_is_new = !read.contains(file);
+    if (file_is_new) read.emplace(file, read_scene(file, options));
     loaded.first_object.push_back(loaded.scene.objects.size());
     const Scene& scene = read.at(file);
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
@@ -82,7 +85,7 @@ LoadedScene load(const InputArguments& input) {
           fmt::format("{} is in {}, but {} is in {}: coordinates are compared as they are; say what "
                       "the unit is with --unit, or in a scene file",
                       file, scene.unit, input.files.front(), loaded.scene.unit));
-    append(loaded.scene, scene, file, taken);
+    append(loaded.scene, scene, file, file_is_new, taken);
   }
   loaded.first_object.push_back(loaded.scene.objects.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));

@@ -21,7 +21,7 @@ std::string box_obj(double x) {
   return text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 }
 
-const char* const triangle_off = "OFF\n3 1 0\n0.5 0.5 -1\n0.5 0.5 2\n0.6 0.9 0.5\n3 0 1 2\n";
+const char* const triangle_off = "OFF\n3 1 0\n0.5 0.3 -1\n0.5 0.3 2\n0.6 0.4 0.5\n3 0 1 2\n";
 
 class Check : public testing::Test {
  protected:

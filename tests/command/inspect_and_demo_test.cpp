@@ -57,13 +57,13 @@ TEST(Inspect, UnitsComposeIntoThePose) {
   EXPECT_EQ(json["unit"], "m");
 }
 
-TEST(Demo, FindsCollisionsInEveryScene) {
+TEST(Demo, FindsCollisionsInAllScenesButOne) {
   const auto result = run_command({"demo"});
-  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("in contact, decided exactly"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("toccata demo --write scenes"), std::string::npos);
   const Json json = Json::parse(run_command({"demo", "--json"}).out);
-  for (const auto& [name, report] : json.items()) EXPECT_FALSE(report["pairs"].empty()) << name;
+  for (const auto& [name, report] : json.items()) EXPECT_EQ(report["pairs"].empty(), name == "helices") << name;
 }
 
 TEST(Demo, WritesFilesThatCheckAsItSays) {
