@@ -115,8 +115,8 @@ SweepResult compare_sides(const std::string& family, std::uint64_t seed, std::ui
 }
 
 const bool known =
-    register_sweep({"relations-cgal", {"grid boxes", "l shapes", "rigid"}, 20'000, 3, compare_with_nef}) &&
-    register_sweep({"point-sides-cgal", {"grid boxes", "l shapes", "rigid"}, 200'000, 100, compare_sides});
+    register_sweep({"relations-cgal", {"grid boxes", "l shapes", "rigid"}, 20'000, 25, compare_with_nef}) &&
+    register_sweep({"point-sides-cgal", {"grid boxes", "l shapes", "rigid"}, 200'000, 1000, compare_sides});
 
 }  // namespace
 }  // namespace toccata::test
