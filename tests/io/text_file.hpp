@@ -48,7 +48,7 @@ class TemporaryFolder {
 };
 
 inline std::filesystem::path TemporaryFolder::file(const std::string& name, std::string_view content) const {
-  const std::filesystem::path path = path_ / name;
+  std::filesystem::path path = path_ / name;
   std::FILE* file = std::fopen(path.c_str(), "wb");
   EXPECT_NE(file, nullptr);
   EXPECT_EQ(std::fwrite(content.data(), 1, content.size(), file), content.size());
