@@ -69,9 +69,14 @@ class PlyHeaderReader {
       read_element();
     } else if (keyword == "property") {
       read_property();
-    } else if (keyword != "comment" && keyword != "obj_info" && keyword != "end_header") {
+    } else if (!is_remark(keyword) && keyword != "end_header") {
       cursor_.fail(quoted(keyword) + " is no word of a PLY header", "export the mesh again");
     }
+  }
+
+  /// Blender 2.4x wrote its remark "Created by Blender3D" without the word comment.
+  static bool is_remark(std::string_view keyword) {
+    return keyword == "comment" || keyword == "obj_info" || keyword == "Created";
   }
 
   void read_format() {

@@ -41,8 +41,17 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return interval_rounding::outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 
+/// The whole line unless the divisor is certainly positive.
+inline Interval operator/(const Interval& a, const Interval& b) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(b.lower > 0)) return {-infinity, infinity};
+  const double p = a.lower / b.lower, q = a.lower / b.upper, r = a.upper / b.lower, s = a.upper / b.upper;
+  return interval_rounding::outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
+}
+
 /// False also when a side is not a number.
 inline bool certainly_positive(const Interval& a) { return a.lower > 0; }
 inline bool certainly_negative(const Interval& a) { return a.upper < 0; }
+inline bool certainly_less(const Interval& a, const Interval& b) { return a.upper < b.lower; }
 
 }  // namespace toccata

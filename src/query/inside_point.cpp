@@ -9,14 +9,6 @@
 namespace toccata {
 namespace {
 
-/// Doubles on both sides of `value`, or twice the same one that equals it.
-Interval enclose(const Rational& value) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double nearest = nearest_double(value);
-  if (std::isfinite(nearest) && to_rational(nearest) == value) return {nearest, nearest};
-  return {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)};
-}
-
 Interval exactly(double value) { return {value, value}; }
 
 /// The projected coordinates of (axis + 1) % 3 and (axis + 2) % 3 are both doubles.
@@ -61,6 +53,13 @@ bool projects_into(const ExactPoint& p, const Triangle& t, int axis) {
 }
 
 }  // namespace
+
+Interval enclose(const Rational& value) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nearest = nearest_double(value);
+  if (std::isfinite(nearest) && to_rational(nearest) == value) return {nearest, nearest};
+  return {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)};
+}
 
 ExactPoint::ExactPoint(const Vec3& point) : rational_(to_rational(point)), box_{point, point} {}
 

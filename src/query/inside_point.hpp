@@ -8,6 +8,9 @@
 
 namespace toccata {
 
+/// Doubles on both sides of `value`, or twice the same one that equals it. Precondition: within the range of doubles.
+[[nodiscard]] Interval enclose(const Rational& value);
+
 /// A world point with rational coordinates, and the doubles around it, by which most questions about it are settled.
 class ExactPoint {
  public:

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/mesh_text.hpp"
+#include "io/parse.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata::fuzz {
+
+inline void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+inline void require_valid(const PolygonMesh& mesh) {
+  require(std::ranges::all_of(mesh.vertices, is_finite), "a vertex is not finite");
+  require(std::ranges::all_of(mesh.corners, [&](Index corner) { return corner < mesh.vertices.size(); }),
+          "a corner is out of range");
+  require(mesh.first.size() > 1, "there is no face");
+  require(mesh.first.front() == 0 && mesh.first.back() == mesh.corners.size(), "the faces are not the corners");
+  for (std::size_t face = 1; face < mesh.first.size(); ++face)
+    require(mesh.first[face] >= mesh.first[face - 1] + 3, "a face has fewer than three corners");
+}
+
+/// Constructing it validated what require_valid does. Here: what is written is read as the same mesh.
+inline void require_valid(const TriangleMesh& mesh) {
+  const std::string text = io::obj_text(mesh);
+  const PolygonMesh again = io::parse_obj(text, "again.obj");
+  require(std::ranges::equal(again.vertices, mesh.vertices()), "vertices change when written and read");
+  require(again.corners.size() == 3 * mesh.triangles().size(), "triangles change when written and read");
+}
+
+/// A reader gives a valid mesh for any bytes, or an Error in one line that names the file.
+template <typename Parse>
+void check_reader(Parse parse, std::span<const char> bytes) {
+  try {
+    require_valid(parse(bytes, "input"));
+  } catch (const Error& error) {
+    const std::string_view message = error.what();
+    require(message.starts_with("input:"), "a message does not begin with the name of the file");
+    require(message.find("; ") != std::string_view::npos, "a message does not say what to do");
+    require(message.find('\n') == std::string_view::npos, "a message is longer than a line");
+  }
+}
+
+/// As read_mesh does, whatever the format.
+inline TriangleMesh parse_any(std::span<const char> bytes, std::string_view name) {
+  return io::parse_mesh(bytes, name, ".obj");
+}
+
+}  // namespace toccata::fuzz

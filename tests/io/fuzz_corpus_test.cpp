@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "fuzz/reader_property.hpp"
+#include "io/file_bytes.hpp"
+
+namespace toccata {
+namespace {
+
+namespace fs = std::filesystem;
+using fuzz::check_reader;
+
+const fs::path corpus = TOCCATA_FUZZ_CORPUS;
+
+template <typename Parse>
+void replay(const char* format, Parse parse) {
+  int files = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(corpus / format)) {
+    const io::FileBytes bytes = io::read_file(entry.path());
+    EXPECT_NO_THROW(check_reader(parse, bytes.span())) << entry.path();
+    EXPECT_NO_THROW(check_reader(fuzz::parse_any, bytes.span())) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+TEST(FuzzCorpus, EveryObjIsReadOrRefused) { replay("obj", io::parse_obj); }
+TEST(FuzzCorpus, EveryStlIsReadOrRefused) { replay("stl", io::parse_stl); }
+TEST(FuzzCorpus, EveryPlyIsReadOrRefused) { replay("ply", io::parse_ply); }
+TEST(FuzzCorpus, EveryOffIsReadOrRefused) { replay("off", io::parse_off); }
+
+}  // namespace
+}  // namespace toccata
