@@ -6,7 +6,7 @@
 
 #include "arguments.hpp"
 #include "load.hpp"
-#include "suggest.hpp"
+#include "toccata/core/suggestion.hpp"
 #include "toccata/core/version.hpp"
 #include "words.hpp"
 
@@ -118,9 +118,7 @@ std::string mistyped_subcommand(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> known;
   for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
   if (std::find(known.begin(), known.end(), word) != known.end()) return {};
-  const std::string meant = nearest_word(word, known);
-  if (!meant.empty()) return fmt::format("there is no subcommand '{}'; did you mean '{}'?", word, meant);
-  return fmt::format("there is no subcommand '{}'; there are: {}", word, fmt::join(known, ", "));
+  return fmt::format("there is no subcommand '{}'{}", word, suggestion(word, known));
 }
 
 int report_trouble(const std::string& message) {

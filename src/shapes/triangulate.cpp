@@ -23,6 +23,10 @@ void check_structure(const PolygonMesh& polygons) {
   for (std::size_t f = 0; f + 1 < first.size(); ++f) {
     if (first[f + 1] < first[f] || first[f + 1] - first[f] < 3)
       throw Error("face " + std::to_string(f) + " has fewer than three corners");
+    if (first[f + 1] - first[f] > most_face_corners)
+      throw Error("face " + std::to_string(f) + " has " + std::to_string(first[f + 1] - first[f]) +
+                  " corners, and at most " + std::to_string(most_face_corners) +
+                  " are taken: cut it into smaller ones");
     for (Index c = first[f]; c < first[f + 1]; ++c)
       if (polygons.corners[c] >= polygons.vertices.size())
         throw Error("face " + std::to_string(f) + " names vertex " + std::to_string(polygons.corners[c]) +

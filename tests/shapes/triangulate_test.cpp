@@ -190,5 +190,11 @@ TEST(TriangleMesh, RefusesWhatIsNotAMesh) {
   EXPECT_THROW(TriangleMesh(vertices, {{0, 1, 2}, {0, 1, 2}}, {1, 0}), Error);
 }
 
+TEST(Triangulate, RefusesAFaceThatWouldTakeHours) {
+  std::vector<Vec3> corners;
+  for (Index i = 0; i <= most_face_corners; ++i) corners.push_back({static_cast<double>(i), (i % 2) * 1.0, 0});
+  EXPECT_THROW(static_cast<void>(triangulate(one_face(corners))), Error);
+}
+
 }  // namespace
 }  // namespace toccata

@@ -41,9 +41,13 @@ struct PolygonMesh {
   std::vector<Index> first{0};
 };
 
+/// A face of more corners is refused: cutting it takes time that grows with the square of their number.
+inline constexpr Index most_face_corners = 65536;
+
 /// Cuts every face into triangles by ear clipping in the coordinate plane in which the face is largest, with exact
 /// signs (G. H. Meisters, "Polygons have ears", 1975). A face that has no proper ears (it crosses itself or has no
-/// area) is fanned from its first corner. Faces of fewer than three corners are an Error naming the face.
+/// area) is fanned from its first corner. Faces of fewer than three or of more than
+/// most_face_corners corners are an Error naming the face.
 [[nodiscard]] TriangleMesh triangulate(const PolygonMesh& polygons);
 
 }  // namespace toccata

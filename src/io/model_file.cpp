@@ -1,0 +1,15 @@
+#include "toccata/io/model_file.hpp"
+
+#include "toccata/generate/meshes.hpp"
+#include "toccata/io/mesh_file.hpp"
+
+namespace toccata {
+
+Model load_model(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  if (!is_generator_specification(name)) return Model(read_mesh(path));
+  const GeneratorSpecification specification = parse_generator(name);
+  return Model(generate_mesh(specification.name, specification.parameters));
+}
+
+}  // namespace toccata
