@@ -83,7 +83,7 @@ run_tests() {
   build asan-ubsan
   run_ctest asan-ubsan -E Slow
   say "all tests, optimised"
-  configure release -DTOCCATA_BUILD_TESTS=ON
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON
   build release
   run_ctest release
 }
@@ -93,4 +93,26 @@ run_ctest() {
   local folder=$source_folder/build/$1
   shift
   ctest --test-dir "$folder" --output-on-failure --timeout 300 -j "$(nproc)" "$@" 9>&-
+}
+
+# run_bench [--with-peers] WORD…: becomes the benchmark program. Without words after --with-peers it is only built.
+run_bench() {
+  local with_peers=no
+  if [[ ${1-} == --with-peers ]]; then
+    with_peers=yes
+    shift
+    install_packages packages-bench-peers
+  fi
+  install_packages packages packages-bench
+  # In a process of its own, so that the lock does not stay with the program.
+  (build_bench "$with_peers") || return 2
+  if [[ $with_peers == yes && $# -eq 0 ]]; then return 0; fi
+  exec "$source_folder/build/release/apps/bench/toccata-bench" "$@"
+}
+
+# build_bench yes|no: yes, so that CMake looks for the peers again.
+build_bench() {
+  lock_build_folder
+  if [[ $1 == yes ]]; then rm -f "$source_folder/build/release/.configured-with"; fi
+  configure release -DTOCCATA_BUILD_BENCH=ON && build release toccata_bench
 }

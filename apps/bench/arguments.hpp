@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace toccata::bench {
+
+struct MeshArguments {
+  std::string mesh_a;
+  std::string mesh_b;
+  std::string poses;                  ///< a file; empty: random poses
+  std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
+  std::uint64_t seed = 1;
+  bool near = false;
+  std::string task = "overlap";
+  std::vector<std::string> peers;
+  int threads = 1;
+  int rounds = 3;
+  bool verify = false;
+  std::string answers;  ///< a file to write
+  bool json = false;
+};
+
+struct TriangleArguments {
+  std::vector<std::string> peers;
+  std::size_t count = 100000;
+  std::uint64_t seed = 1;
+  std::string family = "random";
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
+struct ProcessArguments {
+  std::string command;
+  std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
+  double shift = 0.02;
+  std::size_t objects = 1000;
+  int repeat = 5;
+  bool json = false;
+};
+
+// Exit codes: 0, or 1 when Toccata was wrong somewhere. Trouble is thrown.
+int run_mesh(const MeshArguments& arguments);
+int run_triangle(const TriangleArguments& arguments);
+int run_process(const ProcessArguments& arguments);
+
+}  // namespace toccata::bench

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+
+#include "arguments.hpp"
+#include "judge.hpp"
+#include "poses.hpp"
+#include "report.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/scene_file.hpp"
+
+namespace toccata::bench {
+namespace {
+
+using SharedMesh = std::shared_ptr<const TriangleMesh>;
+
+constexpr std::size_t standard_queries = 1000;
+
+SharedMesh mesh_of(const std::string& file) {
+  const Scene scene = read_scene(file);
+  if (scene.objects.size() != 1)
+    throw Error(fmt::format("{}: holds {} objects; a mesh to measure is one", file, scene.objects.size()));
+  return scene.objects.front().mesh;
+}
+
+Task task_of(const std::string& word) {
+  static const std::map<std::string, Task> words{
+      {"overlap", Task::overlap}, {"contacts", Task::contacts}, {"build", Task::build}};
+  return words.at(word);
+}
+
+std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
+  if (!arguments.poses.empty()) {
+    std::vector<PosePair> poses = read_poses(arguments.poses);
+    return arguments.random ? moved_together(poses, *arguments.random, arguments.seed) : poses;
+  }
+  const Nearness nearness = arguments.near ? Nearness::close : Nearness::jittered;
+  return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness);
+}
+
+void require_rigid(const std::vector<PosePair>& poses, const std::string& file) {
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (!are_rigid(poses[i]))
+      throw Error(
+          fmt::format("{}: pose {} (from 0) is not a rotation and a translation, and peers take no others; "
+                      "leave --peer out",
+                      file, i));
+}
+
+void write_answers(const std::string& file, Task task, const std::vector<Answer>& answers) {
+  std::ofstream stream(file);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    stream << i << ' ' << (task == Task::overlap ? (answers[i].overlap ? 1 : 0) : answers[i].pairs.size()) << '\n';
+  if (!stream.flush()) throw Error(fmt::format("{}: cannot be written", file));
+}
+
+/// Builds of one library after another, then the queries of each, so that caches hold one library's trees at a time.
+std::vector<Answered> measure_all(const MeshLibraries& libraries, const MeshArguments& arguments, const SharedMesh& a,
+                                  const SharedMesh& b, const std::vector<PosePair>& poses) {
+  const Task task = task_of(arguments.task);
+  std::vector<Answered> all;
+  for (const auto& library : libraries) {
+    Answered one{measure_build(*library, *a, *b, task == Task::build ? arguments.rounds : 1), {}};
+    if (task != Task::build) {
+      const Result build = one.result;
+      one = measure_queries(*library, task, poses, {arguments.threads, arguments.rounds});
+      one.result.who = build.who;
+      one.result.build_ms = build.build_ms;
+      one.result.bytes_per_triangle = build.bytes_per_triangle;
+    }
+    one.result.task = arguments.task;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
+  return {{"mesh_a", arguments.mesh_a},
+          {"mesh_b", arguments.mesh_b},
+          {"triangles_a", a->triangle_count()},
+          {"triangles_b", b->triangle_count()},
+          {"poses", arguments.poses.empty() ? (arguments.near ? "near contact" : "random") : arguments.poses},
+          {"seed", arguments.seed},
+          {"rounds", arguments.rounds}};
+}
+
+}  // namespace
+
+int run_mesh(const MeshArguments& arguments) {
+  const MeshLibraries libraries = mesh_libraries(arguments.peers);
+  const SharedMesh a = mesh_of(arguments.mesh_a), b = mesh_of(arguments.mesh_b);
+  const Task task = task_of(arguments.task);
+  const std::vector<PosePair> poses = task == Task::build ? std::vector<PosePair>{} : poses_of(arguments, a, b);
+  if (!arguments.peers.empty()) require_rigid(poses, arguments.poses);
+  std::vector<Answered> answered = measure_all(libraries, arguments, a, b, poses);
+  judge({task, *a, *b, poses, arguments.verify ? Judged::all : Judged::differing}, answered);
+  if (!arguments.answers.empty()) write_answers(arguments.answers, task, answered.front().answers);
+  auto question = question_of(arguments, a, b);
+  question["touching"] = std::count_if(answered[0].answers.begin(), answered[0].answers.end(),
+                                       [](const Answer& answer) { return answer.overlap; });
+  std::vector<Result> results;
+  for (const Answered& one : answered) results.push_back(one.result);
+  return print_results(report_of("mesh", std::move(question)), results, arguments.json);
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,163 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "arguments.hpp"
+#include "report.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/generate/scenes.hpp"
+#include "toccata/io/scene_file.hpp"
+
+namespace toccata::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProcessRun {
+  double seconds = 0;
+  /// Of the kernel's count, in which a process starts with the peak of the one that started it. So an upper bound: this
+  /// program stays small.
+  double peak_megabytes = 0;
+};
+
+/// Runs the command with nothing to read and its output thrown away. Throws Error unless it ends with 0 or 1.
+ProcessRun run_once(const std::vector<std::string>& words) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> arguments;
+  for (std::string& word : copies) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  int state = -1;
+  rusage usage{};
+  const double seconds = seconds_of([&] {
+    if (posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ) == 0)
+      wait4(child, &state, 0, &usage);
+  });
+  posix_spawn_file_actions_destroy(&actions);
+  if (!WIFEXITED(state) || WEXITSTATUS(state) > 1)
+    throw Error(fmt::format("{} did not answer; build it with `./toccata build`, or name it with --command",
+                            fmt::join(words, " ")));
+  return {seconds, static_cast<double>(usage.ru_maxrss) / 1000};
+}
+
+struct ProcessCase {
+  std::string name;
+  std::vector<std::string> words;
+  double seconds_budget;
+  double megabytes_budget;  ///< 0: none
+};
+
+struct ProcessResult {
+  ProcessCase what;
+  double median_seconds = 0;
+  double worst_seconds = 0;
+  double peak_megabytes = 0;
+  bool within_budget() const {
+    return median_seconds < what.seconds_budget &&
+           (what.megabytes_budget == 0 || peak_megabytes < what.megabytes_budget);
+  }
+};
+
+ProcessResult measured(const ProcessCase& one, int repeat) {
+  std::vector<double> seconds;
+  double peak = 0;
+  for (int i = 0; i < repeat; ++i) {
+    const ProcessRun run = run_once(one.words);
+    seconds.push_back(run.seconds);
+    peak = std::max(peak, run.peak_megabytes);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return {one, seconds[seconds.size() / 2], seconds.back(), peak};
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "toccata-bench-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw Error("no temporary folder could be made");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string mesh_file(const ProcessArguments& arguments) {
+  if (!arguments.mesh.empty()) return arguments.mesh;
+  const char* data = std::getenv("TOCCATA_DATA");
+  if (data == nullptr) throw Error("no mesh to check: name one with --mesh, or set TOCCATA_DATA");
+  return (fs::path(data) / "meshes/stanford-bunny.obj").string();
+}
+
+std::vector<ProcessResult> measured(const ProcessArguments& arguments) {
+  const std::string mesh = mesh_file(arguments);
+  std::vector<std::string> shifted{arguments.command, "check", mesh, mesh, "--json", "--pose-b"};
+  for (const double number : Pose::translation(arguments.shift, 0, 0).numbers())
+    shifted.push_back(fmt::format("{}", number));
+  // The files first, so that this program is still small when its peak is handed on.
+  std::vector<ProcessResult> results{measured({"mesh against itself, shifted", shifted, 1, 200}, arguments.repeat)};
+  const TemporaryFolder folder;
+  const fs::path scene = folder.path() / "scene";
+  write_scene(many_parts(arguments.objects, 1), scene);
+  results.push_back(measured({fmt::format("scene of {} small meshes", arguments.objects),
+                              {arguments.command, "check", (scene / "scene.json").string(), "--json"},
+                              5,
+                              0},
+                             arguments.repeat));
+  return results;
+}
+
+nlohmann::ordered_json json_of(const ProcessResult& result) {
+  return {{"library", "toccata"},
+          {"variant", result.what.name},
+          {"task", "process"},
+          {"median_seconds", result.median_seconds},
+          {"worst_seconds", result.worst_seconds},
+          {"peak_megabytes", result.peak_megabytes},
+          {"seconds_budget", result.what.seconds_budget},
+          {"megabytes_budget", result.what.megabytes_budget},
+          {"within_budget", result.within_budget()}};
+}
+
+void print_table(const std::vector<ProcessResult>& results) {
+  fmt::print("{:<34}{:>10}{:>10}{:>10}{:>12}  {}\n", "whole process", "median s", "worst s", "budget s", "peak MB",
+             "within budget");
+  for (const ProcessResult& r : results)
+    fmt::print("{:<34}{:>10.3f}{:>10.3f}{:>10}{:>12.1f}  {}\n", r.what.name, r.median_seconds, r.worst_seconds,
+               r.what.seconds_budget, r.peak_megabytes, r.within_budget() ? "yes" : "no");
+}
+
+}  // namespace
+
+int run_process(const ProcessArguments& arguments) {
+  const std::vector<ProcessResult> results = measured(arguments);
+  if (!arguments.json) {
+    print_table(results);
+    return 0;
+  }
+  auto report = report_of("process", {{"mesh", mesh_file(arguments)}, {"repeat", arguments.repeat}});
+  report["results"] = nlohmann::ordered_json::array();
+  for (const ProcessResult& result : results) report["results"].push_back(json_of(result));
+  report["ratios"] = nlohmann::ordered_json::array();
+  fmt::print("{}\n", report.dump(2));
+  return 0;
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,84 @@
+#include "judge.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "truth.hpp"
+
+namespace toccata::bench {
+namespace {
+
+bool differ(Task task, const Answer& x, const Answer& y) {
+  return task == Task::overlap ? x.overlap != y.overlap : x.pairs != y.pairs;
+}
+
+/// The pairs that some library lists and another does not.
+std::set<std::pair<Index, Index>> disputed_pairs(const std::vector<Answered>& answered, std::size_t query) {
+  std::set<std::pair<Index, Index>> disputed;
+  const TrianglePairs& ours = answered.front().answers[query].pairs;
+  for (const Answered& other : answered) {
+    const TrianglePairs& theirs = other.answers[query].pairs;
+    std::set_symmetric_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                                  std::inserter(disputed, disputed.end()));
+  }
+  return disputed;
+}
+
+void judge_contacts(const Questions& questions, std::size_t query, std::vector<Answered>& answered) {
+  const TrueMeshes meshes(questions.a, questions.b, questions.poses[query]);
+  std::set<std::pair<Index, Index>> pairs = disputed_pairs(answered, query);
+  if (questions.judged == Judged::all)
+    for (const auto& pair : meshes.candidates()) pairs.insert(pair);
+  std::vector<char> wrong(answered.size(), 0);
+  for (const auto& pair : pairs) {
+    const bool meet = meshes.meet(pair);
+    for (std::size_t i = 0; i < answered.size(); ++i) {
+      const TrianglePairs& listed = answered[i].answers[query].pairs;
+      if (std::binary_search(listed.begin(), listed.end(), pair) != meet) wrong[i] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < answered.size(); ++i) answered[i].result.wrong += wrong[i] != 0 ? 1 : 0;
+}
+
+void judge_overlap(const Questions& questions, std::size_t query, std::vector<Answered>& answered) {
+  const bool meet = TrueMeshes(questions.a, questions.b, questions.poses[query]).meet();
+  for (Answered& one : answered)
+    if (one.answers[query].overlap != meet) ++one.result.wrong;
+}
+
+}  // namespace
+
+void judge(const Questions& questions, std::vector<Answered>& answered) {
+  for (Answered& one : answered)
+    for (Answer& answer : one.answers) std::sort(answer.pairs.begin(), answer.pairs.end());
+  for (std::size_t query = 0; query < questions.poses.size(); ++query) {
+    bool any = false;
+    for (Answered& one : answered)
+      if (differ(questions.task, one.answers[query], answered.front().answers[query])) {
+        any = true;
+        ++one.result.disagreements;
+      }
+    if (any) ++answered.front().result.disagreements;
+    if (!any && questions.judged == Judged::differing) continue;
+    (questions.task == Task::overlap ? judge_overlap : judge_contacts)(questions, query, answered);
+  }
+}
+
+void judge(std::span<const TriangleQuestion> questions, const std::vector<std::vector<char>>& answers, Judged judged,
+           std::vector<Result>& results) {
+  for (std::size_t query = 0; query < questions.size(); ++query) {
+    bool any = false;
+    for (std::size_t i = 0; i < results.size(); ++i)
+      if (answers[i][query] != answers.front()[query]) {
+        any = true;
+        ++results[i].disagreements;
+      }
+    if (any) ++results.front().disagreements;
+    if (!any && judged == Judged::differing) continue;
+    const char truth = truly_meet(questions[query].a, questions[query].b) ? 1 : 0;
+    for (std::size_t i = 0; i < results.size(); ++i) results[i].wrong += answers[i][query] != truth ? 1 : 0;
+  }
+}
+
+}  // namespace toccata::bench

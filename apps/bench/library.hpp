@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "toccata/core/index.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
+
+namespace toccata::bench {
+
+/// Who answers, with which volume or method, and how it was built.
+struct Description {
+  std::string library;
+  std::string variant;
+  std::string version;
+  std::string flags;
+};
+
+enum class Task { overlap, contacts, build };
+
+struct PosePair {
+  Pose a;
+  Pose b;
+};
+
+using TrianglePairs = std::vector<std::pair<Index, Index>>;
+
+/// Of `overlap` the yes or no; of `contacts` also the triangles that meet, in any order.
+struct Answer {
+  bool overlap = false;
+  TrianglePairs pairs;
+};
+
+/// A library that answers questions about two posed meshes, taken as surfaces: Toccata, or a peer.
+class MeshLibrary {
+ public:
+  virtual ~MeshLibrary() = default;
+  [[nodiscard]] virtual Description description() const = 0;
+  /// Everything that is done once for two meshes.
+  virtual void build(const TriangleMesh& a, const TriangleMesh& b) = 0;
+  /// What `build` keeps of both, without the meshes' own vertices and indices.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+  /// May be asked from several threads at once. The task is overlap or contacts.
+  [[nodiscard]] virtual Answer answer(Task task, const PosePair& poses) const = 0;
+};
+
+struct TriangleQuestion {
+  Triangle a;
+  Triangle b;
+};
+
+/// A library that tells whether two triangles meet.
+class TriangleLibrary {
+ public:
+  virtual ~TriangleLibrary() = default;
+  [[nodiscard]] virtual Description description() const = 0;
+  /// Takes the questions over in the library's own types; not measured.
+  virtual void prepare(std::span<const TriangleQuestion> questions) = 0;
+  /// Answers the questions from `first` on, one for each element of `answers` (1: they meet).
+  virtual void answer(std::size_t first, std::span<char> answers) const = 0;
+};
+
+using MeshLibraries = std::vector<std::unique_ptr<MeshLibrary>>;
+using TriangleLibraries = std::vector<std::unique_ptr<TriangleLibrary>>;
+
+MeshLibraries toccata_mesh_libraries();
+MeshLibraries cgal_mesh_libraries();
+MeshLibraries fcl_mesh_libraries();
+TriangleLibraries toccata_triangle_libraries();
+TriangleLibraries cgal_triangle_libraries();
+TriangleLibraries fcl_triangle_libraries();
+
+/// Toccata first, then the named peers. Throws Error when one is not built in.
+MeshLibraries mesh_libraries(const std::vector<std::string>& peers);
+TriangleLibraries triangle_libraries(const std::vector<std::string>& peers);
+
+/// The names that --peer takes.
+const std::vector<std::string>& peer_names();
+
+/// Throws the Error that names the command which installs the peers.
+[[noreturn]] void peer_is_missing(const std::string& name);
+
+}  // namespace toccata::bench

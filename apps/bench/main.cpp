@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "arguments.hpp"
+#include "library.hpp"
+#include "narrow/triangle_pairs.hpp"
+
+namespace toccata::bench {
+namespace {
+
+constexpr int trouble = 2;
+
+struct Options {
+  MeshArguments mesh;
+  TriangleArguments triangle;
+  ProcessArguments process;
+};
+
+void add_peers(CLI::App& app, std::vector<std::string>& peers) {
+  app.add_option("--peer", peers, "libraries to compare with, separated by commas: cgal, fcl")
+      ->delimiter(',')
+      ->check(CLI::IsMember(peer_names()));
+}
+
+/// What mesh and triangle benchmarks have in common.
+template <class Arguments>
+void add_common(CLI::App& app, Arguments& arguments) {
+  add_peers(app, arguments.peers);
+  app.add_option("--seed", arguments.seed, "another seed, other queries")->capture_default_str();
+  app.add_option("--rounds", arguments.rounds, "how often each query is asked; the fastest counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--verify", arguments.verify, "compare every answer with brute force in rational arithmetic: slow");
+  app.add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+}
+
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App* mesh = app.add_subcommand("mesh", "questions about two posed meshes, taken as surfaces");
+  mesh->add_option("--mesh-a", arguments.mesh_a, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  mesh->add_option("--mesh-b", arguments.mesh_b, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  mesh->add_option("--poses", arguments.poses,
+                   "file with a line per query: 12 numbers (R by rows, t; B in A's frame) or 24 (both poses)");
+  mesh->add_option("--random", arguments.random,
+                   "this many random poses near contact (1000); with --poses: its poses, both objects moved together")
+      ->check(CLI::PositiveNumber);
+  mesh->add_flag("--near", arguments.near, "random poses within 1e-6 to 1e-14 of contact instead of 2 %");
+  mesh->add_option("--task", arguments.task, "what to ask")
+      ->check(CLI::IsMember({"overlap", "contacts", "build"}))
+      ->capture_default_str();
+  mesh->add_option("--threads", arguments.threads, "ask this many queries at a time")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  mesh->add_option("--answers", arguments.answers,
+                   "write Toccata's answers: a line per query, its number and the answer");
+  add_common(*mesh, arguments);
+  mesh->footer("Example:\n  ./toccata bench mesh --mesh-a a.obj --mesh-b gen:helix --random 100 --peer fcl,cgal");
+}
+
+void add_triangle(CLI::App& app, TriangleArguments& arguments) {
+  CLI::App* triangle = app.add_subcommand("triangle", "do two triangles meet");
+  triangle->add_option("--count", arguments.count, "pairs")->check(CLI::PositiveNumber)->capture_default_str();
+  triangle->add_option("--family", arguments.family, "kind of pairs")
+      ->check(CLI::IsMember(test::triangle_pair_families()))
+      ->capture_default_str();
+  add_common(*triangle, arguments);
+  triangle->footer("Example:\n  ./toccata bench triangle --peer cgal,fcl --family shared");
+}
+
+void add_process(CLI::App& app, ProcessArguments& arguments) {
+  arguments.command = TOCCATA_COMMAND;
+  CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
+  process->add_option("--mesh", arguments.mesh, "checked against itself (default: stanford-bunny.obj of TOCCATA_DATA)");
+  process->add_option("--shift", arguments.shift, "by how much the second one is moved along x")->capture_default_str();
+  process->add_option("--objects", arguments.objects, "small meshes in the generated scene")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  process->add_option("--repeat", arguments.repeat, "runs; the median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  process->add_option("--command", arguments.command, "the toccata command to run");
+  process->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  process->footer("Example:\n  ./toccata bench process --mesh part.stl --shift 2.5");
+}
+
+int report_trouble(const std::string& message) {
+  fmt::print(stderr, "toccata-bench: error: {}\n", message);
+  return trouble;
+}
+
+int main_of(int argc, char** argv) {
+  CLI::App app("Measures Toccata and its peers on the same inputs in one run, and compares the answers.",
+               "toccata-bench");
+  Options options;
+  app.require_subcommand(1);
+  app.footer("Exit code: 0, 1 when an answer of Toccata is wrong, 2 trouble.");
+  add_mesh(app, options.mesh);
+  add_triangle(app, options.triangle);
+  add_process(app, options.process);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked_for_text) {
+    return app.exit(asked_for_text);
+  } catch (const CLI::ParseError& error) {
+    return report_trouble(std::string(error.what()) + " (--help tells the options)");
+  }
+  if (app.got_subcommand("mesh")) return run_mesh(options.mesh);
+  if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
+  return run_process(options.process);
+}
+
+}  // namespace
+}  // namespace toccata::bench
+
+int main(int argc, char** argv) {
+  try {
+    return toccata::bench::main_of(argc, argv);
+  } catch (const std::exception& error) {
+    return toccata::bench::report_trouble(error.what());
+  }
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "library.hpp"
+
+namespace toccata::bench {
+
+/// A row of the report; times in microseconds unless said.
+struct Result {
+  Description who;
+  std::string task;
+  int threads = 1;
+  std::size_t queries = 0;
+  double median_us = 0;
+  double mean_us = 0;  ///< on several threads: the whole time over the number of queries
+  double p99_us = 0;
+  double build_ms = 0;  ///< of both meshes
+  double bytes_per_triangle = 0;
+  std::size_t disagreements = 0;  ///< queries that Toccata answers otherwise; Toccata's own: any peer does
+  std::size_t wrong = 0;          ///< judged where answers differ, or everywhere with --verify
+};
+
+double seconds_of(const std::function<void()>& work);
+
+/// Fills median, mean and p99 (the value that 99 % do not exceed) from the time of each query, in microseconds.
+void summarise(std::vector<double> microseconds, Result& result);
+
+struct MeasureOptions {
+  int threads = 1;
+  int rounds = 3;  ///< of each query the fastest counts, so that other programs disturb less
+};
+
+/// What a library answered, in the order of the queries, and how long it took.
+struct Answered {
+  Result result;
+  std::vector<Answer> answers;
+};
+
+/// The library must have been built.
+Answered measure_queries(const MeshLibrary& library, Task task, const std::vector<PosePair>& poses,
+                         const MeasureOptions& options);
+
+/// `rounds` builds; of each library the median counts as its build time.
+Result measure_build(MeshLibrary& library, const TriangleMesh& a, const TriangleMesh& b, int rounds);
+
+}  // namespace toccata::bench

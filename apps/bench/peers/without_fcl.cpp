@@ -1,0 +1,8 @@
+#include "library.hpp"
+
+namespace toccata::bench {
+
+MeshLibraries fcl_mesh_libraries() { peer_is_missing("fcl"); }
+TriangleLibraries fcl_triangle_libraries() { peer_is_missing("fcl"); }
+
+}  // namespace toccata::bench

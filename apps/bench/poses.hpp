@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "library.hpp"
+#include "toccata/query/model.hpp"
+
+namespace toccata::bench {
+
+/// A line per query: 12 numbers (R row by row, then t: B in A's frame) or 24 (the pose of A, then that of B), separated
+/// by spaces or commas. Empty lines and lines that begin with # are left out. Throws Error naming file and line.
+std::vector<PosePair> read_poses(const std::filesystem::path& file);
+
+enum class Nearness {
+  jittered,  ///< within 2 % of the smaller mesh's diagonal of contact
+  close,     ///< within 1e-6 … 1e-14 of that diagonal
+};
+
+/// Random rigid poses of both objects. B comes from outside along a random direction until it touches A (binary search
+/// to the outermost contact that 16 steps see), and is then moved along it by a random amount either way, so that about
+/// half of the pairs touch.
+std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
+                                   Nearness nearness);
+
+/// `count` queries: the given ones in turn, both objects moved together by a random rigid motion, rounded.
+std::vector<PosePair> moved_together(const std::vector<PosePair>& poses, std::size_t count, std::uint64_t seed);
+
+/// Both linear parts are rotations up to rounding; peers take no others.
+bool are_rigid(const PosePair& poses);
+
+}  // namespace toccata::bench

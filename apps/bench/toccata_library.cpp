@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "library.hpp"
+#include "toccata/core/version.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/overlap.hpp"
+
+namespace toccata::bench {
+namespace {
+
+Description described(const std::string& variant) {
+  return {"toccata", variant, version,
+          fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+}
+
+std::size_t bytes_of(const Tree<Aabb>& tree) {
+  return tree.nodes.size() * sizeof tree.nodes[0] + tree.items.size() * sizeof tree.items[0];
+}
+
+class ToccataMeshes : public MeshLibrary {
+ public:
+  Description description() const override { return described("default"); }
+
+  void build(const TriangleMesh& a, const TriangleMesh& b) override {
+    // Models share their mesh with whoever made it; this one does not own it.
+    a_.emplace(std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &a));
+    b_.emplace(std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &b));
+  }
+
+  std::size_t bytes() const override { return bytes_of(a_->tree()) + bytes_of(b_->tree()); }
+
+  Answer answer(Task task, const PosePair& poses) const override {
+    // As surfaces, since that is what the peers answer about.
+    const PairQuery query{poses.a, poses.b, Solid::none, Solid::none};
+    if (task == Task::overlap) return {overlap(*a_, *b_, query), {}};
+    Answer answer;
+    for (const Contact& contact : contacts(*a_, *b_, query))
+      answer.pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+    answer.overlap = !answer.pairs.empty();
+    return answer;
+  }
+
+ private:
+  std::optional<Model> a_;
+  std::optional<Model> b_;
+};
+
+using TriangleMethod = bool (*)(const Triangle&, const Triangle&);
+
+class ToccataTriangles : public TriangleLibrary {
+ public:
+  ToccataTriangles(std::string variant, TriangleMethod method) : variant_(std::move(variant)), method_(method) {}
+
+  Description description() const override { return described(variant_); }
+  void prepare(std::span<const TriangleQuestion> questions) override { questions_ = questions; }
+  void answer(std::size_t first, std::span<char> answers) const override {
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      answers[i] = method_(questions_[first + i].a, questions_[first + i].b) ? 1 : 0;
+  }
+
+ private:
+  std::string variant_;
+  TriangleMethod method_;
+  std::span<const TriangleQuestion> questions_;
+};
+
+bool meets(const Triangle& a, const Triangle& b) { return meeting(a, b).kind != MeetingKind::none; }
+
+}  // namespace
+
+MeshLibraries toccata_mesh_libraries() {
+  MeshLibraries libraries;
+  libraries.push_back(std::make_unique<ToccataMeshes>());
+  return libraries;
+}
+
+TriangleLibraries toccata_triangle_libraries() {
+  TriangleLibraries libraries;
+  libraries.push_back(std::make_unique<ToccataTriangles>("penetration", overlap_by_penetration));
+  libraries.push_back(std::make_unique<ToccataTriangles>("separating axes", overlap_by_separating_axes));
+  libraries.push_back(std::make_unique<ToccataTriangles>("meeting (what is common)", meets));
+  return libraries;
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Runs tiny benchmarks: their JSON has the documented shape, and every answer is the truth. Times are not judged.
+
+usage: check_benchmarks.py TOCCATA_BENCH
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+BENCH = sys.argv[1]
+RESULT = {
+    "library": str, "variant": str, "version": str, "flags": str, "task": str, "threads": int, "queries": int,
+    "median_us": float, "mean_us": float, "p99_us": float, "build_ms": float, "bytes_per_triangle": float,
+    "disagreements": int, "wrong": int,
+}
+RATIO = {"library": str, "variant": str, "task": str, "median": float, "mean": float, "p99": float}
+PEER_VARIANTS = {"fcl": {"OBB", "OBBRSS"}, "cgal": {"AABB_tree, EPICK"}}
+ROUND_PAIR = ["--mesh-a", "gen:noise-sphere?subdivisions=2", "--mesh-b", "gen:torus?around=12&sides=6"]
+HELICES = ["--mesh-a", "gen:helix?pitch=4.002", "--mesh-b", "gen:helix?pitch=4.002"]
+
+
+def run(*words):
+    return subprocess.run([BENCH, *words], capture_output=True, text=True)
+
+
+def report(*words):
+    done = run(*words, "--json")
+    assert done.returncode == 0, f"{words} ended with {done.returncode}: {done.stderr}"
+    return json.loads(done.stdout)
+
+
+def check_shape(rows, fields):
+    for row in rows:
+        assert set(row) == set(fields), f"fields {sorted(row)}"
+        for name, kind in fields.items():
+            number = isinstance(row[name], (int, float)) and kind is float
+            assert number or isinstance(row[name], kind), f"{name} is {row[name]!r}"
+
+
+def check(expected_queries, *words):
+    """The report of a benchmark in which all of Toccata's answers are right and every result has the right form."""
+    made = report(*words)
+    assert made["format"] == "toccata-bench-1" and made["machine"]["compiler"]
+    check_shape(made["results"], RESULT)
+    check_shape(made["ratios"], RATIO)
+    assert len(made["ratios"]) == len(made["results"]) - 1
+    assert made["results"][0]["library"] == "toccata"
+    for row in made["results"]:
+        assert row["queries"] == expected_queries, row
+        assert row["library"] != "toccata" or row["wrong"] == 0, row
+        assert 0 < row["median_us"] <= row["p99_us"], row
+    return made
+
+
+def is_built_in(peer):
+    done = run("triangle", "--count", "5", "--peer", peer)
+    if done.returncode == 0:
+        return True
+    assert done.returncode == 2 and "./toccata bench --with-peers" in done.stderr, done.stderr
+    return False
+
+
+def check_meshes(peers):
+    variants = {("toccata", "default")} | {(p, v) for p in peers for v in PEER_VARIANTS[p]}
+    named = ["--peer", ",".join(peers)] if peers else []
+    for words in (["overlap"], ["contacts"], ["overlap", "--near"], ["contacts", "--threads", "2"]):
+        made = check(5, "mesh", *ROUND_PAIR, "--random", "5", "--verify", "--rounds", "1", *named, "--task", *words)
+        assert {(r["library"], r["variant"]) for r in made["results"]} == variants
+    made = check(3, "mesh", *ROUND_PAIR, "--task", "build", *named)
+    assert all(r["build_ms"] > 0 and r["bytes_per_triangle"] > 0 for r in made["results"])
+
+
+def check_files(folder):
+    """Poses of a file, given and moved: helices 0.001 apart, and 0.001 into each other. A pose that is not rigid."""
+    poses, answers = folder / "poses.txt", folder / "answers.txt"
+    poses.write_text("# apart, meeting\n1 0 0 0 1 0 0 0 1 0 0 2.001\n" + "1 0 0 0 1 0 0 0 1 0,0,0 " + "1 0 0 0 1 0 0 0 1 0 0 1.9\n")
+    words = ["mesh", *HELICES, "--poses", str(poses), "--answers", str(answers), "--rounds", "1"]
+    check(2, *words)
+    assert answers.read_text() == "0 0\n1 1\n"
+    check(4, *words, "--random", "4", "--verify")
+    assert answers.read_text() == "0 0\n1 1\n2 0\n3 1\n"
+    poses.write_text("2 0 0 0 1 0 0 0 1 0 0 2.001\n")
+    check(1, *words)
+    poses.write_text("\n1 0 0 0 1\n")
+    done = run(*words)
+    assert done.returncode == 2 and "poses.txt:2" in done.stderr, done.stderr
+
+
+def check_triangles(peers):
+    named = ["--peer", ",".join(peers)] if peers else []
+    for family in ("random", "shared", "coplanar", "ulp"):
+        check(200, "triangle", "--count", "200", "--verify", "--family", family, *named)
+
+
+def check_process():
+    made = report("process", "--mesh", "gen:icosphere", "--objects", "20", "--repeat", "1")
+    assert [r["task"] for r in made["results"]] == ["process"] * 2
+    assert all(r["median_seconds"] > 0 and r["peak_megabytes"] > 1 for r in made["results"])
+
+
+def main():
+    peers = [peer for peer in PEER_VARIANTS if is_built_in(peer)]
+    print("peers:", ", ".join(peers) or "none")
+    check_meshes(peers)
+    check_triangles(peers)
+    check_process()
+    with tempfile.TemporaryDirectory() as folder:
+        check_files(pathlib.Path(folder))
+    assert run("mesh", *ROUND_PAIR, "--peer", "nobody").returncode == 2
+
+
+main()
