@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -82,16 +83,26 @@ class MeshReader {
     const std::size_t mode = primitive.whole_or("mode", 6, 4);
     if (mode < 4 || !primitive.has("attributes") || !primitive.at("attributes").has("POSITION")) return;
     const Vertices vertices = vertices_of(primitive.at("attributes").at("POSITION"));
-    std::vector<Index> corners;
-    if (primitive.has("indices"))
-      corners = data_.indices(accessor(primitive.at("indices")));
-    else
-      for (Index i = 0; i < vertices.count; ++i) corners.push_back(i);
+    const std::vector<Index> corners = corners_of(primitive, vertices.count);
     for (const Index corner : corners)
       if (corner >= vertices.count)
         primitive.fail(fmt::format("index {} is out of range: there are {} positions", corner, vertices.count),
                        "the file is broken; export it again");
     add_triangles(primitive, static_cast<Mode>(mode), corners, vertices.first);
+  }
+
+  /// Primitives may share their accessors, and a mesh of many such must not outgrow its file: corners count as read.
+  [[nodiscard]] std::vector<Index> corners_of(const JsonValue& primitive, Index vertex_count) {
+    std::vector<Index> corners;
+    if (primitive.has("indices")) {
+      corners = data_.indices(accessor(primitive.at("indices")));
+      data_.spend(primitive, corners.size());
+    } else {
+      data_.spend(primitive, vertex_count);
+      corners.resize(vertex_count);
+      std::iota(corners.begin(), corners.end(), Index{0});
+    }
+    return corners;
   }
 
   void add_triangles(const JsonValue& primitive, Mode mode, const std::vector<Index>& corners, Index first) {

@@ -125,10 +125,12 @@ std::span<const char> GltfData::external_buffer(const JsonValue& uri) {
   const std::string text = uri.text();
   if (text.starts_with("data:")) return loaded_.emplace_back(decode_data_uri(uri, text));
   const std::filesystem::path file = file_of_uri(uri, text, source_.folder);
+  if (const auto known = files_.find(file); known != files_.end()) return known->second;
   try {
     const FileBytes bytes = read_file(file);
     budget_ += 8 * bytes.size;
-    return loaded_.emplace_back(bytes.span().begin(), bytes.span().end());
+    const std::vector<char>& loaded = loaded_.emplace_back(bytes.span().begin(), bytes.span().end());
+    return files_.emplace(file, loaded).first->second;
   } catch (const Error& error) {
     uri.fail(error.what(), "put the buffer beside this file");
   }

@@ -35,6 +35,10 @@ class GltfData {
 
   [[nodiscard]] std::size_t accessor_count() const { return accessors_.size(); }
 
+  /// Takes `elements` from what a file of this size may ask for: every number that is read, and every corner that is
+  /// made of those. Throws Error at `place` when that is used up, so call it before making them.
+  void spend(const JsonValue& place, std::size_t elements);
+
  private:
   struct Layout;
 
@@ -44,14 +48,14 @@ class GltfData {
   [[nodiscard]] Layout layout_of(const JsonValue& accessor, std::size_t components);
   [[nodiscard]] std::vector<double> read(std::size_t accessor, std::size_t components);
   void apply_sparse(const JsonValue& accessor, const Layout& layout, std::vector<double>& values);
-  void spend(const JsonValue& place, std::size_t elements);
 
   const SceneBytes& source_;
   std::optional<std::span<const char>> binary_;
   std::vector<JsonValue> buffers_, views_, accessors_;
-  std::map<std::size_t, std::span<const char>> resolved_;  ///< the bytes of the buffers that were asked for
-  std::vector<std::vector<char>> loaded_;                  ///< the bytes of those that are not the GLB's own
-  std::size_t budget_;  ///< elements that may still be read: a small file must not ask for all memory
+  std::map<std::size_t, std::span<const char>> resolved_;         ///< the bytes of the buffers that were asked for
+  std::vector<std::vector<char>> loaded_;                         ///< the bytes of those that are not the GLB's own
+  std::map<std::filesystem::path, std::span<const char>> files_;  ///< those of loaded_ that are files
+  std::size_t budget_;  ///< elements that may still be asked for: a small file must not fill the memory
 };
 
 }  // namespace toccata::io

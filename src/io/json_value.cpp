@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -15,21 +17,49 @@ namespace {
 
 using nlohmann::json;
 
-/// Told of every key while a text is parsed; remembers those of the objects that are open.
-class RepeatedKeyWatch {
+/// Told of every key of a text in turn; remembers those of the objects that are open. Building the document under such
+/// a watch, with a callback of json::parse, takes time quadratic in the length of a list of objects.
+class RepeatedKeyWatch final : public nlohmann::json_sax<json> {
  public:
-  void operator()(json::parse_event_t event, const json& parsed) {
-    if (event == json::parse_event_t::object_start) open_.emplace_back();
-    if (event == json::parse_event_t::object_end) open_.pop_back();
-    if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second && found_.empty())
-      found_ = parsed.get<std::string>();
+  bool start_object(std::size_t) override {
+    open_.emplace_back();
+    return true;
   }
-  [[nodiscard]] const std::string& found() const { return found_; }
+  bool end_object() override {
+    open_.pop_back();
+    return true;
+  }
+  /// Stops at the first repetition.
+  bool key(std::string& name) override {
+    if (open_.back().insert(name).second) return true;
+    found_ = name;
+    return false;
+  }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+  [[nodiscard]] const std::optional<std::string>& found() const { return found_; }
 
  private:
   std::vector<std::set<std::string>> open_;
-  std::string found_;
+  std::optional<std::string> found_;
 };
+
+void refuse_repeated_keys(std::span<const char> text, std::string_view file) {
+  RepeatedKeyWatch watch;
+  json::sax_parse(text.data(), text.data() + text.size(), &watch);
+  if (watch.found())
+    fail_in_file(file,
+                 {fmt::format("the key {} appears twice in one object", io::quoted(*watch.found())), "remove one"});
+}
 
 std::size_t line_of_byte(std::span<const char> text, std::size_t byte) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
@@ -46,25 +76,16 @@ std::string escaped(const std::string& key) {
 }  // namespace
 
 json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys repeated) {
-  RepeatedKeyWatch watch;
-  json::parser_callback_t callback;
-  if (repeated == RepeatedKeys::refused)
-    callback = [&](int, json::parse_event_t event, json& parsed) {
-      watch(event, parsed);
-      return true;
-    };
   json document;
   try {
-    document = json::parse(text.data(), text.data() + text.size(), callback);
+    document = json::parse(text.data(), text.data() + text.size());
   } catch (const json::parse_error& error) {
     fail_at_line(file, line_of_byte(text, error.byte == 0 ? 0 : error.byte - 1),
                  {"this is not valid JSON", "look for a missing comma, quote or bracket just before"});
   } catch (const json::exception&) {
     fail_in_file(file, {"a number is too large for a double", "write numbers below 1.8e308"});
   }
-  if (!watch.found().empty())
-    fail_in_file(file,
-                 {fmt::format("the key {} appears twice in one object", io::quoted(watch.found())), "remove one"});
+  if (repeated == RepeatedKeys::refused) refuse_repeated_keys(text, file);
   return document;
 }
 

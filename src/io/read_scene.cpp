@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "io/file_bytes.hpp"
 #include "io/number.hpp"
 #include "io/scene_parts.hpp"
+#include "io/utf8.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -17,10 +20,28 @@
 
 namespace toccata {
 namespace io {
+namespace {
+
+/// The largest magnitude among the nine numbers that are no translation.
+double largest_linear(const Pose& pose) {
+  const std::array<double, 12> numbers = pose.numbers();
+  double largest = 0;
+  for (std::size_t i = 0; i < 9; ++i) largest = std::max(largest, std::abs(numbers[i]));
+  return largest;
+}
+
+}  // namespace
 
 bool is_gltf(const std::filesystem::path& path) {
   const std::string extension = lower_case_extension(path);
   return extension == ".gltf" || extension == ".glb";
+}
+
+bool is_scale(double factor) { return factor > 0 && std::isnormal(factor); }
+
+bool is_collapsed(const Pose& before, const Pose& after) {
+  const double size = largest_linear(before);
+  return size > 0 && largest_linear(after) < std::min(size, std::numeric_limits<double>::min());
 }
 
 std::string UniqueNames::make(const std::string& name) {
@@ -42,7 +63,7 @@ Scene read_shapes(const std::filesystem::path& path) {
   Scene scene;
   scene.unit = "unit";
   SceneObject object;
-  object.name = path.stem().string();
+  object.name = as_utf8(path.stem().string());
   object.mesh = std::make_shared<const TriangleMesh>(read_mesh(path));
   object.source = path.string();
   scene.objects.push_back(std::move(object));
@@ -76,13 +97,28 @@ void check_options(const ReadOptions& options) {
       throw Error(fmt::format("a scale or unit must be positive and finite, and is {}", factor));
 }
 
+/// The unit times the scale.
+double factor_of(const std::filesystem::path& path, const ReadOptions& options) {
+  const double metres = options.metres_per_unit.value_or(1), factor = metres * options.scale;
+  if (!io::is_scale(factor))
+    throw Error(
+        fmt::format("{}: the unit {} times the scale {} is {}, which leaves no shape; change the options unit "
+                    "or scale so that their product is between 1e-307 and 1e308",
+                    path.string(), metres, options.scale, factor));
+  return factor;
+}
+
 void scale_scene(Scene& scene, double factor) {
   if (factor == 1) return;
   const Pose larger = scaled(Pose{}, factor);
   for (SceneNode& node : scene.nodes)
     if (!node.parent) node.pose = compose(larger, node.pose);
   for (SceneObject& object : scene.objects) {
-    object.pose = compose(larger, object.pose);
+    const Pose before = std::exchange(object.pose, compose(larger, object.pose));
+    if (io::is_collapsed(before, object.pose))
+      throw Error(
+          fmt::format("{}: the object '{}' shrinks to nothing when it is scaled by {}; use a larger unit or scale",
+                      object.source, object.name, factor));
     if (!is_finite(object.pose))
       throw Error(fmt::format("{}: the object '{}' grows beyond the doubles when it is scaled by {}", object.source,
                               object.name, factor));
@@ -96,10 +132,11 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) 
   const bool is_scene_file = io::lower_case_extension(path) == ".json";
   if (is_scene_file && options.metres_per_unit)
     throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path.string()));
+  const double factor = factor_of(path, options);
   Scene scene = is_generator_specification(path.string()) ? generated_scene(path.string())
                 : is_scene_file                           ? read_scene_file(path)
                                                           : io::read_shapes(path);
-  scale_scene(scene, options.metres_per_unit.value_or(1) * options.scale);
+  scale_scene(scene, factor);
   if (options.metres_per_unit) scene.unit = "m";
   return scene;
 }

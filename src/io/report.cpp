@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/utf8.hpp"
 #include "toccata/core/version.hpp"
 
 namespace toccata {
@@ -68,8 +69,8 @@ Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
 }
 
 Json json_of(const SceneObject& object, const Posed& posed) {
-  return {{"name", object.name},
-          {"source", object.source},
+  return {{"name", io::as_utf8(object.name)},
+          {"source", io::as_utf8(object.source)},
           {"triangles", object.mesh->triangle_count()},
           {"faces", object.mesh->face_count()},
           {"closed", posed.model.closed()},
@@ -227,7 +228,7 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
   Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
   Json& list = json["objects"] = Json::array();
   for (const InspectedObject& object : objects) {
-    Json item = {{"name", object.name}, {"source", object.source}, {"solid", object.solid}};
+    Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}, {"solid", object.solid}};
     item["pose"] = object.pose.numbers();
     item.update(json_of(object.health));
     list.push_back(std::move(item));

@@ -203,8 +203,22 @@ class ShapeSource {
 
 /// World units per unit of the object's shape.
 double unit_factor(const JsonValue& object, const Scene& shapes, double scene_metres) {
-  if (object.has("unit")) return unit_of(object.at("unit")) / scene_metres;
-  return shapes.unit == "m" ? 1 / scene_metres : 1;  // glTF is in metres; other files are in the scene's unit
+  if (!object.has("unit") && shapes.unit != "m") return 1;  // glTF is in metres; other files are in the scene's unit
+  const double metres = object.has("unit") ? unit_of(object.at("unit")) : 1;
+  const double factor = metres / scene_metres;
+  if (!is_scale(factor))
+    object.fail(fmt::format("its \"unit\" of {} m over the \"unit\" of the scene, {} m, is {}, which leaves no shape",
+                            metres, scene_metres, factor),
+                "change one of the two");
+  return factor;
+}
+
+/// The pose in the world of a shape that is `factor` times as large.
+Pose world_pose(const Entry& entry, const Pose& world, double factor) {
+  const Pose pose = scaled(world, factor);
+  if (is_collapsed(world, pose))
+    entry.value.fail("the scale of its pose times its unit leaves no shape", "change \"pose\" or \"unit\"");
+  return pose;
 }
 
 void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common) {
@@ -254,7 +268,7 @@ Scene parse_scene_file(const SceneBytes& bytes) {
     if (!entries[i].is_object) continue;
     const Scene& shapes = source.shapes_of(value);
     SceneObject common;
-    common.pose = scaled(tree.world_of(i), unit_factor(value, shapes, metres));
+    common.pose = world_pose(entries[i], tree.world_of(i), unit_factor(value, shapes, metres));
     common.solid = value.has("solid") ? solid_of(value.at("solid")) : Solid::automatic;
     common.group = value.text_or("group", "");
     common.node = tree.node_of(i);

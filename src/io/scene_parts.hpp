@@ -27,6 +27,13 @@ struct SceneBytes {
 
 [[nodiscard]] bool is_gltf(const std::filesystem::path& path);
 
+/// Whether a factor between units, or what is left of one after a product, still scales: positive, finite, and of full
+/// precision. A product of sensible factors may be 0 or infinite.
+[[nodiscard]] bool is_scale(double factor);
+
+/// Whether `after`, which is `before` times such factors, has lost the size of what it poses.
+[[nodiscard]] bool is_collapsed(const Pose& before, const Pose& after);
+
 /// Tells names apart: gives `name`, or "name #2", "name #3" … whichever is free.
 class UniqueNames {
  public:

@@ -9,6 +9,7 @@
 #include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
 #include "io/scene_parts.hpp"
+#include "io/utf8.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/scene_file.hpp"
@@ -116,6 +117,15 @@ bool is_unit(const std::string& name) {
   }
 }
 
+/// JSON can say nothing else.
+void check_texts(const Scene& scene) {
+  for (const SceneObject& object : scene.objects)
+    if (!io::is_utf8(object.name) || !io::is_utf8(object.group))
+      throw Error(fmt::format("the {} of the object '{}' is not UTF-8 ({}); change it",
+                              io::is_utf8(object.name) ? "group" : "name", io::as_utf8(object.name),
+                              io::as_utf8(io::is_utf8(object.name) ? object.group : object.name)));
+}
+
 void check_names(const Scene& scene) {
   std::set<std::string> names;
   for (const SceneObject& object : scene.objects)
@@ -127,6 +137,7 @@ void check_names(const Scene& scene) {
 }  // namespace
 
 void write_scene(const Scene& scene, const fs::path& folder) {
+  check_texts(scene);
   check_names(scene);
   FolderInTheMaking making(folder.has_filename() ? folder : folder.parent_path());
   MeshFiles files(making.path());

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "io/mesh_text.hpp"
 #include "io/parse.hpp"
+#include "io/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata::fuzz {
@@ -16,7 +19,8 @@ inline void require(bool holds, const char* what) {
 }
 
 inline void require_valid(const PolygonMesh& mesh) {
-  require(std::ranges::all_of(mesh.vertices, is_finite), "a vertex is not finite");
+  require(std::ranges::all_of(mesh.vertices, [](const Vec3& vertex) { return is_finite(vertex); }),
+          "a vertex is not finite");
   require(std::ranges::all_of(mesh.corners, [&](Index corner) { return corner < mesh.vertices.size(); }),
           "a corner is out of range");
   require(mesh.first.size() > 1, "there is no face");
@@ -33,7 +37,18 @@ inline void require_valid(const TriangleMesh& mesh) {
   require(again.corners.size() == 3 * mesh.triangles().size(), "triangles change when written and read");
 }
 
-/// A reader gives a valid mesh for any bytes, or an Error in one line that names the file.
+/// Every object has a name of its own, a mesh, and a finite pose.
+inline void require_valid(const Scene& scene) {
+  std::set<std::string> names;
+  require(!scene.objects.empty(), "there is no object");
+  for (const SceneObject& object : scene.objects) {
+    require(names.insert(object.name).second, "two objects have the same name");
+    require(object.mesh != nullptr && is_finite(object.pose), "an object is nowhere");
+    require_valid(*object.mesh);
+  }
+}
+
+/// A reader gives a valid mesh or scene for any bytes, or an Error in one line that names the file.
 template <typename Parse>
 void check_reader(Parse parse, std::span<const char> bytes) {
   try {

@@ -13,6 +13,14 @@ using fuzz::check_reader;
 
 const fs::path corpus = TOCCATA_FUZZ_CORPUS;
 
+Scene parse_gltf(std::span<const char> bytes, std::string_view name) {
+  return io::parse_gltf({bytes, std::string(name), "no/such/folder"});
+}
+
+Scene parse_scene(std::span<const char> bytes, std::string_view name) {
+  return io::parse_scene_file({bytes, std::string(name), "no/such/folder"});
+}
+
 template <typename Parse>
 void replay(const char* format, Parse parse) {
   int files = 0;
@@ -29,6 +37,8 @@ TEST(FuzzCorpus, EveryObjIsReadOrRefused) { replay("obj", io::parse_obj); }
 TEST(FuzzCorpus, EveryStlIsReadOrRefused) { replay("stl", io::parse_stl); }
 TEST(FuzzCorpus, EveryPlyIsReadOrRefused) { replay("ply", io::parse_ply); }
 TEST(FuzzCorpus, EveryOffIsReadOrRefused) { replay("off", io::parse_off); }
+TEST(FuzzCorpus, EveryGltfIsReadOrRefused) { replay("gltf", parse_gltf); }
+TEST(FuzzCorpus, EverySceneIsReadOrRefused) { replay("scene", parse_scene); }
 
 }  // namespace
 }  // namespace toccata

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/scene_parts.hpp"
+#include "io/text_file.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/math/rotation.hpp"
@@ -181,6 +182,55 @@ TEST(Gltf, ManyNodesOfOneNameAreQuick) {
   const std::size_t begin = file.find(R"("nodes": [{"name")"), end = file.find(R"("meshes")");
   const std::string many = file.substr(0, begin) + nodes.substr(0, nodes.size() - 1) + "], " + file.substr(end);
   EXPECT_EQ(parse(with(many, R"("nodes": [0])", R"("nodes": [)" + roots + "]")).objects.back().name, "n #20000");
+}
+
+/// A file whose mesh is that many primitives of one accessor.
+std::string repeating(const std::string& primitive, int times, std::size_t positions) {
+  std::string list = primitive;
+  for (int i = 1; i < times; ++i) list += "," + primitive;
+  return R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [)" + list +
+         R"(]}], "accessors": [{"componentType": 5126, "type": "VEC3", "count": )" + std::to_string(positions) +
+         R"(}, {"componentType": 5121, "type": "SCALAR", "count": )" + std::to_string(positions) + "}]}";
+}
+
+TEST(Gltf, ASmallFileCannotFillTheMemory) {
+  for (const char* mode : {R"(, "mode": 4)", R"(, "mode": 5)", R"(, "indices": 1)"}) {
+    const std::string primitive = R"({"attributes": {"POSITION": 0})" + std::string(mode) + "}";
+    EXPECT_EQ(parse(repeating(primitive, 3, 99999)).objects.size(), 1U);
+    expect_error(repeating(primitive, 40, 99999), "asks for far more numbers than it has");
+    expect_error(repeating(primitive, 1, 999999), "asks for far more numbers than it has");
+  }
+}
+
+TEST(Gltf, BuffersOfOneFileLoadItOnce) {
+  const test::TemporaryFolder folder;
+  folder.file("square.bin", square + std::string(1 << 20, '\0'));
+  const std::size_t begin = file.find("data:"), end = file.find('"', begin);
+  const std::string named = file.substr(0, begin) + "square.bin" + file.substr(end);
+  std::string buffers = R"({"byteLength": 64, "uri": "square.bin"})", views, accessors, primitives;
+  for (int i = 1; i <= 12; ++i) {
+    const std::string number = std::to_string(i);
+    buffers += R"(, {"byteLength": 64, "uri": "./square%2ebin"})";
+    views += R"(, {"buffer": )" + number + R"(, "byteLength": 48})";
+    accessors +=
+        R"(, {"bufferView": )" + std::to_string(i + 1) + R"(, "componentType": 5126, "count": 4, "type": "VEC3"})";
+    primitives += R"(, {"attributes": {"POSITION": )" + std::to_string(i + 1) + R"(}, "indices": 1})";
+  }
+  // Each file that is loaded allows for more; loaded once, it does not allow for this many elements of zero.
+  std::string text = with(named, R"("indices": 1})", R"("indices": 1})" + primitives);
+  text = with(text, R"("type": "SCALAR"})", R"("type": "SCALAR"})" + accessors);
+  text = with(text, R"("byteLength": 16})", R"("byteLength": 16})" + views);
+  const std::size_t list = text.find(R"("buffers": [)");
+  text = text.substr(0, list) + R"("buffers": [)" + buffers + "]}";
+  folder.file("a.gltf", text);
+  EXPECT_EQ(read_scene(folder / "a.gltf").objects[0].mesh->triangles().size(), 26U);
+  const std::string greedy = R"(, {"componentType": 5126, "count": 20000000, "type": "VEC3"}])";
+  const std::size_t after = text.find("],", text.find(R"("accessors")"));
+  text = text.substr(0, after) + greedy + text.substr(after + 1);
+  text = with(text, R"({"attributes": {"POSITION": 13}, "indices": 1})",
+              R"({"attributes": {"POSITION": 13}, "indices": 1}, {"attributes": {"POSITION": 14}, "indices": 1})");
+  folder.file("b.gltf", text);
+  EXPECT_NE(test::message_of([&] { (void)read_scene(folder / "b.gltf"); }).find("far more numbers"), std::string::npos);
 }
 
 TEST(Gltf, EveryFileOfACorpusLoadsOrGivesAnError) {

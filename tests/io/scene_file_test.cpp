@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <set>
@@ -165,6 +166,53 @@ TEST_F(SceneFile, LongChainsAndManyNamesAreQuick) {
     members += R"({"generate": "box", "name": "o)" + std::to_string(i) + "\"" +
                (i + 1 < 5000 ? ", \"parent\": \"o" + std::to_string(i + 1) + "\"}," : std::string("}]"));
   EXPECT_EQ(read_members(members).objects.size(), 5000U);
+}
+
+TEST_F(SceneFile, ManyFramesAreQuick) {
+  std::string members = R"("objects": [{"generate": "box", "name": "o"}], "frames": [{"name": "f"})";
+  for (int i = 0; i < 100000; ++i) members += R"(,{"name":"f)" + std::to_string(i) + "\"}";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(read_members(members + "]").nodes.size(), 100002U);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));  // a quadratic reader takes far longer
+  expect_error(members + R"(,{"name": "g", "name": "h"}])", "the key \"name\" appears twice in one object");
+}
+
+TEST_F(SceneFile, FactorsThatLeaveNoShapeAreRefused) {
+  const auto message = [&](const ReadOptions& options) {
+    return message_of([&] { (void)read_scene(folder_ / "parts/plate.obj", options); });
+  };
+  for (const double factor : {1e-200, 1e-155, 1e200})
+    EXPECT_NE(message({.metres_per_unit = factor, .scale = factor}).find("change the options unit or scale"),
+              std::string::npos)
+        << factor;
+  EXPECT_EQ(message({.metres_per_unit = 1e-200, .scale = 1e200}), "no error");
+  EXPECT_EQ(message({.metres_per_unit = 1e-150, .scale = 1e-150}), "no error");
+  const std::string plate = R"("objects": [{"name": "p", "file": "parts/plate.obj", )";
+  expect_error(R"("unit": 1e300, )" + plate + R"("unit": 1e-300}])", R"(at /objects/0: its "unit" of 1e-300 m over)");
+  expect_error(R"("unit": 1e-300, )" + plate + R"("unit": 1e300}])",
+               R"(over the "unit" of the scene, 1e-300 m, is inf)");
+  expect_error(plate + R"("unit": 1e-200, "pose": {"scale": 1e-200}}])", R"(change "pose" or "unit")");
+  write("tiny.json", R"({"format": "toccata-scene", "version": 1, )" + plate + R"("unit": 1e-200}]})");
+  EXPECT_NE(message_of([&] { (void)read_scene(folder_ / "tiny.json", {.scale = 1e-200}); }).find("shrinks to nothing"),
+            std::string::npos);
+  EXPECT_EQ(read_members(plate + R"("unit": 1e-200, "pose": {"scale": 0}}])").objects.size(), 1U);
+}
+
+TEST_F(SceneFile, NamesAreUtf8) {
+  std::set<std::string> names;
+  for (const char* stem : {"inv\xff", "inv\xfe", "\xc3\xa4", "\xc3", "\xed\xa0\x80"}) {
+    write(std::string("parts/") + stem + ".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    names.insert(read_scene(folder_ / (std::string("parts/") + stem + ".obj")).objects[0].name);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"inv\\xff", "inv\\xfe", "\xc3\xa4", "\\xc3", "\\xed\\xa0\\x80"}));
+  Scene scene = gear_train();
+  scene.objects[1].name = "gear\xff";
+  const auto message = [&] { return message_of([&] { write_scene(scene, folder_ / "written"); }); };
+  EXPECT_NE(message().find("the name of the object 'gear\\xff' is not UTF-8"), std::string::npos) << message();
+  scene.objects[1].name = "gear";
+  scene.objects[1].group = "\x80";
+  EXPECT_NE(message().find("the group of the object 'gear' is not UTF-8"), std::string::npos) << message();
+  EXPECT_FALSE(fs::exists(folder_ / "written"));
 }
 
 TEST_F(SceneFile, MeshFileIsAnObjectNamedAfterIt) {

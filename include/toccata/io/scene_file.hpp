@@ -15,19 +15,22 @@ struct ReadOptions {
   /// What a length of 1 in the file is, in metres; the world's unit is then the metre. Not given: glTF is metres as its
   /// standard says, other meshes keep their numbers. A scene file states its units itself: giving one is an Error.
   std::optional<double> metres_per_unit = std::nullopt;
-  /// Multiplies everything in the file, poses included; positive and finite.
+  /// Multiplies everything in the file, poses included; positive and finite, as is its product with the unit, which
+  /// must also keep the full precision of a double (2.3e-308 or more): it is an Error when a shape would collapse.
   double scale = 1;
 };
 
 /// Reads any supported file as a scene: a mesh file as one object named after the file, glTF and GLB as the posed
 /// meshes of their node tree, a scene file (.json, docs/reference/scene-file.md) with all it names, and
-/// "gen:<name>?<parameter>=<number>&…" as that generated mesh (generate/meshes.hpp). Object names are unique. Objects
+/// "gen:<name>?<parameter>=<number>&…" as that generated mesh (generate/meshes.hpp). Object names are unique
+/// and UTF-8; a byte of a file name that is not becomes \xff, in hexadecimal. Objects
 /// from the same mesh share it. Throws Error naming the file, and the line or the place in it.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same
-/// objects with the same doubles; the node tree is not written. The folder is complete or not there: it must not exist
-/// or be empty.
+/// objects with the same doubles; the node tree is not written. Names and groups must be UTF-8, and names unique:
+/// otherwise an Error naming the object, before anything is written. The folder is complete or not there: it must not
+/// exist or be empty.
 void write_scene(const Scene& scene, const std::filesystem::path& folder);
 
 /// One sentence for every object whose box diagonal in the world is 10⁴ times the median of the scene's or more, or as
