@@ -10,10 +10,15 @@
 namespace toccata {
 namespace {
 
+/// The number at a fraction of the way from one number to another.
+Rational part_of_the_way(const ExactNumber& low, const ExactNumber& high, const Rational& fraction) {
+  return low.exact() + (high.exact() - low.exact()) * fraction;
+}
+
 /// A number strictly between two: a double where there is one near the wanted fraction of the way, so that the numbers
-/// computed from it stay short.
+/// computed from it stay short. For two fractions it may be the same.
 ExactNumber between(const ExactNumber& low, const ExactNumber& high, const Rational& fraction) {
-  Rational exact = low.exact() + (high.exact() - low.exact()) * fraction;
+  Rational exact = part_of_the_way(low, high, fraction);
   Rational shorter = to_rational(nearest_double(exact));
   return ExactNumber(low.exact() < shorter && shorter < high.exact() ? std::move(shorter) : std::move(exact));
 }
@@ -105,10 +110,14 @@ class CellFinder {
     return gap;
   }
 
+  /// Only the first height is rounded; the others are exact parts of it above the lower bound, for in a gap of a few
+  /// doubles, or none, rounded ones would be the same again and again. So all heights differ, and this ends when
+  /// another point is asked for at finitely many points of the cell only.
   bool visit_gap(const Gap& gap) const {
-    for (int attempt = 0;; ++attempt) {
-      const ExactNumber y = between(gap.low, gap.high, Rational(1, 8 + attempt));
-      const CellVisit answer = visit_(point_above(gap.x.exact(), y.exact()));
+    const ExactNumber first = between(gap.low, gap.high, Rational(1, 8));
+    for (int part = 1;; ++part) {
+      const Rational y = part_of_the_way(gap.low, first, Rational(1, part));
+      const CellVisit answer = visit_(point_above(gap.x.exact(), y));
       if (answer != CellVisit::another) return answer == CellVisit::next;
     }
   }

@@ -22,7 +22,8 @@ enum class CellVisit {
 /// The cells of a triangle are the connected pieces that remain of its relative interior when the segments in which
 /// the planes of other triangles cut it, and the edges of coplanar ones, are taken away. Calls `visit` with a point of
 /// every cell, of some cells more than once, exactly; all points that it gives of one cell differ. False when `visit`
-/// stopped it. Preconditions: has_area(t); every triangle of `cuts` meets t.
+/// stopped it. It ends if `visit` asks for another point at finitely many points of a cell only, such as those in which
+/// other triangles touch it. Preconditions: has_area(t); every triangle of `cuts` meets t.
 bool visit_cells(const Triangle& t, std::span<const Triangle> cuts,
                  const std::function<CellVisit(const ExactPoint&)>& visit);
 

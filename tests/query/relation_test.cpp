@@ -177,6 +177,22 @@ TEST(Relation, OfSurfaceAndSolid) {
   EXPECT_EQ(with_surface(triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0})), answer(RelationKind::touching));
 }
 
+/// A triangle a few doubles high where the tip of a tetrahedron below touches its inside, just at the point that is
+/// looked at first; every other double there is that same point.
+TEST(Relation, OfATipThatTouchesATriangleAFewDoublesHigh) {
+  const double step = 0x1p-52;
+  const Vec3 p{0, 1, 0}, q{10, 1 + 7 * step, 0}, r{10, 1 + 13 * step, 0};
+  const TriangleMesh tip = tetrahedron_mesh({5, 1 + 4 * step, 0}, {4, 0, -1}, {6, 0, -1}, {5, 3, -1});
+  EXPECT_EQ(asked(tip, tetrahedron_mesh(p, q, r, {11, 9, 1})), touching);
+  EXPECT_EQ(asked(tip, TriangleMesh({p, q, r}, {{0, 1, 2}})),
+            (Relation{RelationKind::touching, Containment::none, false, true, false, Status::exact}));
+  // The tip goes through the triangle.
+  const TriangleMesh deep = tetrahedron_mesh({5, 1 + 4 * step, 0x1p-60}, {4, 0, -1}, {6, 0, -1}, {5, 3, -1});
+  EXPECT_EQ(asked(deep, tetrahedron_mesh(p, q, r, {11, 9, 1})), overlapping());
+  EXPECT_EQ(asked(deep, TriangleMesh({p, q, r}, {{0, 1, 2}})),
+            (Relation{RelationKind::crossing, Containment::none, false, true, false, Status::exact}));
+}
+
 TEST(Relation, OfSurfaces) {
   const auto as_surfaces = [](double x, double y, double z) {
     PairQuery query = b_moved(x, y, z);

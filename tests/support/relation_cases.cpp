@@ -99,6 +99,52 @@ struct TwoMeshes {
   TriangleMesh b;
 };
 
+/// Within a cube of 8 steps between neighbouring doubles: its cells are a few doubles high, or less than one.
+TriangleMesh ulp_tetrahedron(Random& random) {
+  const auto point = [&] { return Vec3{1, 1, 1} + 0x1p-52 * grid_point(random, 9); };
+  const Vec3 p = point(), q = point(), r = point(), s = point();
+  return tetrahedron_mesh(p, q, r, s);
+}
+
+/// On the plane z = 0, within such steps of the line y = 1: mostly at its ends, x = 0 and 8, or in its middle.
+Vec3 point_by_line(bool at_ends, Random& random) {
+  const bool anywhere = random.below(4) == 0;
+  const double end = 8 * on_grid(random, 2), x = anywhere ? on_grid(random, 9) : at_ends ? end : 4;
+  return {x, 1 + 0x1p-52 * on_grid(random, 5), 0};
+}
+
+/// Of whole size, above the plane or below it, now and then on it.
+Vec3 point_off_line(double up, Random& random) {
+  const Vec3 p = grid_point(random, 9);
+  return {p.x, p.y - 3, up * p.z};
+}
+
+/// With a face by the line, long and almost without height.
+TriangleMesh tetrahedron_with_flat_face(Random& random) {
+  const Vec3 p = point_by_line(true, random), q = point_by_line(true, random), r = point_by_line(true, random);
+  const Vec3 s = point_off_line(1, random);
+  return tetrahedron_mesh(p, q, r, s);
+}
+
+TriangleMesh tetrahedron_with_tip_on_line(Random& random) {
+  const Vec3 tip = point_by_line(false, random);
+  const Vec3 p = point_off_line(-1, random), q = point_off_line(-1, random), r = point_off_line(-1, random);
+  return tetrahedron_mesh(tip, p, q, r);
+}
+
+/// Two tetrahedra a few doubles thick, or a flat one and the tip of another.
+TwoMeshes ulp_meshes(Random& random) {
+  if (random.below(4) == 0) return {ulp_tetrahedron(random), ulp_tetrahedron(random)};
+  return {tetrahedron_with_tip_on_line(random), tetrahedron_with_flat_face(random)};
+}
+
+/// Without poses, which would round the last bits away.
+RelationCase ulp_case(TwoMeshes meshes, Random& random) {
+  RelationCase made{std::move(meshes.a), std::move(meshes.b), {}};
+  if (random.below(3) == 0) made.query.solid_b = Solid::none;
+  return made;
+}
+
 RelationCase grid_case(TwoMeshes meshes, Random& random) {
   const Pose pose_a = grid_pose(random), pose_b = random.below(3) == 0 ? pose_a : grid_pose(random);
   return {std::move(meshes.a), std::move(meshes.b), {pose_a, pose_b}};
@@ -222,7 +268,7 @@ TriangleMesh placed(const TriangleMesh& mesh, double factor, const Vec3& offset)
 const std::vector<std::string>& relation_families() {
   static const std::vector<std::string> families{
       "grid boxes", "grid tetrahedra", "free tetrahedra", "l shapes", "parts", "hollow boxes",
-      "sheared",    "solid-surface",   "surface-surface", "equal",    "rigid"};
+      "sheared",    "solid-surface",   "surface-surface", "equal",    "rigid", "ulp cells"};
   return families;
 }
 
@@ -238,6 +284,7 @@ RelationCase random_relation_case(const std::string& family, Random& random) {
   if (family == "sheared")
     return {grid_box(random), grid_tetrahedron(random), {sheared_pose(random), sheared_pose(random)}};
   if (family == "rigid") return {l_mesh(), grid_box(random), {rigid_pose(random), rigid_pose(random)}};
+  if (family == "ulp cells") return ulp_case(ulp_meshes(random), random);
   if (family == "equal") return equal_case(random);
   if (family == "solid-surface")
     return surface_case({some_parts(random), some_surface(random)}, Solid::automatic, random);
