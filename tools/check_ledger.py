@@ -83,12 +83,15 @@ def shown(kind, cell):
 
 def table(rows):
     done = sum(not is_open(row) for row in rows)
+    begun = sum(bool(row["api"]) for row in rows)
     lines = [
         "# The methods",
         "",
         "What Toccata is to contain, and what shows that it does: made from [ledger.json](evidence/ledger.json) by",
-        "`tools/check_ledger.py --write`. A row with an empty cell is open. "
-        f"Now {done} of {len(rows)} rows are complete.",
+        "`tools/check_ledger.py --write`. A to C are three lectures that Toccata sets out to implement in full: \"Principles of",
+        "Computer Game Design and Implementation\", lecture 12; \"Collision detection\", notes by Y. Murugesan, 2011; and CS679,",
+        "University of Wisconsin, 20 November 2003. A row with an empty cell is open: of these "
+        f"{len(rows)} rows {begun} work in this version and {done} are complete (pictures come with the viewer).",
         "",
         "| | method | C++ | command | test against an oracle | benchmark | docs | picture |",
         "|---|---|---|---|---|---|---|---|",

@@ -38,6 +38,10 @@ lock_build_folder() {
 configure() {
   local preset=$1 folder=$source_folder/build/$1 known="" wanted new=no
   shift
+  # A clone that was copied or moved brings a build of another folder with it.
+  if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source_folder" "$folder/CMakeCache.txt"; then
+    rm -rf -- "$folder"
+  fi
   if command -v ccache >/dev/null; then set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
   wanted=("$(cksum <"$source_folder/CMakePresets.json")" "$@")
   if [[ -f $folder/build.ninja && -f $folder/.configured-with ]]; then known=$(<"$folder/.configured-with"); fi

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "arguments.hpp"
 #include "check_table.hpp"
 #include "load.hpp"
@@ -8,6 +10,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/scene_models.hpp"
+#include "words.hpp"
 
 namespace toccata::command {
 namespace {
@@ -31,6 +34,23 @@ void apply_poses(LoadedScene& loaded, const CheckArguments& arguments) {
 void apply_solid(Scene& scene, std::optional<Solid> solid) {
   if (!solid) return;
   for (SceneObject& object : scene.objects) object.solid = *solid;
+}
+
+/// An open mesh among solids contains nothing: whoever did not know that it is open should.
+void warn_of_open_meshes(LoadedScene& loaded, const std::vector<Posed>& models) {
+  constexpr std::size_t most_names = 5;
+  std::vector<std::string> open;
+  for (const Posed& posed : models)
+    if (posed.solid == Solid::automatic && !posed.model.closed()) open.push_back(posed.name);
+  if (open.empty()) return;
+  const std::size_t shown = std::min(open.size(), most_names);
+  loaded.warnings.push_back(fmt::format(
+      "{} of {} {} open and taken as surface{}, which contain{} nothing: {}{} (inspect tells why; --solid=none says "
+      "that "
+      "surfaces are meant)",
+      open.size(), counted(models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
+      open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+      shown < open.size() ? ", …" : ""));
 }
 
 CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments) {
@@ -65,6 +85,7 @@ int run_check(const CheckArguments& arguments) {
     throw Error(fmt::format("{} holds one object; a check needs two: name another file, or a scene with more objects",
                             arguments.input.files.front()));
   const std::vector<Posed> models = scene_models(loaded.scene, arguments.threads);
+  warn_of_open_meshes(loaded, models);
   const CheckAnswer answer = answer_with_progress(models, arguments);
   const CheckReport report = make_check_report(models, answer, arguments.touching, arguments.faces);
   const std::string text = text_of(loaded, models, report, arguments.format);

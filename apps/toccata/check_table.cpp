@@ -59,10 +59,11 @@ std::string pair_lines(const Scene& scene, const CheckReport& report) {
 }  // namespace
 
 std::string check_table(const Scene& scene, const CheckReport& report) {
-  std::string text = fmt::format("{} with {}, {} with overlapping boxes.\n", counted(scene.objects.size(), "object"),
-                                 counted(triangle_count(scene), "triangle"), counted(report.candidate_pairs, "pair"));
+  std::string text =
+      fmt::format("{} with {}; the bounding boxes of {} overlap.\n", counted(scene.objects.size(), "object"),
+                  counted(triangle_count(scene), "triangle"), counted(report.candidate_pairs, "pair"));
   if (report.pairs.empty())
-    text += "Nothing collides.\n";
+    text += report.ignored_touching > 0 ? "Nothing collides beyond touching.\n" : "Nothing collides.\n";
   else
     text += pair_lines(scene, report) +
             fmt::format("{} in contact, decided exactly.\n", counted(report.pairs.size(), "pair"));

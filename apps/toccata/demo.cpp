@@ -46,10 +46,9 @@ int show_scenes(const DemoArguments& arguments) {
     text += "}\n";
   else
     text += fmt::format(
-        "{} made, built and checked in {:.2f} s. Every answer is exact: no tolerance, no hull in place of a shape.\n"
-        "To play with them as files:\n  toccata demo --write scenes\n  toccata check scenes/a.obj scenes/b.stl "
-        "--faces\n",
-        counted(demo_scenes().size(), "scene"), seconds);
+        "{0} made, built and checked in {1:.2f} s. Every answer is exact: no tolerance, no hull in place of a shape.\n"
+        "To play with them as files:\n  {2} demo --write scenes\n  {2} check scenes/a.obj scenes/b.stl --faces\n",
+        counted(demo_scenes().size(), "scene"), seconds, called_as());
   print_answer(text);
   return 0;
 }
@@ -70,8 +69,19 @@ void write_files(const std::filesystem::path& folder) {
   write_text(folder / "README.md", demo_readme());
 }
 
+/// A folder that a demo of this version wrote before, as far as its README tells.
+bool is_demo_folder(const std::filesystem::path& folder) {
+  std::ifstream stream(folder / "README.md", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return text == demo_readme();
+}
+
 int write_scenes(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
+  if (is_demo_folder(folder)) {
+    print_answer(fmt::format("{} is there from an earlier demo, and left as it is.\n", folder.string()));
+    return 0;
+  }
   const bool occupied = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   if (occupied)
     throw Error(
@@ -85,14 +95,18 @@ int write_scenes(const std::filesystem::path& folder) {
     write_files(partial);
     fs::remove(normal, failed);  // an empty folder
     fs::rename(partial, normal);
+  } catch (const fs::filesystem_error& error) {
+    fs::remove_all(partial, failed);
+    throw Error(fmt::format("{}: could not be written: {}; name a folder where you may write", folder.string(),
+                            error.code().message()));
   } catch (...) {
     fs::remove_all(partial, failed);
     throw;
   }
   print_answer(
-      fmt::format("Written to {}: {}, two meshes, and a README.md with commands to try, for example\n"
-                  "  toccata check {}/a.obj {}/b.stl\n",
-                  folder.string(), counted(demo_scenes().size(), "scene"), folder.string(), folder.string()));
+      fmt::format("Written to {0}: {1}, two meshes, and a README.md with commands to try, for example\n"
+                  "  {2} check {0}/a.obj {0}/b.stl\n",
+                  folder.string(), counted(demo_scenes().size(), "scene"), called_as()));
   return 0;
 }
 

@@ -9,7 +9,9 @@ namespace toccata::command {
 std::string demo_readme() {
   std::string text =
       "# Scenes to play with\n\n"
-      "Written by `toccata demo --write`. Everything here was generated; change it as you like.\n\n"
+      "Written by `toccata demo --write`. Everything here was generated; change it as you like. In a clone of the "
+      "repository\n"
+      "the command is `path/to/clone/toccata`.\n\n"
       "Two meshes, `a.obj` and `b.stl`:\n\n"
       "```sh\n"
       "toccata check a.obj b.stl                  # do they touch? exit code 1: yes\n"

@@ -9,19 +9,9 @@
 namespace toccata::command {
 namespace {
 
-std::vector<InspectedObject> inspect_all(const Scene& scene) {
-  std::vector<InspectedObject> objects;
-  for (const SceneObject& object : scene.objects) {
-    const MeshHealth health = inspect(*object.mesh);
-    const bool solid = object.solid == Solid::all || (object.solid == Solid::automatic && health.closed);
-    objects.push_back({object.name, object.source, object.pose, solid, health});
-  }
-  return objects;
-}
-
-std::string box_text(const MeshHealth& h) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", h.lower.x, h.lower.y, h.lower.z, h.upper.x,
-                     h.upper.y, h.upper.z);
+std::string box_text(const Vec3& lower, const Vec3& upper) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", lower.x, lower.y, lower.z, upper.x,
+                     upper.y, upper.z);
 }
 
 std::string closed_text(const MeshHealth& h) {
@@ -37,15 +27,17 @@ void add_finding(std::vector<std::vector<std::string>>& rows, std::size_t count,
   if (count > 0) rows.push_back({name, fmt::format("{}: {}", grouped(count), meaning)});
 }
 
-std::vector<std::vector<std::string>> rows_of(const InspectedObject& object) {
+std::vector<std::vector<std::string>> rows_of(const InspectedObject& object, const std::string& unit) {
   const MeshHealth& h = object.health;
   std::vector<std::vector<std::string>> rows = {
       {"from", printable(object.source)},
       {"triangles", grouped(h.triangles) + (h.faces == h.triangles ? "" : " of " + counted(h.faces, "face"))},
       {"vertices", fmt::format("{} ({} distinct)", grouped(h.vertices), grouped(h.distinct_vertices))},
       {"parts", grouped(h.components)},
-      {"box", box_text(h) + " in file units"},
+      {"box", box_text(h.lower, h.upper) + " in file units"},
       {"closed", closed_text(h)}};
+  if (!(object.pose == Pose{}))
+    rows.push_back({"in the world", box_text(object.world_box.lower, object.world_box.upper) + " " + unit});
   if (h.closed) rows.push_back({"volume", fmt::format("{:.6g} in file units cubed", h.signed_volume)});
   add_finding(rows, h.closed ? h.non_manifold_edges : 0, "non-manifold edges", "used by more than two triangles");
   add_finding(rows, h.degenerate_triangles, "degenerate triangles", "without area; kept, and answered exactly");
@@ -54,9 +46,10 @@ std::vector<std::vector<std::string>> rows_of(const InspectedObject& object) {
   return rows;
 }
 
-std::string inspect_table(const std::vector<InspectedObject>& objects) {
+std::string inspect_table(const std::vector<InspectedObject>& objects, const std::string& unit) {
   std::string text;
-  for (const InspectedObject& object : objects) text += printable(object.name) + "\n" + columns(rows_of(object), 2);
+  for (const InspectedObject& object : objects)
+    text += printable(object.name) + "\n" + columns(rows_of(object, unit), 2);
   return text;
 }
 
@@ -64,10 +57,11 @@ std::string inspect_table(const std::vector<InspectedObject>& objects) {
 
 int run_inspect(const InspectArguments& arguments) {
   const LoadedScene loaded = load(arguments.input);
-  const std::vector<InspectedObject> objects = inspect_all(loaded.scene);
+  std::vector<InspectedObject> objects;
+  for (const SceneObject& object : loaded.scene.objects) objects.push_back(inspect(object));
   const std::string text = arguments.format == Format::json
                                ? inspect_report_json(objects, loaded.scene.unit, loaded.warnings)
-                               : inspect_table(objects);
+                               : inspect_table(objects, loaded.scene.unit);
   print_warnings(loaded.warnings);
   print_answer(text);
   return 0;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata::command {
@@ -22,21 +23,15 @@ double parse_double(const std::string& word, const std::string& option) {
   return value;
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t i = text.find_first_not_of(" ,\t"); i != std::string::npos;) {
-    const std::size_t end = text.find_first_of(" ,\t", i);
-    words.push_back(text.substr(i, end - i));
-    i = text.find_first_not_of(" ,\t", end);
-  }
-  return words;
-}
-
 ReadOptions read_options(const InputArguments& input) {
   ReadOptions options;
   if (!input.unit.empty()) options.metres_per_unit = metres_per_unit(input.unit);
   options.scale = input.scale;
   return options;
+}
+
+std::string unit_text(const std::string& file, const Scene& scene) {
+  return scene.unit == "unit" ? file + " states no unit" : fmt::format("{} is in {}", file, scene.unit);
 }
 
 /// `name`; or, where an object of another file has it, the file's path; or with a number behind, whichever is free
@@ -45,7 +40,7 @@ std::string free_name(const std::set<std::string>& taken, const std::string& nam
                       bool file_is_new) {
   if (!taken.contains(name)) return name;
   const std::string longer = file + ":" + name;
-  if (file_is_new && !taken.contains(longer)) return longer;
+  if (file_is_new && !is_generator_specification(file) && !taken.contains(longer)) return longer;
   for (int number = 2;; ++number) {
     const std::string numbered = fmt::format("{} #{}", name, number);
     if (!taken.contains(numbered)) return numbered;
@@ -70,6 +65,7 @@ void append(Scene& whole, const Scene& part, const std::string& file, bool file_
 }  // namespace
 
 LoadedScene load(const InputArguments& input) {
+  if (input.files.empty()) throw Error("no file was named; name two mesh files, or a scene file");
   LoadedScene loaded;
   std::map<std::string, Scene> read;
   std::set<std::string> taken;
@@ -82,9 +78,9 @@ LoadedScene load(const InputArguments& input) {
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
     if (scene.unit != loaded.scene.unit)
       loaded.warnings.push_back(
-          fmt::format("{} is in {}, but {} is in {}: coordinates are compared as they are; say what "
-                      "the unit is with --unit, or in a scene file",
-                      file, scene.unit, input.files.front(), loaded.scene.unit));
+          fmt::format("{}, but {}: coordinates are compared as they are; say what the unit is with "
+                      "--unit, or in a scene file",
+                      unit_text(file, scene), unit_text(input.files.front(), loaded.scene)));
     append(loaded.scene, scene, file, file_is_new, taken);
   }
   loaded.first_object.push_back(loaded.scene.objects.size());
@@ -94,8 +90,7 @@ LoadedScene load(const InputArguments& input) {
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
   std::vector<double> numbers;
-  for (const std::string& word : words)
-    for (const std::string& number : split(word)) numbers.push_back(parse_double(number, option));
+  for (const std::string& word : words) numbers.push_back(parse_double(word, option));
   std::array<double, 12> twelve{};
   if (numbers.size() != twelve.size())
     throw Error(fmt::format("{} takes 12 numbers, R row by row and then t; here are {}", option, numbers.size()));

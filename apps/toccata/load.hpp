@@ -18,7 +18,7 @@ struct LoadedScene {
 /// added to their names. A file named twice is read once.
 LoadedScene load(const InputArguments& input);
 
-/// Twelve numbers, separated by spaces or commas: R row by row, then t. `option` names them in errors.
+/// Twelve numbers: R row by row, then t. `option` names them in errors.
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option);
 
 }  // namespace toccata::command

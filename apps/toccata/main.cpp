@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <map>
 
 #include "arguments.hpp"
@@ -32,11 +33,15 @@ Format format_of(const Options& options) {
   return options.json ? Format::json : options.csv ? Format::csv : Format::table;
 }
 
+/// {0} in the text becomes what the command was called as.
+std::string with_name(const char* text) { return fmt::format(fmt::runtime(text), called_as()); }
+
 void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
-  app.add_option("files", input.files, what)->required();
+  app.add_option("files", input.files, what);
   app.add_option(
       "--unit", input.unit,
-      "unit of the numbers in plain mesh files: mm, cm, m, in, ft, or metres per unit; the world is in metres");
+      "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
+      "--pose-a and --pose-b and all printed points, is then in metres");
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
 }
 
@@ -45,9 +50,11 @@ void add_check(CLI::App& app, Options& options) {
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
   check->add_option("--pose-a", options.pose_a, "places the first of two files: R row by row, then t")
       ->expected(12)
+      ->allow_extra_args(false)
       ->type_name("12 NUMBERS");
   check->add_option("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")
       ->expected(12)
+      ->allow_extra_args(false)
       ->type_name("12 NUMBERS");
   check
       ->add_option("--solid", options.solid,
@@ -61,30 +68,31 @@ void add_check(CLI::App& app, Options& options) {
   CLI::Option* json = check->add_flag("--json", options.json, "write JSON (docs/reference/check-report.md)");
   check->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
   check->add_option("--threads", options.check.threads, "threads to use; 0: as many as there are; same answer for any")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
   check->footer(
-      "Exit code: 0 nothing touches, 1 something does, 2 trouble.\n\n"
-      "Example:\n"
-      "  toccata demo --write scenes\n"
-      "  toccata check scenes/a.obj scenes/b.stl --faces\n"
-      "  toccata check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
-      "  toccata check scenes/shelf/scene.json --json");
+      with_name("Exit code: 0 nothing touches, 1 something does, 2 trouble.\n\n"
+                "Example:\n"
+                "  {0} demo --write scenes\n"
+                "  {0} check scenes/a.obj scenes/b.stl --faces\n"
+                "  {0} check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
+                "  {0} check scenes/shelf/scene.json --json"));
 }
 
 void add_inspect(CLI::App& app, Options& options) {
   CLI::App* inspect = app.add_subcommand("inspect", "what a mesh is: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
-  inspect->footer("Nothing is repaired; everything is counted exactly.\n\nExample:\n  toccata inspect part.stl");
+  inspect->footer(with_name("Nothing is repaired; everything is counted exactly.\n\nExample:\n  {0} inspect part.stl"));
 }
 
 void add_demo(CLI::App& app, Options& options) {
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
-  demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder");
+  demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder")
+      ->check([](const std::string& folder) { return folder.empty() ? "a folder must be named" : std::string(); });
   demo->add_option("--threads", options.demo.threads, "threads to use; 0: as many as there are")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 1024));
   demo->add_flag("--json", options.json, "write the answers as JSON");
-  demo->footer("Example:\n  toccata demo\n  toccata demo --write scenes");
+  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
 }
 
 std::optional<Solid> solid_of(const std::string& word) {
@@ -118,7 +126,22 @@ std::string mistyped_subcommand(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> known;
   for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
   if (std::find(known.begin(), known.end(), word) != known.end()) return {};
+  if (std::filesystem::exists(word))
+    return fmt::format("there is no subcommand '{0}'; to check files, say: {1} check {0} …", word, called_as());
   return fmt::format("there is no subcommand '{}'{}", word, suggestion(word, known));
+}
+
+/// What to do about words that CLI11 could not take.
+std::string hint_for(const CLI::App& app, const CLI::ParseError& error) {
+  if (std::string_view(error.what()).find("--pose") != std::string_view::npos)
+    return "12 numbers are needed, R row by row and then t; write -0.5 and not -.5";
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands())
+    for (const CLI::Option* option : sub->get_options())
+      if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+  for (const std::string& word : app.remaining(true))
+    if (const std::string meant = nearest_word(word, known); !meant.empty()) return "did you mean " + meant + "?";
+  return "--help tells the options";
 }
 
 int report_trouble(const std::string& message) {
@@ -131,7 +154,7 @@ int main_of(int argc, char** argv) {
   Options options;
   app.set_version_flag("--version", fmt::format("toccata {}", version));
   app.require_subcommand(1);
-  app.footer("Example:\n  toccata demo\n  toccata check a.stl b.obj\n\n`toccata SUBCOMMAND --help` tells more.");
+  app.footer(with_name("Example:\n  {0} demo\n  {0} check a.stl b.obj\n\n`{0} SUBCOMMAND --help` tells more."));
   add_check(app, options);
   add_inspect(app, options);
   add_demo(app, options);
@@ -142,7 +165,7 @@ int main_of(int argc, char** argv) {
   } catch (const CLI::Success& asked_for_text) {
     return app.exit(asked_for_text);
   } catch (const CLI::ParseError& error) {
-    return report_trouble(std::string(error.what()) + " (--help tells the options)");
+    return report_trouble(fmt::format("{} ({})", error.what(), hint_for(app, error)));
   }
   return run(app, options);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace toccata::command {
 namespace {
@@ -41,10 +42,15 @@ std::string verb(const Relation& relation) {
 
 std::string remark(const Relation& relation) {
   if (relation.side_unresolved)
-    return "surfaces; no two faces cross, so the faces cannot tell whether they pass through";
-  if (relation.a_solid && relation.b_solid) return "solids";
-  if (!relation.a_solid && !relation.b_solid) return "surfaces";
-  return relation.a_solid ? "a solid and a surface" : "a surface and a solid";
+    return "(both surfaces; no two faces cross, so the faces cannot tell whether they pass through)";
+  if (relation.a_solid && relation.b_solid) return "(both solids)";
+  if (!relation.a_solid && !relation.b_solid) return "(both surfaces)";
+  return relation.a_solid ? "(a solid, a surface)" : "(a surface, a solid)";
+}
+
+std::string called_as() {
+  const char* name = std::getenv("TOCCATA_CALLED_AS");
+  return name == nullptr || *name == '\0' ? "toccata" : printable(name);
 }
 
 std::string grouped(std::size_t number) {

@@ -11,8 +11,11 @@ namespace toccata::command {
 /// The relation as a verb between the names of a and b: "overlaps", "contains", "lies inside", "touches", …
 std::string verb(const Relation& relation);
 
-/// What the two were taken for, and what the relation leaves open: "solids", "a surface, a solid", …
+/// What the two were taken for, and what the relation leaves open: "(both solids)", "(a surface, a solid)", …
 std::string remark(const Relation& relation);
+
+/// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
+std::string called_as();
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::size_t number);

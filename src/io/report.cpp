@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -36,7 +37,10 @@ std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b
     pair.face_a = contact.face_a;
     pair.face_b = contact.face_b;
     pair.crossing = pair.crossing || contact.meeting.crossing;
-    pair.meetings.push_back(reported_meeting(a, b, contact));
+    // The triangles that a larger face was cut into often meet the other in the same point or edge.
+    ReportedMeeting meeting = reported_meeting(a, b, contact);
+    if (std::find(pair.meetings.begin(), pair.meetings.end(), meeting) == pair.meetings.end())
+      pair.meetings.push_back(std::move(meeting));
   }
   std::vector<ReportedFacePair> result;
   result.reserve(pairs.size());
@@ -58,6 +62,8 @@ Json json_of(const ReportedFacePair& pair) {
 Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
   Json json = {{"a", scene.objects[pair.a].name},
                {"b", scene.objects[pair.b].name},
+               {"a_index", pair.a},
+               {"b_index", pair.b},
                {"relation", name_of(pair.relation.kind)},
                {"containment", name_of(pair.relation.containment)},
                {"side_unresolved", pair.relation.side_unresolved},
@@ -189,6 +195,15 @@ std::string name_of(Status status) {
   return {};
 }
 
+InspectedObject inspect(const SceneObject& object) {
+  InspectedObject result{object.name, object.source, object.pose, false, inspect(*object.mesh), {}};
+  result.solid = object.solid != Solid::none && result.health.closed;
+  for (const auto& corners : object.mesh->triangles())
+    for (const Index corner : corners)
+      result.world_box = merge(result.world_box, transform(object.pose, object.mesh->vertices()[corner]));
+  return result;
+}
+
 CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, Touching touching, bool faces) {
   CheckReport report;
   report.candidate_pairs = answer.candidate_pairs;
@@ -231,6 +246,7 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
     Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}, {"solid", object.solid}};
     item["pose"] = object.pose.numbers();
     item.update(json_of(object.health));
+    item["world_box"] = {{"lower", json_of(object.world_box.lower)}, {"upper", json_of(object.world_box.upper)}};
     list.push_back(std::move(item));
   }
   return document(json);

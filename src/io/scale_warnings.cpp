@@ -35,7 +35,7 @@ std::vector<double> diagonals_of(const Scene& scene) {
 }  // namespace
 
 std::vector<std::string> scale_warnings(const Scene& scene) {
-  constexpr double absurd = 1e4;
+  constexpr double absurd = 500;  // millimetres among metres are a factor of 1000
   const std::vector<double> diagonals = diagonals_of(scene);
   std::vector<double> sorted = diagonals;
   std::sort(sorted.begin(), sorted.end());

@@ -15,6 +15,7 @@ namespace toccata {
 struct ReportedMeeting {
   MeetingKind kind = MeetingKind::none;
   std::vector<Vec3> points;
+  friend bool operator==(const ReportedMeeting&, const ReportedMeeting&) = default;
 };
 
 /// Two faces of the files that meet. Faces of more than three corners may meet in several pieces.
@@ -61,7 +62,11 @@ struct InspectedObject {
   Pose pose;
   bool solid = false;
   MeshHealth health;
+  Aabb world_box;  ///< around the posed triangles, exact
 };
+
+/// Everything that `inspect` tells about the object.
+[[nodiscard]] InspectedObject inspect(const SceneObject& object);
 
 /// JSON by the schema docs/reference/inspect-report.md.
 [[nodiscard]] std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
