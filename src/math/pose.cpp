@@ -28,6 +28,13 @@ Vec3 transform(const Pose& pose, const Vec3& v) {
   return {row_times(r[0], v) + pose.offset.x, row_times(r[1], v) + pose.offset.y, row_times(r[2], v) + pose.offset.z};
 }
 
+std::vector<Vec3> transform(const Pose& pose, std::span<const Vec3> locals) {
+  std::vector<Vec3> world;
+  world.reserve(locals.size());
+  for (const Vec3& v : locals) world.push_back(transform(pose, v));
+  return world;
+}
+
 Pose compose(const Pose& outer, const Pose& inner) {
   Pose result;
   for (int i = 0; i < 3; ++i)

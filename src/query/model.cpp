@@ -20,6 +20,16 @@ Tree<Aabb> tree_over(const TriangleMesh& mesh) {
   return build_tree(boxes);
 }
 
+std::vector<Index> unused_vertices_of(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.vertices().size());
+  for (const auto& corners : mesh.triangles())
+    for (const Index corner : corners) used[corner] = true;
+  std::vector<Index> unused;
+  for (Index i = 0; i < used.size(); ++i)
+    if (!used[i]) unused.push_back(i);
+  return unused;
+}
+
 std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleMesh> mesh) {
   if (!mesh) throw Error("a model needs a mesh, and the pointer given is null");
   return mesh;
@@ -32,6 +42,7 @@ Model::Model(TriangleMesh mesh) : Model(std::make_shared<const TriangleMesh>(std
 Model::Model(std::shared_ptr<const TriangleMesh> mesh)
     : mesh_(require_mesh(std::move(mesh))),
       tree_(std::make_shared<const Tree<Aabb>>(tree_over(*mesh_))),
+      unused_vertices_(std::make_shared<const std::vector<Index>>(unused_vertices_of(*mesh_))),
       closed_(is_closed(*mesh_)) {}
 
 }  // namespace toccata

@@ -25,14 +25,15 @@ void require_finite(const Pose& pose, std::string_view who) {
 
 PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who) : model_(model), pose_(pose) {
   require_finite(pose, who);
-  const auto local = model_.mesh().vertices();
-  vertices_.reserve(local.size());
-  for (const Vec3& vertex : local) {
-    vertices_.push_back(transform(pose, vertex));
-    if (!is_finite(vertices_.back())) refuse_vertex(*this, vertices_.size() - 1, who);
+  vertices_ = transform(pose, model_.mesh().vertices());
+  std::span<const Index> unused = model_.unused_vertices();
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    if (!is_finite(vertices_[i])) refuse_vertex(*this, i, who);
+    if (!unused.empty() && unused.front() == i)
+      unused = unused.subspan(1);
+    else
+      box_ = merge(box_, vertices_[i]);
   }
-  for (const auto& corners : model_.mesh().triangles())
-    for (const Index corner : corners) box_ = merge(box_, vertices_[corner]);
 }
 
 }  // namespace toccata

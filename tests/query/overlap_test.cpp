@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "query/posed_mesh.hpp"
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -119,6 +121,14 @@ TEST(Queries, ManyThreadsMayShareOneModel) {
   std::vector<std::vector<Contact>> found(queries.size());
   parallel_for(queries.size(), 8, [&](std::size_t i) { found[i] = contacts(a, b, queries[i]); });
   for (std::size_t i = 0; i < queries.size(); ++i) EXPECT_TRUE(test::same(found[i], contacts(a, b, queries[i])));
+}
+
+TEST(PosedMesh, BoxLeavesOutUnusedVertices) {
+  const Model model(TriangleMesh({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {-7, 0, 0}, {0, 1, 0}, {8, 8, 8}}, {{1, 2, 4}}));
+  EXPECT_EQ(std::vector<Index>(model.unused_vertices().begin(), model.unused_vertices().end()),
+            (std::vector<Index>{0, 3, 5}));
+  const PosedMesh posed(model, Pose::translation(1, 2, 3));
+  EXPECT_EQ(posed.box(), (Aabb{{1, 2, 3}, {2, 3, 3}}));
 }
 
 }  // namespace

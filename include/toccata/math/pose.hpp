@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "toccata/math/mat3.hpp"
 #include "toccata/math/vec3.hpp"
@@ -25,6 +27,9 @@ struct Pose {
 /// The world vertex of the truth page: w_i = ((R_i0·x + R_i1·y) + R_i2·z) + t_i in binary64, round to nearest, in this
 /// order, never fused. The result may overflow to ±∞; callers that take user data check it.
 [[nodiscard]] Vec3 transform(const Pose& pose, const Vec3& local);
+
+/// All of them, in order.
+[[nodiscard]] std::vector<Vec3> transform(const Pose& pose, std::span<const Vec3> locals);
 
 /// The pose `outer` applied after `inner`, rounded by a fixed formula:
 /// R_ij = (O_i0·I_0j + O_i1·I_1j) + O_i2·I_2j, and t = transform(outer, inner.offset).

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -19,12 +21,16 @@ class Model {
   [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const Tree<Aabb>& tree() const { return *tree_; }
 
+  /// The vertices that no triangle uses, ascending: they are no part of the shape.
+  [[nodiscard]] std::span<const Index> unused_vertices() const { return *unused_vertices_; }
+
   /// Closed: may be taken as a solid.
   [[nodiscard]] bool closed() const { return closed_; }
 
  private:
   std::shared_ptr<const TriangleMesh> mesh_;
   std::shared_ptr<const Tree<Aabb>> tree_;
+  std::shared_ptr<const std::vector<Index>> unused_vertices_;
   bool closed_ = false;
 };
 
