@@ -26,8 +26,9 @@ struct Difference {
   Vec3 tail;
 };
 
-// All signs below are exact for every finite double, under- and overflow included. Filter and expansion stages after
-// J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997.
+// All signs below are exact for every finite double, under- and overflow included, in a program that keeps denormals.
+// Filter and expansion stages after J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust
+// geometric predicates", 1997.
 
 /// Sign of (b − a) × (c − a): positive when a, b, c turn counter-clockwise.
 [[nodiscard]] Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c);

@@ -26,7 +26,7 @@ struct Contact {
 /// The least of them by (triangle_a, triangle_b).
 [[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query = {});
 
-/// The world triangles of a contact, for coordinates(contact.meeting, …).
+/// A world triangle of a contact, for coordinates(contact.meeting, …). `triangle` is less than the mesh's count.
 [[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);
 
 }  // namespace toccata
