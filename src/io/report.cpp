@@ -60,8 +60,9 @@ Json json_of(const ReportedFacePair& pair) {
 }
 
 Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
-  Json json = {{"a", scene.objects[pair.a].name},
-               {"b", scene.objects[pair.b].name},
+  const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
+  Json json = {{"a", first},
+               {"b", second},
                {"a_index", pair.a},
                {"b_index", pair.b},
                {"relation", name_of(pair.relation.kind)},
@@ -96,7 +97,7 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string csv_names(const Scene& scene, const ReportedPair& pair) {
-  return csv_field(scene.objects[pair.a].name) + "," + csv_field(scene.objects[pair.b].name);
+  return csv_field(io::as_utf8(scene.objects[pair.a].name)) + "," + csv_field(io::as_utf8(scene.objects[pair.b].name));
 }
 
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {

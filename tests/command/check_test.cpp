@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "support/command.hpp"
 
@@ -148,6 +149,23 @@ TEST_F(Check, SameFileTwiceIsTwoObjects) {
   EXPECT_EQ(json["objects"][0]["name"], "a");
   EXPECT_NE(json["objects"][1]["name"], "a");
   EXPECT_EQ(json["pairs"][0]["containment"], "equal");
+}
+
+TEST_F(Check, NamesThatAreNotUtf8AreToldApart) {
+  folder.write("a\xff.obj", box_obj(0));
+  folder.write("a\xfe.obj", box_obj(0));
+  const Json report = Json::parse(check({"a\xff.obj", "a\xfe.obj", "a\xff.obj", "--json"}).out);
+  std::set<std::string> names;
+  for (const Json& object : report["objects"]) names.insert(object["name"].get<std::string>());
+  EXPECT_EQ(names.size(), 3U);
+  EXPECT_TRUE(names.contains("a\\xff") && names.contains("a\\xfe")) << report["objects"];
+  for (const Json& pair : report["pairs"]) EXPECT_TRUE(names.contains(pair["a"].get<std::string>())) << pair;
+}
+
+TEST_F(Check, UnitAndScaleCannotLeaveNothing) {
+  const auto result = check({"a.obj", "far.obj", "--unit", "1e-200", "--scale", "1e-200", "--solid=none"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("the unit 1e-200 times the scale 1e-200 is 0"), std::string::npos) << result.err;
 }
 
 TEST_F(Check, AnswerDoesNotDependOnThreads) {
