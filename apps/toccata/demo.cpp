@@ -89,8 +89,9 @@ int write_scenes(const std::filesystem::path& folder) {
   const UninterruptedWriting writing;
   const fs::path normal = fs::absolute(folder / "").parent_path();
   const fs::path partial = normal.parent_path() / (normal.filename().string() + ".partial");
+  if (fs::exists(partial))
+    throw Error(fmt::format("{}: exists, perhaps from a demo that was killed; remove it first", partial.string()));
   std::error_code failed;
-  fs::remove_all(partial, failed);
   try {
     write_files(partial);
     fs::remove(normal, failed);  // an empty folder

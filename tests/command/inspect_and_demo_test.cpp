@@ -82,6 +82,23 @@ TEST(Demo, WritesFilesThatCheckAsItSays) {
   }
 }
 
+TEST(Demo, LeavesAFolderNamedPartialAlone) {
+  const TemporaryFolder folder;
+  folder.write("scenes.partial/mine.txt", "precious");
+  const auto result = run_command({"demo", "--write", "scenes"}, folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("scenes.partial"), std::string::npos) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "scenes.partial/mine.txt"));
+}
+
+TEST(Demo, WritingAgainUsesWhatIsThere) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_command({"demo", "--write", "scenes"}, folder.path()).exit_code, 0);
+  const auto again = run_command({"demo", "--write", "scenes"}, folder.path());
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.out.find("left as it is"), std::string::npos) << again.out;
+}
+
 TEST(Demo, DoesNotOverwrite) {
   const TemporaryFolder folder;
   folder.write("scenes/mine.txt", "precious");
