@@ -9,6 +9,7 @@
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/progress.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/core/simd.hpp"
 #include "toccata/core/status.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/core/version.hpp"
@@ -42,3 +43,4 @@
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/walk.hpp"
+#include "toccata/trees/wide_tree.hpp"
