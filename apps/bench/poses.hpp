@@ -9,8 +9,7 @@
 
 namespace toccata::bench {
 
-/// A line per query: 12 numbers (R row by row, then t: B in A's frame) or 24 (the pose of A, then that of B), separated
-/// by spaces or commas. Empty lines and lines that begin with # are left out. Throws Error naming file and line.
+/// The poses file of docs/reference/poses-file.md. Throws Error naming file and line.
 std::vector<PosePair> read_poses(const std::filesystem::path& file);
 
 enum class Nearness {

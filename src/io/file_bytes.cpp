@@ -67,7 +67,7 @@ FileBytes read_file(const fs::path& path) {
   std::error_code code;
   const auto size = fs::file_size(path, code);
   if (code) fail_in_file(path.string(), {"the file has no size: " + code.message(), "check the file system"});
-  if (size == 0) fail_in_file(path.string(), {"the file is empty", "export the mesh again"});
+  if (size == 0) fail_in_file(path.string(), {"the file is empty", "export it again"});
 
   FileBytes bytes{std::make_unique_for_overwrite<char[]>(size), static_cast<std::size_t>(size)};
   if (std::fread(bytes.data.get(), 1, bytes.size, file.get()) != bytes.size)

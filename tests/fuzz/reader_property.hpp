@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/mesh_text.hpp"
 #include "io/parse.hpp"
+#include "io/parse_poses.hpp"
 #include "io/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 
@@ -48,7 +50,14 @@ inline void require_valid(const Scene& scene) {
   }
 }
 
-/// A reader gives a valid mesh or scene for any bytes, or an Error in one line that names the file.
+/// There is a query, and every pose is finite.
+inline void require_valid(const std::vector<PairQuery>& queries) {
+  require(!queries.empty(), "there is no query");
+  for (const PairQuery& query : queries)
+    require(is_finite(query.pose_a) && is_finite(query.pose_b), "a pose is not finite");
+}
+
+/// A reader gives a valid mesh, scene or list of poses for any bytes, or an Error in one line that names the file.
 template <typename Parse>
 void check_reader(Parse parse, std::span<const char> bytes) {
   try {

@@ -38,6 +38,7 @@ TEST(FuzzCorpus, EveryStlIsReadOrRefused) { replay("stl", io::parse_stl); }
 TEST(FuzzCorpus, EveryPlyIsReadOrRefused) { replay("ply", io::parse_ply); }
 TEST(FuzzCorpus, EveryOffIsReadOrRefused) { replay("off", io::parse_off); }
 TEST(FuzzCorpus, EveryGltfIsReadOrRefused) { replay("gltf", parse_gltf); }
+TEST(FuzzCorpus, EveryPosesFileIsReadOrRefused) { replay("poses", io::parse_poses); }
 TEST(FuzzCorpus, EverySceneIsReadOrRefused) { replay("scene", parse_scene); }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(MeshFile, WhatCannotBeReadIsNamed) {
   std::filesystem::create_directory(folder / "folder.obj");
   EXPECT_EQ(error_of(folder / "folder.obj"), path("folder.obj") + ": this is a directory; name a file in it");
   for (const char* name : {"empty.obj", "empty.stl", "empty.ply", "empty.off"})
-    EXPECT_EQ(error_of(folder.file(name, "")), path(name) + ": the file is empty; export the mesh again");
+    EXPECT_EQ(error_of(folder.file(name, "")), path(name) + ": the file is empty; export it again");
   EXPECT_EQ(
       error_of(folder.file("a.xyz", obj_triangle)),
       path("a.xyz") +
