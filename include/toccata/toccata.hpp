@@ -29,6 +29,7 @@
 #include "toccata/math/vec3.hpp"
 #include "toccata/narrow/plane.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
+#include "toccata/query/batch.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/inside.hpp"

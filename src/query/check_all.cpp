@@ -1,8 +1,6 @@
 #include "toccata/query/check_all.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,6 +9,7 @@
 #include "query/posed_mesh.hpp"
 #include "query/relation_posed.hpp"
 #include "query/semantics.hpp"
+#include "query/task_reporter.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -19,33 +18,6 @@ namespace {
 
 // Answers of pairs that are apart are dropped after every so many pairs, so that memory follows the answer.
 constexpr std::size_t pairs_at_once = 4096;
-
-/// Counts finished pairs for the caller. Once its report throws, what is left need not be done.
-class Reporter {
- public:
-  Reporter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
-
-  [[nodiscard]] bool cancelled() const { return cancelled_; }
-
-  void finished_one() {
-    if (!progress_) return;
-    const std::lock_guard lock(mutex_);
-    if (cancelled_) return;
-    try {
-      progress_(++done_, total_);
-    } catch (...) {
-      cancelled_ = true;
-      throw;
-    }
-  }
-
- private:
-  const Progress& progress_;
-  std::mutex mutex_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::atomic<bool> cancelled_ = false;
-};
 
 class Check {
  public:
@@ -57,7 +29,7 @@ class Check {
     pose_models_of(pairs);
     CheckAnswer answer;
     answer.candidate_pairs = pairs.size();
-    Reporter reporter(options_.progress, pairs.size());
+    TaskReporter reporter(options_.progress, pairs.size());
     for (std::size_t first = 0; first < pairs.size(); first += pairs_at_once) {
       const auto chunk = std::span(pairs).subspan(first, std::min(pairs_at_once, pairs.size() - first));
       for (std::optional<PairAnswer>& pair : answers_of(chunk, reporter))
@@ -100,7 +72,7 @@ class Check {
                  [&](std::size_t i) { posed_[needed[i]].emplace(pose_model(needed[i])); });
   }
 
-  std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs, Reporter& reporter) const {
+  std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs, TaskReporter& reporter) const {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
       if (reporter.cancelled()) return;
