@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/triangle_triangle.hpp"
+
+namespace toccata {
+
+/// Up to eight pairs of triangles side by side, one per lane of the vector instructions, and what became known about
+/// them. Lanes from `count` on may hold any numbers, but must hold some: value-initialise a block before its first use.
+struct alignas(64) TrianglePairBlock {
+  static constexpr std::size_t lanes = 8;
+  /// By corner, axis and lane.
+  using Corners = std::array<std::array<std::array<double, lanes>, 3>, 3>;
+
+  Corners a;  ///< in each mesh's own frame; in the world after `classify_pairs`
+  Corners b;
+  std::size_t count = 0;  ///< how many lanes hold pairs
+
+  // Written by `classify_pairs`. Of the verdicts bit i is for lane i; a pair with neither is certainly apart.
+  std::uint8_t meeting = 0;  ///< certainly have a point in common
+  std::uint8_t unknown = 0;  ///< plain arithmetic cannot tell: ask `overlap` or `meeting`
+  std::uint64_t signs = 0;   ///< for `meeting_in`
+};
+
+/// What to find out about the pairs.
+enum class PairQuestion {
+  overlap,  ///< do they meet?
+  meeting,  ///< where do they? `meeting_in` then knows, for the pairs that certainly do
+};
+
+/// Places a by `pose_a` and b by `pose_b`, to the bit as `transform` does, and decides every pair for which plain
+/// arithmetic with a bound on its error is enough: pairs in general position, apart or crossing. Touching pairs,
+/// coplanar ones and triangles without area are left unknown, unless their boxes are disjoint; so are triangles that
+/// the pose makes infinite. The answers are the same at every SIMD level.
+void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks, PairQuestion question);
+
+/// The triangles of a lane, as the block now holds them.
+[[nodiscard]] Triangle triangle_a(const TrianglePairBlock& block, std::size_t lane);
+[[nodiscard]] Triangle triangle_b(const TrianglePairBlock& block, std::size_t lane);
+
+/// Puts a pair into a lane.
+void set_pair(TrianglePairBlock& block, std::size_t lane, const Triangle& a, const Triangle& b);
+
+/// What `meeting` says of the triangles in a lane whose bit in `meeting` is set, once that was asked for.
+[[nodiscard]] const Meeting& meeting_in(const TrianglePairBlock& block, std::size_t lane);
+
+}  // namespace toccata

@@ -1,0 +1,100 @@
+#include "narrow/triangle_pair_blocks.hpp"
+#include "support/sweep.hpp"
+#include "toccata/math/rotation.hpp"
+
+// What the vector instructions say of pairs of triangles, compared at every SIMD level with the answers for one pair,
+// under poses of every kind.
+namespace toccata::test {
+namespace {
+
+using triangle_pairs::random_point;
+
+Pose random_pose(Random& random) {
+  const Vec3 offset = std::ldexp(1.0, static_cast<int>(random.below(8)) - 4) * random_point(random);
+  switch (random.below(8)) {
+    case 0:
+    case 1:
+    case 2:
+      return {};
+    case 3:
+    case 4:
+      return {rotation_about(random_point(random), random.between(-180, 180)), offset};
+    case 5:  // shears, mirrors and stretches
+      return {{{random_point(random), random_point(random), random_point(random)}}, offset};
+    case 6:  // flattens
+      return {{{random_point(random), Vec3{}, random_point(random)}}, offset};
+    default: {  // some of it becomes infinite or vanishes
+      const double factor = std::ldexp(1.0, static_cast<int>(random.below(2100)) - 1050);
+      return scaled({rotation_about(random_point(random), 10), factor * offset}, factor);
+    }
+  }
+}
+
+/// Mostly one pose for both, which leaves the family's kind of nearness in place.
+PosedTrianglePairs random_batch(const std::string& family, Random& random, std::uint64_t count) {
+  PosedTrianglePairs batch;
+  batch.pose_a = random_pose(random);
+  batch.pose_b = random.below(4) == 0 ? random_pose(random) : batch.pose_a;
+  for (std::uint64_t i = 0; i < count; ++i) batch.pairs.push_back(triangle_pair(family, random));
+  return batch;
+}
+
+struct LevelAnswers {
+  SimdLevel level = SimdLevel::scalar;
+  std::vector<TrianglePairBlock> overlaps;
+  std::vector<TrianglePairBlock> meetings;
+};
+
+std::vector<LevelAnswers> answers_of_all_levels(const PosedTrianglePairs& batch) {
+  std::vector<LevelAnswers> answers;
+  for (const SimdLevel level : simd_levels())
+    answers.push_back(
+        {level, classified(batch, PairQuestion::overlap, level), classified(batch, PairQuestion::meeting, level)});
+  return answers;
+}
+
+/// Empty, or what is wrong about one pair of the batch.
+std::string check(const PosedTrianglePairs& batch, const std::vector<LevelAnswers>& answers, std::size_t pair) {
+  const std::size_t index = pair / TrianglePairBlock::lanes, lane = pair % TrianglePairBlock::lanes;
+  const Triangle a = posed(batch.pose_a, batch.pairs[pair].a), b = posed(batch.pose_b, batch.pairs[pair].b);
+  const TrianglePairBlock& first = answers.front().meetings[index];
+  for (const LevelAnswers& of : answers) {
+    const TrianglePairBlock &overlaps = of.overlaps[index], &meetings = of.meetings[index];
+    std::string wrong = compare_lane(overlaps, lane, PairQuestion::overlap, a, b);
+    if (wrong.empty()) wrong = compare_lane(meetings, lane, PairQuestion::meeting, a, b);
+    if (wrong.empty() && (meetings.unknown != first.unknown || meetings.meeting != first.meeting ||
+                          overlaps.unknown != answers.front().overlaps[index].unknown))
+      wrong = "not as at the scalar level";
+    if (!wrong.empty()) return wrong + " at " + std::string(name_of(of.level));
+  }
+  return "";
+}
+
+std::string describe(const PosedTrianglePairs& batch, std::size_t pair) {
+  return ": a" + to_text(posed(batch.pose_a, batch.pairs[pair].a)) + ", b" +
+         to_text(posed(batch.pose_b, batch.pairs[pair].b));
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  const SimdLevel level_before = simd_level();
+  SweepResult result;
+  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  while (result.cases < cases) {
+    const PosedTrianglePairs batch =
+        random_batch(family, random, std::min<std::uint64_t>(cases - result.cases, 1 + random.below(40)));
+    const std::vector<LevelAnswers> answers = answers_of_all_levels(batch);
+    for (std::size_t pair = 0; pair < batch.pairs.size(); ++pair, ++result.cases) {
+      const std::string wrong = check(batch, answers, pair);
+      if (wrong.empty()) continue;
+      if (result.wrong++ == 0)
+        result.first_failure = wrong + ", case " + std::to_string(result.cases) + describe(batch, pair);
+    }
+  }
+  use_simd_level(level_before);
+  return result;
+}
+
+const bool known = register_sweep({"triangle-pair-blocks", triangle_pair_families(), 1'000'000, 1000, run});
+
+}  // namespace
+}  // namespace toccata::test
