@@ -41,21 +41,31 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option(
       "--unit", input.unit,
       "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
-      "--pose-a and --pose-b and all printed points, is then in metres");
+      "given poses and all printed points, is then in metres");
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+}
+
+/// Where the objects of two files are.
+void add_poses(CLI::App& check, Options& options) {
+  const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
+    return check.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
+  };
+  CLI::Option* pose_a = pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t");
+  CLI::Option* pose_b = pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t");
+  check
+      .add_option("--poses", options.check.poses,
+                  "answers for two objects at many poses: a file with 12 or 24 numbers a line "
+                  "(docs/reference/poses-file.md)")
+      ->check([](const std::string& file) { return file.empty() ? "a file must be named" : std::string(); })
+      ->type_name("FILE")
+      ->excludes(pose_a)
+      ->excludes(pose_b);
 }
 
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
-  check->add_option("--pose-a", options.pose_a, "places the first of two files: R row by row, then t")
-      ->expected(12)
-      ->allow_extra_args(false)
-      ->type_name("12 NUMBERS");
-  check->add_option("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")
-      ->expected(12)
-      ->allow_extra_args(false)
-      ->type_name("12 NUMBERS");
+  add_poses(*check, options);
   check
       ->add_option("--solid", options.solid,
                    "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
@@ -64,7 +74,8 @@ void add_check(CLI::App& app, Options& options) {
   check->add_option("--touching", options.touching, "whether merely touching counts")
       ->check(CLI::IsMember({"count", "ignore"}))
       ->capture_default_str();
-  check->add_flag("--faces", options.check.faces, "list the faces that meet, by the files' own numbers from 0");
+  check->add_flag("--faces", options.check.faces,
+                  "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   CLI::Option* json = check->add_flag("--json", options.json, "write JSON (docs/reference/check-report.md)");
   check->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
   check->add_option("--threads", options.check.threads, "threads to use; 0: as many as there are; same answer for any")
@@ -75,6 +86,7 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} demo --write scenes\n"
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"
                 "  {0} check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
+                "  {0} check robot.stl table.obj --poses path.txt --csv\n"
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 
@@ -133,8 +145,10 @@ std::string mistyped_subcommand(const CLI::App& app, int argc, char** argv) {
 
 /// What to do about words that CLI11 could not take.
 std::string hint_for(const CLI::App& app, const CLI::ParseError& error) {
-  if (std::string_view(error.what()).find("--pose") != std::string_view::npos)
-    return "12 numbers are needed, R row by row and then t; write -0.5 and not -.5";
+  const std::string_view what = error.what();
+  const auto says = [&](std::string_view words) { return what.find(words) != std::string_view::npos; };
+  if (says("excludes")) return "give one of the two";
+  if (says("--pose-")) return "12 numbers are needed, R row by row and then t; write -0.5 and not -.5";
   std::vector<std::string> known;
   for (const CLI::App* sub : app.get_subcommands())
     for (const CLI::Option* option : sub->get_options())

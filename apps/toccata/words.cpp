@@ -59,8 +59,10 @@ std::string grouped(std::size_t number) {
   return digits;
 }
 
-std::string counted(std::size_t number, const std::string& noun) {
-  return fmt::format("{} {}{}", grouped(number), noun, number == 1 ? "" : "s");
+std::string counted(std::size_t number, const std::string& noun) { return counted(number, noun, noun + "s"); }
+
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
+  return fmt::format("{} {}", grouped(number), number == 1 ? noun : plural);
 }
 
 std::string printable(const std::string& text) {

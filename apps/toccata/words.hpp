@@ -23,6 +23,9 @@ std::string grouped(std::size_t number);
 /// "1 pair", "2 pairs".
 std::string counted(std::size_t number, const std::string& noun);
 
+/// The same for a noun of another plural.
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural);
+
 /// A name from a file, safe for a terminal: control characters are shown as escapes.
 std::string printable(const std::string& text);
 

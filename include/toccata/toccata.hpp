@@ -19,6 +19,7 @@
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/poses_file.hpp"
+#include "toccata/io/poses_report.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/math/mat3.hpp"

@@ -4,24 +4,19 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/report_parts.hpp"
 #include "io/utf8.hpp"
 #include "toccata/core/version.hpp"
 
 namespace toccata {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-/// A pair that only touches is left out when touching is ignored, unless the faces cannot tell the sides apart.
-bool counts_as_contact(const Relation& relation, Touching touching) {
-  if (relation.kind == RelationKind::apart) return false;
-  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved;
-}
+using io::csv_field;
+using io::document;
+using io::Json;
+using io::json_of;
 
 ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& contact) {
   const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
@@ -73,27 +68,6 @@ Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
   Json& list = json["faces"] = Json::array();
   for (const ReportedFacePair& face_pair : pair.face_pairs) list.push_back(json_of(face_pair));
   return json;
-}
-
-Json json_of(const SceneObject& object, const Posed& posed) {
-  return {{"name", io::as_utf8(object.name)},
-          {"source", io::as_utf8(object.source)},
-          {"triangles", object.mesh->triangle_count()},
-          {"faces", object.mesh->face_count()},
-          {"closed", posed.model.closed()},
-          {"solid", taken_as_solid(posed.model, object.solid)},
-          {"group", object.group},
-          {"pose", object.pose.numbers()}};
-}
-
-std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-/// A field with a comma, quote or line break is quoted (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string csv_names(const Scene& scene, const ReportedPair& pair) {
@@ -196,6 +170,11 @@ std::string name_of(Status status) {
   return {};
 }
 
+bool counts_as_contact(const Relation& relation, Touching touching) {
+  if (relation.kind == RelationKind::apart) return false;
+  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved;
+}
+
 InspectedObject inspect(const SceneObject& object) {
   InspectedObject result{object.name, object.source, object.pose, false, inspect(*object.mesh), {}};
   result.solid = object.solid != Solid::none && result.health.closed;
@@ -225,9 +204,7 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
 
 std::string check_report_json(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
                               std::span<const std::string> warnings) {
-  Json json = {{"schema", "toccata/check/1"}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};
-  Json& objects = json["objects"] = Json::array();
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) objects.push_back(json_of(scene.objects[i], models[i]));
+  Json json = io::report_head("toccata/check/1", scene, models, warnings);
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
   Json& pairs = json["pairs"] = Json::array();

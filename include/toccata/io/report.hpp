@@ -36,6 +36,9 @@ struct ReportedPair {
 /// Whether pairs that touch without their interiors meeting are reported.
 enum class Touching { count, ignore };
 
+/// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
+[[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
+
 /// What `check` found, ready to be written: pairs that count as contact, and how many merely touching ones were left
 /// out.
 struct CheckReport {

@@ -1,0 +1,60 @@
+#include "check_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "toccata/core/error.hpp"
+#include "toccata/query/scene_models.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+/// --pose-a and --pose-b place everything in the first and the second of two files.
+void apply_poses(LoadedScene& loaded, const CheckArguments& arguments) {
+  if (!arguments.pose_a && !arguments.pose_b) return;
+  if (arguments.input.files.size() != 2)
+    throw Error(
+        fmt::format("--pose-a and --pose-b place the first and the second of two files; here are {}. For more, "
+                    "write a scene file (docs/reference/scene-file.md)",
+                    arguments.input.files.size()));
+  const std::optional<Pose> poses[] = {arguments.pose_a, arguments.pose_b};
+  for (std::size_t file = 0; file < 2; ++file) {
+    if (!poses[file]) continue;
+    for (std::size_t i = loaded.first_object[file]; i < loaded.first_object[file + 1]; ++i)
+      loaded.scene.objects[i].pose = compose(*poses[file], loaded.scene.objects[i].pose);
+  }
+}
+
+void apply_solid(Scene& scene, std::optional<Solid> solid) {
+  if (!solid) return;
+  for (SceneObject& object : scene.objects) object.solid = *solid;
+}
+
+}  // namespace
+
+CheckInput read_check_input(const CheckArguments& arguments) {
+  CheckInput input{load(arguments.input), {}};
+  apply_poses(input.loaded, arguments);
+  apply_solid(input.loaded.scene, arguments.solid);
+  input.models = scene_models(input.loaded.scene, arguments.threads);
+  return input;
+}
+
+void warn_of_open_meshes(CheckInput& input) {
+  constexpr std::size_t most_names = 5;
+  std::vector<std::string> open;
+  for (const Posed& posed : input.models)
+    if (posed.solid == Solid::automatic && !posed.model.closed()) open.push_back(posed.name);
+  if (open.empty()) return;
+  const std::size_t shown = std::min(open.size(), most_names);
+  input.loaded.warnings.push_back(fmt::format(
+      "{} of {} {} open and taken as surface{}, which contain{} nothing: {}{} (inspect tells why; --solid=none says "
+      "that surfaces are meant)",
+      open.size(), counted(input.models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
+      open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+      shown < open.size() ? ", …" : ""));
+}
+
+}  // namespace toccata::command

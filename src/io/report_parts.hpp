@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "toccata/query/check_all.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata::io {
+
+// What the reports have in common.
+
+using Json = nlohmann::ordered_json;
+
+[[nodiscard]] Json json_of(const Vec3& v);
+
+/// An object as it was checked.
+[[nodiscard]] Json json_of(const SceneObject& object, const Posed& posed);
+
+/// The document as text, with a line end.
+[[nodiscard]] std::string document(const Json& json);
+
+/// The head that all reports of `check` have; `schema` is its name and number.
+[[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, std::span<const Posed> models,
+                               std::span<const std::string> warnings);
+
+/// A field with a comma, quote or line break is quoted (RFC 4180).
+[[nodiscard]] std::string csv_field(const std::string& text);
+
+}  // namespace toccata::io
