@@ -33,7 +33,8 @@ using Yes = hn::Mask<Tag>;
 constexpr Tag tag;
 
 // Below, a value stands for several pairs at a time. No multiplication is ever fused with an addition: what a pose
-// makes of a vertex is the truth, and the filter's bounds should decide the same pairs at every level.
+// makes of a vertex is the truth, and the filter's bounds should decide the same pairs at every level. All is inlined
+// by force: g++ passes such values in memory otherwise, which costs a fifth.
 
 struct Point {
   Number x, y, z;
@@ -43,32 +44,38 @@ struct Corners {
   Point p, q, r;
 };
 
-Point minus(const Point& u, const Point& v) { return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)}; }
-Point least(const Point& u, const Point& v) { return {hn::Min(u.x, v.x), hn::Min(u.y, v.y), hn::Min(u.z, v.z)}; }
-Point greatest(const Point& u, const Point& v) { return {hn::Max(u.x, v.x), hn::Max(u.y, v.y), hn::Max(u.z, v.z)}; }
+HWY_INLINE Point minus(const Point& u, const Point& v) {
+  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
+}
+HWY_INLINE Point least(const Point& u, const Point& v) {
+  return {hn::Min(u.x, v.x), hn::Min(u.y, v.y), hn::Min(u.z, v.z)};
+}
+HWY_INLINE Point greatest(const Point& u, const Point& v) {
+  return {hn::Max(u.x, v.x), hn::Max(u.y, v.y), hn::Max(u.z, v.z)};
+}
 
-Point chosen(Yes first, const Point& u, const Point& v) {
+HWY_INLINE Point chosen(Yes first, const Point& u, const Point& v) {
   return {hn::IfThenElse(first, u.x, v.x), hn::IfThenElse(first, u.y, v.y), hn::IfThenElse(first, u.z, v.z)};
 }
 
-Number dot(const Point& u, const Point& v) {
+HWY_INLINE Number dot(const Point& u, const Point& v) {
   return hn::Add(hn::Add(hn::Mul(u.x, v.x), hn::Mul(u.y, v.y)), hn::Mul(u.z, v.z));
 }
 
-Point cross(const Point& u, const Point& v) {
+HWY_INLINE Point cross(const Point& u, const Point& v) {
   return {hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)), hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
           hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
 }
 
 // Posing.
 
-Number row_times(PoseNumbers row, double offset, const Point& v) {
+HWY_INLINE Number row_times(PoseNumbers row, double offset, const Point& v) {
   const Number xy = hn::Add(hn::Mul(hn::Set(tag, row[0]), v.x), hn::Mul(hn::Set(tag, row[1]), v.y));
   return hn::Add(hn::Add(xy, hn::Mul(hn::Set(tag, row[2]), v.z)), hn::Set(tag, offset));
 }
 
 /// As `transform` does, and put back in place.
-Point posed(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t lane, PoseNumbers pose) {
+HWY_INLINE Point posed(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t lane, PoseNumbers pose) {
   double* x = lanes_of(corners, corner, 0) + lane;
   double* y = lanes_of(corners, corner, 1) + lane;
   double* z = lanes_of(corners, corner, 2) + lane;
@@ -81,7 +88,7 @@ Point posed(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t
   return world;
 }
 
-Corners posed(TrianglePairBlock::Corners& corners, std::size_t lane, PoseNumbers pose) {
+HWY_INLINE Corners posed(TrianglePairBlock::Corners& corners, std::size_t lane, PoseNumbers pose) {
   return {posed(corners, 0, lane, pose), posed(corners, 1, lane, pose), posed(corners, 2, lane, pose)};
 }
 
@@ -91,15 +98,15 @@ struct Box {
   Point low, high;
 };
 
-Box box_of(const Corners& t) { return {least(least(t.p, t.q), t.r), greatest(greatest(t.p, t.q), t.r)}; }
-Box join(const Box& a, const Box& b) { return {least(a.low, b.low), greatest(a.high, b.high)}; }
-Point size(const Box& box) { return minus(box.high, box.low); }
+HWY_INLINE Box box_of(const Corners& t) { return {least(least(t.p, t.q), t.r), greatest(greatest(t.p, t.q), t.r)}; }
+HWY_INLINE Box join(const Box& a, const Box& b) { return {least(a.low, b.low), greatest(a.high, b.high)}; }
+HWY_INLINE Point size(const Box& box) { return minus(box.high, box.low); }
 
-Yes disjoint(Number low_a, Number high_a, Number low_b, Number high_b) {
+HWY_INLINE Yes disjoint(Number low_a, Number high_a, Number low_b, Number high_b) {
   return hn::Or(hn::Gt(low_a, high_b), hn::Gt(low_b, high_a));
 }
 
-Yes disjoint(const Box& a, const Box& b) {
+HWY_INLINE Yes disjoint(const Box& a, const Box& b) {
   return hn::Or(hn::Or(disjoint(a.low.x, a.high.x, b.low.x, b.high.x), disjoint(a.low.y, a.high.y, b.low.y, b.high.y)),
                 disjoint(a.low.z, a.high.z, b.low.z, b.high.z));
 }
@@ -107,7 +114,7 @@ Yes disjoint(const Box& a, const Box& b) {
 /// The error bound of `filtered_triple_product` for all u, v, w with differences up to these. Rounding is monotone, so
 /// every number on the way is at least its counterpart there, the bound too; and where that is infinite or NaN, so is
 /// this. Hence the proof there serves here.
-Number error_bound(const Point& u, const Point& v, const Point& w) {
+HWY_INLINE Number error_bound(const Point& u, const Point& v, const Point& w) {
   const Number floor = hn::Set(tag, filter::floor);
   const Point m{hn::Add(hn::Add(hn::Mul(u.y, v.z), floor), hn::Mul(u.z, v.y)),
                 hn::Add(hn::Add(hn::Mul(u.z, v.x), floor), hn::Mul(u.x, v.z)),
@@ -121,29 +128,29 @@ struct Heights {
   Number p, q, r;
 };
 
-Heights heights_over(const Corners& plane, const Corners& t) {
+HWY_INLINE Heights heights_over(const Corners& plane, const Corners& t) {
   const Point normal = cross(minus(plane.q, plane.p), minus(plane.r, plane.p));
   return {dot(normal, minus(t.p, plane.p)), dot(normal, minus(t.q, plane.p)), dot(normal, minus(t.r, plane.p))};
 }
 
-Yes exceeds(Number value, Number error) { return hn::Gt(hn::Abs(value), error); }
-Yes positive(Number value) { return hn::Gt(value, hn::Zero(tag)); }
+HWY_INLINE Yes exceeds(Number value, Number error) { return hn::Gt(hn::Abs(value), error); }
+HWY_INLINE Yes positive(Number value) { return hn::Gt(value, hn::Zero(tag)); }
 
 struct Sides {
   Yes certain;  ///< all three
   Yes p, q, r;  ///< above the plane
 };
 
-Sides sides_of(const Heights& h, Number error) {
+HWY_INLINE Sides sides_of(const Heights& h, Number error) {
   return {hn::And(hn::And(exceeds(h.p, error), exceeds(h.q, error)), exceeds(h.r, error)), positive(h.p), positive(h.q),
           positive(h.r)};
 }
 
 /// Where the sides are certain: some above and some below.
-Yes straddle(const Sides& s) { return hn::Or(hn::Xor(s.p, s.q), hn::Xor(s.q, s.r)); }
+HWY_INLINE Yes straddle(const Sides& s) { return hn::Or(hn::Xor(s.p, s.q), hn::Xor(s.q, s.r)); }
 
 /// No height is finite where a coordinate is not.
-Yes finite(const Heights& h) {
+HWY_INLINE Yes finite(const Heights& h) {
   const Number infinity = hn::Inf(tag);
   return hn::Lt(hn::Abs(hn::Add(hn::Add(h.p, h.q), h.r)), infinity);
 }
@@ -157,7 +164,7 @@ struct Cut {
   Yes apex_above;
 };
 
-Cut cut_of(const Corners& t, const Sides& s) {
+HWY_INLINE Cut cut_of(const Corners& t, const Sides& s) {
   const Yes apex_not_p = hn::Xor(s.q, s.r), apex_not_q = hn::Xor(s.p, s.r);
   return {chosen(apex_not_p, chosen(apex_not_q, t.r, t.q), t.p),
           // The other end of the rising edge has another side than the corner after it, or before it.
@@ -172,45 +179,39 @@ struct Verdict {
 
 /// With `order` as in plane_intervals.hpp, of edges that are named by the apex and another corner. An apex above is the
 /// wrong end to name first; each turns the sign.
-template <bool where>
-Verdict compare_intervals(const Cut& a, const Cut& b, Number error) {
+HWY_INLINE Verdict compare_intervals(const Cut& a, const Cut& b, Number error) {
   const Point between = minus(b.apex, a.apex);
   const Point at_start = cross(minus(a.start, a.apex), between), at_end = cross(minus(a.end, a.apex), between);
   const Point start_b = minus(b.start, b.apex), end_b = minus(b.end, b.apex);
   const Number turn = hn::IfThenElseZero(hn::Xor(a.apex_above, b.apex_above), hn::Set(tag, -0.0));
   const Number a_starts_b_ends = hn::Xor(dot(at_start, start_b), turn);
   const Number b_starts_a_ends = hn::Xor(dot(at_end, end_b), hn::Xor(turn, hn::Set(tag, -0.0)));
-  Verdict v;
+  const Number first = hn::Xor(dot(at_start, end_b), turn);
+  const Number last = hn::Xor(dot(at_end, start_b), hn::Xor(turn, hn::Set(tag, -0.0)));
   const Number least_error = hn::Neg(error);
-  v.apart = hn::Or(hn::Lt(a_starts_b_ends, least_error), hn::Lt(b_starts_a_ends, least_error));
-  v.meeting = hn::And(hn::Gt(a_starts_b_ends, error), hn::Gt(b_starts_a_ends, error));
-  if constexpr (where) {
-    const Number first = hn::Xor(dot(at_start, end_b), turn);
-    const Number last = hn::Xor(dot(at_end, start_b), hn::Xor(turn, hn::Set(tag, -0.0)));
-    v.b_inside_at_first = positive(first);
-    v.b_inside_at_last = positive(last);
-    v.meeting = hn::And(v.meeting, hn::And(exceeds(first, error), exceeds(last, error)));
-  }
-  return v;
+  return {hn::Or(hn::Lt(a_starts_b_ends, least_error), hn::Lt(b_starts_a_ends, least_error)),
+          hn::And(hn::And(hn::Gt(a_starts_b_ends, error), hn::Gt(b_starts_a_ends, error)),
+                  hn::And(exceeds(first, error), exceeds(last, error))),
+          positive(first), positive(last)};
 }
 
 // Blocks.
 
-std::uint64_t bits(Yes yes) {
+HWY_INLINE std::uint64_t bits(Yes yes) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(tag, yes, bytes);
   return bytes[0];
 }
 
-std::uint64_t bits(const Sides& s) { return bits(s.p) | bits(s.q) << 8U | bits(s.r) << 16U; }
+HWY_INLINE std::uint64_t bits(const Sides& s) { return bits(s.p) | bits(s.q) << 8U | bits(s.r) << 16U; }
 
 /// Of as many lanes as a vector has, from bit 0 on.
 struct LaneVerdicts {
   std::uint64_t meeting = 0, unknown = 0, signs = 0;
 };
 
-template <bool where>
-LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lane, PoseNumbers pose_a, PoseNumbers pose_b) {
+HWY_INLINE LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lane, PoseNumbers pose_a,
+                                       PoseNumbers pose_b) {
   const Corners a = posed(block.a, lane, pose_a), b = posed(block.b, lane, pose_b);
   const Box box_a = box_of(a), box_b = box_of(b);
   const Point size_a = size(box_a), size_b = size(box_b), size_both = size(join(box_a, box_b));
@@ -224,21 +225,18 @@ LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lane, PoseNumb
   LaneVerdicts result;
   result.unknown = bits(hn::Not(apart));
   if (hn::AllFalse(tag, general)) return result;
-  const Verdict verdict =
-      compare_intervals<where>(cut_of(a, of_a), cut_of(b, of_b), error_bound(size_a, size_both, size_b));
+  const Verdict verdict = compare_intervals(cut_of(a, of_a), cut_of(b, of_b), error_bound(size_a, size_both, size_b));
   result.meeting = bits(hn::And(general, verdict.meeting));
   result.unknown &= ~(result.meeting | bits(hn::And(general, verdict.apart)));
-  if constexpr (where)
-    result.signs =
-        bits(of_a) | bits(of_b) << 24U | bits(verdict.b_inside_at_first) << 48U | bits(verdict.b_inside_at_last) << 56U;
+  result.signs =
+      bits(of_a) | bits(of_b) << 24U | bits(verdict.b_inside_at_first) << 48U | bits(verdict.b_inside_at_last) << 56U;
   return result;
 }
 
-template <bool where>
 void classify(TrianglePairBlock& block, PoseNumbers pose_a, PoseNumbers pose_b) {
   LaneVerdicts all;
   for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(tag)) {
-    const LaneVerdicts some = classify_lanes<where>(block, lane, pose_a, pose_b);
+    const LaneVerdicts some = classify_lanes(block, lane, pose_a, pose_b);
     all.meeting |= some.meeting << lane;
     all.unknown |= some.unknown << lane;
     all.signs |= some.signs << lane;
@@ -251,13 +249,8 @@ void classify(TrianglePairBlock& block, PoseNumbers pose_a, PoseNumbers pose_b) 
 
 }  // namespace
 
-void classify_at_this_level(TrianglePairBlock* blocks, std::size_t count, PoseNumbers pose_a, PoseNumbers pose_b,
-                            PairQuestion question) {
-  for (TrianglePairBlock* block = blocks; block != blocks + count; ++block)
-    if (question == PairQuestion::meeting)
-      classify<true>(*block, pose_a, pose_b);
-    else
-      classify<false>(*block, pose_a, pose_b);
+void classify_at_this_level(TrianglePairBlock* blocks, std::size_t count, PoseNumbers pose_a, PoseNumbers pose_b) {
+  for (TrianglePairBlock* block = blocks; block != blocks + count; ++block) classify(*block, pose_a, pose_b);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -269,11 +262,10 @@ namespace toccata {
 
 HWY_EXPORT(classify_at_this_level);
 
-void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks,
-                    PairQuestion question) {
+void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks) {
   const std::array<double, 12> numbers_a = pose_a.numbers(), numbers_b = pose_b.numbers();
   HWY_DYNAMIC_DISPATCH(classify_at_this_level)
-  (blocks.data(), blocks.size(), numbers_a.data(), numbers_b.data(), question);
+  (blocks.data(), blocks.size(), numbers_a.data(), numbers_b.data());
 }
 
 }  // namespace toccata

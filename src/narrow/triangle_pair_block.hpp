@@ -27,17 +27,11 @@ struct alignas(64) TrianglePairBlock {
   std::uint64_t signs = 0;   ///< for `meeting_in`
 };
 
-/// What to find out about the pairs.
-enum class PairQuestion {
-  overlap,  ///< do they meet?
-  meeting,  ///< where do they? `meeting_in` then knows, for the pairs that certainly do
-};
-
 /// Places a by `pose_a` and b by `pose_b`, to the bit as `transform` does, and decides every pair for which plain
 /// arithmetic with a bound on its error is enough: pairs in general position, apart or crossing. Touching pairs,
 /// coplanar ones and triangles without area are left unknown, unless their boxes are disjoint; so are triangles that
 /// the pose makes infinite. The answers are the same at every SIMD level.
-void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks, PairQuestion question);
+void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks);
 
 /// The triangles of a lane, as the block now holds them.
 [[nodiscard]] Triangle triangle_a(const TrianglePairBlock& block, std::size_t lane);
@@ -46,7 +40,7 @@ void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePa
 /// Puts a pair into a lane.
 void set_pair(TrianglePairBlock& block, std::size_t lane, const Triangle& a, const Triangle& b);
 
-/// What `meeting` says of the triangles in a lane whose bit in `meeting` is set, once that was asked for.
+/// What `meeting` says of the triangles in a lane whose bit in `meeting` is set.
 [[nodiscard]] const Meeting& meeting_in(const TrianglePairBlock& block, std::size_t lane);
 
 }  // namespace toccata

@@ -38,7 +38,7 @@ std::vector<TrianglePair> random_pairs(std::uint64_t seed, std::size_t count) {
 TEST_P(TrianglePairBlocks, FindsEveryKindOfCrossing) {
   const PosedTrianglePairs batch{{}, {}, random_pairs(1, 20000)};
   std::set<std::array<MeetingPoint, 2>> kinds;
-  for (const TrianglePairBlock& block : classified(batch, PairQuestion::meeting, GetParam()))
+  for (const TrianglePairBlock& block : classified(batch, GetParam()))
     for (std::size_t lane = 0; lane < block.count; ++lane) {
       const Meeting truth = meeting(triangle_a(block, lane), triangle_b(block, lane));
       if (!has_bit(block.meeting, lane)) continue;
@@ -54,9 +54,8 @@ TEST_P(TrianglePairBlocks, KnowNearlyAlways) {
     const Pose pose = scaled({rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}}, size);
     const PosedTrianglePairs batch{pose, pose, random_pairs(2, 8000)};
     std::size_t unknown = 0;
-    for (const PairQuestion question : {PairQuestion::overlap, PairQuestion::meeting})
-      for (const TrianglePairBlock& block : classified(batch, question, GetParam()))
-        unknown += static_cast<std::size_t>(std::popcount(block.unknown));
+    for (const TrianglePairBlock& block : classified(batch, GetParam()))
+      unknown += static_cast<std::size_t>(std::popcount(block.unknown));
     EXPECT_LE(unknown, batch.pairs.size() / 1000) << size;
   }
 }
@@ -71,7 +70,7 @@ TEST_P(TrianglePairBlocks, KnowAlsoNeedlesAndPartsOfVeryDifferentSize) {
     batch.pairs.push_back({a, triangle_pairs::each_vertex(random_triangle(random), shrink)});
   }
   std::size_t unknown = 0;
-  for (const TrianglePairBlock& block : classified(batch, PairQuestion::meeting, GetParam()))
+  for (const TrianglePairBlock& block : classified(batch, GetParam()))
     unknown += static_cast<std::size_t>(std::popcount(block.unknown));
   EXPECT_LE(unknown, batch.pairs.size() / 100);
 }
@@ -80,7 +79,7 @@ TEST_P(TrianglePairBlocks, DisjointBoxesSettleEvenWhatHasNoPlane) {
   const Triangle point{{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}}, flat{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
   const Triangle beside{{{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}}}};
   const PosedTrianglePairs batch{{}, {}, {{point, flat}, {flat, beside}, {flat, flat}, {point, point}}};
-  const std::vector<TrianglePairBlock> blocks = classified(batch, PairQuestion::meeting, GetParam());
+  const std::vector<TrianglePairBlock> blocks = classified(batch, GetParam());
   EXPECT_EQ(blocks[0].meeting, 0);
   EXPECT_EQ(blocks[0].unknown, 0b1100);
 }
@@ -89,7 +88,7 @@ TEST_P(TrianglePairBlocks, FreeLanesSayNothing) {
   for (const double filler : {0.0, std::numeric_limits<double>::quiet_NaN(), 1e308}) {
     for (std::size_t count = 0; count <= TrianglePairBlock::lanes; ++count) {
       std::vector<TrianglePairBlock> blocks = blocks_of(random_pairs(4, count), filler);
-      classify_pairs(Pose{}, Pose{}, blocks, PairQuestion::meeting);
+      classify_pairs(Pose{}, Pose{}, blocks);
       for (const TrianglePairBlock& block : blocks) {
         EXPECT_EQ((block.meeting | block.unknown) >> count, 0);
         for (std::size_t lane = 0; lane < count; ++lane)
@@ -107,13 +106,12 @@ TEST_P(TrianglePairBlocks, KnowNothingOfWhatAPoseMakesInfinite) {
     for (int i = 0; i < 18; ++i) {
       TrianglePair pair{here, there};
       (i < 9 ? pair.a : pair.b)[i % 3][i / 3 % 3] = bad;
-      const std::vector<TrianglePairBlock> blocks = classified({{}, {}, {pair}}, PairQuestion::overlap, GetParam());
+      const std::vector<TrianglePairBlock> blocks = classified({{}, {}, {pair}}, GetParam());
       EXPECT_EQ(blocks[0].meeting, 0) << i << ' ' << bad;
       EXPECT_EQ(blocks[0].unknown, 1) << i << ' ' << bad;
     }
   const Pose overflowing = scaled(Pose{}, 1e308);
-  const std::vector<TrianglePairBlock> blocks =
-      classified({overflowing, overflowing, {{here, there}}}, PairQuestion::overlap, GetParam());
+  const std::vector<TrianglePairBlock> blocks = classified({overflowing, overflowing, {{here, there}}}, GetParam());
   EXPECT_EQ(blocks[0].unknown, 1);
 }
 
@@ -130,9 +128,9 @@ TEST_P(TrianglePairBlocks, KnowNothingWhereProductsOverflow) {
     batch.pairs.push_back(
         {triangle_pairs::each_vertex(a, stretch), triangle_pairs::each_vertex(random_triangle(random), stretch)});
   }
-  for (const TrianglePairBlock& block : classified(batch, PairQuestion::meeting, GetParam()))
+  for (const TrianglePairBlock& block : classified(batch, GetParam()))
     for (std::size_t lane = 0; lane < block.count; ++lane)
-      EXPECT_EQ(compare_lane(block, lane, PairQuestion::meeting, triangle_a(block, lane), triangle_b(block, lane)), "");
+      EXPECT_EQ(compare_lane(block, lane, triangle_a(block, lane), triangle_b(block, lane)), "");
 }
 
 }  // namespace

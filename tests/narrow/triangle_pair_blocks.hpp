@@ -35,11 +35,10 @@ inline std::vector<TrianglePairBlock> blocks_of(const std::vector<TrianglePair>&
 }
 
 /// Classified at this level, which stays in use.
-inline std::vector<TrianglePairBlock> classified(const PosedTrianglePairs& batch, PairQuestion question,
-                                                 SimdLevel level) {
+inline std::vector<TrianglePairBlock> classified(const PosedTrianglePairs& batch, SimdLevel level) {
   std::vector<TrianglePairBlock> blocks = blocks_of(batch.pairs);
   use_simd_level(level);
-  classify_pairs(batch.pose_a, batch.pose_b, blocks, question);
+  classify_pairs(batch.pose_a, batch.pose_b, blocks);
   return blocks;
 }
 
@@ -66,8 +65,8 @@ inline bool same_bits(const Triangle& s, const Triangle& t) {
 inline bool has_bit(std::uint8_t bits, std::size_t lane) { return ((bits >> lane) & 1U) != 0; }
 
 /// Empty, or what is wrong about the answer in a lane for the triangles a and b in the world.
-inline std::string compare_lane(const TrianglePairBlock& block, std::size_t lane, PairQuestion question,
-                                const Triangle& a, const Triangle& b) {
+inline std::string compare_lane(const TrianglePairBlock& block, std::size_t lane, const Triangle& a,
+                                const Triangle& b) {
   if (!same_bits(triangle_a(block, lane), a) || !same_bits(triangle_b(block, lane), b)) return "world triangles";
   const bool meets = has_bit(block.meeting, lane), unknown = has_bit(block.unknown, lane);
   if (meets && unknown) return "both certain and unknown";
@@ -75,7 +74,7 @@ inline std::string compare_lane(const TrianglePairBlock& block, std::size_t lane
   if (!is_finite(a) || !is_finite(b)) return "certain of infinite triangles";
   const Meeting truth = meeting(a, b);
   if (meets != (truth.kind != MeetingKind::none)) return meets ? "no meeting" : "not apart";
-  if (meets && question == PairQuestion::meeting && meeting_in(block, lane) != truth) return "another meeting";
+  if (meets && meeting_in(block, lane) != truth) return "another meeting";
   return "";
 }
 

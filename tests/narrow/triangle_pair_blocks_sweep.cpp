@@ -39,31 +39,26 @@ PosedTrianglePairs random_batch(const std::string& family, Random& random, std::
   return batch;
 }
 
-struct LevelAnswers {
+struct LevelAnswer {
   SimdLevel level = SimdLevel::scalar;
-  std::vector<TrianglePairBlock> overlaps;
-  std::vector<TrianglePairBlock> meetings;
+  std::vector<TrianglePairBlock> blocks;
 };
 
-std::vector<LevelAnswers> answers_of_all_levels(const PosedTrianglePairs& batch) {
-  std::vector<LevelAnswers> answers;
-  for (const SimdLevel level : simd_levels())
-    answers.push_back(
-        {level, classified(batch, PairQuestion::overlap, level), classified(batch, PairQuestion::meeting, level)});
+std::vector<LevelAnswer> answers_of_all_levels(const PosedTrianglePairs& batch) {
+  std::vector<LevelAnswer> answers;
+  for (const SimdLevel level : simd_levels()) answers.push_back({level, classified(batch, level)});
   return answers;
 }
 
 /// Empty, or what is wrong about one pair of the batch.
-std::string check(const PosedTrianglePairs& batch, const std::vector<LevelAnswers>& answers, std::size_t pair) {
+std::string check(const PosedTrianglePairs& batch, const std::vector<LevelAnswer>& answers, std::size_t pair) {
   const std::size_t index = pair / TrianglePairBlock::lanes, lane = pair % TrianglePairBlock::lanes;
   const Triangle a = posed(batch.pose_a, batch.pairs[pair].a), b = posed(batch.pose_b, batch.pairs[pair].b);
-  const TrianglePairBlock& first = answers.front().meetings[index];
-  for (const LevelAnswers& of : answers) {
-    const TrianglePairBlock &overlaps = of.overlaps[index], &meetings = of.meetings[index];
-    std::string wrong = compare_lane(overlaps, lane, PairQuestion::overlap, a, b);
-    if (wrong.empty()) wrong = compare_lane(meetings, lane, PairQuestion::meeting, a, b);
-    if (wrong.empty() && (meetings.unknown != first.unknown || meetings.meeting != first.meeting ||
-                          overlaps.unknown != answers.front().overlaps[index].unknown))
+  const TrianglePairBlock& first = answers.front().blocks[index];
+  for (const LevelAnswer& of : answers) {
+    const TrianglePairBlock& block = of.blocks[index];
+    std::string wrong = compare_lane(block, lane, a, b);
+    if (wrong.empty() && (block.unknown != first.unknown || block.meeting != first.meeting))
       wrong = "not as at the scalar level";
     if (!wrong.empty()) return wrong + " at " + std::string(name_of(of.level));
   }
@@ -82,7 +77,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   while (result.cases < cases) {
     const PosedTrianglePairs batch =
         random_batch(family, random, std::min<std::uint64_t>(cases - result.cases, 1 + random.below(40)));
-    const std::vector<LevelAnswers> answers = answers_of_all_levels(batch);
+    const std::vector<LevelAnswer> answers = answers_of_all_levels(batch);
     for (std::size_t pair = 0; pair < batch.pairs.size(); ++pair, ++result.cases) {
       const std::string wrong = check(batch, answers, pair);
       if (wrong.empty()) continue;
