@@ -29,9 +29,10 @@ struct alignas(64) WideBlock {
 };
 
 /// A hierarchy of boxes with eight children a node, and single items as leaves. Coordinates are x = origin + unit · q
-/// with floats q between −1 and 1, so that meshes that are tiny, huge or far from the origin keep their detail. Block 0
-/// is the root's, children come after their parent; no blocks for no items. Every box contains its items; nothing is
-/// promised of how tight it is, though rounding outwards is all that was added.
+/// with floats q between −1 and 1 (−2 and 2 when the whole is more than 2¹⁰²⁴ long, since 2¹⁰²⁴ is no double), so that
+/// meshes that are tiny, huge or far from the origin keep their detail. Block 0 is the root's, children come after
+/// their parent; no blocks for no items. Every box contains its items; nothing is promised of how tight it is, though
+/// rounding outwards is all that was added.
 struct WideTree {
   Vec3 origin;
   double unit = 1;  ///< a power of two

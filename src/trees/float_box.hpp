@@ -1,0 +1,52 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace toccata {
+
+/// Four floats side by side; arithmetic and comparison are by lane.
+using Float4 [[gnu::vector_size(16)]] = float;
+
+[[nodiscard]] inline Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
+[[nodiscard]] inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// A box in the units of a wide tree; the last lanes are of no account. Empty until something is merged into it.
+struct FloatBox {
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  Float4 lower{infinity, infinity, infinity, 0};
+  Float4 upper{-infinity, -infinity, -infinity, 0};
+
+  void add(const FloatBox& other) {
+    lower = least(lower, other.lower);
+    upper = greatest(upper, other.upper);
+  }
+  void add_point(Float4 point) {
+    lower = least(lower, point);
+    upper = greatest(upper, point);
+  }
+};
+
+/// What it costs to look into a box that is not empty, by how often that happens: half the area of its sides. Lines and
+/// points cost something too, so that there are few boxes of them.
+[[nodiscard]] inline float visit_cost(const FloatBox& box) {
+  constexpr float of_a_point = 1e-30F;
+  const Float4 size = box.upper - box.lower;
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0] + of_a_point;
+}
+
+/// An item's box, with the item's number in the lane that boxes do not use.
+struct FloatItem : FloatBox {
+  // Numbers are kept as floats of ordinary size: arithmetic on the lane is then as fast as on the others.
+  static constexpr std::uint32_t ordinary = 0x20000000;
+
+  [[nodiscard]] std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{lower[3]}) - ordinary; }
+  void set_number(std::uint32_t number) { lower[3] = std::bit_cast<float>(number + ordinary); }
+
+  /// Twice the centre.
+  [[nodiscard]] Float4 middle() const { return lower + upper; }
+  [[nodiscard]] float middle(int axis) const { return lower[axis] + upper[axis]; }
+};
+
+}  // namespace toccata

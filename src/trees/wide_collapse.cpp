@@ -1,0 +1,163 @@
+#include "trees/wide_collapse.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#include "toccata/core/parallel.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::uint32_t width = WideBlock::width;
+constexpr std::size_t blocks_per_task = 1024;
+
+void set_bottom_cost(BinaryNode& node) {
+  const float cost = visit_cost(node.box);
+  for (std::uint32_t lanes = 1; lanes <= width; ++lanes) node.cost[lanes - 1] = lanes >= node.count ? 0 : cost;
+}
+
+/// A lane of a block: a node that has a block of its own, or an item.
+struct Lane {
+  std::uint32_t number;
+  bool is_item;
+};
+
+struct Lanes {
+  std::array<Lane, width> lane;
+  std::uint32_t count = 0;
+
+  void add_items(const BinaryNode& node) {
+    for (std::uint32_t i = 0; i < node.count; ++i) lane[count++] = {node.first + i, true};
+  }
+};
+
+/// A node that still is to be spread over some lanes.
+struct Spread {
+  std::uint32_t node;
+  std::uint32_t lanes;
+};
+
+/// The lanes of the block of a node.
+Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
+  Lanes lanes;
+  // Every entry stands for at least one lane.
+  std::array<Spread, width + 1> stack;
+  std::size_t size = 0;
+  const auto open = [&](const BinaryNode& node, std::uint32_t among, std::uint32_t left) {
+    stack[size++] = {node.children + 1, among - left};
+    stack[size++] = {node.children, left};
+  };
+  if (nodes[root].is_bottom()) {
+    lanes.add_items(nodes[root]);
+  } else {
+    open(nodes[root], width, nodes[root].left_lanes[0]);
+  }
+  while (size > 0) {
+    const Spread spread = stack[--size];
+    const BinaryNode& node = nodes[spread.node];
+    if (node.is_bottom() && node.count <= spread.lanes) {
+      lanes.add_items(node);
+    } else if (node.is_bottom() || spread.lanes == 1 || node.left_lanes[spread.lanes - 1] == 0) {
+      lanes.lane[lanes.count++] = {spread.node, false};
+    } else {
+      open(node, spread.lanes, node.left_lanes[spread.lanes - 1]);
+    }
+  }
+  return lanes;
+}
+
+/// Which node a block replaces, and the block of its first lane that is one; the others' follow.
+struct Plan {
+  std::uint32_t node;
+  std::uint32_t first_child;
+};
+
+/// Children side by side, and what is below the first of them before what is below the next.
+std::vector<Plan> plan_blocks(std::span<const BinaryNode> nodes) {
+  std::vector<Plan> plans{{0, 0}};
+  plans.reserve(nodes.size() / 2 + 1);
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t block = open.back();
+    open.pop_back();
+    const Lanes lanes = lanes_of(nodes, plans[block].node);
+    plans[block].first_child = static_cast<std::uint32_t>(plans.size());
+    for (std::uint32_t i = 0; i < lanes.count; ++i)
+      if (!lanes.lane[i].is_item) plans.push_back({lanes.lane[i].number, 0});
+    for (auto child = static_cast<std::uint32_t>(plans.size()); child > plans[block].first_child; --child)
+      open.push_back(child - 1);
+  }
+  return plans;
+}
+
+/// A float that is not less than the difference of two, which is not negative.
+float difference_up(float a, float b) {
+  const float nearest = a - b;
+  // The rounding of a difference is at most half the step to the next float, and a difference of 0 is exact.
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + (nearest > 0 ? 1U : 0U));
+}
+
+void set_boxes(WideBlock& block, const std::array<FloatBox, width>& boxes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      const float lower = boxes[lane].lower[axis], upper = boxes[lane].upper[axis];
+      const float centre = 0.5F * (lower + upper);
+      block.centre[axis][lane] = centre;
+      block.extent[axis][lane] = std::max(difference_up(upper, centre), difference_up(centre, lower));
+    }
+  }
+}
+
+void fill(WideBlock& block, const Plan& plan, std::span<const BinaryNode> nodes, std::span<const FloatItem> items) {
+  const Lanes lanes = lanes_of(nodes, plan.node);
+  std::array<FloatBox, width> boxes;
+  boxes.fill(FloatBox{Float4{}, Float4{}});
+  auto next_child = static_cast<std::int32_t>(plan.first_child);
+  for (std::uint32_t i = 0; i < lanes.count; ++i) {
+    const Lane lane = lanes.lane[i];
+    boxes[i] = lane.is_item ? static_cast<const FloatBox&>(items[lane.number]) : nodes[lane.number].box;
+    block.child[i] = lane.is_item ? ~static_cast<std::int32_t>(lane.number) : next_child++;
+  }
+  block.count = lanes.count;
+  set_boxes(block, boxes);
+}
+
+}  // namespace
+
+void set_cost(BinaryNode& node, std::span<const BinaryNode> nodes) {
+  if (node.is_bottom()) return set_bottom_cost(node);
+  const auto& left = nodes[node.children].cost;
+  const auto& right = nodes[node.children + 1].cost;
+  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+    float best = FloatBox::infinity;
+    for (std::uint32_t to_left = 1; to_left < lanes; ++to_left) {
+      const float both = left[to_left - 1] + right[lanes - to_left - 1];
+      if (both >= best) continue;
+      best = both;
+      node.left_lanes[lanes - 1] = static_cast<std::uint8_t>(to_left);
+    }
+    node.cost[lanes - 1] = best;
+  }
+  // The node's own block is spread over eight lanes.
+  node.left_lanes[0] = node.left_lanes[width - 1];
+  node.cost[0] = visit_cost(node.box) + node.cost[width - 1];
+  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+    if (node.cost[lanes - 1] < node.cost[0]) continue;
+    node.cost[lanes - 1] = node.cost[0];
+    node.left_lanes[lanes - 1] = 0;
+  }
+}
+
+std::vector<WideBlock> collapse(std::span<const BinaryNode> nodes, std::span<const FloatItem> items, int threads) {
+  const std::vector<Plan> plans = plan_blocks(nodes);
+  std::vector<WideBlock> blocks(plans.size());
+  const std::size_t tasks = (blocks.size() + blocks_per_task - 1) / blocks_per_task;
+  parallel_for(tasks, threads, [&](std::size_t task) {
+    const std::size_t end = std::min(blocks.size(), (task + 1) * blocks_per_task);
+    for (std::size_t i = task * blocks_per_task; i < end; ++i) fill(blocks[i], plans[i], nodes, items);
+  });
+  return blocks;
+}
+
+}  // namespace toccata
