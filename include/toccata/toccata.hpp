@@ -39,6 +39,7 @@
 #include "toccata/query/pair_query.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/scene_models.hpp"
+#include "toccata/query/self_contacts.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle.hpp"

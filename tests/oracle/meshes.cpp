@@ -178,6 +178,28 @@ Relation relation_of_surfaces(const MeshSet& a, const MeshSet& b) {
   return {RelationKind::touching, Containment::none, true};
 }
 
+/// The vertices of s that are vertices of t.
+std::vector<RationalPoint> shared_vertices(const RationalTriangle& s, const RationalTriangle& t) {
+  std::vector<RationalPoint> shared;
+  for (const RationalPoint& p : s.vertex)
+    if (std::ranges::find(t.vertex, p) != t.vertex.end()) shared.push_back(p);
+  return shared;
+}
+
+std::vector<RationalPoint> sorted(std::vector<RationalPoint> points) {
+  std::ranges::sort(points, [](const RationalPoint& p, const RationalPoint& q) { return p < q; });
+  return points;
+}
+
+bool meet_beyond_shared(const RationalTriangle& s, const RationalTriangle& t) {
+  std::vector<RationalPoint> shared = shared_vertices(s, t);
+  if (shared.size() == 3 && shared_vertices(t, s).size() == 3) return true;
+  if (shared.empty()) return overlap(s, t);
+  const CommonSet common = common_set(s, t);
+  shared.resize(3, shared.front());
+  return sorted(common.extreme_points) != sorted(extreme_points({{shared[0], shared[1], shared[2]}}));
+}
+
 /// The interior is open, so a triangle that meets it does so in a whole open cell.
 bool meets_interior(const MeshSet& surface, const MeshSet& solid) {
   for (const RationalTriangle& triangle : surface.triangles)
@@ -250,6 +272,14 @@ std::optional<TrianglePair> first_meeting_pair(const MeshSet& a, const MeshSet& 
     for (std::size_t j = 0; j < b.triangles.size(); ++j)
       if (overlap(a.triangles[i], b.triangles[j])) return TrianglePair{i, j};
   return std::nullopt;
+}
+
+std::vector<TrianglePair> self_meeting_pairs(const MeshSet& mesh) {
+  std::vector<TrianglePair> result;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t j = i + 1; j < mesh.triangles.size(); ++j)
+      if (meet_beyond_shared(mesh.triangles[i], mesh.triangles[j])) result.push_back({i, j});
+  return result;
 }
 
 bool surfaces_cross(const MeshSet& a, const MeshSet& b) {

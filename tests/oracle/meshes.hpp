@@ -43,6 +43,10 @@ std::vector<TrianglePair> meeting_pairs(const MeshSet& a, const MeshSet& b);
 /// Oracle of `first_contact`: the least of them.
 std::optional<TrianglePair> first_meeting_pair(const MeshSet& a, const MeshSet& b);
 
+/// Oracle of `self_contacts`: two triangles of one mesh that have more in common than the hull of the vertices they
+/// share, or that have the same vertices; ascending, a < b.
+std::vector<TrianglePair> self_meeting_pairs(const MeshSet& mesh);
+
 /// Some pair of triangles meets in the relative interiors of both, their six vertices not coplanar.
 bool surfaces_cross(const MeshSet& a, const MeshSet& b);
 

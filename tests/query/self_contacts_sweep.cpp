@@ -1,0 +1,46 @@
+// A mesh against itself: every two triangles in rational arithmetic, and both questions of the library.
+#include <fmt/format.h>
+
+#include "oracle/meshes.hpp"
+#include "support/self_meshes.hpp"
+#include "support/sweep.hpp"
+#include "toccata/query/self_contacts.hpp"
+
+namespace toccata::test {
+namespace {
+
+bool is_meeting_of(const Contact& contact, const Model& model, const Pose& pose) {
+  return contact.meeting ==
+         meeting(world_triangle(model, pose, contact.triangle_a), world_triangle(model, pose, contact.triangle_b));
+}
+
+std::string fault_of(const SelfMesh& made) {
+  const Model model(made.mesh);
+  const auto expected = oracle::self_meeting_pairs(oracle::surface_set(made.mesh, made.pose));
+  const std::vector<Contact> contacts = self_contacts(model, made.pose);
+  std::vector<oracle::TrianglePair> found;
+  for (const Contact& contact : contacts) {
+    found.push_back({contact.triangle_a, contact.triangle_b});
+    if (!is_meeting_of(contact, model, made.pose)) return "a meeting is not that of the triangles";
+  }
+  if (found != expected) return fmt::format("self_contacts finds {} of {}", found.size(), expected.size());
+  return self_overlap(model, made.pose) == !expected.empty() ? "" : "self_overlap";
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random seeds(seed);
+  for (; result.cases < cases; ++result.cases) {
+    const std::uint64_t case_seed = seeds.bits();
+    Random random(case_seed);
+    const std::string fault = fault_of(random_self_mesh(family, random));
+    if (!fault.empty() && result.wrong++ == 0)
+      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
+  }
+  return result;
+}
+
+const bool known = register_sweep({"self-contacts", self_mesh_families(), 50'000, 100, run});
+
+}  // namespace
+}  // namespace toccata::test

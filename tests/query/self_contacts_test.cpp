@@ -1,0 +1,140 @@
+#include "toccata/query/self_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "support/data.hpp"
+#include "support/mesh_soups.hpp"
+#include "support/self_meshes.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/io/mesh_file.hpp"
+
+namespace toccata {
+namespace {
+
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+Pairs pairs_of(const TriangleMesh& mesh, const Pose& pose = {}) {
+  const Model model(mesh);
+  Pairs pairs;
+  for (const Contact& contact : self_contacts(model, pose)) pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+  EXPECT_EQ(self_overlap(model, pose), !pairs.empty());
+  return pairs;
+}
+
+/// The same whether or not the triangles share vertices by number.
+Pairs pairs_either_way(const TriangleMesh& mesh) {
+  const Pairs welded = pairs_of(mesh);
+  EXPECT_EQ(pairs_of(test::unwelded(mesh)), welded);
+  return welded;
+}
+
+TEST(SelfContacts, ClosedMeshesMeetThemselvesNowhere) {
+  EXPECT_EQ(pairs_either_way(icosphere_mesh(1, 2)), Pairs{});
+  EXPECT_EQ(pairs_either_way(test::box_mesh({0, 0, 0}, {1, 2, 3})), Pairs{});
+  EXPECT_EQ(pairs_either_way(torus_mesh({})), Pairs{});
+}
+
+TEST(SelfContacts, NeighboursInOnePlaneAreProper) {
+  EXPECT_EQ(pairs_either_way({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}}), Pairs{});
+}
+
+TEST(SelfContacts, NeighboursFoldedOntoEachOtherMeet) {
+  EXPECT_EQ(pairs_either_way({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.9, 0}}, {{0, 1, 2}, {2, 1, 3}}}), Pairs{});
+  EXPECT_EQ(pairs_either_way({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.7, 0}}, {{0, 1, 2}, {2, 1, 3}}}),
+            (Pairs{{0, 1}}));
+}
+
+TEST(SelfContacts, TrianglesOfOneVertexMeetOnlyElsewhere) {
+  const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -1, 1}, {-1, -1, -1}, {1, 1, 1}, {1, 1, -1}};
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 3, 4}}}), Pairs{});
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 5, 6}}}), (Pairs{{0, 1}}));
+}
+
+TEST(SelfContacts, AVertexInAnEdgeIsMet) {
+  // A T-junction: the middle of an edge is another triangle's vertex.
+  EXPECT_EQ(
+      pairs_either_way({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, -1, 1}, {2, -1, 1}}, {{0, 1, 2}, {3, 4, 5}}}),
+      (Pairs{{0, 1}}));
+}
+
+TEST(SelfContacts, DuplicatesAreMet) {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Pairs pair{{0, 1}};
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 1, 2}}}), pair);
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {2, 1, 0}}}), pair);
+  const Contact contact = self_contacts(Model({points, {{0, 1, 2}, {1, 0, 2}}})).front();
+  EXPECT_EQ(contact.meeting.kind, MeetingKind::polygon);
+  EXPECT_EQ(contact.meeting.count, 3);
+}
+
+/// What docs/truth.md says of triangles without area.
+TEST(SelfContacts, TrianglesWithoutArea) {
+  // Points: a segment from 0 to 2 with the middle 1, and 3, 4 beside it.
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, -1, 0}};
+  const Pairs none{}, pair{{0, 1}};
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 2, 3}}}), none) << "a cap on the edge that it fills";
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 4, 1}}}), none) << "and on the part of it";
+  EXPECT_EQ(pairs_either_way({points, {{0, 2, 3}, {0, 4, 1}}}), pair) << "a T-junction that nothing fills";
+  EXPECT_EQ(pairs_either_way({points, {{0, 2, 2}, {0, 2, 3}}}), none) << "an edge as a triangle";
+  EXPECT_EQ(pairs_either_way({points, {{0, 0, 0}, {0, 2, 3}}}), none) << "a vertex as a triangle";
+  EXPECT_EQ(pairs_either_way({points, {{1, 1, 1}, {0, 2, 3}}}), pair) << "a point on an edge";
+  EXPECT_EQ(pairs_either_way({points, {{0, 2, 2}, {0, 0, 2}}}), pair) << "the same vertices";
+  EXPECT_EQ(pairs_either_way({points, {{3, 3, 3}, {3, 3, 3}}}), pair) << "the same vertex";
+  EXPECT_EQ(pairs_either_way({points, {{0, 2, 2}, {0, 1, 1}}}), pair) << "segments, one along the other";
+}
+
+TEST(SelfContacts, SegmentsThatCrossInTheirMiddles) {
+  const std::vector<Vec3> points{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}};
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {3, 1, 4}}}), Pairs{}) << "both have the middle as vertex";
+  EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {3, 4, 4}}}), (Pairs{{0, 1}}));
+}
+
+TEST(SelfContacts, SharingIsToldByWorldCoordinates) {
+  // Of the two triangles' tips, 1e-9 apart, the pose makes one point.
+  const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-9, 0, 0}, {-1, 0, 0}, {0, -1, 0}},
+                          {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(pairs_of(mesh), (Pairs{{0, 1}}));
+  EXPECT_EQ(pairs_of(mesh, Pose::translation(1e9, 1e9, 1e9)), Pairs{});
+}
+
+TEST(SelfContacts, ZeroHasOneSign) {
+  EXPECT_EQ(
+      pairs_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}}),
+      Pairs{});
+}
+
+/// Trap T13 of self traversal: (i, j) and (j, i), or (i, i).
+TEST(SelfContacts, EachPairOnceTheLesserFirst) {
+  Random random(7);
+  const TriangleMesh soup = test::random_soup(random, 400, 0.3, 0);
+  const Pairs pairs = pairs_of(soup);
+  EXPECT_GT(pairs.size(), 500U);
+  for (const auto& [first, second] : pairs) EXPECT_LT(first, second);
+  for (std::size_t i = 1; i < pairs.size(); ++i) EXPECT_LT(pairs[i - 1], pairs[i]);
+}
+
+/// Trap T14: adjacency by vertex numbers fails on a soup of triangles.
+TEST(SelfContacts, ASoupIsAnsweredLikeTheWeldedMesh) {
+  Random random(11);
+  for (int i = 0; i < 20; ++i) pairs_either_way(test::random_self_mesh("sheets", random).mesh);
+  EXPECT_EQ(pairs_of(test::unwelded(icosphere_mesh(1, 3))), Pairs{});
+}
+
+TEST(SelfContacts, NothingOfNothing) {
+  EXPECT_EQ(pairs_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}), Pairs{});
+  EXPECT_EQ(pairs_of({{{0, 0, 0}}, {{0, 0, 0}}}), Pairs{});
+}
+
+TEST(SelfContacts, WhatIsNotFiniteIsAnError) {
+  const Model model(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  EXPECT_THROW((void)self_contacts(model, Pose::translation(std::numeric_limits<double>::quiet_NaN(), 0, 0)), Error);
+  EXPECT_THROW((void)self_overlap(model, scaled(Pose::translation(1e308, 0, 0), 1.7e308)), Error);
+}
+
+}  // namespace
+}  // namespace toccata
