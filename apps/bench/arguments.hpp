@@ -16,7 +16,8 @@ struct MeshArguments {
   bool near = false;
   std::string task = "overlap";
   std::vector<std::string> peers;
-  int threads = 1;
+  std::vector<int> threads{1};
+  std::string simd;  ///< empty: the highest level
   int rounds = 3;
   bool verify = false;
   std::string answers;  ///< a file to write

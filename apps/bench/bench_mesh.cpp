@@ -8,6 +8,7 @@
 #include "poses.hpp"
 #include "report.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/simd.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata::bench {
@@ -30,13 +31,19 @@ Task task_of(const std::string& word) {
   return words.at(word);
 }
 
+SimdLevel level_named(const std::string& name) {
+  for (const SimdLevel level : {SimdLevel::scalar, SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512})
+    if (name_of(level) == name) return level;
+  throw Error(fmt::format("there is no SIMD level '{}'", name));
+}
+
 std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
   if (!arguments.poses.empty()) {
     std::vector<PosePair> poses = read_poses(arguments.poses);
     return arguments.random ? moved_together(poses, *arguments.random, arguments.seed) : poses;
   }
   const Nearness nearness = arguments.near ? Nearness::close : Nearness::jittered;
-  return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness);
+  return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness, 0);
 }
 
 void require_rigid(const std::vector<PosePair>& poses, const std::string& file) {
@@ -55,24 +62,45 @@ void write_answers(const std::string& file, Task task, const std::vector<Answer>
   if (!stream.flush()) throw Error(fmt::format("{}: cannot be written", file));
 }
 
-/// Builds of one library after another, then the queries of each, so that caches hold one library's trees at a time.
-std::vector<Answered> measure_all(const MeshLibraries& libraries, const MeshArguments& arguments, const SharedMesh& a,
-                                  const SharedMesh& b, const std::vector<PosePair>& poses) {
+struct Measured {
+  std::vector<Answered> answered;  ///< Toccata's first
+  std::vector<NotMeasured> not_measured;
+};
+
+/// Its queries on each number of threads, into `measured`.
+void measure_threads(const MeshLibrary& library, const MeshArguments& arguments, const std::vector<PosePair>& poses,
+                     const Result& build, Measured& measured) {
   const Task task = task_of(arguments.task);
-  std::vector<Answered> all;
-  for (const auto& library : libraries) {
-    Answered one{measure_build(*library, *a, *b, task == Task::build ? arguments.rounds : 1), {}};
-    if (task != Task::build) {
-      const Result build = one.result;
-      one = measure_queries(*library, task, poses, {arguments.threads, arguments.rounds});
-      one.result.who = build.who;
-      one.result.build_ms = build.build_ms;
-      one.result.bytes_per_triangle = build.bytes_per_triangle;
+  for (const int threads : arguments.threads) {
+    const std::string obstacle = library.obstacle(task, threads);
+    if (!obstacle.empty()) {
+      measured.not_measured.push_back({build.who, arguments.task, threads, obstacle});
+      continue;
     }
+    Answered one = measure_queries(library, task, poses, {threads, arguments.rounds});
+    one.result.who = build.who;
     one.result.task = arguments.task;
-    all.push_back(std::move(one));
+    one.result.build_ms = build.build_ms;
+    one.result.bytes_per_triangle = build.bytes_per_triangle;
+    measured.answered.push_back(std::move(one));
   }
-  return all;
+}
+
+/// One library after another, each gone before the next is built, so that memory holds one library's trees at a time.
+Measured measure_all(MeshLibraries libraries, const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b,
+                     const std::vector<PosePair>& poses) {
+  const bool only_build = task_of(arguments.task) == Task::build;
+  Measured measured;
+  for (auto& library : libraries) {
+    Result build = measure_build(*library, *a, *b, only_build ? arguments.rounds : 1);
+    build.task = arguments.task;
+    if (only_build)
+      measured.answered.push_back({std::move(build), {}});
+    else
+      measure_threads(*library, arguments, poses, build, measured);
+    library.reset();
+  }
+  return measured;
 }
 
 nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
@@ -88,20 +116,22 @@ nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedM
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
-  const MeshLibraries libraries = mesh_libraries(arguments.peers);
+  if (!arguments.simd.empty()) use_simd_level(level_named(arguments.simd));
+  MeshLibraries libraries = mesh_libraries(arguments.peers);
   const SharedMesh a = mesh_of(arguments.mesh_a), b = mesh_of(arguments.mesh_b);
   const Task task = task_of(arguments.task);
   const std::vector<PosePair> poses = task == Task::build ? std::vector<PosePair>{} : poses_of(arguments, a, b);
   if (!arguments.peers.empty()) require_rigid(poses, arguments.poses);
-  std::vector<Answered> answered = measure_all(libraries, arguments, a, b, poses);
+  Measured measured = measure_all(std::move(libraries), arguments, a, b, poses);
+  std::vector<Answered>& answered = measured.answered;
   judge({task, *a, *b, poses, arguments.verify ? Judged::all : Judged::differing}, answered);
   if (!arguments.answers.empty()) write_answers(arguments.answers, task, answered.front().answers);
   auto question = question_of(arguments, a, b);
   question["touching"] = std::count_if(answered[0].answers.begin(), answered[0].answers.end(),
                                        [](const Answer& answer) { return answer.overlap; });
-  std::vector<Result> results;
-  for (const Answered& one : answered) results.push_back(one.result);
-  return print_results(report_of("mesh", std::move(question)), results, arguments.json);
+  Measurements measurements{{}, std::move(measured.not_measured)};
+  for (const Answered& one : answered) measurements.results.push_back(one.result);
+  return print_results(report_of("mesh", std::move(question)), measurements, arguments.json);
 }
 
 }  // namespace toccata::bench

@@ -66,7 +66,7 @@ int run_triangle(const TriangleArguments& arguments) {
                                               {"batch", batch},
                                               {"rounds", arguments.rounds},
                                               {"touching", touching}}),
-                       results, arguments.json);
+                       {results, {}}, arguments.json);
 }
 
 }  // namespace toccata::bench

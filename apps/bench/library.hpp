@@ -20,6 +20,7 @@ struct Description {
   std::string variant;
   std::string version;
   std::string flags;
+  friend bool operator==(const Description&, const Description&) = default;
 };
 
 enum class Task { overlap, contacts, build };
@@ -46,7 +47,9 @@ class MeshLibrary {
   virtual void build(const TriangleMesh& a, const TriangleMesh& b) = 0;
   /// What `build` keeps of both, without the meshes' own vertices and indices.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
-  /// May be asked from several threads at once. The task is overlap or contacts.
+  /// Why this is not measured on so many threads; empty where it is.
+  [[nodiscard]] virtual std::string obstacle(Task, int) const { return {}; }
+  /// May be asked from several threads at once unless there is an obstacle. The task is overlap or contacts.
   [[nodiscard]] virtual Answer answer(Task task, const PosePair& poses) const = 0;
 };
 
@@ -70,18 +73,22 @@ using MeshLibraries = std::vector<std::unique_ptr<MeshLibrary>>;
 using TriangleLibraries = std::vector<std::unique_ptr<TriangleLibrary>>;
 
 MeshLibraries toccata_mesh_libraries();
-MeshLibraries cgal_mesh_libraries();
 MeshLibraries fcl_mesh_libraries();
+MeshLibraries cgal_mesh_libraries();
+MeshLibraries embree_mesh_libraries();
+MeshLibraries ode_mesh_libraries();
+MeshLibraries bullet_mesh_libraries();
 TriangleLibraries toccata_triangle_libraries();
-TriangleLibraries cgal_triangle_libraries();
 TriangleLibraries fcl_triangle_libraries();
+TriangleLibraries cgal_triangle_libraries();
 
 /// Toccata first, then the named peers. Throws Error when one is not built in.
 MeshLibraries mesh_libraries(const std::vector<std::string>& peers);
 TriangleLibraries triangle_libraries(const std::vector<std::string>& peers);
 
-/// The names that --peer takes.
-const std::vector<std::string>& peer_names();
+/// The names that --peer takes for meshes, and for triangles.
+std::vector<std::string> mesh_peers();
+std::vector<std::string> triangle_peers();
 
 /// Throws the Error that names the command which installs the peers.
 [[noreturn]] void peer_is_missing(const std::string& name);

@@ -18,16 +18,15 @@ struct Options {
   ProcessArguments process;
 };
 
-void add_peers(CLI::App& app, std::vector<std::string>& peers) {
-  app.add_option("--peer", peers, "libraries to compare with, separated by commas: cgal, fcl")
+void add_peers(CLI::App& app, std::vector<std::string>& peers, const std::vector<std::string>& known) {
+  app.add_option("--peer", peers, fmt::format("libraries to compare with, by commas: {}", fmt::join(known, ",")))
       ->delimiter(',')
-      ->check(CLI::IsMember(peer_names()));
+      ->check(CLI::IsMember(known));
 }
 
 /// What mesh and triangle benchmarks have in common.
 template <class Arguments>
 void add_common(CLI::App& app, Arguments& arguments) {
-  add_peers(app, arguments.peers);
   app.add_option("--seed", arguments.seed, "another seed, other queries")->capture_default_str();
   app.add_option("--rounds", arguments.rounds, "how often each query is asked; the fastest counts")
       ->check(CLI::PositiveNumber)
@@ -49,11 +48,15 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   mesh->add_option("--task", arguments.task, "what to ask")
       ->check(CLI::IsMember({"overlap", "contacts", "build"}))
       ->capture_default_str();
-  mesh->add_option("--threads", arguments.threads, "ask this many queries at a time")
+  mesh->add_option("--threads", arguments.threads, "ask this many queries at a time; 1,2: measure both")
+      ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  mesh->add_option("--simd", arguments.simd, "vector instructions that Toccata uses (default: the most there are)")
+      ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx512"}));
   mesh->add_option("--answers", arguments.answers,
                    "write Toccata's answers: a line per query, its number and the answer");
+  add_peers(*mesh, arguments.peers, mesh_peers());
   add_common(*mesh, arguments);
   mesh->footer("Example:\n  ./toccata bench mesh --mesh-a a.obj --mesh-b gen:helix --random 100 --peer fcl,cgal");
 }
@@ -64,6 +67,7 @@ void add_triangle(CLI::App& app, TriangleArguments& arguments) {
   triangle->add_option("--family", arguments.family, "kind of pairs")
       ->check(CLI::IsMember(test::triangle_pair_families()))
       ->capture_default_str();
+  add_peers(*triangle, arguments.peers, triangle_peers());
   add_common(*triangle, arguments);
   triangle->footer("Example:\n  ./toccata bench triangle --peer cgal,fcl --family shared");
 }

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/io/poses_file.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/query/overlap.hpp"
 
@@ -33,26 +35,32 @@ struct Extent {
   double diagonal = 0;
 };
 
-Extent extent_of(const Model& model) {
-  const Aabb& box = model.tree().nodes.front().volume;
+Extent extent_of(const TriangleMesh& mesh) {
+  const Aabb box = fit_aabb(mesh.vertices());
   const Vec3 size = box.upper - box.lower;
   return {box.lower + 0.5 * size, std::sqrt(dot(size, size))};
 }
 
+/// Two models, and how large they are.
+struct Pair {
+  const Model& a;
+  const Model& b;
+  Extent extent_a = extent_of(a.mesh());
+  Extent extent_b = extent_of(b.mesh());
+};
+
 /// Two turned meshes, B's centre being moved away from A's along a direction.
 class Approach {
  public:
-  Approach(const Model& a, const Model& b, Random& random)
-      : a_(a), b_(b), extent_b_(extent_of(b)), direction_(random_direction(random)) {
-    const Extent extent_a = extent_of(a);
-    pose_a_ = {random_rotation(random), random_vector(random, extent_a.diagonal)};
+  Approach(const Pair& pair, Random& random) : pair_(pair), direction_(random_direction(random)) {
+    pose_a_ = {random_rotation(random), random_vector(random, pair.extent_a.diagonal)};
     rotation_b_ = random_rotation(random);
-    centre_a_ = transform(pose_a_, extent_a.centre);
-    apart_ = 0.51 * (extent_a.diagonal + extent_b_.diagonal);
+    centre_a_ = transform(pose_a_, pair.extent_a.centre);
+    apart_ = 0.51 * (pair.extent_a.diagonal + pair.extent_b.diagonal);
   }
 
   PosePair at(double distance) const {
-    const Vec3 turned_centre = transform({rotation_b_, {}}, extent_b_.centre);
+    const Vec3 turned_centre = transform({rotation_b_, {}}, pair_.extent_b.centre);
     return {pose_a_, {rotation_b_, centre_a_ + distance * direction_ - turned_centre}};
   }
 
@@ -70,12 +78,10 @@ class Approach {
  private:
   bool meets(double distance) const {
     const PosePair poses = at(distance);
-    return overlap(a_, b_, {poses.a, poses.b, Solid::none, Solid::none});
+    return overlap(pair_.a, pair_.b, {poses.a, poses.b, Solid::none, Solid::none});
   }
 
-  const Model& a_;
-  const Model& b_;
-  Extent extent_b_;
+  const Pair& pair_;
   Vec3 direction_;
   Pose pose_a_;
   Mat3 rotation_b_;
@@ -83,10 +89,10 @@ class Approach {
   double apart_ = 0;
 };
 
-PosePair random_pose_pair(const Model& a, const Model& b, Random& random, Nearness nearness) {
-  const double diagonal = std::min(extent_of(a).diagonal, extent_of(b).diagonal);
+PosePair random_pose_pair(const Pair& pair, Random& random, Nearness nearness) {
+  const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
   for (int attempt = 0; attempt < 100; ++attempt) {
-    const Approach approach(a, b, random);
+    const Approach approach(pair, random);
     const std::optional<double> contact = approach.contact(nearness == Nearness::close ? 50 : 16);
     if (!contact) continue;
     const double side = random.below(2) == 0 ? -1 : 1;
@@ -98,11 +104,20 @@ PosePair random_pose_pair(const Model& a, const Model& b, Random& random, Nearne
 
 }  // namespace
 
-std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                   Nearness nearness) {
-  Random random(seed);
+std::vector<PosePair> read_poses(const std::filesystem::path& file) {
   std::vector<PosePair> poses;
-  while (poses.size() < count) poses.push_back(random_pose_pair(a, b, random, nearness));
+  for (const PairQuery& query : toccata::read_poses(file)) poses.push_back({query.pose_a, query.pose_b});
+  return poses;
+}
+
+std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
+                                   Nearness nearness, int threads) {
+  const Pair pair{a, b};
+  Random seeds(seed);
+  std::vector<Random> randoms;
+  while (randoms.size() < count) randoms.emplace_back(seeds.bits());
+  std::vector<PosePair> poses(count);
+  parallel_for(count, threads, [&](std::size_t i) { poses[i] = random_pose_pair(pair, randoms[i], nearness); });
   return poses;
 }
 

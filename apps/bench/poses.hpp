@@ -20,8 +20,9 @@ enum class Nearness {
 /// Random rigid poses of both objects. B comes from outside along a random direction until it touches A (binary search
 /// to the outermost contact that 16 steps see), and is then moved along it by a random amount either way, so that about
 /// half of the pairs touch.
+/// The same for any number of threads (0: as many as the machine has).
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                   Nearness nearness);
+                                   Nearness nearness, int threads);
 
 /// `count` queries: the given ones in turn, both objects moved together by a random rigid motion, rounded.
 std::vector<PosePair> moved_together(const std::vector<PosePair>& poses, std::size_t count, std::uint64_t seed);

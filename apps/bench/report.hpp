@@ -10,10 +10,21 @@ namespace toccata::bench {
 /// The report's head: format, version, processor, compiler, and what was asked.
 nlohmann::ordered_json report_of(const std::string& benchmark, nlohmann::ordered_json question);
 
-/// How many times as long a peer takes as the first result, which is Toccata.
-nlohmann::ordered_json ratios_of(const std::vector<Result>& results);
+/// What a library cannot be asked, and why.
+struct NotMeasured {
+  Description who;
+  std::string task;
+  int threads = 1;
+  std::string reason;
+};
+
+/// The first result is Toccata's.
+struct Measurements {
+  std::vector<Result> results;
+  std::vector<NotMeasured> not_measured;
+};
 
 /// Prints a table for people, or JSON with `results` and `ratios`; gives the exit code.
-int print_results(nlohmann::ordered_json report, const std::vector<Result>& results, bool json);
+int print_results(nlohmann::ordered_json report, const Measurements& measurements, bool json);
 
 }  // namespace toccata::bench

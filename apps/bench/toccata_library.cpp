@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "library.hpp"
+#include "toccata/core/simd.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"
@@ -21,7 +22,7 @@ std::size_t bytes_of(const Tree<Aabb>& tree) {
 
 class ToccataMeshes : public MeshLibrary {
  public:
-  Description description() const override { return described("default"); }
+  Description description() const override { return described(std::string(name_of(simd_level()))); }
 
   void build(const TriangleMesh& a, const TriangleMesh& b) override {
     // Models share their mesh with whoever made it; this one does not own it.

@@ -11,12 +11,26 @@ import tempfile
 
 BENCH = sys.argv[1]
 RESULT = {
-    "library": str, "variant": str, "version": str, "flags": str, "task": str, "threads": int, "queries": int,
+    "library": str, "variant": str, "task": str, "threads": int, "queries": int,
     "median_us": float, "mean_us": float, "p99_us": float, "build_ms": float, "bytes_per_triangle": float,
     "disagreements": int, "wrong": int,
 }
-RATIO = {"library": str, "variant": str, "task": str, "median": float, "mean": float, "p99": float}
-PEER_VARIANTS = {"fcl": {"OBB", "OBBRSS"}, "cgal": {"AABB_tree, EPICK"}}
+RATIO = {
+    "library": str, "variant": str, "task": str, "threads": int, "median": float, "mean": float, "p99": float,
+    "best": bool,
+}
+LIBRARY = {"library": str, "variant": str, "version": str, "flags": str}
+NOT_MEASURED = {"library": str, "variant": str, "task": str, "threads": int, "reason": str}
+PEER_VARIANTS = {
+    "fcl": {"OBB", "OBBRSS"},
+    "cgal": {"AABB_tree, EPICK"},
+    "embree": {"rtcCollide, B built per query", "rtcCollide, B fitted per query"},
+    "ode": {"trimesh, OPCODE's AABB tree"},
+    "bullet": {"GImpact of doubles, quantised AABB tree"},
+}
+TRIANGLE_PEERS = ["fcl", "cgal"]
+# Who cannot be asked: peers on several threads, and ODE for the triangles that meet.
+ONE_THREAD = {"embree", "ode"}
 ROUND_PAIR = ["--mesh-a", "gen:noise-sphere?subdivisions=2", "--mesh-b", "gen:torus?around=12&sides=6"]
 HELICES = ["--mesh-a", "gen:helix?pitch=4.002", "--mesh-b", "gen:helix?pitch=4.002"]
 
@@ -39,14 +53,25 @@ def check_shape(rows, fields):
             assert number or isinstance(row[name], kind), f"{name} is {row[name]!r}"
 
 
+def check_best(ratios):
+    """Of each peer and number of threads one variant is the best: none has a smaller mean."""
+    for row in ratios:
+        others = [r for r in ratios if (r["library"], r["threads"]) == (row["library"], row["threads"])]
+        if row["library"] != "toccata":
+            assert row["best"] == (row["mean"] == min(r["mean"] for r in others)), ratios
+
+
 def check(expected_queries, *words):
     """The report of a benchmark in which all of Toccata's answers are right and every result has the right form."""
     made = report(*words)
     assert made["format"] == "toccata-bench-1" and made["machine"]["compiler"]
     check_shape(made["results"], RESULT)
     check_shape(made["ratios"], RATIO)
+    check_shape(made["libraries"], LIBRARY)
+    check_shape(made["not_measured"], NOT_MEASURED)
     assert len(made["ratios"]) == len(made["results"]) - 1
     assert made["results"][0]["library"] == "toccata"
+    check_best(made["ratios"])
     for row in made["results"]:
         assert row["queries"] == expected_queries, row
         assert row["library"] != "toccata" or row["wrong"] == 0, row
@@ -55,7 +80,7 @@ def check(expected_queries, *words):
 
 
 def is_built_in(peer):
-    done = run("triangle", "--count", "5", "--peer", peer)
+    done = run("mesh", *ROUND_PAIR, "--task", "build", "--peer", peer)
     if done.returncode == 0:
         return True
     assert done.returncode == 2 and "./toccata bench --with-peers" in done.stderr, done.stderr
@@ -63,13 +88,36 @@ def is_built_in(peer):
 
 
 def check_meshes(peers):
-    variants = {("toccata", "default")} | {(p, v) for p in peers for v in PEER_VARIANTS[p]}
+    variants = {(p, v) for p in peers for v in PEER_VARIANTS[p]}
     named = ["--peer", ",".join(peers)] if peers else []
-    for words in (["overlap"], ["contacts"], ["overlap", "--near"], ["contacts", "--threads", "2"]):
-        made = check(5, "mesh", *ROUND_PAIR, "--random", "5", "--verify", "--rounds", "1", *named, "--task", *words)
-        assert {(r["library"], r["variant"]) for r in made["results"]} == variants
+    words = ["mesh", *ROUND_PAIR, "--random", "5", "--verify", "--rounds", "1", *named]
+    for task in ("overlap", "contacts"):
+        for more, threads in (["--near"], [1]), (["--threads", "1,2"], [1, 2]):
+            made = check(5, *words, "--task", task, *more)
+            rows = {(r["library"], r["variant"], r["threads"]) for r in made["results"] if r["library"] != "toccata"}
+            missing = {(r["library"], r["variant"], r["threads"]) for r in made["not_measured"]}
+            assert rows | missing == {(*v, t) for v in variants for t in threads} and not rows & missing
+            assert missing == {m for m in rows | missing
+                               if (m[0] in ONE_THREAD and m[2] > 1) or (m[0] == "ode" and task == "contacts")}
+            assert [r["threads"] for r in made["results"] if r["library"] == "toccata"] == threads
     made = check(3, "mesh", *ROUND_PAIR, "--task", "build", *named)
+    assert {(r["library"], r["variant"]) for r in made["results"][1:]} == variants
     assert all(r["build_ms"] > 0 and r["bytes_per_triangle"] > 0 for r in made["results"])
+
+
+def check_levels():
+    """Every SIMD level that there is gives the same answers; another is an error that says so."""
+    seen = set()
+    for level in ("scalar", "sse4", "avx2", "avx512"):
+        words = ["mesh", *ROUND_PAIR, "--random", "20", "--rounds", "1", "--simd", level]
+        done = run(*words, "--json")
+        if done.returncode == 0:
+            made = json.loads(done.stdout)
+            assert made["results"][0]["variant"] == level
+            seen.add(made["question"]["touching"])
+        else:
+            assert done.returncode == 2 and level in done.stderr, done.stderr
+    assert len(seen) == 1
 
 
 def check_files(folder):
@@ -89,7 +137,7 @@ def check_files(folder):
 
 
 def check_triangles(peers):
-    named = ["--peer", ",".join(peers)] if peers else []
+    named = [word for peer in peers if peer in TRIANGLE_PEERS for word in ("--peer", peer)]
     for family in ("random", "shared", "coplanar", "ulp"):
         check(200, "triangle", "--count", "200", "--verify", "--family", family, *named)
 
@@ -104,6 +152,7 @@ def main():
     peers = [peer for peer in PEER_VARIANTS if is_built_in(peer)]
     print("peers:", ", ".join(peers) or "none")
     check_meshes(peers)
+    check_levels()
     check_triangles(peers)
     check_process()
     with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,7 @@
+#include "library.hpp"
+
+namespace toccata::bench {
+
+MeshLibraries bullet_mesh_libraries() { peer_is_missing("bullet"); }
+
+}  // namespace toccata::bench
