@@ -115,22 +115,34 @@ TEST_P(TrianglePairBlocks, KnowNothingOfWhatAPoseMakesInfinite) {
   EXPECT_EQ(blocks[0].unknown, 1);
 }
 
-/// 1e160 squared is more than any double, while the third factor would bring the product back among them.
-TEST_P(TrianglePairBlocks, KnowNothingWhereProductsOverflow) {
-  Random random(5);
+/// Random pairs, stretched along x and y by a power of two of up to 200 from the first exponent on, along z from the
+/// second.
+PosedTrianglePairs stretched_pairs(std::uint64_t seed, int across, int along) {
+  Random random(seed);
+  const auto power_from = [&](int exponent) { return std::ldexp(1.0, exponent + static_cast<int>(random.below(200))); };
   PosedTrianglePairs batch;
-  for (int i = 0; i < 4000; ++i) {
-    const Vec3 factor{std::ldexp(1.0, 400 + static_cast<int>(random.below(200))),
-                      std::ldexp(1.0, 400 + static_cast<int>(random.below(200))),
-                      std::ldexp(1.0, -static_cast<int>(random.below(600)))};
-    const auto stretch = [&](const Vec3& v) -> Vec3 { return {factor.x * v.x, factor.y * v.y, factor.z * v.z}; };
-    const Triangle a = random_triangle(random);
-    batch.pairs.push_back(
-        {triangle_pairs::each_vertex(a, stretch), triangle_pairs::each_vertex(random_triangle(random), stretch)});
+  for (const TrianglePair& pair : random_pairs(seed + 1, 4000)) {
+    const double x = power_from(across), y = power_from(across), z = power_from(along);
+    const auto stretch = [&](const Vec3& v) -> Vec3 { return {x * v.x, y * v.y, z * v.z}; };
+    batch.pairs.push_back({triangle_pairs::each_vertex(pair.a, stretch), triangle_pairs::each_vertex(pair.b, stretch)});
   }
-  for (const TrianglePairBlock& block : classified(batch, GetParam()))
-    for (std::size_t lane = 0; lane < block.count; ++lane)
-      EXPECT_EQ(compare_lane(block, lane, triangle_a(block, lane), triangle_b(block, lane)), "");
+  return batch;
+}
+
+std::string first_wrong(const std::vector<TrianglePairBlock>& blocks) {
+  for (const TrianglePairBlock& block : blocks)
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      const Triangle a = triangle_a(block, lane), b = triangle_b(block, lane);
+      const std::string wrong = compare_lane(block, lane, a, b);
+      if (!wrong.empty()) return wrong + ": a" + to_text(a) + ", b" + to_text(b);
+    }
+  return "";
+}
+
+/// The product of two factors is more than any double, or hardly one, while the third would bring it back among them.
+TEST_P(TrianglePairBlocks, AreNotFooledWhereProductsOverflowOrUnderflow) {
+  EXPECT_EQ(first_wrong(classified(stretched_pairs(5, 400, -600), GetParam())), "");
+  EXPECT_EQ(first_wrong(classified(stretched_pairs(6, -600, 800), GetParam())), "");
 }
 
 }  // namespace
