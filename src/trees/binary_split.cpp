@@ -113,21 +113,36 @@ SplitPart split_by_slabs(std::span<FloatItem> items, const Part& part) {
   return sides(part, left, right);
 }
 
-/// Sorts a few items along the longest axis of their centres.
-void sort(std::span<FloatItem> items, int axis) {
-  struct Key {
-    float middle;
-    std::uint32_t place;
-  };
-  std::array<Key, most_sorted> keys;
-  std::array<FloatItem, most_sorted> copy;
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    keys[i] = {items[i].middle(axis), i};
-    copy[i] = items[i];
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+
+/// Keys of a few items that are different from each other, and in the order of their centres.
+struct alignas(16) Keys {
+  static constexpr std::int32_t slab_count = 1 << 24;
+  std::array<std::int32_t, most_sorted> key;
+
+  Keys(std::span<const FloatItem> items, const FloatBox& middles) {
+    const Slabs slabs(middles, static_cast<float>(slab_count) * 0.99999F);
+    const auto of = [&](std::size_t i) { return slabs.usable() ? static_cast<std::int32_t>(slabs.of(items[i])) : 0; };
+    for (std::size_t i = 0; i < items.size(); ++i)
+      key[i] = of(i) * static_cast<std::int32_t>(most_sorted) + static_cast<std::int32_t>(i);
+    for (std::size_t i = items.size(); i % 4 != 0; ++i) key[i] = std::numeric_limits<std::int32_t>::max();
   }
-  std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(items.size()),
-            [](const Key& a, const Key& b) { return a.middle != b.middle ? a.middle < b.middle : a.place < b.place; });
-  for (std::size_t i = 0; i < items.size(); ++i) items[i] = copy[keys[i].place];
+
+  /// How many keys are less than the i-th.
+  [[nodiscard]] std::size_t rank(std::size_t i, std::size_t count) const {
+    const Int4 own{key[i], key[i], key[i], key[i]};
+    Int4 less{};
+    for (std::size_t j = 0; j < count; j += 4) less -= Int4{key[j], key[j + 1], key[j + 2], key[j + 3]} < own;
+    return static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+  }
+};
+
+/// Sorts a few items along the longest axis of their centres, without branches that could not be foreseen.
+void sort(std::span<FloatItem> items, const FloatBox& middles) {
+  const Keys keys(items, middles);
+  std::array<FloatItem, most_sorted> sorted;
+  for (std::size_t i = 0; i < items.size(); ++i) sorted[keys.rank(i, items.size())] = items[i];
+  std::copy_n(sorted.begin(), items.size(), items.begin());
 }
 
 /// The number of items of the left side, where the cost of sorted items is least.
@@ -161,7 +176,7 @@ SplitPart split_at(std::span<const FloatItem> items, const Part& part, std::uint
 
 SplitPart split_sorted(std::span<FloatItem> items, const Part& part) {
   const auto own = items.subspan(part.first, part.count);
-  sort(own, longest_axis(part.middles));
+  sort(own, part.middles);
   return split_at(items, part, best_place(own));
 }
 

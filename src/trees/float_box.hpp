@@ -33,13 +33,14 @@ struct FloatBox {
 [[nodiscard]] inline float visit_cost(const FloatBox& box) {
   constexpr float of_a_point = 1e-30F;
   const Float4 size = box.upper - box.lower;
-  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0] + of_a_point;
+  const Float4 sides = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
+  return sides[0] + sides[1] + sides[2] + of_a_point;
 }
 
 /// An item's box, with the item's number in the lane that boxes do not use.
 struct FloatItem : FloatBox {
   // Numbers are kept as floats of ordinary size: arithmetic on the lane is then as fast as on the others.
-  static constexpr std::uint32_t ordinary = 0x20000000;
+  static constexpr std::uint32_t ordinary = 0x30000000;
 
   [[nodiscard]] std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{lower[3]}) - ordinary; }
   void set_number(std::uint32_t number) { lower[3] = std::bit_cast<float>(number + ordinary); }
