@@ -22,15 +22,19 @@ struct Truth {
   oracle::CommonSet common;
 };
 
+struct FeaturesOfPoint {
+  Feature on_a;
+  Feature on_b;
+};
+
 Feature to_feature(const oracle::TriangleFeature& f) {
   return {static_cast<FeatureKind>(f.dimension), static_cast<std::uint8_t>(f.index)};
 }
 
 bool is_nearest(double rounded, const Rational& value) {
   const auto error = [&](double candidate) { return Rational(abs(oracle::exact(candidate) - value)); };
-  const auto no_better = [&](double candidate) {
-    return !std::isfinite(candidate) || error(rounded) <= error(candidate);
-  };
+  const Rational own_error = error(rounded);
+  const auto no_better = [&](double candidate) { return !std::isfinite(candidate) || own_error <= error(candidate); };
   return no_better(std::nextafter(rounded, INFINITY)) && no_better(std::nextafter(rounded, -INFINITY));
 }
 
@@ -40,14 +44,13 @@ bool is_nearest(const Vec3& rounded, const RationalPoint& p) {
 
 /// The true extreme points in the order of the meeting's, by what features they lie on; empty if they are not the same.
 std::vector<std::size_t> matching(const Meeting& m, const Truth& truth) {
+  std::vector<FeaturesOfPoint> features;
+  for (const RationalPoint& p : truth.common.extreme_points)
+    features.push_back({to_feature(oracle::feature_at(truth.a, p)), to_feature(oracle::feature_at(truth.b, p))});
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < m.count; ++i)
-    for (std::size_t k = 0; k < truth.common.extreme_points.size(); ++k) {
-      const RationalPoint& p = truth.common.extreme_points[k];
-      if (to_feature(oracle::feature_at(truth.a, p)) == m.points[i].on_a &&
-          to_feature(oracle::feature_at(truth.b, p)) == m.points[i].on_b)
-        order.push_back(k);
-    }
+    for (std::size_t k = 0; k < features.size(); ++k)
+      if (features[k].on_a == m.points[i].on_a && features[k].on_b == m.points[i].on_b) order.push_back(k);
   return order.size() == m.count ? order : std::vector<std::size_t>{};
 }
 
@@ -113,7 +116,8 @@ std::string compare_with_itself(const Meeting& m, const Triangle& a, const Trian
 /// Empty, or what is wrong.
 std::string check(const TrianglePair& pair) {
   const auto& [a, b] = pair;
-  const Truth truth{oracle::exact(a), oracle::exact(b), oracle::common_set(oracle::exact(a), oracle::exact(b))};
+  const oracle::RationalTriangle exact_a = oracle::exact(a), exact_b = oracle::exact(b);
+  const Truth truth{exact_a, exact_b, oracle::common_set(exact_a, exact_b)};
   const bool overlapping = truth.common.kind != oracle::CommonSetKind::none;
   if (overlap_by_penetration(a, b) != overlapping) return "penetration";
   if (overlap_by_separating_axes(a, b) != overlapping) return "separating axes";

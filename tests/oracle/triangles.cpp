@@ -64,6 +64,11 @@ const Rational& greatest(const RationalTriangle& t, Rational RationalPoint::*axi
   return std::ranges::max_element(t.vertex, {}, axis)->*axis;
 }
 
+bool is_in_relative_interior(const RationalPoint& p, const Bounding& bounds) {
+  return std::ranges::all_of(bounds.containing, [&](const HalfSpace& h) { return height_above(h, p).is_zero(); }) &&
+         std::ranges::all_of(bounds.sides, [&](const HalfSpace& h) { return height_above(h, p) < 0; });
+}
+
 CommonSetKind kind_of(const std::vector<RationalPoint>& extreme) {
   if (extreme.empty()) return CommonSetKind::none;
   if (extreme.size() == 1) return CommonSetKind::point;
@@ -82,6 +87,8 @@ RationalPoint normal(const RationalTriangle& triangle) {
 }
 
 std::vector<RationalPoint> extreme_points(const RationalTriangle& triangle) {
+  // No corner of a triangle with area lies between the others.
+  if (!is_zero(normal(triangle))) return {triangle.vertex.begin(), triangle.vertex.end()};
   return without_flat_corners({triangle.vertex.begin(), triangle.vertex.end()});
 }
 
@@ -107,9 +114,7 @@ bool contains(const RationalTriangle& triangle, const RationalPoint& p) {
 }
 
 bool contains_in_relative_interior(const RationalTriangle& triangle, const RationalPoint& p) {
-  const Bounding bounds = bounding(triangle);
-  return std::ranges::all_of(bounds.containing, [&](const HalfSpace& h) { return height_above(h, p).is_zero(); }) &&
-         std::ranges::all_of(bounds.sides, [&](const HalfSpace& h) { return height_above(h, p) < 0; });
+  return is_in_relative_interior(p, bounding(triangle));
 }
 
 TriangleFeature feature_at(const RationalTriangle& triangle, const RationalPoint& point_of_it) {
@@ -150,7 +155,7 @@ CommonSet common_set(const RationalTriangle& a, const RationalTriangle& b) {
   // The centroid lies in the relative interior of the common set. If the relative interiors of a and b meet, the
   // relative interior of the common set is what they have in common, so the centroid tells.
   const RationalPoint middle = centroid(result.extreme_points);
-  result.crossing = contains_in_relative_interior(a, middle) && contains_in_relative_interior(b, middle);
+  result.crossing = is_in_relative_interior(middle, bounds) && contains_in_relative_interior(a, middle);
   return result;
 }
 

@@ -115,7 +115,7 @@ SweepResult compare_sides(const std::string& family, std::uint64_t seed, std::ui
 }
 
 const bool known =
-    register_sweep({"relations-cgal", {"grid boxes", "l shapes", "rigid"}, 20'000, 25, compare_with_nef}) &&
+    register_sweep({"relations-cgal", {"grid boxes", "l shapes", "rigid"}, 20'000, 25, compare_with_nef, 1000}) &&
     register_sweep({"point-sides-cgal", {"grid boxes", "l shapes", "rigid"}, 200'000, 1000, compare_sides});
 
 }  // namespace

@@ -83,7 +83,8 @@ const bool known = register_sweep({.name = "voxel-solids",
                                    .families = {"few", "many", "inner faces", "inside out", "sheet and solid"},
                                    .goal = 10000,
                                    .slice = 20,
-                                   .run = run});
+                                   .run = run,
+                                   .shard = 1000});
 
 }  // namespace
 }  // namespace toccata

@@ -23,6 +23,7 @@ struct Sweep {
   std::uint64_t goal = 0;             ///< cases per family in the long run
   std::uint64_t slice = 1000;         ///< cases per family in the quick run
   std::function<SweepResult(const std::string& family, std::uint64_t seed, std::uint64_t cases)> run;
+  std::uint64_t shard = 10'000;  ///< cases per shard: no more than a minute or two
 };
 
 /// Makes a sweep known; call it from a static initialiser: `const bool known = register_sweep({…});`.

@@ -1,5 +1,6 @@
 // toccata-sweeps: runs the long comparisons in shards and adds them up in evidence files. It may be stopped at any
 // moment; the next run goes on where this one was.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -18,14 +19,14 @@ namespace toccata::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::uint64_t cases_per_shard = 10000;
 
 constexpr const char* usage =
-    "usage: toccata-sweeps --evidence DIR [--name SWEEP] [--minutes M] [--scale F] [--commit ID]\n"
+    "usage: toccata-sweeps --evidence DIR [--name SWEEP] [--minutes M] [--scale F] [--threads N] [--commit ID]\n"
     "  --evidence DIR  folder of the evidence files, one per sweep\n"
     "  --name SWEEP    only this sweep\n"
     "  --minutes M     start no shard after M minutes (default: run until every goal is reached)\n"
     "  --scale F       multiply every goal by F\n"
+    "  --threads N     shards at a time (default: one per core)\n"
     "  --commit ID     the commit this program was built from, kept in the evidence\n";
 
 struct Options {
@@ -33,6 +34,7 @@ struct Options {
   std::optional<std::string> name;
   double minutes = 1e9;
   double scale = 1;
+  std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
 };
 
@@ -61,6 +63,8 @@ Options parse(int argument_count, char** arguments) {
       options.minutes = std::stod(value);
     else if (option == "--scale")
       options.scale = std::stod(value);
+    else if (option == "--threads")
+      options.threads = std::max(1UL, std::stoul(value));
     else if (option == "--commit")
       options.commit = value;
     else
@@ -75,7 +79,7 @@ std::vector<Shard> next_round(const Sweep& sweep, const Evidence& evidence, std:
   std::vector<Shard> round;
   for (const std::string& family : sweep.families) {
     const FamilyEvidence& done = evidence.family(family);
-    if (done.cases() < goal) round.push_back({family, done.next_shard(), std::min(goal, cases_per_shard)});
+    if (done.cases() < goal) round.push_back({family, done.next_shard(), std::min(goal, sweep.shard)});
   }
   return round;
 }
@@ -87,16 +91,15 @@ ShardAnswer run_shard(const Sweep& sweep, const Shard& shard) {
   return {result, std::chrono::duration<double>(Clock::now() - start).count()};
 }
 
-/// Runs shards of one sweep, as many at a time as the machine has cores, until the goal or the deadline.
+/// Runs shards of one sweep, as many at a time as there are threads, until the goal or the deadline.
 void run_sweep(const Sweep& sweep, const Options& options, Clock::time_point deadline) {
   const std::filesystem::path file = options.evidence / (sweep.name + ".json");
   Evidence evidence = Evidence::read(file, sweep.name);
   const auto goal = static_cast<std::uint64_t>(static_cast<double>(sweep.goal) * options.scale);
-  const std::size_t width = std::max(1U, std::thread::hardware_concurrency());
   for (auto round = next_round(sweep, evidence, goal); !round.empty(); round = next_round(sweep, evidence, goal)) {
-    for (std::size_t first = 0; first < round.size(); first += width) {
+    for (std::size_t first = 0; first < round.size(); first += options.threads) {
       if (Clock::now() >= deadline) return;
-      const std::size_t end = std::min(first + width, round.size());
+      const std::size_t end = std::min(first + options.threads, round.size());
       std::vector<std::future<ShardAnswer>> answers;
       for (std::size_t i = first; i < end; ++i) {
         answers.push_back(std::async(std::launch::async, run_shard, std::cref(sweep), std::cref(round[i])));
