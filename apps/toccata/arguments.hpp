@@ -25,6 +25,7 @@ struct CheckArguments {
   std::optional<Pose> pose_a;
   std::optional<Pose> pose_b;
   std::string poses;           ///< a file of queries about two objects; empty: one check of all
+  bool self = false;           ///< each object against itself, instead of against the others
   std::optional<Solid> solid;  ///< overrides what the scene says
   Touching touching = Touching::count;
   bool faces = false;
@@ -46,6 +47,7 @@ struct DemoArguments {
 /// Each runs a subcommand and returns the exit code: 0 nothing to report, 1 something. Trouble is an exception.
 int run_check(const CheckArguments& arguments);
 int run_check_poses(const CheckArguments& arguments);
+int run_check_self(const CheckArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

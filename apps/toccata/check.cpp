@@ -37,11 +37,14 @@ std::string text_of(const LoadedScene& loaded, const std::vector<Posed>& models,
 
 int run_check(const CheckArguments& arguments) {
   if (!arguments.poses.empty()) return run_check_poses(arguments);
+  if (arguments.self) return run_check_self(arguments);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)
-    throw Error(fmt::format("{} holds one object; a check needs two: name another file, or a scene with more objects",
-                            arguments.input.files.front()));
+    throw Error(
+        fmt::format("{} holds one object; a check needs two: name another file or a scene with more objects, "
+                    "or say --self to check it against itself",
+                    arguments.input.files.front()));
   warn_of_open_meshes(input);
   const CheckAnswer answer = answer_with_progress(input.models, arguments);
   const CheckReport report = make_check_report(input.models, answer, arguments.touching, arguments.faces);

@@ -11,34 +11,11 @@ namespace {
 
 constexpr std::size_t most_face_pairs = 10;  // per pair of objects; JSON and CSV list all
 
-std::size_t triangle_count(const Scene& scene) {
-  std::size_t count = 0;
-  for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
-  return count;
-}
-
 std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
 std::string points_text(const ReportedMeeting& meeting) {
   std::string text;
   for (const Vec3& point : meeting.points) text += (text.empty() ? "" : " ") + point_text(point);
-  return text;
-}
-
-std::string face_lines(const ReportedPair& pair) {
-  if (pair.face_pairs.empty()) return "      no faces meet\n";
-  std::vector<std::vector<std::string>> rows;
-  const std::size_t shown = std::min(pair.face_pairs.size(), most_face_pairs);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const ReportedFacePair& faces = pair.face_pairs[i];
-    for (const ReportedMeeting& meeting : faces.meetings)
-      rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
-                      (faces.crossing ? "cross in a " : "touch in a ") + name_of(meeting.kind), points_text(meeting)});
-  }
-  std::string text = columns(rows, 6);
-  if (shown < pair.face_pairs.size())
-    text += fmt::format("      … and {} of faces; --json and --csv list all\n",
-                        counted(pair.face_pairs.size() - shown, "more pair"));
   return text;
 }
 
@@ -52,11 +29,34 @@ std::string pair_lines(const Scene& scene, const CheckReport& report) {
   for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(scene, pair));
   if (!report.has_faces) return columns(rows, 2);
   std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) text += columns({rows[i]}, 2) + face_lines(report.pairs[i]);
+  for (std::size_t i = 0; i < rows.size(); ++i) text += columns({rows[i]}, 2) + face_lines(report.pairs[i].face_pairs);
   return text;
 }
 
 }  // namespace
+
+std::size_t triangle_count(const Scene& scene) {
+  std::size_t count = 0;
+  for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
+  return count;
+}
+
+std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
+  if (pairs.empty()) return "      no faces meet\n";
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t shown = std::min(pairs.size(), most_face_pairs);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const ReportedFacePair& faces = pairs[i];
+    for (const ReportedMeeting& meeting : faces.meetings)
+      rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
+                      (faces.crossing ? "cross in a " : "touch in a ") + name_of(meeting.kind), points_text(meeting)});
+  }
+  std::string text = columns(rows, 6);
+  if (shown < pairs.size())
+    text +=
+        fmt::format("      … and {} of faces; --json and --csv list all\n", counted(pairs.size() - shown, "more pair"));
+  return text;
+}
 
 std::string check_table(const Scene& scene, const CheckReport& report) {
   std::string text =

@@ -45,14 +45,14 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
 }
 
-/// Where the objects of two files are.
-void add_poses(CLI::App& check, Options& options) {
+/// Where the objects of two files are. Returns --poses.
+CLI::Option* add_poses(CLI::App& check, Options& options) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
     return check.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
   };
   CLI::Option* pose_a = pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t");
   CLI::Option* pose_b = pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t");
-  check
+  return check
       .add_option("--poses", options.check.poses,
                   "answers for two objects at many poses: a file with 12 or 24 numbers a line "
                   "(docs/reference/poses-file.md)")
@@ -65,15 +65,22 @@ void add_poses(CLI::App& check, Options& options) {
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
-  add_poses(*check, options);
+  CLI::Option* poses = add_poses(*check, options);
+  CLI::Option* solid =
+      check
+          ->add_option("--solid", options.solid,
+                       "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                       "(default: as the scene says, else auto)")
+          ->check(CLI::IsMember({"auto", "all", "none"}));
+  CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
+                              ->check(CLI::IsMember({"count", "ignore"}))
+                              ->capture_default_str();
   check
-      ->add_option("--solid", options.solid,
-                   "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
-                   "(default: as the scene says, else auto)")
-      ->check(CLI::IsMember({"auto", "all", "none"}));
-  check->add_option("--touching", options.touching, "whether merely touching counts")
-      ->check(CLI::IsMember({"count", "ignore"}))
-      ->capture_default_str();
+      ->add_flag("--self", options.check.self,
+                 "each object against itself, instead of against the others: where its own faces meet")
+      ->excludes(poses)
+      ->excludes(solid)
+      ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   CLI::Option* json = check->add_flag("--json", options.json, "write JSON (docs/reference/check-report.md)");
@@ -87,6 +94,7 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"
                 "  {0} check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
                 "  {0} check robot.stl table.obj --poses path.txt --csv\n"
+                "  {0} check part.stl --self --faces\n"
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 
@@ -94,7 +102,9 @@ void add_inspect(CLI::App& app, Options& options) {
   CLI::App* inspect = app.add_subcommand("inspect", "what a mesh is: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
-  inspect->footer(with_name("Nothing is repaired; everything is counted exactly.\n\nExample:\n  {0} inspect part.stl"));
+  inspect->footer(
+      with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
+                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl"));
 }
 
 void add_demo(CLI::App& app, Options& options) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
 #include "io/report_parts.hpp"
@@ -17,42 +15,6 @@ using io::csv_field;
 using io::document;
 using io::Json;
 using io::json_of;
-
-ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& contact) {
-  const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
-                                               world_triangle(b.model, b.pose, contact.triangle_b));
-  return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
-}
-
-std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
-                                                  const std::vector<Contact>& contacts) {
-  std::map<std::pair<Index, Index>, ReportedFacePair> pairs;
-  for (const Contact& contact : contacts) {
-    ReportedFacePair& pair = pairs[{contact.face_a, contact.face_b}];
-    pair.face_a = contact.face_a;
-    pair.face_b = contact.face_b;
-    pair.crossing = pair.crossing || contact.meeting.crossing;
-    // The triangles that a larger face was cut into often meet the other in the same point or edge.
-    ReportedMeeting meeting = reported_meeting(a, b, contact);
-    if (std::find(pair.meetings.begin(), pair.meetings.end(), meeting) == pair.meetings.end())
-      pair.meetings.push_back(std::move(meeting));
-  }
-  std::vector<ReportedFacePair> result;
-  result.reserve(pairs.size());
-  for (auto& [faces, pair] : pairs) result.push_back(std::move(pair));
-  return result;
-}
-
-Json json_of(const ReportedFacePair& pair) {
-  Json meetings = Json::array();
-  for (const ReportedMeeting& meeting : pair.meetings) {
-    Json points = Json::array();
-    for (const Vec3& point : meeting.points) points.push_back(json_of(point));
-    meetings.push_back({{"kind", name_of(meeting.kind)}, {"points", std::move(points)}});
-  }
-  return {
-      {"face_a", pair.face_a}, {"face_b", pair.face_b}, {"crossing", pair.crossing}, {"meetings", std::move(meetings)}};
-}
 
 Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
   const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
@@ -197,7 +159,7 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
     reported.a = pair.a;
     reported.b = pair.b;
     reported.relation = pair.relation;
-    if (faces) reported.face_pairs = reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
+    if (faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
   }
   return report;
 }

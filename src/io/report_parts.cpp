@@ -1,9 +1,22 @@
 #include "io/report_parts.hpp"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "io/utf8.hpp"
 #include "toccata/core/version.hpp"
 
 namespace toccata::io {
+namespace {
+
+ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& contact) {
+  const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
+                                               world_triangle(b.model, b.pose, contact.triangle_b));
+  return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
+}
+
+}  // namespace
 
 Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -16,6 +29,36 @@ Json json_of(const SceneObject& object, const Posed& posed) {
           {"solid", taken_as_solid(posed.model, object.solid)},
           {"group", object.group},
           {"pose", object.pose.numbers()}};
+}
+
+std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
+                                                  const std::vector<Contact>& contacts) {
+  std::map<std::pair<Index, Index>, ReportedFacePair> pairs;
+  for (const Contact& contact : contacts) {
+    ReportedFacePair& pair = pairs[{contact.face_a, contact.face_b}];
+    pair.face_a = contact.face_a;
+    pair.face_b = contact.face_b;
+    pair.crossing = pair.crossing || contact.meeting.crossing;
+    // The triangles that a larger face was cut into often meet the other in the same point or edge.
+    ReportedMeeting meeting = reported_meeting(a, b, contact);
+    if (std::find(pair.meetings.begin(), pair.meetings.end(), meeting) == pair.meetings.end())
+      pair.meetings.push_back(std::move(meeting));
+  }
+  std::vector<ReportedFacePair> result;
+  result.reserve(pairs.size());
+  for (auto& [faces, pair] : pairs) result.push_back(std::move(pair));
+  return result;
+}
+
+Json json_of(const ReportedFacePair& pair) {
+  Json meetings = Json::array();
+  for (const ReportedMeeting& meeting : pair.meetings) {
+    Json points = Json::array();
+    for (const Vec3& point : meeting.points) points.push_back(json_of(point));
+    meetings.push_back({{"kind", name_of(meeting.kind)}, {"points", std::move(points)}});
+  }
+  return {
+      {"face_a", pair.face_a}, {"face_b", pair.face_b}, {"crossing", pair.crossing}, {"meetings", std::move(meetings)}};
 }
 
 std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }

@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "toccata/query/check_all.hpp"
+#include "toccata/io/report.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::io {
@@ -17,6 +18,12 @@ using Json = nlohmann::ordered_json;
 
 /// An object as it was checked.
 [[nodiscard]] Json json_of(const SceneObject& object, const Posed& posed);
+
+/// The contacts by faces of the files, ascending.
+[[nodiscard]] std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
+                                                                const std::vector<Contact>& contacts);
+
+[[nodiscard]] Json json_of(const ReportedFacePair& pair);
 
 /// The document as text, with a line end.
 [[nodiscard]] std::string document(const Json& json);

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "query/pair_search.hpp"
 #include "query/posed_mesh.hpp"
+#include "query/posed_name.hpp"
 #include "query/relation_posed.hpp"
 #include "query/semantics.hpp"
 #include "query/task_reporter.hpp"
@@ -39,9 +38,7 @@ class Check {
   }
 
  private:
-  [[nodiscard]] std::string name_of(std::size_t i) const {
-    return models_[i].name.empty() ? fmt::format("object {}", i) : fmt::format("object \"{}\"", models_[i].name);
-  }
+  [[nodiscard]] std::string name_of(std::size_t i) const { return name_for_messages(models_[i], i); }
 
   [[nodiscard]] PosedMesh pose_model(std::size_t i) const { return {models_[i].model, models_[i].pose, name_of(i)}; }
 

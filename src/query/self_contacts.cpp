@@ -6,7 +6,10 @@
 
 #include "query/pair_cull.hpp"
 #include "query/posed_mesh.hpp"
+#include "query/posed_name.hpp"
 #include "query/self_meeting.hpp"
+#include "query/task_reporter.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata {
@@ -63,23 +66,35 @@ class EachSelfMeeting : public SelfSearch {
 
 /// What the search finds among all two triangles of the mesh that could meet: the lesser number first, each pair once.
 template <class Search>
-auto found_in_self(const Model& model, const Pose& pose) {
-  const PosedMesh mesh(model, pose);
+auto found_in(const PosedMesh& mesh) {
   Search search(mesh);
-  walk_self(model.tree(), search);
+  walk_self(mesh.model().tree(), search);
   return std::move(search.found);
 }
 
-}  // namespace
-
-std::vector<Contact> self_contacts(const Model& model, const Pose& pose) {
-  std::vector<Contact> found = found_in_self<EachSelfMeeting>(model, pose);
+std::vector<Contact> contacts_in(const PosedMesh& mesh) {
+  std::vector<Contact> found = found_in<EachSelfMeeting>(mesh);
   std::sort(found.begin(), found.end(), [](const Contact& x, const Contact& y) {
     return std::pair(x.triangle_a, x.triangle_b) < std::pair(y.triangle_a, y.triangle_b);
   });
   return found;
 }
 
-bool self_overlap(const Model& model, const Pose& pose) { return found_in_self<AnySelfMeeting>(model, pose); }
+}  // namespace
+
+std::vector<Contact> self_contacts(const Model& model, const Pose& pose) { return contacts_in(PosedMesh(model, pose)); }
+
+bool self_overlap(const Model& model, const Pose& pose) { return found_in<AnySelfMeeting>(PosedMesh(model, pose)); }
+
+std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> models, const BatchOptions& options) {
+  std::vector<std::vector<Contact>> found(models.size());
+  TaskReporter reporter(options.progress, models.size());
+  parallel_for(models.size(), options.threads, [&](std::size_t i) {
+    if (reporter.cancelled()) return;
+    found[i] = contacts_in(PosedMesh(models[i].model, models[i].pose, name_for_messages(models[i], i)));
+    reporter.finished_one();
+  });
+  return found;
+}
 
 }  // namespace toccata

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "toccata/math/pose.hpp"
+#include "toccata/query/batch.hpp"
+#include "toccata/query/check_all.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
@@ -18,5 +21,9 @@ namespace toccata {
 
 /// Whether there is any.
 [[nodiscard]] bool self_overlap(const Model& model, const Pose& pose = {});
+
+/// `self_contacts` of each of the posed models. An Error names the model.
+[[nodiscard]] std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> models,
+                                                                   const BatchOptions& options = {});
 
 }  // namespace toccata
