@@ -1,7 +1,9 @@
+#include <optional>
 #include <utility>
 
 #include "math/exact.hpp"
 #include "math/scaled_integer.hpp"
+#include "narrow/likely_coordinates.hpp"
 #include "narrow/triangle_features.hpp"
 
 namespace toccata {
@@ -65,14 +67,26 @@ Vec3 edge_and_edge(const WholeNumbers& whole, const Triangle& a, int i, const Tr
 /// Makes −0 to 0: the two are one value, and a shared vertex may be written with either.
 Vec3 with_positive_zeros(const Vec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
-Vec3 coordinates_of(const MeetingPoint& point, const Triangle& a, const Triangle& b) {
+Vec3 exact_coordinates(const MeetingPoint& point, const Triangle& a, const Triangle& b) {
   const Feature &on_a = point.on_a, &on_b = point.on_b;
-  if (on_a.kind == FeatureKind::vertex) return with_positive_zeros(a[on_a.index]);
-  if (on_b.kind == FeatureKind::vertex) return with_positive_zeros(b[on_b.index]);
   const WholeNumbers whole(a, b);
   if (on_b.kind == FeatureKind::face) return edge_and_plane(whole, a, on_a.index, b);
   if (on_a.kind == FeatureKind::face) return edge_and_plane(whole, b, on_b.index, a);
   return edge_and_edge(whole, a, on_a.index, b, on_b.index);
+}
+
+std::optional<Vec3> likely_coordinates(const MeetingPoint& point, const Triangle& a, const Triangle& b) {
+  const Feature &on_a = point.on_a, &on_b = point.on_b;
+  if (on_b.kind == FeatureKind::face) return likely_edge_and_plane(a, on_a.index, b);
+  if (on_a.kind == FeatureKind::face) return likely_edge_and_plane(b, on_b.index, a);
+  return likely_edge_and_edge(a, on_a.index, b, on_b.index);
+}
+
+Vec3 coordinates_of(const MeetingPoint& point, const Triangle& a, const Triangle& b) {
+  if (point.on_a.kind == FeatureKind::vertex) return with_positive_zeros(a[point.on_a.index]);
+  if (point.on_b.kind == FeatureKind::vertex) return with_positive_zeros(b[point.on_b.index]);
+  if (const std::optional<Vec3> likely = likely_coordinates(point, a, b)) return *likely;
+  return exact_coordinates(point, a, b);
 }
 
 }  // namespace
