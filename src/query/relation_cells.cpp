@@ -5,20 +5,24 @@
 #include <optional>
 #include <vector>
 
+#include "query/relation_segment_index.hpp"
 #include "query/relation_segments.hpp"
 
 namespace toccata {
 namespace {
 
 /// The number at a fraction of the way from one number to another.
-Rational part_of_the_way(const ExactNumber& low, const ExactNumber& high, const Rational& fraction) {
-  return low.exact() + (high.exact() - low.exact()) * fraction;
+Rational part_of_the_way(const Rational& low, const Rational& high, const Rational& fraction) {
+  return low + (high - low) * fraction;
 }
 
-/// A number strictly between two: a double where there is one near the wanted fraction of the way, so that the numbers
-/// computed from it stay short. For two fractions it may be the same.
-ExactNumber between(const ExactNumber& low, const ExactNumber& high, const Rational& fraction) {
-  Rational exact = part_of_the_way(low, high, fraction);
+/// A number strictly between two, given with doubles around them: a double where there is one near the wanted fraction
+/// of the way, so that the numbers computed from it stay short. For two fractions it may be the same.
+template <class Low, class High>
+ExactNumber between(const Low& low, const High& high, double fraction) {
+  const double from = low.around().upper, to = high.around().lower, likely = from + (to - from) * fraction;
+  if (from < likely && likely < to) return ExactNumber(likely);
+  Rational exact = part_of_the_way(low.exact(), high.exact(), to_rational(fraction));
   Rational shorter = to_rational(nearest_double(exact));
   return ExactNumber(low.exact() < shorter && shorter < high.exact() ? std::move(shorter) : std::move(exact));
 }
@@ -27,16 +31,25 @@ ExactNumber between(const ExactNumber& low, const ExactNumber& high, const Ratio
 class Height {
  public:
   Height(const PlanarSegment& s, const ExactNumber& x)
-      : segment_(s), x_(x), lower_end_(s.is_vertical() ? &std::min(s.left.y, s.right.y) : nullptr) {}
-  [[nodiscard]] Interval about() const {
-    return lower_end_ != nullptr ? lower_end_->around() : approximate_height_at(segment_, x_.around());
+      : segment_(&s), x_(&x), around_(s.is_vertical() ? s.left.y.around() : approximate_height_at(s, x.around())) {}
+
+  [[nodiscard]] const Interval& around() const { return around_; }
+  [[nodiscard]] const Rational& exact() const {
+    if (!exact_) exact_ = segment_->is_vertical() ? segment_->left.y.exact() : height_at(*segment_, *x_);
+    return *exact_;
   }
-  [[nodiscard]] ExactNumber exact() const { return lower_end_ != nullptr ? *lower_end_ : height_at(segment_, x_); }
+
+  friend bool operator<(const Height& a, const Height& b) {
+    if (certainly_less(a.around_, b.around_)) return true;
+    if (a.around_.lower >= b.around_.upper) return false;
+    return a.exact() < b.exact();
+  }
 
  private:
-  const PlanarSegment& segment_;
-  const ExactNumber& x_;
-  const ExactNumber* lower_end_;
+  const PlanarSegment* segment_;
+  const ExactNumber* x_;
+  Interval around_;
+  mutable std::optional<Rational> exact_;
 };
 
 /// The cells of one triangle, found from below: every cell has a piece of a segment that is not vertical as a lower
@@ -45,7 +58,12 @@ class CellFinder {
  public:
   CellFinder(const Triangle& t, std::span<const Triangle> cuts,
              const std::function<CellVisit(const ExactPoint&)>& visit)
-      : triangle_(t), axis_(projection_axis(t)), visit_(visit), segments_(segments_on(t, cuts, axis_)) {}
+      : origin_(to_rational(t[0])),
+        normal_(cross(to_rational(t[1]) - origin_, to_rational(t[2]) - origin_)),
+        axis_(projection_axis(t)),
+        visit_(visit),
+        segments_(segments_on(t, cuts, axis_)),
+        index_(segments_) {}
 
   bool run() const {
     const bool uncut = segments_.size() == 3;
@@ -53,9 +71,10 @@ class CellFinder {
       if (segments_[i].is_vertical()) continue;
       const std::vector<ExactNumber> ends = piece_ends(i);
       for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-        const std::optional<Gap> gap = gap_above(i, between(ends[k], ends[k + 1], Rational(1, 2)));
+        const ExactNumber x = between(ends[k], ends[k + 1], 0.5);
+        const std::optional<Gap> gap = gap_above(i, x);
         if (!gap) continue;
-        if (!visit_gap(*gap)) return false;
+        if (!visit_gap(*gap, x)) return false;
         if (uncut) return true;
       }
     }
@@ -65,17 +84,17 @@ class CellFinder {
  private:
   /// An open vertical piece of a cell.
   struct Gap {
-    ExactNumber x;
-    ExactNumber low;
-    ExactNumber high;
+    Height low;
+    Height high;
   };
 
   /// The x at which other segments meet segment i, and its ends, ascending.
   std::vector<ExactNumber> piece_ends(std::size_t i) const {
     const PlanarSegment& s = segments_[i];
     std::vector<ExactNumber> ends{s.left.x, s.right.x};
-    for (std::size_t j = 0; j < segments_.size(); ++j)
+    index_.visit_in(index_.box_around(s), [&](Index j) {
       if (j != i) add_meeting(s, segments_[j], ends);
+    });
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     return ends;
@@ -84,61 +103,73 @@ class CellFinder {
   /// The room above segment i at x, up to the next segment, if it lies in the triangle and is not that of a segment of
   /// lesser number on the same line.
   std::optional<Gap> gap_above(std::size_t i, const ExactNumber& x) const {
-    Gap gap{x, height_at(segments_[i], x), {}};
-    bool bounded = false;
-    int edges_above = 0;
-    for (std::size_t j = 0; j < segments_.size(); ++j) {
-      const PlanarSegment& s = segments_[j];
-      if (j == i || x < s.left.x || s.right.x < x) continue;
-      // Of two edges that share an end at x, the right one counts.
-      const bool counts = j < 3 && x < s.right.x;
-      const Height height(s, x);
-      if (certainly_less(height.about(), gap.low.around())) continue;
-      if (bounded && certainly_less(gap.high.around(), height.about())) {
-        edges_above += counts ? 1 : 0;
-        continue;
-      }
-      ExactNumber exact = height.exact();
-      if (exact == gap.low && j < i) return std::nullopt;
-      if (!(gap.low < exact)) continue;
-      edges_above += counts ? 1 : 0;
-      if (!bounded || exact < gap.high) gap.high = std::move(exact);
-      bounded = true;
-    }
-    // In the triangle exactly one of its edges, the first three segments, is above.
-    if (edges_above != 1) return std::nullopt;
+    std::optional<Gap> gap = gap_below_edge(i, x);
+    if (!gap) return std::nullopt;
+    const auto region_of = [&](const Gap& g) {
+      return index_.box_around(x.around(), g.low.around(), x.around(), g.high.around());
+    };
+    Aabb region = region_of(*gap);
+    index_.visit_in(region, [&](Index j) {
+      if (j == i || !gap || !covers(segments_[j], x)) return;
+      Height height(segments_[j], x);
+      if (height < gap->low) return;
+      const bool higher = gap->low < height;
+      if (!higher && j < i) gap.reset();
+      if (!higher || !(height < gap->high)) return;
+      gap->high = std::move(height);
+      region = region_of(*gap);
+    });
     return gap;
   }
+
+  /// The room above segment i at x, up to the triangle's edge: in the triangle exactly one, of the first three
+  /// segments, is above.
+  std::optional<Gap> gap_below_edge(std::size_t i, const ExactNumber& x) const {
+    const Height low(segments_[i], x);
+    std::optional<Gap> gap;
+    for (std::size_t j = 0; j < 3; ++j) {
+      // Of two edges that share an end at x, the right one counts.
+      if (j == i || !covers(segments_[j], x) || !(x < segments_[j].right.x)) continue;
+      Height height(segments_[j], x);
+      if (!(low < height)) continue;
+      if (gap) return std::nullopt;
+      gap.emplace(Gap{low, std::move(height)});
+    }
+    return gap;
+  }
+
+  /// A closed one.
+  static bool covers(const PlanarSegment& s, const ExactNumber& x) { return !(x < s.left.x) && !(s.right.x < x); }
 
   /// Only the first height is rounded; the others are exact parts of it above the lower bound, for in a gap of a few
   /// doubles, or none, rounded ones would be the same again and again. So all heights differ, and this ends when
   /// another point is asked for at finitely many points of the cell only.
-  bool visit_gap(const Gap& gap) const {
-    const ExactNumber first = between(gap.low, gap.high, Rational(1, 8));
+  bool visit_gap(const Gap& gap, const ExactNumber& x) const {
+    const Rational first = between(gap.low, gap.high, 0.125).exact();
     for (int part = 1;; ++part) {
-      const Rational y = part_of_the_way(gap.low, first, Rational(1, part));
-      const CellVisit answer = visit_(point_above(gap.x.exact(), y));
+      const Rational y = part == 1 ? first : part_of_the_way(gap.low.exact(), first, Rational(1, part));
+      const CellVisit answer = visit_(point_above(x.exact(), y));
       if (answer != CellVisit::another) return answer == CellVisit::next;
     }
   }
 
   /// The point of the triangle's plane with this projection.
   ExactPoint point_above(const Rational& x, const Rational& y) const {
-    const RationalPoint origin = to_rational(triangle_[0]);
-    const RationalPoint normal = cross(to_rational(triangle_[1]) - origin, to_rational(triangle_[2]) - origin);
     const int i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
     std::array<Rational, 3> p;
     p[static_cast<std::size_t>(i)] = x;
     p[static_cast<std::size_t>(j)] = y;
     p[static_cast<std::size_t>(axis_)] =
-        origin[axis_] - (normal[i] * (x - origin[i]) + normal[j] * (y - origin[j])) / normal[axis_];
+        origin_[axis_] - (normal_[i] * (x - origin_[i]) + normal_[j] * (y - origin_[j])) / normal_[axis_];
     return ExactPoint(RationalPoint{p[0], p[1], p[2]});
   }
 
-  Triangle triangle_;
+  RationalPoint origin_;  ///< a corner of the triangle, and its normal
+  RationalPoint normal_;
   int axis_;
   const std::function<CellVisit(const ExactPoint&)>& visit_;
   std::vector<PlanarSegment> segments_;  ///< first the edges of the triangle
+  SegmentIndex index_;
 };
 
 }  // namespace

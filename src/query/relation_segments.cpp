@@ -11,20 +11,29 @@ namespace toccata {
 namespace {
 
 PlanarPoint planar_point(const RationalPoint2& p) { return {ExactNumber(p.x), ExactNumber(p.y)}; }
+PlanarPoint planar_point(const Vec2& p) { return {ExactNumber(p.x), ExactNumber(p.y)}; }
+
+bool operator==(const PlanarPoint& p, const PlanarPoint& q) { return p.x == q.x && p.y == q.y; }
+bool operator<(const PlanarPoint& p, const PlanarPoint& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 PlanarSegment planar_segment(PlanarPoint p, PlanarPoint q) {
-  if (q.x < p.x) std::swap(p, q);
+  if (q < p) std::swap(p, q);
   return {std::move(p), std::move(q)};
 }
 
 PlanarSegment projected_segment(const Vec3& p, const Vec3& q, int axis) {
-  return planar_segment(planar_point(to_rational(drop_axis(p, axis))), planar_point(to_rational(drop_axis(q, axis))));
+  return planar_segment(planar_point(drop_axis(p, axis)), planar_point(drop_axis(q, axis)));
 }
 
 RationalPoint2 exact(const PlanarPoint& p) { return {p.x.exact(), p.y.exact()}; }
 
+bool is_double(const PlanarPoint& p) { return p.x.is_double() && p.y.is_double(); }
+Vec2 as_doubles(const PlanarPoint& p) { return {p.x.around().lower, p.y.around().lower}; }
+
 /// On which side of the line from s.left to s.right the point lies: positive is above.
 Sign side_of(const PlanarSegment& s, const PlanarPoint& p) {
+  if (is_double(s.left) && is_double(s.right) && is_double(p))
+    return orient2d(as_doubles(s.left), as_doubles(s.right), as_doubles(p));
   const Interval ux = s.right.x.around() - s.left.x.around(), uy = s.right.y.around() - s.left.y.around();
   const Interval vx = p.x.around() - s.left.x.around(), vy = p.y.around() - s.left.y.around();
   const Interval filter = ux * vy - uy * vx;
@@ -70,10 +79,10 @@ void add_plane_cut(const Triangle& t, const Triangle& cut, const VertexSides& si
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     const Sign from = side[static_cast<std::size_t>(i)], to = side[static_cast<std::size_t>(j)];
-    if (from == Sign::zero) ends.push_back(planar_point(to_rational(drop_axis(cut[i], axis))));
+    if (from == Sign::zero) ends.push_back(planar_point(drop_axis(cut[i], axis)));
     if (from * to == Sign::negative) ends.push_back(plane_crossing(t, cut[i], cut[j], axis));
   }
-  if (ends.size() == 2 && !(exact(ends[0]) == exact(ends[1]))) segments.push_back(planar_segment(ends[0], ends[1]));
+  if (ends.size() == 2 && !(ends[0] == ends[1])) segments.push_back(planar_segment(ends[0], ends[1]));
 }
 
 /// An edge of a coplanar triangle, `from` lexicographically before `to`, and on which side the triangle lies.
@@ -121,6 +130,18 @@ void add_outlines(const Triangle& t, std::vector<CoplanarEdge> edges, int axis, 
   }
 }
 
+/// Drops all but one of equal segments, from the third on.
+void keep_different(std::vector<PlanarSegment>& segments) {
+  const auto before = [](const PlanarSegment& s, const PlanarSegment& other) {
+    return s.left < other.left || (s.left == other.left && s.right < other.right);
+  };
+  const auto equal = [](const PlanarSegment& s, const PlanarSegment& other) {
+    return s.left == other.left && s.right == other.right;
+  };
+  std::sort(segments.begin() + 3, segments.end(), before);
+  segments.erase(std::unique(segments.begin() + 3, segments.end(), equal), segments.end());
+}
+
 }  // namespace
 
 ExactNumber::ExactNumber(Rational value) : exact_(std::move(value)), around_(enclose(exact_)) {}
@@ -133,7 +154,7 @@ bool operator<(const ExactNumber& a, const ExactNumber& b) {
 
 bool operator==(const ExactNumber& a, const ExactNumber& b) {
   if (certainly_less(a.around(), b.around()) || certainly_less(b.around(), a.around())) return false;
-  return a.exact() == b.exact();
+  return (a.is_double() && b.is_double()) || a.exact() == b.exact();
 }
 
 std::vector<PlanarSegment> segments_on(const Triangle& t, std::span<const Triangle> cuts, int axis) {
@@ -148,12 +169,13 @@ std::vector<PlanarSegment> segments_on(const Triangle& t, std::span<const Triang
       add_plane_cut(t, cut, side, axis, segments);
   }
   add_outlines(t, std::move(coplanar), axis, segments);
+  keep_different(segments);
   return segments;
 }
 
-ExactNumber height_at(const PlanarSegment& s, const ExactNumber& x) {
+Rational height_at(const PlanarSegment& s, const ExactNumber& x) {
   const Rational &x0 = s.left.x.exact(), &y0 = s.left.y.exact(), &x1 = s.right.x.exact(), &y1 = s.right.y.exact();
-  return ExactNumber(Rational(y0 + (y1 - y0) * (x.exact() - x0) / (x1 - x0)));
+  return y0 + (y1 - y0) * (x.exact() - x0) / (x1 - x0);
 }
 
 Interval approximate_height_at(const PlanarSegment& s, const Interval& x) {

@@ -6,9 +6,9 @@
 
 namespace toccata {
 
-/// Calls `visit(triangle)` for exactly those triangles whose world boxes meet `region`, a closed world box, in no
-/// particular but always the same order; ends early when `visit` returns false. A side of the region may be infinite:
-/// the ray from p along +x is {p, {∞, p.y, p.z}}.
+/// Calls `visit(triangle)` for all triangles that meet `region`, a closed world box, and only for such whose world
+/// boxes meet it, in no particular but always the same order; ends early when `visit` returns false. The upper side of
+/// the region may be infinite along one axis: the ray from p along +x is {p, {∞, p.y, p.z}}.
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit);
 
 }  // namespace toccata

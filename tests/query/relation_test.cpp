@@ -7,6 +7,7 @@
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
 
 namespace toccata::test {
 namespace {
@@ -191,6 +192,41 @@ TEST(Relation, OfATipThatTouchesATriangleAFewDoublesHigh) {
   EXPECT_EQ(asked(deep, tetrahedron_mesh(p, q, r, {11, 9, 1})), overlapping());
   EXPECT_EQ(asked(deep, TriangleMesh({p, q, r}, {{0, 1, 2}})),
             (Relation{RelationKind::crossing, Containment::none, false, true, false, Status::exact}));
+}
+
+/// Fins of half the distance that they have, side by side along x from the origin, on z = 0.
+TriangleMesh row_of_fins(int count, double distance, double length) {
+  std::vector<TriangleMesh> fins;
+  for (int i = 0; i < count; ++i)
+    fins.push_back(box_mesh({i * distance, 0, 0}, {i * distance + distance / 2, length, 1}));
+  return joined(fins);
+}
+
+TriangleMesh field_of_blocks(int side) {
+  std::vector<TriangleMesh> rows;
+  for (int i = 0; i < side; ++i) rows.push_back(placed(row_of_fins(side, 2, 1), 1, {0, 2.0 * i, 0}));
+  return joined(rows);
+}
+
+/// More than a thousand contacts on one face, some of whose segments are long, and turned.
+TEST(Relation, OfManyPartsOnOneFace) {
+  const Pose turned{rotation_about({0, 0, 1}, 37), {}};
+  const TriangleMesh below({{-99, -99, 0}, {999, -99, 0}, {-99, 999, 0}, {0, 0, -9}},
+                           {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
+  const TriangleMesh above({{-99, -99, 0}, {999, -99, 0}, {-99, 999, 0}, {0, 0, 999}},
+                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  const TriangleMesh face({{-99, -99, 0}, {999, -99, 0}, {-99, 999, 0}}, {{0, 1, 2}});
+  for (const TriangleMesh& parts : {field_of_blocks(11), row_of_fins(120, 0.125, 15)})
+    for (const Pose& pose : {Pose{}, turned}) {
+      const Model model(parts);
+      const PairQuery query{pose, pose};
+      EXPECT_EQ(relation(model, Model(below), query), touching);
+      EXPECT_EQ(relation(model, Model(above), query), overlapping(Containment::a_in_b));
+      EXPECT_EQ(relation(Model(joined({parts, box_mesh({-2, -2, -0x1p-40}, {-1, -1, 1})})), Model(below), query),
+                overlapping());
+      EXPECT_EQ(relation(model, Model(face), query),
+                (Relation{RelationKind::touching, Containment::none, false, true, false, Status::exact}));
+    }
 }
 
 TEST(Relation, OfSurfaces) {

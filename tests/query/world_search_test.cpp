@@ -27,7 +27,25 @@ std::vector<Index> near_by_brute_force(const PosedMesh& mesh, const Aabb& region
   return found;
 }
 
-TEST(WorldSearch, AsBruteForceForBoxesAndRays) {
+/// What a ray through a vertex certainly meets.
+std::vector<Index> triangles_with(const PosedMesh& mesh, const Vec3& vertex) {
+  std::vector<Index> found;
+  for (Index i = 0; i < mesh.model().mesh().triangle_count(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    if (std::count(t.vertex.begin(), t.vertex.end(), vertex) > 0) found.push_back(i);
+  }
+  return found;
+}
+
+Vec3 random_vertex(const PosedMesh& mesh, Random& random) {
+  return mesh.triangle(static_cast<Index>(random.below(mesh.model().mesh().triangle_count())))[0];
+}
+
+bool is_subset(const std::vector<Index>& part, const std::vector<Index>& of) {
+  return std::includes(of.begin(), of.end(), part.begin(), part.end());
+}
+
+TEST(WorldSearch, AsBruteForceForBoxes) {
   for (const std::string& family : test::pose_families())
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       SCOPED_TRACE(family + ", seed " + std::to_string(seed));
@@ -35,15 +53,45 @@ TEST(WorldSearch, AsBruteForceForBoxesAndRays) {
       const Pose pose = test::random_poses(family, random).pose_a;
       const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
       // Corners at vertices, so that many boxes touch exactly.
-      const auto vertex = [&] { return mesh.vertices()[random.below(mesh.vertices().size())]; };
-      const Aabb region = merge(merge(Aabb{}, vertex()), vertex());
+      const Aabb region = merge(merge(Aabb{}, random_vertex(mesh, random)), random_vertex(mesh, random));
       EXPECT_EQ(near(mesh, region), near_by_brute_force(mesh, region));
-      for (int axis = 0; axis < 3; ++axis) {
-        Aabb ray = merge(Aabb{}, vertex());
+    }
+}
+
+TEST(WorldSearch, MissesNothingThatARayMeets) {
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      SCOPED_TRACE(family + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const Pose pose = test::random_poses(family, random).pose_a;
+      const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
+      for (int i = 0; i < 60; ++i) {
+        const Vec3 vertex = random_vertex(mesh, random);
+        const int axis = i % 3;
+        Aabb ray{vertex, vertex};
+        ray.lower[axis] -= random.below(2) == 0 ? 0 : random.unit();
         ray.upper[axis] = std::numeric_limits<double>::infinity();
-        EXPECT_EQ(near(mesh, ray), near_by_brute_force(mesh, ray));
+        const std::vector<Index> found = near(mesh, ray);
+        EXPECT_TRUE(is_subset(triangles_with(mesh, vertex), found));
+        EXPECT_TRUE(is_subset(found, near_by_brute_force(mesh, ray)));
       }
     }
+}
+
+/// Long parallel triangles at 45°: the world boxes of all of them meet the ray.
+TEST(WorldSearch, LooksOnlyAtWhatLiesBesideARay) {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < 100; ++i) {
+    vertices.insert(vertices.end(), {{i / 100.0, 0, 0}, {i / 100.0, 10, 0}, {i / 100.0, 10, 1}});
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Pose turned{Mat3{{Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{0, 0, 1}}}, {}};
+  const PosedMesh mesh(Model(TriangleMesh(vertices, triangles)), turned);
+  Aabb ray = merge(Aabb{}, Vec3{-4.5, 5.5, -1});
+  ray.upper.z = std::numeric_limits<double>::infinity();
+  EXPECT_GT(near_by_brute_force(mesh, ray).size(), 90U);
+  EXPECT_LT(near(mesh, ray).size(), 10U);
 }
 
 TEST(WorldSearch, EndsWhenToldTo) {
