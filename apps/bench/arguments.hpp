@@ -43,9 +43,18 @@ struct ProcessArguments {
   bool json = false;
 };
 
+struct WalkerArguments {
+  std::string mesh_a = "gen:torus-knot";
+  std::string mesh_b = "gen:noise-sphere?subdivisions=5";
+  int rounds = 11;
+  std::string only;  ///< not empty: no measurement, but just this walk; what is run to have its instructions counted
+  bool json = false;
+};
+
 // Exit codes: 0, or 1 when Toccata was wrong somewhere. Trouble is thrown.
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
 int run_process(const ProcessArguments& arguments);
+int run_walker(const WalkerArguments& arguments);
 
 }  // namespace toccata::bench

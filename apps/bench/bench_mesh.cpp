@@ -7,9 +7,9 @@
 #include "judge.hpp"
 #include "poses.hpp"
 #include "report.hpp"
+#include "single_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/simd.hpp"
-#include "toccata/io/scene_file.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -17,13 +17,6 @@ namespace {
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
 constexpr std::size_t standard_queries = 1000;
-
-SharedMesh mesh_of(const std::string& file) {
-  const Scene scene = read_scene(file);
-  if (scene.objects.size() != 1)
-    throw Error(fmt::format("{}: holds {} objects; a mesh to measure is one", file, scene.objects.size()));
-  return scene.objects.front().mesh;
-}
 
 Task task_of(const std::string& word) {
   static const std::map<std::string, Task> words{
@@ -118,7 +111,7 @@ nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedM
 int run_mesh(const MeshArguments& arguments) {
   if (!arguments.simd.empty()) use_simd_level(level_named(arguments.simd));
   MeshLibraries libraries = mesh_libraries(arguments.peers);
-  const SharedMesh a = mesh_of(arguments.mesh_a), b = mesh_of(arguments.mesh_b);
+  const SharedMesh a = single_mesh(arguments.mesh_a), b = single_mesh(arguments.mesh_b);
   const Task task = task_of(arguments.task);
   const std::vector<PosePair> poses = task == Task::build ? std::vector<PosePair>{} : poses_of(arguments, a, b);
   if (!arguments.peers.empty()) require_rigid(poses, arguments.poses);

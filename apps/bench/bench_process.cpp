@@ -1,15 +1,11 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "arguments.hpp"
+#include "programs.hpp"
 #include "report.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/scenes.hpp"
@@ -19,36 +15,6 @@ namespace toccata::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ProcessRun {
-  double seconds = 0;
-  /// Of the kernel's count, in which a process starts with the peak of the one that started it. So an upper bound: this
-  /// program stays small.
-  double peak_megabytes = 0;
-};
-
-/// Runs the command with nothing to read and its output thrown away. Throws Error unless it ends with 0 or 1.
-ProcessRun run_once(const std::vector<std::string>& words) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> arguments;
-  for (std::string& word : copies) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  int state = -1;
-  rusage usage{};
-  const double seconds = seconds_of([&] {
-    if (posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ) == 0)
-      wait4(child, &state, 0, &usage);
-  });
-  posix_spawn_file_actions_destroy(&actions);
-  if (!WIFEXITED(state) || WEXITSTATUS(state) > 1)
-    throw Error(fmt::format("{} did not answer; build it with `./toccata build`, or name it with --command",
-                            fmt::join(words, " ")));
-  return {seconds, static_cast<double>(usage.ru_maxrss) / 1000};
-}
 
 struct ProcessCase {
   std::string name;
@@ -72,32 +38,16 @@ ProcessResult measured(const ProcessCase& one, int repeat) {
   std::vector<double> seconds;
   double peak = 0;
   for (int i = 0; i < repeat; ++i) {
-    const ProcessRun run = run_once(one.words);
+    const ProcessRun run = run_program(one.words);
+    if (run.exit_code != 0 && run.exit_code != 1)
+      throw Error(fmt::format("{} did not answer; build it with `./toccata build`, or name it with --command",
+                              fmt::join(one.words, " ")));
     seconds.push_back(run.seconds);
     peak = std::max(peak, run.peak_megabytes);
   }
   std::sort(seconds.begin(), seconds.end());
   return {one, seconds[seconds.size() / 2], seconds.back(), peak};
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "toccata-bench-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw Error("no temporary folder could be made");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string mesh_file(const ProcessArguments& arguments) {
   if (!arguments.mesh.empty()) return arguments.mesh;
@@ -112,7 +62,7 @@ std::vector<ProcessResult> measured(const ProcessArguments& arguments) {
   for (const double number : Pose::translation(arguments.shift, 0, 0).numbers())
     shifted.push_back(fmt::format("{}", number));
   // The files first, so that this program is still small when its peak is handed on.
-  std::vector<ProcessResult> results{measured({"mesh against itself, shifted", shifted, 1, 200}, arguments.repeat)};
+  std::vector<ProcessResult> results{measured({"load a mesh to first answer", shifted, 0.15, 200}, arguments.repeat)};
   const TemporaryFolder folder;
   const fs::path scene = folder.path() / "scene";
   write_scene(many_parts(arguments.objects, 1), scene);

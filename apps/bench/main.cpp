@@ -16,6 +16,7 @@ struct Options {
   MeshArguments mesh;
   TriangleArguments triangle;
   ProcessArguments process;
+  WalkerArguments walker;
 };
 
 void add_peers(CLI::App& app, std::vector<std::string>& peers, const std::vector<std::string>& known) {
@@ -88,6 +89,18 @@ void add_process(CLI::App& app, ProcessArguments& arguments) {
   process->footer("Example:\n  ./toccata bench process --mesh part.stl --shift 2.5");
 }
 
+void add_walker(CLI::App& app, WalkerArguments& arguments) {
+  CLI::App* walker = app.add_subcommand("walker", "the generic walkers of trees beside loops written by hand");
+  walker->add_option("--mesh-a", arguments.mesh_a, "a file, or gen:NAME?PARAMETER=NUMBER&…")->capture_default_str();
+  walker->add_option("--mesh-b", arguments.mesh_b, "a file, or gen:NAME?PARAMETER=NUMBER&…")->capture_default_str();
+  walker->add_option("--rounds", arguments.rounds, "how often each walk is timed; the median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  walker->add_option("--only", arguments.only, "only walk, once: what valgrind counts");
+  walker->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  walker->footer("Example:\n  ./toccata bench walker --mesh-a a.obj --mesh-b b.obj");
+}
+
 int report_trouble(const std::string& message) {
   fmt::print(stderr, "toccata-bench: error: {}\n", message);
   return trouble;
@@ -102,6 +115,7 @@ int main_of(int argc, char** argv) {
   add_mesh(app, options.mesh);
   add_triangle(app, options.triangle);
   add_process(app, options.process);
+  add_walker(app, options.walker);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {
@@ -111,6 +125,7 @@ int main_of(int argc, char** argv) {
   }
   if (app.got_subcommand("mesh")) return run_mesh(options.mesh);
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
+  if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }
 

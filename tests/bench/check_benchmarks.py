@@ -5,6 +5,7 @@ usage: check_benchmarks.py TOCCATA_BENCH
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -148,6 +149,18 @@ def check_process():
     assert all(r["median_seconds"] > 0 and r["peak_megabytes"] > 1 for r in made["results"])
 
 
+def check_walker():
+    """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
+    made = report("walker", "--rounds", "1")
+    assert {r["variant"] for r in made["results"]} == {"two trees", "a tree with itself", "one tree"}
+    for row in made["results"]:
+        assert row["same"] and row["items"] > 0 and row["volume_tests"] > 0, row
+        if row["instruction_ratio"] is None:
+            assert shutil.which("valgrind") is None, "instructions were not counted"
+        else:
+            assert row["instruction_ratio"] <= 1.1, row
+
+
 def main():
     peers = [peer for peer in PEER_VARIANTS if is_built_in(peer)]
     print("peers:", ", ".join(peers) or "none")
@@ -155,6 +168,7 @@ def main():
     check_levels()
     check_triangles(peers)
     check_process()
+    check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
     assert run("mesh", *ROUND_PAIR, "--peer", "nobody").returncode == 2

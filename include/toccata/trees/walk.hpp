@@ -60,16 +60,29 @@ class Batch {
   template <class Q>
   void add(const Item& item, Q& question) {
     items_[count_++] = item;
-    ++total_;
-    if (count_ == size_) flush(question);
+    if (count_ >= size_) flush(question);
+  }
+  /// The same of `count` items at once: `list` is called with a function that takes each.
+  template <class Q, class List>
+  void add_all(std::size_t count, Q& question, const List& list) {
+    if (count > items_.size() - count_) {
+      list([&](const Item& item) { add(item, question); });
+      return;
+    }
+    Item* place = items_.data() + count_;
+    list([&](const Item& item) { *place++ = item; });
+    count_ += count;
+    if (count_ >= size_) flush(question);
   }
   template <class Q>
   void flush(Q& question) {
     // A walk that has ended wants no more items.
     if (count_ > 0 && question.limit() >= 0) question.visit(std::span<const Item>(items_.data(), count_));
+    total_ += count_;
     count_ = 0;
     size_ = std::min(2 * size_, items_.size());
   }
+  /// How many were added, after the last flush.
   [[nodiscard]] std::size_t total() const { return total_; }
 
  private:
@@ -163,7 +176,10 @@ class PairWalk {
     const auto& node = a_.nodes[number];
     if (node.is_leaf()) {
       const auto items = items_of(node, a_.items);
-      for (std::size_t i = 0; i < items.size(); ++i) add_all(items.subspan(i, 1), items.subspan(i + 1));
+      batch_.add_all(items.size() * (items.size() - 1) / 2, question_, [&](const auto& take) {
+        for (std::size_t i = 0; i < items.size(); ++i)
+          for (std::size_t j = i + 1; j < items.size(); ++j) take(pair_of(items[i], items[j]));
+      });
       return;
     }
     for (Index i = node.child_count; i-- > 0;) {
@@ -173,11 +189,14 @@ class PairWalk {
   }
 
   void add_all(std::span<const Index> a, std::span<const Index> b) {
-    for (const Index i : a)
-      for (const Index j : b) {
-        const bool exchange = order == Order::least_first && j < i;
-        batch_.add(exchange ? ItemPair{j, i} : ItemPair{i, j}, question_);
-      }
+    batch_.add_all(a.size() * b.size(), question_, [&](const auto& take) {
+      for (const Index i : a)
+        for (const Index j : b) take(pair_of(i, j));
+    });
+  }
+
+  static ItemPair pair_of(Index i, Index j) {
+    return order == Order::as_found ? ItemPair{i, j} : ItemPair{std::min(i, j), std::max(i, j)};
   }
 
   const TreeA& a_;
@@ -209,7 +228,9 @@ WalkCounts walk(const Tree<Volume, Arity>& tree, Q& question) {
     const TreeNode<Volume>& node = tree.nodes[pending.node];
     for (Index i = node.child_count; i-- > 0;) push(node.first + i);
     if (node.is_leaf())
-      for (const Index item : walking::items_of(node, tree.items)) batch.add(item, question);
+      batch.add_all(node.count, question, [&](const auto& take) {
+        for (const Index item : walking::items_of(node, tree.items)) take(item);
+      });
   }
   batch.flush(question);
   counts.items = batch.total();

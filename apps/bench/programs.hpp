@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace toccata::bench {
+
+struct ProcessRun {
+  int exit_code = -1;  ///< −1: could not be started, or did not end by itself
+  double seconds = 0;
+  /// Of the kernel's count, in which a process starts with the peak of the one that started it. So an upper bound: this
+  /// program stays small.
+  double peak_megabytes = 0;
+};
+
+/// Runs a program, looked for as a shell does, with its standard output thrown away.
+ProcessRun run_program(const std::vector<std::string>& words);
+
+/// A new folder, removed with all that is in it at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace toccata::bench
