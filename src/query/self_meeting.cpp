@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "toccata/math/predicates.hpp"
+#include "narrow/plane_sides.hpp"
 
 // Let S be the vertices that a and b share, as points. S lies in the meeting, which is convex; so the meeting is the
 // hull of S exactly when its extreme points are all in S.
@@ -31,15 +31,15 @@ SharedVertices shared_vertices(const Triangle& a, const Triangle& b) {
   return shared;
 }
 
-/// All vertices of `t` that are not in the set lie strictly on one side of the plane of `plane`. Then that plane exists
-/// and `t` has only the hull of the set in it, if the set's vertices lie in it.
+/// All vertices of `t` that are not in the set lie strictly on one side of the plane of `plane`, as far as plain
+/// arithmetic can tell. Then that plane exists, and `t` has only the hull of the set in it, if the set lies in it.
 bool stands_on(const Triangle& plane, const Triangle& t, unsigned set) {
+  const PlaneSides sides = likely_sides(plane, t);
   Sign side = Sign::zero;
   for (unsigned i = 0; i < 3; ++i) {
     if ((set >> i & 1U) != 0) continue;
-    const Sign s = orient3d(plane[0], plane[1], plane[2], t.vertex[i]);
-    if (s == Sign::zero || s == -side) return false;
-    side = s;
+    if (sides.of[i] == Sign::zero || sides.of[i] == -side) return false;
+    side = sides.of[i];
   }
   return side != Sign::zero;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/meshes.hpp"
 #include "support/data.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/self_meshes.hpp"
@@ -135,6 +136,53 @@ TEST(SelfContacts, WhatIsNotFiniteIsAnError) {
   EXPECT_THROW((void)self_contacts(model, Pose::translation(std::numeric_limits<double>::quiet_NaN(), 0, 0)), Error);
   EXPECT_THROW((void)self_overlap(model, scaled(Pose::translation(1e308, 0, 0), 1.7e308)), Error);
 }
+
+/// Every so many-th of all pairs of triangles.
+struct Sample {
+  Index step = 1;
+  [[nodiscard]] bool holds(Index i, Index j) const { return (7 * i + j) % step == 0; }
+};
+
+/// The pairs of a sample that meet, by rational arithmetic wherever their boxes overlap.
+Pairs pairs_by_oracle(const TriangleMesh& mesh, const Sample& sample) {
+  const oracle::MeshSet set = oracle::surface_set(mesh, {});
+  const Model model(mesh);
+  std::vector<Aabb> boxes;
+  for (Index i = 0; i < mesh.triangle_count(); ++i) boxes.push_back(fit_aabb(world_triangle(model, {}, i).vertex));
+  Pairs pairs;
+  for (Index i = 0; i < boxes.size(); ++i)
+    for (Index j = i + 1; j < boxes.size(); ++j)
+      if (sample.holds(i, j) && overlap(boxes[i], boxes[j]) &&
+          !oracle::self_meeting_pairs({{set.triangles[i], set.triangles[j]}}).empty())
+        pairs.emplace_back(i, j);
+  return pairs;
+}
+
+struct RealSoup {
+  const char* file;
+  std::size_t pairs;  ///< of triangles in which it meets itself
+  Sample sample;
+};
+
+class RealSoupAgainstItself : public testing::TestWithParam<RealSoup> {};
+
+/// Meshes that are not manifold, or whose parts have vertices of their own at one place.
+TEST_P(RealSoupAgainstItself, AsTheOracleSays) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const TriangleMesh mesh = read_mesh(*data / "meshes" / GetParam().file);
+  const Sample sample = GetParam().sample;
+  Pairs found = pairs_of(mesh);
+  EXPECT_EQ(found.size(), GetParam().pairs);
+  std::erase_if(found, [&](const auto& pair) { return !sample.holds(pair.first, pair.second); });
+  EXPECT_EQ(found, pairs_by_oracle(mesh, sample));
+  EXPECT_FALSE(found.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealSoupAgainstItself,
+                         testing::Values(RealSoup{"cow.obj", 81, {13}}, RealSoup{"env.obj", 588, {1}},
+                                         RealSoup{"rob.obj", 202, {1}}, RealSoup{"suzanne.obj", 91, {1}},
+                                         RealSoup{"teapot.obj", 161, {13}}));
 
 }  // namespace
 }  // namespace toccata
