@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""The command's JSON, and the scenes that it writes, are as the schemas of docs/reference say.
+
+usage: check_schemas.py TOCCATA
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    print("jsonschema is not installed (apt-get install python3-jsonschema)")
+    sys.exit(77)
+
+COMMAND = str(pathlib.Path(sys.argv[1]).resolve())
+REFERENCE = pathlib.Path(__file__).resolve().parents[2] / "docs/reference"
+ROWS = "1 0 0 0 1 0 0 0 1 "
+
+
+def validator(name):
+    schema = json.loads((REFERENCE / name).read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def reports(folder):
+    """The JSON of every kind of check, with and without what options add."""
+    def check(*words):
+        result = subprocess.run([COMMAND, "check", *words, "--json"], cwd=folder, capture_output=True, text=True)
+        assert result.returncode in (0, 1), result.stderr
+        return json.loads(result.stdout)
+
+    (folder / "poses.txt").write_text(f"{ROWS} 0.1 0 0\n{ROWS} 100 0 0 {ROWS} 0 0 0\n")
+    (folder / "bow.off").write_text("OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n")
+    yield check("scenes/shelf/scene.json", "--faces")
+    yield check("scenes/a.obj", "scenes/b.stl", "--touching=ignore")
+    yield check("scenes/a.obj", "scenes/b.stl", "--poses", "poses.txt")
+    yield check("scenes/a.obj", "bow.off", "--poses", "poses.txt", "--faces")
+    yield check("scenes/a.obj", "bow.off", "--self")
+    yield check("bow.off", "bow.off", "--self", "--faces")
+
+
+def main():
+    check_report, scene = validator("check-report.schema.json"), validator("scene.schema.json")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        subprocess.run([COMMAND, "demo", "--write", "scenes"], cwd=folder, check=True, capture_output=True)
+        for report in reports(folder):
+            check_report.validate(report)
+            assert not check_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        scenes = list(folder.rglob("scene.json"))
+        assert scenes
+        for file in scenes:
+            scene.validate(json.loads(file.read_text()))
+
+
+main()
