@@ -12,6 +12,7 @@
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/mesh_file.hpp"
+#include "toccata/trees/build.hpp"
 #include "toccata/trees/wide_tree.hpp"
 #include "trees/wide_boxes.hpp"
 
@@ -277,17 +278,64 @@ double bytes_per_item(const WideTree& tree) {
          static_cast<double>(tree.items.size());
 }
 
-TEST(WideBuild, MeshesFillTheirBlocks) {
-  const auto boxes = boxes_of(generate_mesh("noise-sphere"));
-  EXPECT_LE(bytes_per_item(build_wide_tree(boxes)), 60);
+/// How many blocks a random line that meets the whole meets: their areas over the whole's.
+double blocks_met(const WideTree& tree) {
+  double area = half_area(tree.box);
+  for (std::size_t block = 0; block < tree.blocks.size(); ++block)
+    for (std::size_t lane = 0; lane < tree.blocks[block].count; ++lane)
+      if (!tree.blocks[block].is_item(lane)) area += half_area(box_of(tree, block, lane));
+  return area / half_area(tree.box);
 }
 
-TEST(WideBuild, TheBunnyFillsItsBlocks) {
-  const auto data = test::data_folder();
-  if (!data) GTEST_SKIP() << "set TOCCATA_DATA";
-  const auto boxes = boxes_of(read_mesh(*data / "meshes" / "stanford-bunny.obj"));
+/// The children of a node when it takes up to eight, of which the largest are opened first.
+std::vector<Index> greedy_children(const Tree<Aabb>& tree, Index node) {
+  std::vector<Index> children{node};
+  const auto size = [&](Index i) { return tree.nodes[i].is_leaf() ? -1 : half_area(tree.nodes[i].volume); };
+  while (children.size() < WideBlock::width) {
+    const auto largest =
+        std::max_element(children.begin(), children.end(), [&](Index a, Index b) { return size(a) < size(b); });
+    if (tree.nodes[*largest].is_leaf()) break;
+    const Index first = tree.nodes[*largest].first;
+    *largest = first;
+    children.push_back(first + 1);
+  }
+  return children;
+}
+
+/// The same of the binary tree over single items, collapsed from the top by opening the largest boxes.
+double blocks_met_greedily(std::span<const Aabb> boxes) {
+  const Tree<Aabb> tree = build_tree(boxes, {.leaf_size = 1});
+  double area = 0;
+  std::vector<Index> open{0};
+  while (!open.empty()) {
+    const Index node = open.back();
+    open.pop_back();
+    area += half_area(tree.nodes[node].volume);
+    for (const Index child : greedy_children(tree, node))
+      if (!tree.nodes[child].is_leaf()) open.push_back(child);
+  }
+  return area / half_area(tree.nodes[0].volume);
+}
+
+void check_quality(const TriangleMesh& mesh) {
+  const auto boxes = boxes_of(mesh);
   const WideTree tree = build_wide_tree(boxes, {.threads = 2});
   EXPECT_LE(bytes_per_item(tree), 60);
+  EXPECT_LE(blocks_met(tree), 0.97 * blocks_met_greedily(boxes));
+}
+
+TEST(WideBuild, MeshesFillTheirBlocksAndBoxesAreSmall) {
+  check_quality(generate_mesh("noise-sphere", {{"subdivisions", 5}}));
+  check_quality(generate_mesh("torus-knot"));
+}
+
+TEST(WideBuild, RealMeshesFillTheirBlocksAndBoxesAreSmall) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA";
+  for (const char* name : {"stanford-bunny.obj", "fandisk.obj", "teapot.obj", "rocker-arm.obj", "env.obj"}) {
+    SCOPED_TRACE(name);
+    check_quality(read_mesh(*data / "meshes" / name));
+  }
 }
 
 }  // namespace
