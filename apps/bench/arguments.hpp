@@ -19,6 +19,7 @@ struct MeshArguments {
   std::vector<int> threads{1};
   std::string simd;  ///< empty: the highest level
   int rounds = 3;
+  std::string clock = "wall";
   bool verify = false;
   std::string answers;  ///< a file to write
   bool json = false;

@@ -30,6 +30,8 @@ SimdLevel level_named(const std::string& name) {
   throw Error(fmt::format("there is no SIMD level '{}'", name));
 }
 
+Clock clock_of(const MeshArguments& arguments) { return arguments.clock == "wall" ? Clock::wall : Clock::thread; }
+
 std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
   if (!arguments.poses.empty()) {
     std::vector<PosePair> poses = read_poses(arguments.poses);
@@ -70,7 +72,7 @@ void measure_threads(const MeshLibrary& library, const MeshArguments& arguments,
       measured.not_measured.push_back({build.who, arguments.task, threads, obstacle});
       continue;
     }
-    Answered one = measure_queries(library, task, poses, {threads, arguments.rounds});
+    Answered one = measure_queries(library, task, poses, {threads, arguments.rounds, clock_of(arguments)});
     one.result.who = build.who;
     one.result.task = arguments.task;
     one.result.build_ms = build.build_ms;
@@ -85,7 +87,7 @@ Measured measure_all(MeshLibraries libraries, const MeshArguments& arguments, co
   const bool only_build = task_of(arguments.task) == Task::build;
   Measured measured;
   for (auto& library : libraries) {
-    Result build = measure_build(*library, *a, *b, only_build ? arguments.rounds : 1);
+    Result build = measure_build(*library, *a, *b, {1, only_build ? arguments.rounds : 1, clock_of(arguments)});
     build.task = arguments.task;
     if (only_build)
       measured.answered.push_back({std::move(build), {}});
@@ -103,12 +105,15 @@ nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedM
           {"triangles_b", b->triangle_count()},
           {"poses", arguments.poses.empty() ? (arguments.near ? "near contact" : "random") : arguments.poses},
           {"seed", arguments.seed},
+          {"clock", arguments.clock},
           {"rounds", arguments.rounds}};
 }
 
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
+  if (clock_of(arguments) == Clock::thread && arguments.threads != std::vector<int>{1})
+    throw Error("--clock thread tells only what one thread does; leave --threads out");
   if (!arguments.simd.empty()) use_simd_level(level_named(arguments.simd));
   MeshLibraries libraries = mesh_libraries(arguments.peers);
   const SharedMesh a = single_mesh(arguments.mesh_a), b = single_mesh(arguments.mesh_b);

@@ -55,6 +55,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->capture_default_str();
   mesh->add_option("--simd", arguments.simd, "vector instructions that Toccata uses (default: the most there are)")
       ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx512"}));
+  mesh->add_option("--clock", arguments.clock,
+                   "wall, or thread: the processor's time, for one thread on a busy machine")
+      ->check(CLI::IsMember({"wall", "thread"}))
+      ->capture_default_str();
   mesh->add_option("--answers", arguments.answers,
                    "write Toccata's answers: a line per query, its number and the answer");
   add_peers(*mesh, arguments.peers, mesh_peers());

@@ -1,7 +1,7 @@
 #include "measure.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <limits>
 #include <numeric>
 
@@ -14,12 +14,18 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+double now(Clock clock) {
+  timespec time{};
+  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+double seconds_of(const std::function<void()>& work, Clock clock) {
+  const double start = now(clock);
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return now(clock) - start;
 }
 
 void summarise(std::vector<double> microseconds, Result& result) {
@@ -38,7 +44,7 @@ Answered measure_queries(const MeshLibrary& library, Task task, const std::vecto
   std::vector<double> fastest(poses.size(), std::numeric_limits<double>::infinity());
   double fastest_round = std::numeric_limits<double>::infinity();
   const auto ask = [&](std::size_t i) {
-    const double seconds = seconds_of([&] { answered.answers[i] = library.answer(task, poses[i]); });
+    const double seconds = seconds_of([&] { answered.answers[i] = library.answer(task, poses[i]); }, options.clock);
     fastest[i] = std::min(fastest[i], 1e6 * seconds);
   };
   for (int round = 0; round < options.rounds; ++round)
@@ -49,9 +55,11 @@ Answered measure_queries(const MeshLibrary& library, Task task, const std::vecto
   return answered;
 }
 
-Result measure_build(MeshLibrary& library, const TriangleMesh& a, const TriangleMesh& b, int rounds) {
+Result measure_build(MeshLibrary& library, const TriangleMesh& a, const TriangleMesh& b,
+                     const MeasureOptions& options) {
   std::vector<double> times;
-  for (int round = 0; round < rounds; ++round) times.push_back(1e6 * seconds_of([&] { library.build(a, b); }));
+  for (int round = 0; round < options.rounds; ++round)
+    times.push_back(1e6 * seconds_of([&] { library.build(a, b); }, options.clock));
   Result result;
   summarise(std::move(times), result);
   result.who = library.description();

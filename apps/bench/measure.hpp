@@ -23,14 +23,21 @@ struct Result {
   std::size_t wrong = 0;          ///< judged where answers differ, or everywhere with --verify
 };
 
-double seconds_of(const std::function<void()>& work);
+/// What the time is that something takes.
+enum class Clock {
+  wall,
+  thread,  ///< of the processor, spent by the calling thread: other programs that run meanwhile do not count
+};
+
+double seconds_of(const std::function<void()>& work, Clock clock = Clock::wall);
 
 /// Fills median, mean and p99 (the value that 99 % do not exceed) from the time of each query, in microseconds.
 void summarise(std::vector<double> microseconds, Result& result);
 
 struct MeasureOptions {
   int threads = 1;
-  int rounds = 3;  ///< of each query the fastest counts, so that other programs disturb less
+  int rounds = 3;             ///< of each query the fastest counts, so that other programs disturb less
+  Clock clock = Clock::wall;  ///< that of the thread only with one thread
 };
 
 /// What a library answered, in the order of the queries, and how long it took.
@@ -44,6 +51,6 @@ Answered measure_queries(const MeshLibrary& library, Task task, const std::vecto
                          const MeasureOptions& options);
 
 /// `rounds` builds; of each library the median counts as its build time.
-Result measure_build(MeshLibrary& library, const TriangleMesh& a, const TriangleMesh& b, int rounds);
+Result measure_build(MeshLibrary& library, const TriangleMesh& a, const TriangleMesh& b, const MeasureOptions& options);
 
 }  // namespace toccata::bench

@@ -13,6 +13,14 @@ namespace toccata::bench {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
 ProcessRun run_program(const std::vector<std::string>& words) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
@@ -29,7 +37,8 @@ ProcessRun run_program(const std::vector<std::string>& words) {
       wait4(child, &state, 0, &usage);
   });
   posix_spawn_file_actions_destroy(&actions);
-  return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, seconds, static_cast<double>(usage.ru_maxrss) / 1000};
+  return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, seconds, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) / 1000};
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -12,9 +12,7 @@ class TrueMeshes {
  public:
   TrueMeshes(const TriangleMesh& a, const TriangleMesh& b, const PosePair& poses);
 
-  [[nodiscard]] bool meet(const std::pair<Index, Index>& pair) const {
-    return truly_meet(a_[pair.first], b_[pair.second]);
-  }
+  [[nodiscard]] bool meet(const std::pair<Index, Index>& pair) const;
   [[nodiscard]] bool meet() const;
   /// Every pair whose boxes overlap: no other can meet. No tree is involved.
   [[nodiscard]] TrianglePairs candidates() const;
