@@ -16,8 +16,8 @@ Description described(const std::string& variant) {
           fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
 }
 
-std::size_t bytes_of(const Tree<Aabb>& tree) {
-  return tree.nodes.size() * sizeof tree.nodes[0] + tree.items.size() * sizeof tree.items[0];
+std::size_t bytes_of(const WideTree& tree) {
+  return tree.blocks.capacity() * sizeof tree.blocks[0] + tree.items.capacity() * sizeof tree.items[0];
 }
 
 class ToccataMeshes : public MeshLibrary {
@@ -30,7 +30,7 @@ class ToccataMeshes : public MeshLibrary {
     b_.emplace(std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &b));
   }
 
-  std::size_t bytes() const override { return bytes_of(a_->tree()) + bytes_of(b_->tree()); }
+  std::size_t bytes() const override { return bytes_of(a_->wide_tree()) + bytes_of(b_->wide_tree()); }
 
   Answer answer(Task task, const PosePair& poses) const override {
     // As surfaces, since that is what the peers answer about.

@@ -12,7 +12,8 @@ std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& q
 
 std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query) {
   const PosedPair pair(a, b, query);
-  return first_surface_contact(pair.a, pair.b);
+  SearchScratch scratch;
+  return first_surface_contact(pair.a, pair.b, scratch);
 }
 
 Triangle world_triangle(const Model& model, const Pose& pose, Index triangle) {

@@ -31,10 +31,14 @@ inline Range range_of(const Vec3& form, const Aabb& box) {
 /// that what is not a number fails them, and nothing is culled.
 inline bool is_certain(double gap, double pad) { return gap > pad && gap <= std::numeric_limits<double>::max(); }
 
-/// ρ: the largest magnitude of each local coordinate of the triangles.
-[[nodiscard]] Vec3 largest_coordinates(const PosedMesh& mesh);
+/// ρ: the largest magnitude of each coordinate in a box.
+[[nodiscard]] Vec3 largest_coordinates(const Aabb& box);
 
-/// S_i = Σ_j |R_ij| ρ_j + |t_i|: the size of the sum that rounds to a world coordinate.
+/// S_i = Σ_j |R_ij| ρ_j + |t_i|: the size of the sum that rounds to a world coordinate, for local points in a box.
+[[nodiscard]] Vec3 world_sizes(const Pose& pose, const Aabb& local);
+
+/// The same for the triangles of a mesh.
+[[nodiscard]] Vec3 largest_coordinates(const PosedMesh& mesh);
 [[nodiscard]] Vec3 world_sizes(const PosedMesh& mesh);
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
 #include "toccata/query/model.hpp"
 
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -11,23 +12,13 @@
 namespace toccata {
 namespace {
 
-Tree<Aabb> tree_over(const TriangleMesh& mesh) {
+std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
   std::vector<Aabb> boxes;
   boxes.reserve(mesh.triangle_count());
   const auto vertices = mesh.vertices();
   for (const auto& corner : mesh.triangles())
     boxes.push_back(box_of({{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}}));
-  return build_tree(boxes);
-}
-
-std::vector<Index> unused_vertices_of(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices().size());
-  for (const auto& corners : mesh.triangles())
-    for (const Index corner : corners) used[corner] = true;
-  std::vector<Index> unused;
-  for (Index i = 0; i < used.size(); ++i)
-    if (!used[i]) unused.push_back(i);
-  return unused;
+  return boxes;
 }
 
 std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleMesh> mesh) {
@@ -37,12 +28,39 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
 
 }  // namespace
 
+struct Model::Parts {
+  explicit Parts(std::shared_ptr<const TriangleMesh> given)
+      : mesh(std::move(given)), wide_tree(build_wide_tree(boxes_of(*mesh))), vertex_box(fit_aabb(mesh->vertices())) {}
+
+  std::shared_ptr<const TriangleMesh> mesh;
+  WideTree wide_tree;
+  Aabb vertex_box;
+
+  // What not every question needs, made by the first that does.
+  mutable std::once_flag tree_made, closed_known;
+  mutable Tree<Aabb> tree;
+  mutable bool closed = false;
+};
+
 Model::Model(TriangleMesh mesh) : Model(std::make_shared<const TriangleMesh>(std::move(mesh))) {}
 
 Model::Model(std::shared_ptr<const TriangleMesh> mesh)
-    : mesh_(require_mesh(std::move(mesh))),
-      tree_(std::make_shared<const Tree<Aabb>>(tree_over(*mesh_))),
-      unused_vertices_(std::make_shared<const std::vector<Index>>(unused_vertices_of(*mesh_))),
-      closed_(is_closed(*mesh_)) {}
+    : parts_(std::make_shared<const Parts>(require_mesh(std::move(mesh)))) {}
+
+const TriangleMesh& Model::mesh() const { return *parts_->mesh; }
+
+const WideTree& Model::wide_tree() const { return parts_->wide_tree; }
+
+const Aabb& Model::vertex_box() const { return parts_->vertex_box; }
+
+const Tree<Aabb>& Model::tree() const {
+  std::call_once(parts_->tree_made, [this] { parts_->tree = build_tree(boxes_of(mesh())); });
+  return parts_->tree;
+}
+
+bool Model::closed() const {
+  std::call_once(parts_->closed_known, [this] { parts_->closed = is_closed(mesh()); });
+  return parts_->closed;
+}
 
 }  // namespace toccata

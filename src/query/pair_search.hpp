@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "query/posed_mesh.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
@@ -12,16 +14,21 @@ namespace toccata {
 // The questions about the surfaces of two posed meshes, whatever they are taken for.
 
 /// Some triangle of `a` meets some triangle of `b`. Stops at the first found.
+[[nodiscard]] bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
 [[nodiscard]] bool surfaces_meet(const PosedMesh& a, const PosedMesh& b);
 
 /// Calls `see` with all pairs of triangles that meet, in no particular but always the same order; ends early when it
 /// returns false.
 void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see);
 
-/// All pairs of triangles that meet, ascending.
+/// All pairs of triangles that meet, ascending; they lie in the scratch. On up to `threads` threads (0: as many as the
+/// machine has), which change nothing else.
+[[nodiscard]] std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
+                                                        int threads = 1);
 [[nodiscard]] std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b);
 
 /// The least of them.
-[[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b);
+[[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b,
+                                                           SearchScratch& scratch);
 
 }  // namespace toccata

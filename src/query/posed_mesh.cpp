@@ -1,8 +1,12 @@
 #include "query/posed_mesh.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "query/cull_bounds.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -21,19 +25,39 @@ void require_finite(const Pose& pose, std::string_view who) {
                   who, number, local.x, local.y, local.z, fmt::join(mesh.pose().numbers(), ", ")));
 }
 
+/// No world vertex can be infinite where these sums are far from it.
+bool may_overflow(const Pose& pose, const Aabb& vertices) {
+  if (is_empty(vertices)) return false;
+  const Vec3 sizes = world_sizes(pose, vertices);
+  return !(std::max({sizes.x, sizes.y, sizes.z}) < 0.5 * std::numeric_limits<double>::max());
+}
+
+void require_finite_vertices(const PosedMesh& mesh, std::string_view who) {
+  const std::size_t count = mesh.model().mesh().vertices().size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!is_finite(mesh.vertex(static_cast<Index>(i)))) refuse_vertex(mesh, i, who);
+}
+
+/// Around the world vertices of what lies in a box of the local frame (docs/design/culling.md, the region search).
+Aabb world_box(const Pose& pose, const Aabb& local) {
+  if (is_empty(local)) return {};
+  const Vec3 sizes = world_sizes(pose, local);
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Range range = range_of(pose.linear[axis], local);
+    const double pad = 16 * unit_roundoff * sizes[axis] + 8 * smallest_double;
+    box.lower[axis] = (range.low + pose.offset[axis]) - pad;
+    box.upper[axis] = (range.high + pose.offset[axis]) + pad;
+  }
+  return box;
+}
+
 }  // namespace
 
 PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who) : model_(model), pose_(pose) {
   require_finite(pose, who);
-  vertices_ = transform(pose, model_.mesh().vertices());
-  std::span<const Index> unused = model_.unused_vertices();
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    if (!is_finite(vertices_[i])) refuse_vertex(*this, i, who);
-    if (!unused.empty() && unused.front() == i)
-      unused = unused.subspan(1);
-    else
-      box_ = merge(box_, vertices_[i]);
-  }
+  if (may_overflow(pose, model.vertex_box())) require_finite_vertices(*this, who);
+  box_ = world_box(pose, model.wide_tree().box);
 }
 
 }  // namespace toccata

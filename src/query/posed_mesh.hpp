@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +9,8 @@
 
 namespace toccata {
 
-/// A model with its pose applied: the world vertices of docs/truth.md, computed once and used by every question.
+/// A model with its pose applied: the world vertices of docs/truth.md, each computed when it is asked for, so that a
+/// posed mesh costs nothing to make and holds no memory of its own.
 class PosedMesh {
  public:
   /// Throws Error when the pose or a world vertex is not finite; `who` names the model in the message.
@@ -19,22 +19,24 @@ class PosedMesh {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
-  /// In the world, by the numbers of the mesh's vertices; unused vertices included.
-  [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }
+  /// In the world.
+  [[nodiscard]] Vec3 vertex(Index number) const { return transform(pose_, model_.mesh().vertices()[number]); }
+
+  /// All of them; unused ones included.
+  [[nodiscard]] std::vector<Vec3> vertices() const { return transform(pose_, model_.mesh().vertices()); }
 
   /// In the world.
   [[nodiscard]] Triangle triangle(Index number) const {
     const auto& corner = model_.mesh().triangles()[number];
-    return {{vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]}};
+    return {{vertex(corner[0]), vertex(corner[1]), vertex(corner[2])}};
   }
 
-  /// Around all triangles, in the world, exact.
+  /// Contains all world triangles; in the world. Empty for a mesh without any.
   [[nodiscard]] const Aabb& box() const { return box_; }
 
  private:
   Model model_;
   Pose pose_;
-  std::vector<Vec3> vertices_;
   Aabb box_;
 };
 

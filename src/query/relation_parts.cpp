@@ -28,7 +28,8 @@ std::vector<Index> welded_vertices(std::span<const Vec3> vertices) {
 }  // namespace
 
 std::vector<std::vector<Index>> connected_parts(const PosedMesh& mesh, std::span<const Index> triangles) {
-  const std::vector<Index> welded = welded_vertices(mesh.vertices());
+  const std::vector<Vec3> vertices = mesh.vertices();
+  const std::vector<Index> welded = welded_vertices(vertices);
   const auto corners = mesh.model().mesh().triangles();
   UnionFind sets(welded.size());
   for (const Index t : triangles)

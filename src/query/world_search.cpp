@@ -6,21 +6,12 @@
 #include <limits>
 
 #include "query/cull_bounds.hpp"
-#include "toccata/trees/walk.hpp"
+#include "query/wide_cull.hpp"
 
 namespace toccata {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A world direction along which the mesh and the region are compared: for a local point x, its world point along the
-/// direction is on_mesh · x + offset, up to `pad`.
-struct RegionDirection {
-  Vec3 on_mesh;
-  double offset = 0;
-  Range region{};
-  double pad = 0;
-};
 
 bool is_usable(const RegionDirection& d) {
   return is_finite(d.on_mesh) && std::isfinite(d.offset) && std::isfinite(d.region.low) &&
@@ -63,61 +54,43 @@ RegionDirection beside_ray(const PosedMesh& mesh, const Aabb& ray, int axis, con
   return result;
 }
 
-/// Compares boxes of the local frame with a world region along the three world axes and, when it is a ray, along
+/// What of a region lies in a box that it meets: a region may be infinite.
+Aabb within(const Aabb& region, const Aabb& box) {
+  Aabb part;
+  for (int axis = 0; axis < 3; ++axis) {
+    part.lower[axis] = std::max(region.lower[axis], box.lower[axis]);
+    part.upper[axis] = std::min(region.upper[axis], box.upper[axis]);
+  }
+  return part;
+}
+
+void add_directions_beside(const PosedMesh& mesh, const Aabb& ray, int axis, WideProbe& probe) {
+  for (int j = 0; j < 3; ++j) {
+    const Vec3 edge = mesh.pose().linear.column(j);
+    const bool gives_an_axis = edge[(axis + 1) % 3] == 0 || edge[(axis + 2) % 3] == 0;
+    if (gives_an_axis) continue;  // it is there already, or nothing
+    const RegionDirection direction = beside_ray(mesh, ray, axis, edge);
+    if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
+  }
+}
+
+/// Boxes of the local frame are compared with the region along the three world axes and, when it is a ray, along
 /// directions beside it (docs/design/culling.md).
-class RegionSearch {
- public:
-  RegionSearch(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit)
-      : mesh_(mesh), region_(region), visit_(visit) {
-    for (int axis = 0; axis < 3; ++axis) directions_[count_++] = along_axis(mesh, region, axis);
-    for (int axis = 0; axis < 3; ++axis)
-      if (region.upper[axis] == infinity) add_directions_beside(axis);
-  }
-
-  double bound(const Aabb& node) const {
-    for (std::size_t i = 0; i < count_; ++i)
-      if (separated(directions_[i], node)) return infinity;
-    return 0;
-  }
-  double limit() const { return ended_ ? -1 : 0; }
-  void visit(std::span<const Index> triangles) {
-    for (const Index triangle : triangles) {
-      if (!overlap(box_of(mesh_.triangle(triangle)), region_)) continue;
-      ended_ = !visit_(triangle);
-      if (ended_) return;
-    }
-  }
-
- private:
-  void add_directions_beside(int axis) {
-    for (int j = 0; j < 3; ++j) {
-      const Vec3 edge = mesh_.pose().linear.column(j);
-      const bool gives_an_axis = edge[(axis + 1) % 3] == 0 || edge[(axis + 2) % 3] == 0;
-      if (gives_an_axis) continue;  // it is there already, or nothing
-      const RegionDirection direction = beside_ray(mesh_, region_, axis, edge);
-      if (is_usable(direction)) directions_[count_++] = direction;
-    }
-  }
-
-  static bool separated(const RegionDirection& direction, const Aabb& node) {
-    const Range range = range_of(direction.on_mesh, node);
-    return is_certain((range.low + direction.offset) - direction.region.high, direction.pad) ||
-           is_certain(direction.region.low - (range.high + direction.offset), direction.pad);
-  }
-
-  const PosedMesh& mesh_;
-  const Aabb& region_;
-  const std::function<bool(Index)>& visit_;
-  std::array<RegionDirection, 6> directions_{};  ///< a region has one infinite side at most
-  std::size_t count_ = 0;
-  bool ended_ = false;
-};
+WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
+  const Aabb part = within(region, mesh.box());
+  WideProbe probe;
+  for (int axis = 0; axis < 3; ++axis) add_axis(along_axis(mesh, part, axis), mesh.model().wide_tree(), probe);
+  for (int axis = 0; axis < 3; ++axis)
+    if (region.upper[axis] == infinity) add_directions_beside(mesh, part, axis, probe);
+  return probe;
+}
 
 }  // namespace
 
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit) {
-  RegionSearch question(mesh, region, visit);
-  if (overlap(mesh.box(), region)) walk(mesh.model().tree(), question);
+  if (!overlap(mesh.box(), region)) return;
+  walk_probe(mesh.model().wide_tree(), probe_of(mesh, region),
+             [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
 }
 
 }  // namespace toccata

@@ -20,7 +20,7 @@ Aabb point_box(const Vec3& p) { return {p, p}; }
 
 TriangleMesh triangle_mesh(const Vec3& p, const Vec3& q, const Vec3& r) { return {{p, q, r}, {{0, 1, 2}}}; }
 
-const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().tree().nodes.front().volume; }
+const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_tree().box; }
 
 /// The error of the culling test in one direction for two vertices, against its pad.
 double error_ratio(const CullDirection& d, const PosedMesh& a, Index vertex_a, const PosedMesh& b, Index vertex_b) {

@@ -13,7 +13,7 @@ namespace toccata {
 namespace {
 
 double width_of(const Model& model) {
-  const Aabb& box = model.tree().nodes.front().volume;
+  const Aabb& box = model.wide_tree().box;
   return box.upper.x - box.lower.x;
 }
 

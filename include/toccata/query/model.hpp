@@ -1,37 +1,40 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/tree.hpp"
+#include "toccata/trees/wide_tree.hpp"
 
 namespace toccata {
 
-/// A shape made ready for questions: the shape, shared and immutable, and the tree over it. Copies share both. Build
+/// A shape made ready for questions: the shape, shared and immutable, and the trees over it. Copies share all. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.
 class Model {
  public:
+  /// Throws Error when the mesh has more triangles than a tree holds (2²⁸).
   explicit Model(TriangleMesh mesh);
   explicit Model(std::shared_ptr<const TriangleMesh> mesh);
 
-  [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
-  [[nodiscard]] const Tree<Aabb>& tree() const { return *tree_; }
+  [[nodiscard]] const TriangleMesh& mesh() const;
 
-  /// The vertices that no triangle uses, ascending: they are no part of the shape.
-  [[nodiscard]] std::span<const Index> unused_vertices() const { return *unused_vertices_; }
+  /// Over the triangles: the tree that questions use.
+  [[nodiscard]] const WideTree& wide_tree() const;
 
-  /// Closed: may be taken as a solid.
-  [[nodiscard]] bool closed() const { return closed_; }
+  /// The plain binary tree over the triangles, for comparison; built when first asked for.
+  [[nodiscard]] const Tree<Aabb>& tree() const;
+
+  /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
+  [[nodiscard]] const Aabb& vertex_box() const;
+
+  /// Closed: may be taken as a solid. Found out when first asked for.
+  [[nodiscard]] bool closed() const;
 
  private:
-  std::shared_ptr<const TriangleMesh> mesh_;
-  std::shared_ptr<const Tree<Aabb>> tree_;
-  std::shared_ptr<const std::vector<Index>> unused_vertices_;
-  bool closed_ = false;
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
 };
 
 /// What a question takes the model for: `all` means solid, `none` surface, `automatic` solid when the mesh is closed.

@@ -1,0 +1,372 @@
+#include "trees/wide_walk.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trees/wide_walk.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes before
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, WideBlock::width>;
+using Words = hn::CappedTag<std::uint32_t, WideBlock::width>;
+constexpr std::size_t lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(float));
+constexpr std::size_t parts = WideBlock::width / lanes;
+constexpr unsigned part_mask = (1U << lanes) - 1U;
+
+using Doubles = hn::CappedTag<double, WideBlock::width>;
+constexpr std::size_t double_lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(double));
+
+struct Box {
+  std::array<float, 3> centre;
+  std::array<float, 3> extent;
+};
+
+/// A box of the other tree, seen along the axes of the own one: it lies within at ± reach.
+struct Seen {
+  alignas(64) std::array<float, WideAxes::most> at;
+  alignas(64) std::array<float, WideAxes::most> reach;
+};
+
+// The walk's own rounding, docs/design/fast-core.md: 2^-24 is the unit roundoff of floats.
+constexpr float slack = 0x1p-20F;
+
+HWY_INLINE float size_of(const std::array<float, 3>& v) {
+  return (std::fabs(v[0]) + std::fabs(v[1])) + std::fabs(v[2]);
+}
+
+/// The middle of the box along the axes first, first + 1 …
+HWY_INLINE void see_middle(const WideAxes& axes, const Box& box, std::size_t first, Seen& seen) {
+  const Doubles d;
+  const auto product = [&](std::size_t i) HWY_ATTR {
+    return hn::Mul(hn::Load(d, axes.other[i].data() + first), hn::Set(d, static_cast<double>(box.centre[i])));
+  };
+  const auto at =
+      hn::Add(hn::Add(hn::Add(product(0), product(1)), product(2)), hn::Load(d, axes.offset.data() + first));
+  const hn::CappedTag<float, double_lanes> half;
+  hn::Store(hn::DemoteTo(half, at), half, seen.at.data() + first);
+}
+
+HWY_INLINE void see_reach(const WideAxes& axes, const Box& box, std::size_t first, Seen& seen) {
+  const Floats d;
+  const auto product = [&](std::size_t i) HWY_ATTR {
+    return hn::Mul(hn::Load(d, axes.other_size[i].data() + first), hn::Set(d, box.extent[i]));
+  };
+  const auto reach = hn::Add(hn::Add(product(0), product(1)), product(2));
+  const auto at = hn::Abs(hn::Load(d, seen.at.data() + first));
+  const auto magnitude = hn::Add(hn::Add(hn::Load(d, axes.own_size.data() + first), at), reach);
+  const auto padded = hn::Add(reach, hn::Load(d, axes.pad.data() + first));
+  hn::Store(hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude)), d, seen.reach.data() + first);
+}
+
+HWY_INLINE Seen seen_along(const WideAxes& axes, const Box& box) {
+  Seen seen;
+  for (std::size_t first = 0; first < axes.count; first += WideBlock::width) {
+    for (std::size_t i = 0; i < WideBlock::width; i += double_lanes) see_middle(axes, box, first + i, seen);
+    for (std::size_t i = 0; i < WideBlock::width; i += lanes) see_reach(axes, box, first + i, seen);
+  }
+  return seen;
+}
+
+template <class V>
+HWY_INLINE V along(const std::array<float, 3>& form, V x, V y, V z) {
+  const Floats d;
+  return hn::Add(hn::Add(hn::Mul(hn::Set(d, form[0]), x), hn::Mul(hn::Set(d, form[1]), y)),
+                 hn::Mul(hn::Set(d, form[2]), z));
+}
+
+HWY_INLINE unsigned bits_of(hn::Mask<Floats> mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Floats(), mask, bits);
+  return bits[0] & part_mask;
+}
+
+struct Compared {
+  unsigned apart;   ///< lanes that do not meet the box
+  unsigned larger;  ///< lanes that are at least as large as it
+  unsigned items;   ///< lanes that are single items
+};
+
+/// The lanes first, first + 1 … of a block, as vectors.
+struct Lanes {
+  explicit Lanes(const WideBlock& block, std::size_t first)
+      : cx(hn::Load(Floats(), block.centre[0].data() + first)),
+        cy(hn::Load(Floats(), block.centre[1].data() + first)),
+        cz(hn::Load(Floats(), block.centre[2].data() + first)),
+        ex(hn::Load(Floats(), block.extent[0].data() + first)),
+        ey(hn::Load(Floats(), block.extent[1].data() + first)),
+        ez(hn::Load(Floats(), block.extent[2].data() + first)) {}
+  hn::Vec<Floats> cx, cy, cz, ex, ey, ez;
+};
+
+/// Every comparison is written so that what is not a number keeps the lane.
+HWY_INLINE hn::Mask<Floats> is_beyond(hn::Vec<Floats> centre, hn::Vec<Floats> extent, float at, float reach) {
+  const Floats d;
+  return hn::Gt(hn::Abs(hn::Sub(centre, hn::Set(d, at))), hn::Add(extent, hn::Set(d, reach)));
+}
+
+HWY_INLINE hn::Mask<Floats> is_beyond_along(const std::array<float, 3>& own, const Lanes& l, float at, float reach) {
+  const std::array<float, 3> own_size{std::fabs(own[0]), std::fabs(own[1]), std::fabs(own[2])};
+  return is_beyond(along(own, l.cx, l.cy, l.cz), along(own_size, l.ex, l.ey, l.ez), at, reach);
+}
+
+/// One box against the eight of a block.
+HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const Seen& box, float size) {
+  Compared result{0, 0, 0};
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t first = part * lanes;
+    const Lanes l(block, first);
+    auto apart =
+        hn::Or(hn::Or(is_beyond(l.cx, l.ex, box.at[0], box.reach[0]), is_beyond(l.cy, l.ey, box.at[1], box.reach[1])),
+               is_beyond(l.cz, l.ez, box.at[2], box.reach[2]));
+    for (std::size_t i = WideAxes::straight; i < axes.count; ++i)
+      apart = hn::Or(apart, is_beyond_along(axes.own[i], l, box.at[i], box.reach[i]));
+    result.apart |= bits_of(apart) << first;
+    const hn::RebindToSigned<Words> whole;
+    const auto children = hn::Load(whole, block.child.data() + first);
+    result.items |= bits_of(hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
+    result.larger |= bits_of(hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), size))) << first;
+  }
+  return result;
+}
+
+/// Writes the chosen ones of eight values, and up to eight more words that mean nothing. Without branches: which lanes
+/// are chosen cannot be foreseen. `values(first)` are those of the lanes first, first + 1 …
+template <class Values>
+HWY_INLINE void append(const Values& values, unsigned chosen, std::uint32_t* HWY_RESTRICT to) {
+  const Words d;
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+  HWY_ALIGN std::array<std::uint32_t, WideBlock::width> all;
+  for (std::size_t part = 0; part < parts; ++part) hn::Store(values(part * lanes), d, all.data() + part * lanes);
+  for (std::size_t i = 0; i < WideBlock::width; ++i) {
+    *to = all[i];
+    to += chosen >> i & 1U;
+  }
+#else
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(chosen >> part * lanes & part_mask)};
+    hn::StoreU(hn::Compress(values(part * lanes), hn::LoadMaskBits(d, bits)), d, to);
+    to += std::popcount(static_cast<unsigned>(bits[0]));
+  }
+#endif
+}
+
+HWY_INLINE void append_same(std::uint32_t value, std::uint32_t* HWY_RESTRICT to) {
+  const Words d;
+  for (std::size_t part = 0; part < parts; ++part) hn::StoreU(hn::Set(d, value), d, to + part * lanes);
+}
+
+/// Where a frontier grows. Kept apart from it so that the compiler need not store every change.
+struct Ends {
+  std::uint32_t* blocks;
+  std::uint32_t* boxes;
+  std::array<Index*, 2> places;
+  std::size_t size;
+  std::size_t pair_count;
+  std::size_t tests;
+};
+
+/// Compares one box with the lanes of a block that `wanted` names, and files what meets: a pair of items, or a pair of
+/// which the larger is to be opened.
+HWY_INLINE void step(const WideWalk& walk, std::uint32_t block_number, std::uint32_t box_number, unsigned wanted,
+                     Ends& f) {
+  const std::uint32_t side = block_number & 1U, other_side = side ^ 1U;
+  const WideBlock& block = walk.tree(side).blocks[block_number >> 1];
+  const WideBlock& other = walk.tree(other_side).blocks[box_number >> 3];
+  const std::size_t lane = box_number & 7U;
+  const Box box{{other.centre[0][lane], other.centre[1][lane], other.centre[2][lane]},
+                {other.extent[0][lane], other.extent[1][lane], other.extent[2][lane]}};
+  const auto other_child = static_cast<std::uint32_t>(other.child[lane]);
+  const WideAxes& axes = walk.axes(side);
+  const Compared compared = compare(block, axes, seen_along(axes, box), size_of(box.extent) * axes.other_is_larger_by);
+
+  const Words d;
+  const auto child = [&](std::size_t first) HWY_ATTR {
+    return hn::BitCast(d, hn::Load(hn::RebindToSigned<Words>(), block.child.data() + first));
+  };
+  const unsigned lanes_in_use = ((1U << block.count) - 1U) & wanted;
+  const unsigned hits = ~compared.apart & lanes_in_use;
+  const unsigned other_is_item = 0U - (other_child >> 31);
+  const unsigned opens_own = hits & ~compared.items & (other_is_item | compared.larger);
+  const unsigned opens_other = hits & ~opens_own & ~other_is_item;
+  const unsigned found = hits & compared.items & other_is_item;
+
+  std::uint32_t* const blocks_end = f.blocks + f.size;
+  std::uint32_t* const boxes_end = f.boxes + f.size;
+  const int own_count = std::popcount(opens_own), other_count = std::popcount(opens_other);
+  append([&](std::size_t first) HWY_ATTR { return hn::Or(hn::ShiftLeft<1>(child(first)), hn::Set(d, side)); },
+         opens_own, blocks_end);
+  append_same(box_number, boxes_end);
+  append_same(other_child << 1 | other_side, blocks_end + own_count);
+  append([&](std::size_t first)
+             HWY_ATTR { return hn::Iota(d, (block_number >> 1 << 3) + static_cast<std::uint32_t>(first)); },
+         opens_other, boxes_end + own_count);
+  f.size += static_cast<std::size_t>(own_count + other_count);
+  append([&](std::size_t first) HWY_ATTR { return hn::Not(child(first)); }, found, f.places[side] + f.pair_count);
+  append_same(~other_child, f.places[other_side] + f.pair_count);
+  f.pair_count += static_cast<std::size_t>(std::popcount(found));
+  f.tests += static_cast<std::size_t>(std::popcount(lanes_in_use));
+}
+
+constexpr std::size_t block_size = 32;
+
+/// Room for what so many steps may add, and for the words that `append` writes beyond.
+Ends room_for(WideFrontier& f, std::size_t steps) {
+  const std::size_t entries = f.size + 8 * steps + 16, pairs = f.pair_count + 8 * steps + 16;
+  if (f.blocks.size() < entries) {
+    f.blocks.resize(2 * entries);
+    f.boxes.resize(2 * entries);
+  }
+  if (f.places[0].size() < pairs)
+    for (auto& places : f.places) places.resize(2 * pairs);
+  return {f.blocks.data(), f.boxes.data(), {f.places[0].data(), f.places[1].data()}, f.size, f.pair_count, 0};
+}
+
+void take_over(const Ends& ends, WideFrontier& f) {
+  f.size = ends.size;
+  f.pair_count = ends.pair_count;
+  f.counts.volume_tests += ends.tests;
+}
+
+/// Hands the pairs on when there are enough.
+void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::size_t enough) {
+  if (f.pair_count < enough || f.pair_count == 0) return;
+  f.pairs.resize(f.pair_count);
+  const std::vector<Index>&a = walk.tree(0).items, &b = walk.tree(1).items;
+  for (std::size_t i = 0; i < f.pair_count; ++i) f.pairs[i] = {a[f.places[0][i]], b[f.places[1][i]]};
+  f.counts.items += f.pair_count;
+  f.pair_count = 0;
+  f.batch = std::min(2 * f.batch, WideWalk::largest_batch);
+  if (!visitor.visit(f.pairs)) f.ended = true;
+}
+
+/// Walks until the frontier is empty; a last batch that is not full stays.
+void drain(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  std::array<std::uint32_t, block_size> blocks, boxes;
+  while (f.size > 0 && !f.ended) {
+    const std::size_t count = std::min(f.size, block_size);
+    f.size -= count;
+    std::copy_n(f.blocks.data() + f.size, count, blocks.data());
+    std::copy_n(f.boxes.data() + f.size, count, boxes.data());
+    Ends ends = room_for(f, count);
+    for (std::size_t i = 0; i < count; ++i) step(walk, blocks[i], boxes[i], 0xFF, ends);
+    take_over(ends, f);
+    hand_on(walk, f, visitor, f.batch);
+  }
+}
+
+void run_all(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  drain(walk, f, visitor);
+  if (!f.ended) hand_on(walk, f, visitor, 1);
+}
+
+/// Every entry once; what they lead to comes in their place.
+void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  const std::vector<std::uint32_t> blocks(f.blocks.begin(), f.blocks.begin() + static_cast<std::ptrdiff_t>(f.size));
+  const std::vector<std::uint32_t> boxes(f.boxes.begin(), f.boxes.begin() + static_cast<std::ptrdiff_t>(f.size));
+  f.size = 0;
+  for (std::size_t i = 0; i < blocks.size() && !f.ended; ++i) {
+    Ends ends = room_for(f, 1);
+    step(walk, blocks[i], boxes[i], 0xFF, ends);
+    take_over(ends, f);
+    hand_on(walk, f, visitor, f.batch);
+  }
+}
+
+/// The lanes of every block with each other, and what is below them.
+void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  const std::vector<WideBlock>& blocks = walk.tree(0).blocks;
+  for (std::uint32_t block = 0; block < blocks.size() && !f.ended; ++block) {
+    Ends ends = room_for(f, WideBlock::width);
+    for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
+      step(walk, block << 1, (block << 3) + lane, 0xFFU << (lane + 1) & 0xFFU, ends);
+    take_over(ends, f);
+    if (f.size >= block_size) drain(walk, f, visitor);
+  }
+  run_all(walk, f, visitor);
+}
+
+void run_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit) {
+  std::vector<std::int32_t> pending{0};
+  pending.reserve(256);
+  while (!pending.empty()) {
+    const WideBlock& block = tree.blocks[static_cast<std::size_t>(pending.back())];
+    pending.pop_back();
+    unsigned apart = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const Lanes l(block, part * lanes);
+      for (std::size_t i = 0; i < probe.count; ++i)
+        apart |= bits_of(is_beyond_along(probe.axes[i].own, l, probe.axes[i].at, probe.axes[i].reach)) << part * lanes;
+    }
+    for (unsigned hits = ~apart & ((1U << block.count) - 1U); hits != 0; hits &= hits - 1) {
+      const std::int32_t child = block.child[static_cast<std::size_t>(std::countr_zero(hits))];
+      if (child >= 0)
+        pending.push_back(child);
+      else if (!visit(tree.items[static_cast<std::size_t>(~child)]))
+        return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace toccata::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace toccata {
+namespace {
+
+HWY_EXPORT(run_all);
+HWY_EXPORT(run_level);
+HWY_EXPORT(run_all_self);
+HWY_EXPORT(run_probe);
+
+}  // namespace
+
+void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
+  frontier.size = frontier.pair_count = 0;
+  frontier.batch = first_batch;
+  frontier.ended = false;
+  frontier.counts = {};
+  if (tree(0).blocks.empty() || tree(1).blocks.empty()) return;
+  const std::uint32_t boxes = tree(1).blocks.front().count;
+  if (frontier.blocks.size() < boxes) {
+    frontier.blocks.resize(256);
+    frontier.boxes.resize(256);
+  }
+  for (std::uint32_t lane = 0; lane < boxes; ++lane) {
+    frontier.blocks[lane] = 0;
+    frontier.boxes[lane] = lane;
+  }
+  frontier.size = boxes;
+}
+
+void WideWalk::spread(WideFrontier& frontier, std::size_t entries, WideVisitor& visitor) const {
+  while (frontier.size > 0 && frontier.size < entries && !frontier.ended)
+    HWY_DYNAMIC_DISPATCH(run_level)(*this, frontier, visitor);
+}
+
+void WideWalk::run(WideFrontier& frontier, WideVisitor& visitor) const {
+  HWY_DYNAMIC_DISPATCH(run_all)(*this, frontier, visitor);
+}
+
+void WideWalk::run_self(WideFrontier& frontier, WideVisitor& visitor) const {
+  start(frontier, largest_batch);
+  frontier.size = 0;
+  HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
+}
+
+void walk_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit) {
+  if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_probe)(tree, probe, visit);
+}
+
+}  // namespace toccata
+#endif
