@@ -1,6 +1,11 @@
 // Trouble: exit code 2, one message on standard error that says where and what to do, nothing on standard output.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
 #include "support/command.hpp"
 
 namespace toccata {
@@ -45,6 +50,91 @@ const char* const scene_of_two_alike =
     R"({"format": "toccata-scene", "version": 1, "objects": [{"name": "twin", "file": "good.off"},
        {"name": "twin", "file": "good.off"}]})";
 
+/// The bytes of values as a little-endian machine holds them, which is what all binary formats here want.
+template <class Value>
+std::string bytes_of(const std::vector<Value>& values) {
+  static_assert(std::endian::native == std::endian::little);
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::vector<float> corners_with_nan{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0};
+
+/// A binary STL file of one facet that says it has `facets`.
+std::string binary_stl(std::uint32_t facets, const std::vector<float>& vertices) {
+  return std::string(80, ' ') + bytes_of<std::uint32_t>({facets}) + bytes_of<float>({0, 0, 1}) + bytes_of(vertices) +
+         std::string(2, '\0');
+}
+
+/// A binary PLY file of the triangle 0, 1, `last`.
+std::string binary_ply(std::int32_t last, const std::vector<float>& vertices) {
+  return "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+         bytes_of(vertices) + '\3' + bytes_of<std::int32_t>({0, 1, last});
+}
+
+/// glTF of one triangle; `buffer` is what holds the 36 bytes of its corners.
+std::string gltf(const std::string& buffer, const std::string& accessor = "0") {
+  return R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": )" +
+         accessor + R"(}}]}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36)" +
+         buffer + "}]}";
+}
+
+/// The same with the corners in it, as GLB: a header, the JSON and the bytes.
+std::string glb(const std::vector<float>& vertices) {
+  std::string json = gltf("");
+  json.append((4 - json.size() % 4) % 4, ' ');
+  const std::string chunks = bytes_of<std::uint32_t>({static_cast<std::uint32_t>(json.size()), 0x4E4F534A}) + json +
+                             bytes_of<std::uint32_t>({36, 0x004E4942}) + bytes_of(vertices);
+  return "glTF" + bytes_of<std::uint32_t>({2, static_cast<std::uint32_t>(12 + chunks.size())}) + chunks;
+}
+
+std::string without_end(const std::string& bytes) { return bytes.substr(0, bytes.size() - 8); }
+
+std::string name_of(const testing::TestParamInfo<BadFile>& file) {
+  std::string name = file.param.name;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+// What is broken below is broken in one place only.
+TEST(GoodBinaryFiles, AreRead) {
+  const TemporaryFolder folder;
+  folder.write("good.off", good_off);
+  folder.write("good.stl", binary_stl(1, corners));
+  folder.write("good.ply", binary_ply(2, corners));
+  folder.write("good.glb", glb(corners));
+  folder.write("outside.gltf", gltf(R"(, "uri": "corners.bin")"));
+  folder.write("corners.bin", bytes_of(corners));
+  for (const char* const name : {"good.stl", "good.ply", "good.glb", "outside.gltf"})
+    EXPECT_EQ(run_command({"check", name, "good.off"}, folder.path()).exit_code, 1) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(BinaryFiles, BadFileTest,
+                         testing::Values(BadFile{"cut.stl", without_end(binary_stl(1, corners)), "cut.stl"},
+                                         BadFile{"claims.stl", binary_stl(4'000'000'000U, corners), "claims.stl"},
+                                         BadFile{"nan.stl", binary_stl(1, corners_with_nan), "nan.stl"},
+                                         BadFile{"cut.ply", without_end(binary_ply(2, corners)), "cut.ply"},
+                                         BadFile{"nan.ply", binary_ply(2, corners_with_nan), "nan.ply"},
+                                         BadFile{"index.ply", binary_ply(3, corners), "index.ply"},
+                                         BadFile{"negative.ply", binary_ply(-1, corners), "negative.ply"},
+                                         BadFile{"cut.glb", without_end(glb(corners)), "cut.glb"},
+                                         BadFile{"nan.glb", glb(corners_with_nan), "nan.glb"}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    GltfFiles, BadFileTest,
+    testing::Values(BadFile{"broken.gltf", without_end(gltf("")), "broken.gltf"},
+                    BadFile{"nothing.gltf", "{}", "glTF 2"},
+                    BadFile{"accessor.gltf", gltf(R"(, "uri": "good.off")", "7"), "accessor 7"},
+                    BadFile{"gone.gltf", gltf(R"(, "uri": "gone.bin")"), "gone.bin"},
+                    BadFile{"short.gltf", gltf(R"(, "uri": "data:application/octet-stream;base64,AAAA")"), "3 bytes"},
+                    BadFile{"letters.gltf", gltf(R"(, "uri": "data:application/octet-stream;base64,A*AA")"), "base64"}),
+    name_of);
+
 INSTANTIATE_TEST_SUITE_P(Files, BadFileTest,
                          testing::Values(BadFile{"empty.obj", "", "empty.obj"},
                                          BadFile{"truncated.off", "OFF\n3 1 0\n0 0 0\n1 0", "truncated.off"},
@@ -56,12 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Files, BadFileTest,
                                          BadFile{"claims.ply", claiming_ply, "claims.ply"},
                                          BadFile{"missing-part.json", scene_of_missing_file, "gone.obj"},
                                          BadFile{"alike.json", scene_of_two_alike, "twin"}),
-                         [](const testing::TestParamInfo<BadFile>& file) {
-                           std::string name = file.param.name;
-                           for (char& c : name)
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           return name;
-                         });
+                         name_of);
 
 class BadQuestion : public testing::Test {
  protected:
@@ -94,6 +179,14 @@ TEST_F(BadQuestion, PoseOfElevenNumbers) {
 TEST_F(BadQuestion, PosedVertexThatOverflows) {
   folder.write("large.off", "OFF\n3 1 0\n0 0 0\n1e308 0 0\n0 1 0\n3 0 1 2\n");
   expect_trouble(check_posed({"1e10", "0", "0", "0", "1", "0", "0", "0", "1", "0", "0", "0"}, "large.off"), "large");
+}
+
+TEST_F(BadQuestion, SingularPoseOfASolid) {
+  folder.write("solid.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const std::vector<std::string> flat{"1", "0", "0", "0", "1", "0", "0", "0", "0", "0", "0", "0"};
+  expect_trouble(check_posed(flat, "solid.off"), "singular");
+  // A surface may be flattened.
+  EXPECT_EQ(check_posed(flat).exit_code, 1);
 }
 
 TEST_F(BadQuestion, OpenMeshAsSolid) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "support/data.hpp"
@@ -28,6 +29,19 @@ TEST(RealMeshes, TheBunnyAgainstItselfShifted) {
   EXPECT_TRUE(test::same({*first_contact(bunny, bunny, query)}, {found.front()}));
   query.pose_b = Pose::translation(1.01 * width_of(bunny), 0, 0);
   EXPECT_FALSE(overlap(bunny, bunny, query));
+}
+
+/// Not star-shaped: a copy made smaller about the origin does not lie inside the bunny, but goes through its surface.
+TEST(RealMeshes, TheBunnyIntersectsItsScaledCopy) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const Model bunny(read_mesh(*data / "meshes/stanford-bunny.obj"));
+  for (const double factor : {0.999, 1.001}) {
+    const PairQuery query{.pose_b = scaled(Pose{}, factor)};
+    EXPECT_TRUE(overlap(bunny, bunny, query)) << factor;
+    const auto crosses = [](const auto& contact) { return contact.meeting.crossing; };
+    EXPECT_TRUE(std::ranges::any_of(contacts(bunny, bunny, query), crosses)) << factor;
+  }
 }
 
 /// Every pair of triangles of two real meshes, under poses that are not rigid.
