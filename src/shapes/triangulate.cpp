@@ -82,6 +82,7 @@ std::vector<CornerTriangle> fan(Index count) {
 std::vector<CornerTriangle> cut(const std::vector<Vec3>& corners) {
   const Projection projection = largest_projection(corners);
   std::vector<Vec2> flat;
+  flat.reserve(corners.size());
   for (const Vec3& p : corners) flat.push_back(drop_axis(p, projection.dropped_axis));
   // Exchanging the coordinates mirrors the polygon, so the corners keep their order and the triangles their turn.
   if (projection.clockwise)

@@ -5,9 +5,14 @@
 namespace toccata::oracle {
 namespace {
 
+/// u × v is zero. One coordinate after the other, because mostly the first tells already.
+bool are_parallel(const RationalPoint& u, const RationalPoint& v) {
+  return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
+}
+
 /// p lies on the closed segment from a to b.
 bool is_between(const RationalPoint& p, const RationalPoint& a, const RationalPoint& b) {
-  return is_zero(cross(b - a, p - a)) && dot(p - a, p - b) <= 0;
+  return are_parallel(b - a, p - a) && dot(p - a, p - b) <= 0;
 }
 
 /// Convex corners in cyclic order without repetitions and without corners that lie between their neighbours.
@@ -88,8 +93,9 @@ RationalPoint normal(const RationalTriangle& triangle) {
 
 std::vector<RationalPoint> extreme_points(const RationalTriangle& triangle) {
   // No corner of a triangle with area lies between the others.
-  if (!is_zero(normal(triangle))) return {triangle.vertex.begin(), triangle.vertex.end()};
-  return without_flat_corners({triangle.vertex.begin(), triangle.vertex.end()});
+  const auto& v = triangle.vertex;
+  if (!are_parallel(v[1] - v[0], v[2] - v[0])) return {v.begin(), v.end()};
+  return without_flat_corners({v.begin(), v.end()});
 }
 
 int dimension(const RationalTriangle& triangle) { return static_cast<int>(extreme_points(triangle).size()) - 1; }
