@@ -89,23 +89,30 @@ class Slabs {
   double scale_ = 0;
 };
 
-double cost(const Extent& side) { return half_area(side.box) * static_cast<double>(side.count); }
+/// What a split would cost; of equal ones the more even is better, as where boxes on a line all have area 0.
+struct SplitCost {
+  double area = std::numeric_limits<double>::infinity();
+  std::size_t larger_side = 0;
+  friend constexpr auto operator<=>(const SplitCost&, const SplitCost&) = default;
+};
+
+double area_cost(const Extent& side) { return half_area(side.box) * static_cast<double>(side.count); }
 
 /// The first bin of the right side, where the cost is least; the first of equals.
 std::size_t best_border(std::span<const Extent> bins) {
-  std::array<double, greatest_bin_count> right_cost;
+  std::array<SplitCost, greatest_bin_count> right_cost;
   Extent right;
   for (std::size_t i = bins.size() - 1; i > 0; --i) {
     right.add(bins[i]);
-    right_cost[i] = cost(right);
+    right_cost[i] = {area_cost(right), right.count};
   }
   Extent left;
   std::size_t best = 1;
-  double best_cost = std::numeric_limits<double>::infinity();
+  SplitCost best_cost;
   for (std::size_t i = 1; i < bins.size(); ++i) {
     left.add(bins[i - 1]);
-    const double both = cost(left) + right_cost[i];
-    if (both >= best_cost) continue;
+    const SplitCost both{area_cost(left) + right_cost[i].area, std::max(left.count, right_cost[i].larger_side)};
+    if (!(both < best_cost)) continue;
     best_cost = both;
     best = i;
   }

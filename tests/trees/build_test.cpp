@@ -79,6 +79,21 @@ TEST(BuildTree, ItemsOverManyOrdersOfMagnitudeStayShallow) {
   EXPECT_LE(check(boxes, 1), 64 + 14);
 }
 
+/// Areas of 0 must not make the heuristic compare what is not a number.
+TEST(BuildTree, BoxesWithoutAreaAreSplitLikeOthers) {
+  for (const Vec3& along : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, -2, 3}}) {
+    std::vector<Aabb> points, segments;
+    for (int i = 0; i < 1 << 10; ++i) {
+      const Vec3 p = static_cast<double>((i * 37) % (1 << 10)) * along;
+      points.push_back({p, p});
+      const Vec3 q = static_cast<double>(i) * Vec3{1, 0, 0};
+      segments.push_back({q, q + Vec3{0.5, 0, 0}});
+    }
+    EXPECT_LE(check(points, 1), 14);
+    EXPECT_LE(check(segments, 1), 14);
+  }
+}
+
 TEST(BuildTree, TheLargestAndSmallestDoubles) {
   const double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
   std::vector<Aabb> boxes;
