@@ -7,7 +7,7 @@ A row has the cells api, command, oracle_test, benchmark, docs, picture. A cell 
   api          a name declared in include/            command    a subcommand of the command
   oracle_test  FILE:Suite.Test or FILE:sweep          the others a file, docs with or without #heading
 
-With --write the table docs/methods.md is made anew; without, it must be what would be written.
+docs/design/traps.md names tests in the same way. With --write the table docs/methods.md is made anew; without, it must be what would be written.
 """
 import json
 import pathlib
@@ -17,6 +17,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEDGER = ROOT / "docs/evidence/ledger.json"
 TABLE = ROOT / "docs/methods.md"
+TRAPS = ROOT / "docs/design/traps.md"
 CELLS = ["api", "command", "oracle_test", "benchmark", "docs", "picture"]
 IDS = [*(f"A{i}" for i in range(1, 15)), *(f"B{i}" for i in range(1, 14)), *(f"C{i}" for i in range(1, 18))]
 
@@ -66,6 +67,17 @@ def check_rows(rows):
                     yield f"{row['id']}: {kind} {reference} leads nowhere"
 
 
+def check_traps():
+    rows = [line for line in TRAPS.read_text().splitlines() if line.startswith("|")][2:]
+    for row in rows:
+        tests = re.findall(r"`(tests/[^`]*)`", row)
+        for test in tests:
+            if not is_test(test):
+                yield f"docs/design/traps.md: {test} leads nowhere"
+        if not tests:
+            yield f"docs/design/traps.md: no test springs this: {row}"
+
+
 def is_open(row):
     return any(not row[kind] for kind in CELLS)
 
@@ -104,7 +116,7 @@ def table(rows):
 
 def main():
     rows = json.loads(LEDGER.read_text())["rows"]
-    complaints = list(check_rows(rows))
+    complaints = [*check_rows(rows), *check_traps()]
     if "--write" in sys.argv:
         TABLE.write_text(table(rows))
     elif not TABLE.exists() or TABLE.read_text() != table(rows):

@@ -142,6 +142,39 @@ TEST(Walk, SelfPairsOfCoincidentItemsAreAll) {
   EXPECT_EQ(counts.items, 30U * 29U / 2U);
 }
 
+/// A tree that is a list, deeper than any stack of fixed size: every inner node has a leaf and the rest as children.
+Tree<Aabb> list_of(const std::vector<Aabb>& boxes) {
+  Tree<Aabb> tree;
+  Aabb around;
+  for (const Aabb& box : boxes) around = merge(around, box);
+  tree.nodes.push_back({around});
+  for (Index i = 0; i < boxes.size(); ++i) {
+    tree.items.push_back(i);
+    const auto rest = static_cast<Index>(tree.nodes.size() - 1);
+    if (i + 1 == boxes.size()) {
+      tree.nodes[rest].first = i;
+      tree.nodes[rest].count = 1;
+    } else {
+      tree.nodes[rest].first = rest + 1;
+      tree.nodes[rest].child_count = 2;
+      tree.nodes.push_back({boxes[i], i, 1, 0});
+      tree.nodes.push_back({around});
+    }
+  }
+  return tree;
+}
+
+TEST(Walk, ATreeDeeperThanAnyStackLosesNothing) {
+  constexpr std::size_t count = 1500;
+  const std::vector<Aabb> boxes(count, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const Tree<Aabb> list = list_of(boxes);
+  BoxesMeeting pairs{boxes, boxes}, self{boxes, boxes};
+  walk_pair(list, build_tree(boxes), pairs);
+  EXPECT_EQ(pairs.found.size(), count * count);
+  walk_self(list, self);
+  EXPECT_EQ(self.found.size(), count * (count - 1) / 2);
+}
+
 struct NearestBox {
   const std::vector<Aabb>& boxes;
   Vec3 point;
