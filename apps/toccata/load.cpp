@@ -39,10 +39,10 @@ std::string unit_text(const std::string& file, const Scene& scene) {
 std::string free_name(const std::set<std::string>& taken, const std::string& name, const std::string& file,
                       bool file_is_new) {
   if (!taken.contains(name)) return name;
-  const std::string longer = file + ":" + name;
+  std::string longer = file + ":" + name;
   if (file_is_new && !is_generator_specification(file) && !taken.contains(longer)) return longer;
   for (int number = 2;; ++number) {
-    const std::string numbered = fmt::format("{} #{}", name, number);
+    std::string numbered = fmt::format("{} #{}", name, number);
     if (!taken.contains(numbered)) return numbered;
   }
 }
@@ -90,6 +90,7 @@ LoadedScene load(const InputArguments& input) {
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
   std::vector<double> numbers;
+  numbers.reserve(words.size());
   for (const std::string& word : words) numbers.push_back(parse_double(word, option));
   std::array<double, 12> twelve{};
   if (numbers.size() != twelve.size())

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -194,15 +195,24 @@ int main_of(int argc, char** argv) {
   return run(app, options);
 }
 
+int reporting_main_of(int argc, char** argv) {
+  try {
+    return main_of(argc, argv);
+  } catch (const std::bad_alloc&) {
+    throw;  // a message could not be put together either
+  } catch (const std::exception& error) {
+    return report_trouble(error.what());
+  }
+}
+
 }  // namespace
 }  // namespace toccata::command
 
 int main(int argc, char** argv) {
   try {
-    return toccata::command::main_of(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return toccata::command::report_trouble("not enough memory for this");
-  } catch (const std::exception& error) {
-    return toccata::command::report_trouble(error.what());
+    return toccata::command::reporting_main_of(argc, argv);
+  } catch (...) {
+    std::fputs("toccata: error: not enough memory for this\n", stderr);
+    return toccata::command::trouble;
   }
 }

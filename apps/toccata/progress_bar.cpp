@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <utility>
 
 namespace toccata::command {
@@ -13,7 +14,7 @@ ProgressBar::ProgressBar(std::string label)
       next_(Clock::now() + std::chrono::milliseconds(500)) {}
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
 Progress ProgressBar::callback() {
