@@ -37,6 +37,13 @@ double area_scale(const Mat3& linear) {
   return size * size;
 }
 
+/// The posed axes are about at right angles, whatever their lengths.
+bool spreads_well(const Mat3& linear) {
+  const Vec3 u = of_size_one(linear.column(0)), v = of_size_one(linear.column(1)), w = of_size_one(linear.column(2));
+  const double volume = dot(cross(u, v), w);
+  return 2 * volume * volume >= (dot(u, u) * dot(v, v)) * dot(w, w);
+}
+
 bool is_usable(const CullDirection& d) {
   return is_finite(d.world) && is_finite(d.on_a) && is_finite(d.on_b) && std::isfinite(d.offset) &&
          std::isfinite(d.pad);
@@ -49,6 +56,7 @@ PairCull::PairCull(const PosedMesh& a, const PosedMesh& b, double pad_scale)
   add_box_normals(a, a, b);
   add_box_normals(b, a, b);
   // The normals of rigidly posed boxes are enough; those of a flattened or strongly sheared one may all be alike.
+  if (spreads_well(a.pose().linear) && spreads_well(b.pose().linear)) return;
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) add(axis, a, b);
 }
 

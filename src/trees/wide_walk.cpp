@@ -10,6 +10,24 @@
 #include <bit>
 #include <cmath>
 
+#ifndef TOCCATA_WIDE_WALK_TABLE
+#define TOCCATA_WIDE_WALK_TABLE
+namespace toccata {
+namespace {
+
+/// For every set of eight lanes, the numbers of its members, ascending.
+constexpr auto lane_orders = [] {
+  std::array<std::array<std::uint8_t, WideBlock::width>, 256> orders{};
+  for (unsigned set = 0; set < 256; ++set)
+    for (std::size_t lane = 0, next = 0; lane < WideBlock::width; ++lane)
+      if ((set >> lane & 1U) != 0) orders[set][next++] = static_cast<std::uint8_t>(lane);
+  return orders;
+}();
+
+}  // namespace
+}  // namespace toccata
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
@@ -43,6 +61,17 @@ HWY_INLINE float size_of(const std::array<float, 3>& v) {
   return (std::fabs(v[0]) + std::fabs(v[1])) + std::fabs(v[2]);
 }
 
+/// What every step needs, by tree: its blocks, and its axes.
+struct Sides {
+  explicit Sides(const WideWalk& walk)
+      : blocks{walk.tree(0).blocks.data(), walk.tree(1).blocks.data()}, axes{&walk.axes(0), &walk.axes(1)} {}
+  const WideBlock* blocks[2];
+  const WideAxes* axes[2];
+};
+
+/// Two rigidly posed meshes have three slanted axes; this number stands for any.
+constexpr std::size_t any_count = WideAxes::most;
+
 /// The middle of the box along the axes first, first + 1 …
 HWY_INLINE void see_middle(const WideAxes& axes, const Box& box, std::size_t first, Seen& seen) {
   const Doubles d;
@@ -67,9 +96,15 @@ HWY_INLINE void see_reach(const WideAxes& axes, const Box& box, std::size_t firs
   hn::Store(hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude)), d, seen.reach.data() + first);
 }
 
+template <std::size_t axis_count>
+HWY_INLINE std::size_t count_of(const WideAxes& axes) {
+  return axis_count == any_count ? axes.count : axis_count;
+}
+
+template <std::size_t axis_count>
 HWY_INLINE Seen seen_along(const WideAxes& axes, const Box& box) {
   Seen seen;
-  for (std::size_t first = 0; first < axes.count; first += WideBlock::width) {
+  for (std::size_t first = 0; first < count_of<axis_count>(axes); first += WideBlock::width) {
     for (std::size_t i = 0; i < WideBlock::width; i += double_lanes) see_middle(axes, box, first + i, seen);
     for (std::size_t i = 0; i < WideBlock::width; i += lanes) see_reach(axes, box, first + i, seen);
   }
@@ -119,6 +154,7 @@ HWY_INLINE hn::Mask<Floats> is_beyond_along(const std::array<float, 3>& own, con
 }
 
 /// One box against the eight of a block.
+template <std::size_t axis_count>
 HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const Seen& box, float size) {
   Compared result{0, 0, 0};
   for (std::size_t part = 0; part < parts; ++part) {
@@ -127,7 +163,7 @@ HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const 
     auto apart =
         hn::Or(hn::Or(is_beyond(l.cx, l.ex, box.at[0], box.reach[0]), is_beyond(l.cy, l.ey, box.at[1], box.reach[1])),
                is_beyond(l.cz, l.ez, box.at[2], box.reach[2]));
-    for (std::size_t i = WideAxes::straight; i < axes.count; ++i)
+    for (std::size_t i = WideAxes::straight; i < count_of<axis_count>(axes); ++i)
       apart = hn::Or(apart, is_beyond_along(axes.own[i], l, box.at[i], box.reach[i]));
     result.apart |= bits_of(apart) << first;
     const hn::RebindToSigned<Words> whole;
@@ -138,25 +174,29 @@ HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const 
   return result;
 }
 
+/// The chosen lanes first, in order; what comes after them means nothing. Highway's own way for AVX2 and SSE4 copies
+/// its table to the stack at every call when g++ compiles it.
+HWY_INLINE hn::Vec<Words> compressed(hn::Vec<Words> values, unsigned chosen) {
+  const Words d;
+#if HWY_TARGET == HWY_AVX3
+  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(chosen)};
+  return hn::Compress(values, hn::LoadMaskBits(d, bits));
+#else
+  const hn::CappedTag<std::uint8_t, lanes> bytes;
+  const auto order = hn::PromoteTo(d, hn::LoadU(bytes, lane_orders[chosen].data()));
+  return hn::TableLookupLanes(values, hn::IndicesFromVec(d, order));
+#endif
+}
+
 /// Writes the chosen ones of eight values, and up to eight more words that mean nothing. Without branches: which lanes
 /// are chosen cannot be foreseen. `values(first)` are those of the lanes first, first + 1 …
 template <class Values>
 HWY_INLINE void append(const Values& values, unsigned chosen, std::uint32_t* HWY_RESTRICT to) {
-  const Words d;
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
-  HWY_ALIGN std::array<std::uint32_t, WideBlock::width> all;
-  for (std::size_t part = 0; part < parts; ++part) hn::Store(values(part * lanes), d, all.data() + part * lanes);
-  for (std::size_t i = 0; i < WideBlock::width; ++i) {
-    *to = all[i];
-    to += chosen >> i & 1U;
-  }
-#else
   for (std::size_t part = 0; part < parts; ++part) {
-    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(chosen >> part * lanes & part_mask)};
-    hn::StoreU(hn::Compress(values(part * lanes), hn::LoadMaskBits(d, bits)), d, to);
-    to += std::popcount(static_cast<unsigned>(bits[0]));
+    const unsigned here = chosen >> part * lanes & part_mask;
+    hn::StoreU(compressed(values(part * lanes), here), Words(), to);
+    to += std::popcount(here);
   }
-#endif
 }
 
 HWY_INLINE void append_same(std::uint32_t value, std::uint32_t* HWY_RESTRICT to) {
@@ -176,17 +216,19 @@ struct Ends {
 
 /// Compares one box with the lanes of a block that `wanted` names, and files what meets: a pair of items, or a pair of
 /// which the larger is to be opened.
-HWY_INLINE void step(const WideWalk& walk, std::uint32_t block_number, std::uint32_t box_number, unsigned wanted,
+template <std::size_t axis_count>
+HWY_INLINE void step(const Sides& sides, std::uint32_t block_number, std::uint32_t box_number, unsigned wanted,
                      Ends& f) {
   const std::uint32_t side = block_number & 1U, other_side = side ^ 1U;
-  const WideBlock& block = walk.tree(side).blocks[block_number >> 1];
-  const WideBlock& other = walk.tree(other_side).blocks[box_number >> 3];
+  const WideBlock& block = sides.blocks[side][block_number >> 1];
+  const WideBlock& other = sides.blocks[other_side][box_number >> 3];
   const std::size_t lane = box_number & 7U;
   const Box box{{other.centre[0][lane], other.centre[1][lane], other.centre[2][lane]},
                 {other.extent[0][lane], other.extent[1][lane], other.extent[2][lane]}};
   const auto other_child = static_cast<std::uint32_t>(other.child[lane]);
-  const WideAxes& axes = walk.axes(side);
-  const Compared compared = compare(block, axes, seen_along(axes, box), size_of(box.extent) * axes.other_is_larger_by);
+  const WideAxes& axes = *sides.axes[side];
+  const Compared compared = compare<axis_count>(block, axes, seen_along<axis_count>(axes, box),
+                                                size_of(box.extent) * axes.other_is_larger_by);
 
   const Words d;
   const auto child = [&](std::size_t first) HWY_ATTR {
@@ -216,7 +258,8 @@ HWY_INLINE void step(const WideWalk& walk, std::uint32_t block_number, std::uint
   f.tests += static_cast<std::size_t>(std::popcount(lanes_in_use));
 }
 
-constexpr std::size_t block_size = 32;
+constexpr std::size_t block_size = 8;
+constexpr std::size_t ahead = 4;
 
 /// Room for what so many steps may add, and for the words that `append` writes beyond.
 Ends room_for(WideFrontier& f, std::size_t steps) {
@@ -248,19 +291,44 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
   if (!visitor.visit(f.pairs)) f.ended = true;
 }
 
+/// Asks for the memory of a step before its turn comes.
+HWY_INLINE void prefetch(const Sides& sides, std::uint32_t block_number, std::uint32_t box_number) {
+  const std::uint32_t side = block_number & 1U;
+  const auto fetch = [](const WideBlock& block) HWY_ATTR {
+    const char* bytes = reinterpret_cast<const char*>(&block);
+    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
+  };
+  fetch(sides.blocks[side][block_number >> 1]);
+  fetch(sides.blocks[side ^ 1U][box_number >> 3]);
+}
+
 /// Walks until the frontier is empty; a last batch that is not full stays.
-void drain(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+template <std::size_t axis_count>
+void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  const Sides sides(walk);
   std::array<std::uint32_t, block_size> blocks, boxes;
   while (f.size > 0 && !f.ended) {
     const std::size_t count = std::min(f.size, block_size);
     f.size -= count;
-    std::copy_n(f.blocks.data() + f.size, count, blocks.data());
-    std::copy_n(f.boxes.data() + f.size, count, boxes.data());
-    Ends ends = room_for(f, count);
-    for (std::size_t i = 0; i < count; ++i) step(walk, blocks[i], boxes[i], 0xFF, ends);
+    Ends ends = room_for(f, block_size);
+    // There is room for more than a whole block, and its size is known to the compiler.
+    std::copy_n(ends.blocks + f.size, block_size, blocks.data());
+    std::copy_n(ends.boxes + f.size, block_size, boxes.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i + ahead < count) prefetch(sides, blocks[i + ahead], boxes[i + ahead]);
+      step<axis_count>(sides, blocks[i], boxes[i], 0xFF, ends);
+    }
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
+}
+
+void drain(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  constexpr std::size_t usual = 6;
+  if (walk.axes(0).count == usual && walk.axes(1).count == usual)
+    drain_with<usual>(walk, f, visitor);
+  else
+    drain_with<any_count>(walk, f, visitor);
 }
 
 void run_all(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
@@ -275,7 +343,7 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   f.size = 0;
   for (std::size_t i = 0; i < blocks.size() && !f.ended; ++i) {
     Ends ends = room_for(f, 1);
-    step(walk, blocks[i], boxes[i], 0xFF, ends);
+    step<any_count>(Sides(walk), blocks[i], boxes[i], 0xFF, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
@@ -287,7 +355,7 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   for (std::uint32_t block = 0; block < blocks.size() && !f.ended; ++block) {
     Ends ends = room_for(f, WideBlock::width);
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
-      step(walk, block << 1, (block << 3) + lane, 0xFFU << (lane + 1) & 0xFFU, ends);
+      step<any_count>(Sides(walk), block << 1, (block << 3) + lane, 0xFFU << (lane + 1) & 0xFFU, ends);
     take_over(ends, f);
     if (f.size >= block_size) drain(walk, f, visitor);
   }
