@@ -1,13 +1,14 @@
 #include "toccata/broad/box_pairs.hpp"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <utility>
+
+#include "toccata/trees/build.hpp"
+#include "toccata/trees/walk.hpp"
 
 namespace toccata {
 namespace {
-
-IndexPair ordered(Index a, Index b) { return a < b ? IndexPair{a, b} : IndexPair{b, a}; }
 
 std::vector<Index> non_empty(std::span<const Aabb> boxes) {
   std::vector<Index> numbers;
@@ -16,37 +17,53 @@ std::vector<Index> non_empty(std::span<const Aabb> boxes) {
   return numbers;
 }
 
-/// The variance of the lower corners. It may overflow; then the choice of the axis is worse, never the answer.
-double spread(std::span<const Aabb> boxes, std::span<const Index> numbers, int axis) {
-  const double count = static_cast<double>(numbers.size());
-  double mean = 0;
-  for (const Index i : numbers) mean += boxes[i].lower[axis] / count;
-  double sum = 0;
-  for (const Index i : numbers) sum += (boxes[i].lower[axis] - mean) * (boxes[i].lower[axis] - mean);
-  return sum;
-}
+/// Collects the items after one whose boxes overlap a box.
+class OverlappingAfter {
+ public:
+  OverlappingAfter(std::span<const Aabb> boxes, std::span<const Index> number_of_item, Index number)
+      : boxes_(boxes), number_of_item_(number_of_item), number_(number) {}
+  double bound(const Aabb& node) const {
+    return overlap(node, boxes_[number_]) ? 0 : std::numeric_limits<double>::infinity();
+  }
+  double limit() const { return 0; }
+  void visit(std::span<const Index> items) {
+    for (const Index item : items) {
+      const Index other = number_of_item_[item];
+      if (other > number_ && overlap(boxes_[other], boxes_[number_])) found.push_back(other);
+    }
+  }
 
-int axis_of_largest_spread(std::span<const Aabb> boxes, std::span<const Index> numbers) {
-  const std::array<double, 3> spreads{spread(boxes, numbers, 0), spread(boxes, numbers, 1), spread(boxes, numbers, 2)};
-  return static_cast<int>(std::max_element(spreads.begin(), spreads.end()) - spreads.begin());
-}
+  std::vector<Index> found;
+
+ private:
+  std::span<const Aabb> boxes_;
+  std::span<const Index> number_of_item_;
+  Index number_;
+};
 
 }  // namespace
 
-std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes) {
-  std::vector<Index> numbers = non_empty(boxes);
-  const int axis = axis_of_largest_spread(boxes, numbers);
-  const auto key = [&](Index i) { return std::pair(boxes[i].lower[axis], i); };
-  std::sort(numbers.begin(), numbers.end(), [&](Index i, Index j) { return key(i) < key(j); });
+BoxIndex::BoxIndex(std::span<const Aabb> boxes)
+    : boxes_(boxes.begin(), boxes.end()), number_of_item_(non_empty(boxes)) {
+  std::vector<Aabb> items;
+  items.reserve(number_of_item_.size());
+  for (const Index number : number_of_item_) items.push_back(boxes_[number]);
+  tree_ = build_tree(items);
+}
 
+std::vector<Index> BoxIndex::overlapping_after(Index number) const {
+  if (is_empty(boxes_[number])) return {};
+  OverlappingAfter question(boxes_, number_of_item_, number);
+  walk(tree_, question);
+  std::sort(question.found.begin(), question.found.end());
+  return std::move(question.found);
+}
+
+std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes) {
+  const BoxIndex index(boxes);
   std::vector<IndexPair> pairs;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const Aabb& box = boxes[numbers[i]];
-    // Touching counts, so a box that starts where this one ends is still looked at.
-    for (std::size_t j = i + 1; j < numbers.size() && boxes[numbers[j]].lower[axis] <= box.upper[axis]; ++j)
-      if (overlap(box, boxes[numbers[j]])) pairs.push_back(ordered(numbers[i], numbers[j]));
-  }
-  std::sort(pairs.begin(), pairs.end());
+  for (Index i = 0; i < boxes.size(); ++i)
+    for (const Index j : index.overlapping_after(i)) pairs.push_back({i, j});
   return pairs;
 }
 

@@ -1,7 +1,11 @@
 #include "toccata/query/check_all.hpp"
 
-#include <algorithm>
+#include <map>
+#include <numeric>
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "query/pair_search.hpp"
 #include "query/posed_mesh.hpp"
@@ -15,61 +19,91 @@
 namespace toccata {
 namespace {
 
-// Answers of pairs that are apart are dropped after every so many pairs, so that memory follows the answer.
+// Pairs are looked at so many at once: memory follows the objects and the answer, not the pairs whose boxes overlap.
 constexpr std::size_t pairs_at_once = 4096;
 
 class Check {
  public:
   Check(std::span<const Posed> models, const CheckOptions& options)
-      : models_(models), options_(options), solid_(models.size()), posed_(models.size()) {}
+      : models_(models), options_(options), posed_(posed_models()), groups_(group_numbers()), boxes_(world_boxes()) {}
 
   CheckAnswer answer() {
-    const std::vector<IndexPair> pairs = candidate_pairs();
-    pose_models_of(pairs);
+    const std::vector<std::size_t> counts = candidate_counts();
     CheckAnswer answer;
-    answer.candidate_pairs = pairs.size();
-    TaskReporter reporter(options_.progress, pairs.size());
-    for (std::size_t first = 0; first < pairs.size(); first += pairs_at_once) {
-      const auto chunk = std::span(pairs).subspan(first, std::min(pairs_at_once, pairs.size() - first));
-      for (std::optional<PairAnswer>& pair : answers_of(chunk, reporter))
+    answer.candidate_pairs = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    TaskReporter reporter(options_.progress, answer.candidate_pairs);
+    for (std::size_t first = 0, last = 0; first < counts.size(); first = last) {
+      std::size_t pairs = counts[last++];
+      while (last < counts.size() && pairs + counts[last] <= pairs_at_once) pairs += counts[last++];
+      for (std::optional<PairAnswer>& pair : answers_of(candidates_of(first, last), reporter))
         if (pair) answer.pairs.push_back(std::move(*pair));
     }
     return answer;
   }
 
  private:
-  [[nodiscard]] std::string name_of(std::size_t i) const { return name_for_messages(models_[i], i); }
-
-  [[nodiscard]] PosedMesh pose_model(std::size_t i) const { return {models_[i].model, models_[i].pose, name_of(i)}; }
-
-  [[nodiscard]] bool in_one_group(const IndexPair& pair) const {
-    const std::string& group = models_[pair.first].group;
-    return !group.empty() && group == models_[pair.second].group;
-  }
+  struct Candidate {
+    PosedMesh mesh;
+    bool solid;
+  };
 
   /// Looks at every model alone, wherever it is: what is asked wrongly is an error, also far from everything else.
-  std::vector<IndexPair> candidate_pairs() {
-    std::vector<Aabb> boxes(models_.size());
+  [[nodiscard]] std::vector<Candidate> posed_models() const {
+    std::vector<std::optional<Candidate>> made(models_.size());
     parallel_for(models_.size(), options_.threads, [&](std::size_t i) {
-      solid_[i] = taken_as_solid(models_[i].model, models_[i].pose, models_[i].solid, name_of(i)) ? 1 : 0;
-      boxes[i] = pose_model(i).box();
+      const Posed& model = models_[i];
+      const std::string name = name_for_messages(model, i);
+      const bool solid = taken_as_solid(model.model, model.pose, model.solid, name);
+      made[i].emplace(Candidate{PosedMesh(model.model, model.pose, name), solid});
     });
-    std::vector<IndexPair> pairs = overlapping_pairs(boxes);
-    std::erase_if(pairs, [&](const IndexPair& pair) { return in_one_group(pair); });
+    std::vector<Candidate> posed;
+    posed.reserve(made.size());
+    for (std::optional<Candidate>& candidate : made) posed.push_back(std::move(*candidate));
+    return posed;
+  }
+
+  /// Equal for models of one group, and 0 for those of none.
+  [[nodiscard]] std::vector<std::size_t> group_numbers() const {
+    std::map<std::string_view, std::size_t> number_of{{"", 0}};
+    std::vector<std::size_t> numbers;
+    numbers.reserve(models_.size());
+    for (const Posed& model : models_)
+      numbers.push_back(number_of.emplace(model.group, number_of.size()).first->second);
+    return numbers;
+  }
+
+  [[nodiscard]] BoxIndex world_boxes() const {
+    std::vector<Aabb> boxes;
+    boxes.reserve(posed_.size());
+    for (const Candidate& candidate : posed_) boxes.push_back(candidate.mesh.box());
+    return BoxIndex(boxes);
+  }
+
+  /// The models after `i` that it may meet.
+  [[nodiscard]] std::vector<Index> partners_after(std::size_t i) const {
+    std::vector<Index> partners = boxes_.overlapping_after(static_cast<Index>(i));
+    if (groups_[i] != 0) std::erase_if(partners, [&](Index j) { return groups_[j] == groups_[i]; });
+    return partners;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> candidate_counts() const {
+    std::vector<std::size_t> counts(models_.size());
+    parallel_for(counts.size(), options_.threads, [&](std::size_t i) { counts[i] = partners_after(i).size(); });
+    return counts;
+  }
+
+  /// The pairs of the models [first, last) with later ones, ascending.
+  [[nodiscard]] std::vector<IndexPair> candidates_of(std::size_t first, std::size_t last) const {
+    std::vector<std::vector<Index>> partners(last - first);
+    parallel_for(partners.size(), options_.threads, [&](std::size_t i) { partners[i] = partners_after(first + i); });
+    std::vector<IndexPair> pairs;
+    for (std::size_t i = 0; i < partners.size(); ++i)
+      for (const Index j : partners[i]) pairs.push_back({static_cast<Index>(first + i), j});
     return pairs;
   }
 
-  /// Poses every model that is in a pair, once.
-  void pose_models_of(std::span<const IndexPair> pairs) {
-    std::vector<Index> needed;
-    for (const IndexPair& pair : pairs) needed.insert(needed.end(), {pair.first, pair.second});
-    std::sort(needed.begin(), needed.end());
-    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-    parallel_for(needed.size(), options_.threads,
-                 [&](std::size_t i) { posed_[needed[i]].emplace(pose_model(needed[i])); });
-  }
-
-  std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs, TaskReporter& reporter) const {
+  [[nodiscard]] std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs,
+                                                                  TaskReporter& reporter) const {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
       if (reporter.cancelled()) return;
@@ -81,18 +115,20 @@ class Check {
 
   /// Nothing where the two are apart.
   [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair) const {
-    const PosedMesh& a = *posed_[pair.first];
-    const PosedMesh& b = *posed_[pair.second];
-    const Relation relation = relation_of({a, solid_[pair.first] != 0}, {b, solid_[pair.second] != 0});
-    if (relation.kind == RelationKind::apart) return std::nullopt;
-    return PairAnswer{pair.first, pair.second, relation,
-                      options_.contacts ? surface_contacts(a, b) : std::vector<Contact>()};
+    const TakenMesh a{posed_[pair.first].mesh, posed_[pair.first].solid};
+    const TakenMesh b{posed_[pair.second].mesh, posed_[pair.second].solid};
+    PairAnswer answer{pair.first, pair.second, {}, {}};
+    if (options_.contacts) answer.contacts = surface_contacts(a.mesh, b.mesh);
+    answer.relation = options_.contacts ? relation_of(a, b, answer.contacts) : relation_of(a, b);
+    if (answer.relation.kind == RelationKind::apart) return std::nullopt;
+    return answer;
   }
 
   std::span<const Posed> models_;
   const CheckOptions& options_;
-  std::vector<char> solid_;  // written from many threads, so not bits
-  std::vector<std::optional<PosedMesh>> posed_;
+  std::vector<Candidate> posed_;
+  std::vector<std::size_t> groups_;
+  BoxIndex boxes_;
 };
 
 }  // namespace

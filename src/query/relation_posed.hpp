@@ -1,6 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "query/posed_mesh.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/relation.hpp"
 
 namespace toccata {
@@ -13,5 +17,11 @@ struct TakenMesh {
 
 /// `relation` of two meshes that are posed already.
 [[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b);
+
+/// The same where all contacts of the two are known: their trees are not walked again.
+[[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts);
+
+/// Calls `see` with all contacts of two meshes, in any order; ends early when it returns false.
+using VisitContacts = std::function<void(const std::function<bool(const Contact&)>& see)>;
 
 }  // namespace toccata

@@ -34,10 +34,10 @@ struct FirstLook {
 };
 
 /// Beside a pair of triangles that cross one usually sees all kinds of region at once.
-FirstLook look_at_contacts(const SolidPair& pair) {
+FirstLook look_at_contacts(const SolidPair& pair, const VisitContacts& visit) {
   FirstLook look;
   int glances = 0;
-  visit_surface_contacts(pair.a, pair.b, [&](const Contact& contact) {
+  visit([&](const Contact& contact) {
     look.surfaces_meet = true;
     if (!contact.meeting.crossing) return true;
     const Triangle a = pair.a.triangle(contact.triangle_a), b = pair.b.triangle(contact.triangle_b);
@@ -120,11 +120,11 @@ Relation relation_of_disjoint_surfaces(const SolidPair& pair) {
 
 }  // namespace
 
-Relation relation_of_solids(const PosedMesh& a, const PosedMesh& b) {
+Relation relation_of_solids(const PosedMesh& a, const PosedMesh& b, const VisitContacts& visit) {
   const SolidPair pair{a, b};
   if (!overlap(a.box(), b.box())) return {};
   if (have_same_triangles(a, b)) return relation_of_equal_triangles(pair);
-  const FirstLook look = look_at_contacts(pair);
+  const FirstLook look = look_at_contacts(pair, visit);
   if (!look.surfaces_meet) return relation_of_disjoint_surfaces(pair);
   return from_regions(true, look.seen.all() ? look.seen : all_regions(pair, look.seen));
 }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "query/inside_winding.hpp"
-#include "query/pair_search.hpp"
 #include "query/relation_cells.hpp"
 #include "query/relation_parts.hpp"
 #include "query/relation_solids.hpp"
@@ -79,8 +78,9 @@ bool segment_reaches_interior(const PosedMesh& solid, const Triangle& t, std::sp
 /// The triangles of the surface by what of the solid they meet.
 class SurfaceLook {
  public:
-  SurfaceLook(const PosedMesh& solid, const PosedMesh& surface) : solid_(solid), surface_(surface) {
-    visit_surface_contacts(solid, surface, [&](const Contact& contact) {
+  SurfaceLook(const PosedMesh& solid, const PosedMesh& surface, const VisitContacts& visit)
+      : solid_(solid), surface_(surface) {
+    visit([&](const Contact& contact) {
       contacts_.push_back(contact);
       interior_seen_ = glance_at(contact);
       return !interior_seen_;
@@ -161,9 +161,9 @@ class SurfaceLook {
 
 }  // namespace
 
-Relation relation_of_solid_and_surface(const PosedMesh& solid, const PosedMesh& surface) {
+Relation relation_of_solid_and_surface(const PosedMesh& solid, const PosedMesh& surface, const VisitContacts& visit) {
   if (!overlap(solid.box(), surface.box())) return {};
-  return SurfaceLook(solid, surface).relation();
+  return SurfaceLook(solid, surface, visit).relation();
 }
 
 }  // namespace toccata

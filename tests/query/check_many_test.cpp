@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "support/mesh_pairs.hpp"
+#include "support/mesh_soups.hpp"
+#include "support/relation_cases.hpp"
+#include "toccata/broad/box_pairs.hpp"
+#include "toccata/query/check_all.hpp"
+
+namespace toccata {
+namespace {
+
+Vec3 random_place(Random& random, double size) {
+  return {random.between(0, size), random.between(0, size), random.between(0, size)};
+}
+
+/// On a grid of halves, unturned: such neighbours often touch.
+Pose snapped_pose(Random& random, std::uint64_t halves) {
+  const auto coordinate = [&] { return 0.5 * static_cast<double>(random.below(halves)); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return Pose::translation(x, y, z);
+}
+
+/// Instances of three meshes: a box, a tetrahedron and a sphere-like surface, in a cube of this size.
+std::vector<Posed> instances(std::size_t count, double size, std::uint64_t seed) {
+  Random random(seed);
+  const std::array models{Model(test::box_mesh({0, 0, 0}, {1, 0.5, 0.5})),
+                          Model(test::tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})),
+                          Model(test::sphere_mesh(0.5, 2))};
+  std::vector<Posed> posed;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t kind = random.below(3);
+    const bool snapped = random.below(2) == 0;
+    const Pose pose = snapped ? snapped_pose(random, static_cast<std::uint64_t>(2 * size))
+                              : Pose{test::random_rotation(random), random_place(random, size)};
+    const Solid solid = kind == 2 && i % 2 == 0 ? Solid::none : Solid::automatic;
+    posed.push_back({models[kind], pose, solid, "", i % 7 == 0 ? "sevens" : ""});
+  }
+  return posed;
+}
+
+Aabb world_box(const Posed& posed) {
+  Aabb box;
+  for (const Vec3& vertex : posed.model.mesh().vertices()) box = merge(box, transform(posed.pose, vertex));
+  return box;
+}
+
+PairQuery query_of(const Posed& a, const Posed& b) { return {a.pose, b.pose, a.solid, b.solid}; }
+
+/// Every pair whose world boxes overlap, asked alone.
+std::vector<PairAnswer> answers_by_brute_force(const std::vector<Posed>& models) {
+  std::vector<Aabb> boxes;
+  for (const Posed& posed : models) boxes.push_back(world_box(posed));
+  std::vector<PairAnswer> answers;
+  for (const IndexPair& pair : overlapping_pairs_by_brute_force(boxes)) {
+    const Posed &a = models[pair.first], &b = models[pair.second];
+    if (!a.group.empty() && a.group == b.group) continue;
+    const Relation found = relation(a.model, b.model, query_of(a, b));
+    if (found.kind != RelationKind::apart)
+      answers.push_back({pair.first, pair.second, found, contacts(a.model, b.model, query_of(a, b))});
+  }
+  return answers;
+}
+
+void expect_same(const std::vector<PairAnswer>& found, const std::vector<PairAnswer>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(found[i].a, expected[i].a);
+    ASSERT_EQ(found[i].b, expected[i].b);
+    EXPECT_EQ(found[i].relation, expected[i].relation) << found[i].a << " and " << found[i].b;
+    EXPECT_TRUE(test::same(found[i].contacts, expected[i].contacts)) << found[i].a << " and " << found[i].b;
+  }
+}
+
+TEST(CheckMany, FiveThousandInstancesOfThreeMeshesAsByBruteForce) {
+  const std::vector<Posed> models = instances(5000, 36, 1);
+  const std::vector<PairAnswer> expected = answers_by_brute_force(models);
+  EXPECT_GT(expected.size(), 100U);
+  for (const int threads : {1, 2})
+    expect_same(check_all(models, {.contacts = true, .threads = threads}).pairs, expected);
+}
+
+/// More pairs of one object than are looked at at once.
+TEST(CheckMany, OneObjectUnderAllOthers) {
+  Random random(2);
+  const Model plate(test::box_mesh({-1, -1, -1}, {400, 400, 0})), part(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  std::vector<Posed> models{{plate, Pose{}}};
+  for (int i = 0; i < 4200; ++i)
+    models.push_back({part, Pose::translation(4 * (i % 100), 4 * (i / 100), i % 3 == 0 ? -0.5 : 0)});
+  const CheckAnswer answer = check_all(models, {.threads = 2});
+  ASSERT_EQ(answer.pairs.size(), 4200U);
+  for (std::size_t i = 0; i < answer.pairs.size(); ++i) {
+    EXPECT_EQ(answer.pairs[i].a, 0U);
+    EXPECT_EQ(answer.pairs[i].b, i + 1);
+    EXPECT_EQ(answer.pairs[i].relation.kind, i % 3 == 0 ? RelationKind::overlapping : RelationKind::touching);
+  }
+}
+
+TEST(CheckMany, AllInOnePlace) {
+  const Model part(test::sphere_mesh(1, 2));
+  const CheckAnswer answer = check_all(std::vector<Posed>(100, Posed{part, Pose::translation(1, 2, 3)}));
+  EXPECT_EQ(answer.candidate_pairs, 4950U);
+  ASSERT_EQ(answer.pairs.size(), 4950U);
+  for (const PairAnswer& pair : answer.pairs) EXPECT_EQ(pair.relation.containment, Containment::equal);
+}
+
+}  // namespace
+}  // namespace toccata
