@@ -26,6 +26,10 @@ struct FloatBox {
     lower = least(lower, point);
     upper = greatest(upper, point);
   }
+
+  /// Twice the centre.
+  [[nodiscard]] Float4 middle() const { return lower + upper; }
+  [[nodiscard]] float middle(int axis) const { return lower[axis] + upper[axis]; }
 };
 
 /// What it costs to look into a box that is not empty, by how often that happens: half the area of its sides. Lines and
@@ -44,10 +48,15 @@ struct FloatItem : FloatBox {
 
   [[nodiscard]] std::uint32_t number() const { return std::bit_cast<std::uint32_t>(float{lower[3]}) - ordinary; }
   void set_number(std::uint32_t number) { lower[3] = std::bit_cast<float>(number + ordinary); }
-
-  /// Twice the centre.
-  [[nodiscard]] Float4 middle() const { return lower + upper; }
-  [[nodiscard]] float middle(int axis) const { return lower[axis] + upper[axis]; }
 };
+
+/// Some items that lie side by side, in space as in the order of items.
+struct Cell : FloatBox {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+[[nodiscard]] inline std::uint32_t item_count(const FloatItem&) { return 1; }
+[[nodiscard]] inline std::uint32_t item_count(const Cell& cell) { return cell.count; }
 
 }  // namespace toccata

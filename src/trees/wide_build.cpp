@@ -6,9 +6,9 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/trees/wide_tree.hpp"
-#include "trees/binary_split.hpp"
-#include "trees/wide_collapse.hpp"
-#include "trees/wide_frame.hpp"
+#include "trees/binary_build.hpp"
+#include "trees/chunks.hpp"
+#include "trees/wide_cells.hpp"
 
 namespace toccata {
 namespace {
@@ -16,122 +16,120 @@ namespace {
 // Work is divided by these numbers and never by threads.
 constexpr std::size_t items_per_task = 4096;
 constexpr std::uint32_t most_items_of_a_subtree = 8192;
+constexpr std::size_t most_items_without_cells = 32768;
 
-// Below this depth parts are halved instead: boxes spread over many orders of magnitude cannot make the tree a list.
-constexpr int greatest_heuristic_depth = 64;
-
-/// The parts of [0, count) that are worth a task each.
-struct Chunks {
-  std::size_t count;
-
-  [[nodiscard]] std::size_t size() const { return (count + items_per_task - 1) / items_per_task; }
-  [[nodiscard]] std::size_t first(std::size_t chunk) const { return chunk * items_per_task; }
-  [[nodiscard]] std::size_t length(std::size_t chunk) const {
-    return std::min(items_per_task, count - chunk * items_per_task);
-  }
-};
+// Fewer cells than this tell too little of where their items are.
+constexpr std::uint32_t fewest_cells_to_split = 64;
 
 Aabb box_around(std::span<const Aabb> boxes, int threads) {
-  const Chunks chunks{boxes.size()};
+  const Chunks chunks{boxes.size(), items_per_task};
   std::vector<Aabb> around(chunks.size());
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-    for (const Aabb& box : boxes.subspan(chunks.first(chunk), chunks.length(chunk)))
-      around[chunk] = merge(around[chunk], box);
+    Aabb part;
+    for (const Aabb& box : chunks.of(boxes, chunk)) part = merge(part, box);
+    around[chunk] = part;
   });
   Aabb all;
   for (const Aabb& box : around) all = merge(all, box);
   return all;
 }
 
-std::vector<FloatItem> items_in(const WideFrame& frame, std::span<const Aabb> boxes, int threads) {
-  const Chunks chunks{boxes.size()};
-  std::vector<FloatItem> items(boxes.size());
-  parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-    const std::size_t first = chunks.first(chunk);
-    for (std::size_t i = first; i < first + chunks.length(chunk); ++i) {
-      items[i] = {to_frame(frame, boxes[i])};
-      items[i].set_number(static_cast<std::uint32_t>(i));
-    }
-  });
-  return items;
+/// The blocks of a tree over items, which are reordered to their order.
+std::vector<WideBlock> blocks_over(std::span<FloatItem> items) {
+  auto nodes = build_binary(items, [](const Part& part) { return part.count <= WideBlock::width; });
+  set_costs(nodes);
+  const auto plans = plan_blocks(nodes);
+  std::vector<WideBlock> blocks(plans.size());
+  fill_blocks(blocks, plans, nodes, items);
+  return blocks;
 }
 
-/// A node that is to be split.
-struct Task {
+void set_order(std::span<Index> order, std::span<const FloatItem> items) {
+  std::transform(items.begin(), items.end(), order.begin(), [](const FloatItem& item) { return item.number(); });
+}
+
+void build_at_once(WideTree& tree, const WideFrame& frame, std::span<const Aabb> boxes) {
+  std::vector<FloatItem> items;
+  items.reserve(boxes.size());
+  for (const Aabb& box : boxes) items.push_back(item_in(frame, box, static_cast<std::uint32_t>(items.size())));
+  tree.blocks = blocks_over(items);
+  set_order(tree.items, items);
+}
+
+/// A run of cells that gets a tree of its own, which is put in the place of a node of the tree over the cells.
+struct Subtree {
   std::uint32_t node;
-  int depth;
-  Part part;
+  std::span<const Cell> cells;
+  std::uint32_t first_item = 0;
+  std::uint32_t item_count = 0;
+  std::vector<WideBlock> blocks{};
 };
 
-/// Splits a run of items from the top down.
-class BinaryBuilder {
- public:
-  BinaryBuilder(std::span<FloatItem> items, std::uint32_t most_below) : items_(items), most_below_(most_below) {}
-
-  /// Splits until parts are not larger than the builder makes; those larger than a bottom are left over.
-  void build(const Part& part, int depth) {
-    add(part, depth);
-    while (!tasks_.empty()) {
-      const Task task = tasks_.back();
-      tasks_.pop_back();
-      const SplitPart parts =
-          task.depth < greatest_heuristic_depth ? split(items_, task.part) : split_in_halves(items_, task.part);
-      nodes_[task.node].children = static_cast<std::uint32_t>(nodes_.size());
-      add(parts.left, task.depth + 1);
-      add(parts.right, task.depth + 1);
-    }
+/// In the order of the cells.
+std::vector<Subtree> subtrees_below(std::span<const BinaryNode> nodes, std::span<const Cell> cells) {
+  std::vector<Subtree> subtrees;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].is_bottom()) subtrees.push_back({i, cells.subspan(nodes[i].first, nodes[i].count)});
+  std::sort(subtrees.begin(), subtrees.end(),
+            [](const Subtree& a, const Subtree& b) { return a.cells.data() < b.cells.data(); });
+  std::uint32_t first = 0;
+  for (Subtree& subtree : subtrees) {
+    subtree.first_item = first;
+    for (const Cell& cell : subtree.cells) subtree.item_count += cell.count;
+    first += subtree.item_count;
   }
-
-  void set_costs() {
-    for (std::size_t i = nodes_.size(); i > 0; --i) set_cost(nodes_[i - 1], nodes_);
-  }
-
-  std::vector<BinaryNode>& nodes() { return nodes_; }
-  [[nodiscard]] std::span<const Task> left_over() const { return left_over_; }
-
- private:
-  void add(const Part& part, int depth) {
-    const auto number = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({part.box, part.first, part.count});
-    if (part.count > most_below_) {
-      tasks_.push_back({number, depth, part});
-    } else if (part.count > WideBlock::width) {
-      left_over_.push_back({number, depth, part});
-    }
-  }
-
-  std::span<FloatItem> items_;
-  std::uint32_t most_below_;
-  std::vector<BinaryNode> nodes_;
-  std::vector<Task> tasks_;
-  std::vector<Task> left_over_;
-};
-
-/// Puts a subtree in the place of a node that was left over; but for its root, its nodes go to the end.
-void graft(std::vector<BinaryNode>& nodes, std::uint32_t place, std::span<const BinaryNode> subtree) {
-  const auto shift = static_cast<std::uint32_t>(nodes.size() - 1);
-  nodes[place] = subtree[0];
-  nodes.insert(nodes.end(), subtree.begin() + 1, subtree.end());
-  nodes[place].children += shift;
-  for (std::size_t i = shift + 1; i < nodes.size(); ++i)
-    if (!nodes[i].is_bottom()) nodes[i].children += shift;
+  return subtrees;
 }
 
-std::vector<BinaryNode> binary_tree(std::span<FloatItem> items, int threads) {
-  BinaryBuilder top(items, most_items_of_a_subtree);
-  top.build(part_of(items, 0, static_cast<std::uint32_t>(items.size())), 0);
-  const auto tasks = top.left_over();
-  std::vector<std::vector<BinaryNode>> subtrees(tasks.size());
-  parallel_for(tasks.size(), threads, [&](std::size_t i) {
-    BinaryBuilder builder(items, WideBlock::width);
-    builder.build(tasks[i].part, tasks[i].depth);
-    builder.set_costs();
-    subtrees[i] = std::move(builder.nodes());
+/// Builds a subtree over a copy of its items, which stays in the processor's cache.
+void build(Subtree& subtree, std::span<const FloatItem> items, std::span<Index> order) {
+  std::vector<FloatItem> own;
+  own.reserve(subtree.item_count);
+  for (const Cell& cell : subtree.cells) {
+    const auto in_cell = items.subspan(cell.first, cell.count);
+    own.insert(own.end(), in_cell.begin(), in_cell.end());
+  }
+  subtree.blocks = blocks_over(own);
+  set_order(order.subspan(subtree.first_item, subtree.item_count), own);
+}
+
+/// Copies a subtree's blocks to where they are from now on.
+void place(std::span<WideBlock> all, std::uint32_t first_block, const Subtree& subtree) {
+  auto to = all.begin() + first_block;
+  for (const WideBlock& block : subtree.blocks) {
+    WideBlock& placed = *to++ = block;
+    for (std::uint32_t lane = 0; lane < block.count; ++lane)
+      placed.child[lane] +=
+          block.is_item(lane) ? -static_cast<std::int32_t>(subtree.first_item) : static_cast<std::int32_t>(first_block);
+  }
+}
+
+/// Puts the subtrees below the blocks over the cells.
+void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees, int threads) {
+  for (const Subtree& subtree : subtrees) nodes[subtree.node].count = BinaryNode::made_elsewhere;
+  set_costs(nodes);
+  const auto plans = nodes.size() > 1 ? plan_blocks(nodes) : std::vector<BlockPlan>{};
+  auto block_count = static_cast<std::uint32_t>(plans.size());
+  for (const Subtree& subtree : subtrees) {
+    nodes[subtree.node].first = block_count;
+    block_count += static_cast<std::uint32_t>(subtree.blocks.size());
+  }
+  tree.blocks = std::vector<WideBlock>(block_count);
+  fill_blocks(tree.blocks, plans, nodes, {});
+  parallel_for(subtrees.size(), threads,
+               [&](std::size_t i) { place(tree.blocks, nodes[subtrees[i].node].first, subtrees[i]); });
+}
+
+/// The first levels are found from the cells of a grid, and the subtrees below them each on one thread.
+void build_by_cells(WideTree& tree, const WideFrame& frame, std::span<const Aabb> boxes, int threads) {
+  CellGrid grid = sort_into_cells(boxes, tree.box, frame, threads);
+  auto nodes = build_binary(std::span(grid.cells), [](const Part& part) {
+    return part.items <= most_items_of_a_subtree || part.count < fewest_cells_to_split;
   });
-  const std::size_t top_count = top.nodes().size();
-  for (std::size_t i = 0; i < tasks.size(); ++i) graft(top.nodes(), tasks[i].node, subtrees[i]);
-  for (std::size_t i = top_count; i > 0; --i) set_cost(top.nodes()[i - 1], top.nodes());
-  return std::move(top.nodes());
+  auto subtrees = subtrees_below(nodes, grid.cells);
+  parallel_for(subtrees.size(), threads, [&](std::size_t i) { build(subtrees[i], grid.items, tree.items); });
+  grid.items = {};
+  join(tree, nodes, subtrees, threads);
 }
 
 }  // namespace
@@ -147,10 +145,12 @@ WideTree build_wide_tree(std::span<const Aabb> boxes, const WideBuildOptions& op
   const WideFrame frame = frame_around(tree.box);
   tree.origin = frame.origin;
   tree.unit = frame.unit;
-  std::vector<FloatItem> items = items_in(frame, boxes, options.threads);
-  tree.blocks = collapse(binary_tree(items, options.threads), items, options.threads);
-  tree.items.reserve(items.size());
-  for (const FloatItem& item : items) tree.items.push_back(item.number());
+  tree.items = std::vector<Index>(boxes.size());
+  if (boxes.size() <= most_items_without_cells) {
+    build_at_once(tree, frame, boxes);
+  } else {
+    build_by_cells(tree, frame, boxes, options.threads);
+  }
   return tree;
 }
 

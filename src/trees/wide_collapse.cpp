@@ -4,20 +4,42 @@
 #include <bit>
 #include <cstddef>
 
-#include "toccata/core/parallel.hpp"
-
 namespace toccata {
 namespace {
 
 constexpr std::uint32_t width = WideBlock::width;
-constexpr std::size_t blocks_per_task = 1024;
+
+bool is_made_elsewhere(const BinaryNode& node) { return node.count == BinaryNode::made_elsewhere; }
 
 void set_bottom_cost(BinaryNode& node) {
   const float cost = visit_cost(node.box);
   for (std::uint32_t lanes = 1; lanes <= width; ++lanes) node.cost[lanes - 1] = lanes >= node.count ? 0 : cost;
 }
 
-/// A lane of a block: a node that has a block of its own, or an item.
+void set_inner_cost(BinaryNode& node, std::span<const BinaryNode> nodes) {
+  const auto& left = nodes[node.children].cost;
+  const auto& right = nodes[node.children + 1].cost;
+  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+    float best = FloatBox::infinity;
+    for (std::uint32_t to_left = 1; to_left < lanes; ++to_left) {
+      const float both = left[to_left - 1] + right[lanes - to_left - 1];
+      if (both >= best) continue;
+      best = both;
+      node.left_lanes[lanes - 1] = static_cast<std::uint8_t>(to_left);
+    }
+    node.cost[lanes - 1] = best;
+  }
+  // The node's own block is spread over eight lanes.
+  node.left_lanes[0] = node.left_lanes[width - 1];
+  node.cost[0] = visit_cost(node.box) + node.cost[width - 1];
+  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+    if (node.cost[lanes - 1] < node.cost[0]) continue;
+    node.cost[lanes - 1] = node.cost[0];
+    node.left_lanes[lanes - 1] = 0;
+  }
+}
+
+/// A lane of a block: a node that has a block of its own, here or elsewhere, or an item.
 struct Lane {
   std::uint32_t number;
   bool is_item;
@@ -67,30 +89,6 @@ Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
   return lanes;
 }
 
-/// Which node a block replaces, and the block of its first lane that is one; the others' follow.
-struct Plan {
-  std::uint32_t node;
-  std::uint32_t first_child;
-};
-
-/// Children side by side, and what is below the first of them before what is below the next.
-std::vector<Plan> plan_blocks(std::span<const BinaryNode> nodes) {
-  std::vector<Plan> plans{{0, 0}};
-  plans.reserve(nodes.size() / 2 + 1);
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const std::uint32_t block = open.back();
-    open.pop_back();
-    const Lanes lanes = lanes_of(nodes, plans[block].node);
-    plans[block].first_child = static_cast<std::uint32_t>(plans.size());
-    for (std::uint32_t i = 0; i < lanes.count; ++i)
-      if (!lanes.lane[i].is_item) plans.push_back({lanes.lane[i].number, 0});
-    for (auto child = static_cast<std::uint32_t>(plans.size()); child > plans[block].first_child; --child)
-      open.push_back(child - 1);
-  }
-  return plans;
-}
-
 /// A float that is not less than the difference of two, which is not negative.
 float difference_up(float a, float b) {
   const float nearest = a - b;
@@ -109,7 +107,8 @@ void set_boxes(WideBlock& block, const std::array<FloatBox, width>& boxes) {
   }
 }
 
-void fill(WideBlock& block, const Plan& plan, std::span<const BinaryNode> nodes, std::span<const FloatItem> items) {
+void fill(WideBlock& block, const BlockPlan& plan, std::span<const BinaryNode> nodes,
+          std::span<const FloatItem> items) {
   const Lanes lanes = lanes_of(nodes, plan.node);
   std::array<FloatBox, width> boxes;
   boxes.fill(FloatBox{Float4{}, Float4{}});
@@ -117,7 +116,9 @@ void fill(WideBlock& block, const Plan& plan, std::span<const BinaryNode> nodes,
   for (std::uint32_t i = 0; i < lanes.count; ++i) {
     const Lane lane = lanes.lane[i];
     boxes[i] = lane.is_item ? static_cast<const FloatBox&>(items[lane.number]) : nodes[lane.number].box;
-    block.child[i] = lane.is_item ? ~static_cast<std::int32_t>(lane.number) : next_child++;
+    block.child[i] = lane.is_item                            ? ~static_cast<std::int32_t>(lane.number)
+                     : is_made_elsewhere(nodes[lane.number]) ? static_cast<std::int32_t>(nodes[lane.number].first)
+                                                             : next_child++;
   }
   block.count = lanes.count;
   set_boxes(block, boxes);
@@ -125,39 +126,37 @@ void fill(WideBlock& block, const Plan& plan, std::span<const BinaryNode> nodes,
 
 }  // namespace
 
-void set_cost(BinaryNode& node, std::span<const BinaryNode> nodes) {
-  if (node.is_bottom()) return set_bottom_cost(node);
-  const auto& left = nodes[node.children].cost;
-  const auto& right = nodes[node.children + 1].cost;
-  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
-    float best = FloatBox::infinity;
-    for (std::uint32_t to_left = 1; to_left < lanes; ++to_left) {
-      const float both = left[to_left - 1] + right[lanes - to_left - 1];
-      if (both >= best) continue;
-      best = both;
-      node.left_lanes[lanes - 1] = static_cast<std::uint8_t>(to_left);
+void set_costs(std::span<BinaryNode> nodes) {
+  for (std::size_t i = nodes.size(); i > 0; --i) {
+    BinaryNode& node = nodes[i - 1];
+    if (node.is_bottom()) {
+      set_bottom_cost(node);
+    } else {
+      set_inner_cost(node, nodes);
     }
-    node.cost[lanes - 1] = best;
-  }
-  // The node's own block is spread over eight lanes.
-  node.left_lanes[0] = node.left_lanes[width - 1];
-  node.cost[0] = visit_cost(node.box) + node.cost[width - 1];
-  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
-    if (node.cost[lanes - 1] < node.cost[0]) continue;
-    node.cost[lanes - 1] = node.cost[0];
-    node.left_lanes[lanes - 1] = 0;
   }
 }
 
-std::vector<WideBlock> collapse(std::span<const BinaryNode> nodes, std::span<const FloatItem> items, int threads) {
-  const std::vector<Plan> plans = plan_blocks(nodes);
-  std::vector<WideBlock> blocks(plans.size());
-  const std::size_t tasks = (blocks.size() + blocks_per_task - 1) / blocks_per_task;
-  parallel_for(tasks, threads, [&](std::size_t task) {
-    const std::size_t end = std::min(blocks.size(), (task + 1) * blocks_per_task);
-    for (std::size_t i = task * blocks_per_task; i < end; ++i) fill(blocks[i], plans[i], nodes, items);
-  });
-  return blocks;
+std::vector<BlockPlan> plan_blocks(std::span<const BinaryNode> nodes) {
+  std::vector<BlockPlan> plans{{0, 0}};
+  plans.reserve(nodes.size() / 2 + 1);
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t block = open.back();
+    open.pop_back();
+    const Lanes lanes = lanes_of(nodes, plans[block].node);
+    plans[block].first_child = static_cast<std::uint32_t>(plans.size());
+    for (const Lane& lane : std::span(lanes.lane).first(lanes.count))
+      if (!lane.is_item && !is_made_elsewhere(nodes[lane.number])) plans.push_back({lane.number, 0});
+    for (auto child = static_cast<std::uint32_t>(plans.size()); child > plans[block].first_child; --child)
+      open.push_back(child - 1);
+  }
+  return plans;
+}
+
+void fill_blocks(std::span<WideBlock> blocks, std::span<const BlockPlan> plans, std::span<const BinaryNode> nodes,
+                 std::span<const FloatItem> items) {
+  for (std::size_t i = 0; i < plans.size(); ++i) fill(blocks[i], plans[i], nodes, items);
 }
 
 }  // namespace toccata

@@ -14,6 +14,9 @@ namespace toccata {
 /// it when it may take up to 1, 2, … 8 lanes of a block: the sum of the areas of the blocks (H. Ylitie, T. Karras, S.
 /// Laine, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", 2017, section 3.1).
 struct BinaryNode {
+  /// The count of a node whose block is made elsewhere; `first` is the number of that block.
+  static constexpr std::uint32_t made_elsewhere = 0xffffffff;
+
   FloatBox box;
   std::uint32_t first = 0;
   std::uint32_t count = 0;  ///< items
@@ -26,11 +29,21 @@ struct BinaryNode {
   [[nodiscard]] bool is_bottom() const { return children == 0; }
 };
 
-/// Fills in the costs, given those of the children.
-void set_cost(BinaryNode& node, std::span<const BinaryNode> nodes);
+/// Fills in the costs of all nodes; children come after their parents.
+void set_costs(std::span<BinaryNode> nodes);
 
-/// The blocks that replace a binary tree (node 0 is the root; costs are set), its items in their order.
-[[nodiscard]] std::vector<WideBlock> collapse(std::span<const BinaryNode> nodes, std::span<const FloatItem> items,
-                                              int threads);
+/// Which node a block replaces, and the block of its first child that is made here; the others' follow.
+struct BlockPlan {
+  std::uint32_t node;
+  std::uint32_t first_child;
+};
+
+/// The blocks that replace a binary tree whose costs are set and whose node 0, the root, is made here. Children lie
+/// side by side, after their parent, and what is below the first of them before what is below the next.
+[[nodiscard]] std::vector<BlockPlan> plan_blocks(std::span<const BinaryNode> nodes);
+
+/// Makes the blocks planned, which are zero yet.
+void fill_blocks(std::span<WideBlock> blocks, std::span<const BlockPlan> plans, std::span<const BinaryNode> nodes,
+                 std::span<const FloatItem> items);
 
 }  // namespace toccata

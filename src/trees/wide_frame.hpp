@@ -19,4 +19,10 @@ struct WideFrame {
 /// the origin is no double).
 [[nodiscard]] FloatBox to_frame(const WideFrame& frame, const Aabb& box);
 
+[[nodiscard]] inline FloatItem item_in(const WideFrame& frame, const Aabb& box, std::uint32_t number) {
+  FloatItem item{to_frame(frame, box)};
+  item.set_number(number);
+  return item;
+}
+
 }  // namespace toccata

@@ -254,6 +254,23 @@ TEST(WideBuild, BoxesAreTight) {
   }
 }
 
+TEST(WideBuild, HoldsManyBoxes) {
+  Random random(13);
+  check(random_boxes(random, 40'000, {}, 1, 0.01));
+}
+
+TEST(WideBuild, HoldsManyBoxesOfWhichMostAreInACorner) {
+  Random random(17);
+  auto boxes = random_boxes(random, 40'000, {1e3, 1e3, 1e3}, 1e-3, 1e-5);
+  for (int i = 0; i < 100; ++i) boxes.push_back(point_box(-1e3 * random.unit(), 0, 0));
+  EXPECT_LE(check(boxes), 14);
+}
+
+TEST(WideBuild, HoldsManyBoxesThatCoincide) {
+  const std::vector<Aabb> boxes(40'000, point_box(0.1, 0.2, 0.3));
+  EXPECT_LE(check(boxes), 9);
+}
+
 TEST(WideBuild, TheSameTreeOnAnyNumberOfThreads) {
   Random random(11);
   const auto boxes = random_boxes(random, 60'000, {5, 0, 0}, 1, 0.01);
