@@ -14,8 +14,8 @@ constexpr std::size_t slab_count = 16;
 
 /// What lies in one slab.
 struct Slab {
-  FloatBox box;
-  FloatBox middles;
+  FloatBox box = FloatBox::empty();
+  FloatBox middles = FloatBox::empty();
   std::uint32_t items = 0;
 
   template <typename Record>
@@ -50,12 +50,12 @@ std::size_t most_even_border(const AllSlabs& slabs, std::uint32_t items) {
 /// The first slab of the right side, where the cost is least; the first of equals.
 std::size_t best_border(const AllSlabs& slabs, const Part& part) {
   std::array<float, slab_count> right_costs;
-  FloatBox right;
+  FloatBox right = FloatBox::empty();
   for (std::size_t i = slab_count - 1; i > 0; --i) {
     right.add(slabs[i].box);
     right_costs[i] = visit_cost(right);
   }
-  FloatBox left;
+  FloatBox left = FloatBox::empty();
   std::uint32_t left_items = 0;
   std::size_t best = 1;
   float best_cost = FloatBox::infinity;

@@ -9,8 +9,8 @@ namespace toccata {
 
 /// A run of items or of cells, and what is known of them together.
 struct Part {
-  FloatBox box;
-  FloatBox middles;         ///< around twice the centres
+  FloatBox box{};
+  FloatBox middles{};       ///< around twice the centres
   std::uint32_t first = 0;  ///< in the run of all
   std::uint32_t count = 0;
   std::uint32_t items = 0;  ///< the cells' items together; of items their number

@@ -12,11 +12,16 @@ using Float4 [[gnu::vector_size(16)]] = float;
 [[nodiscard]] inline Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
 [[nodiscard]] inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }
 
-/// A box in the units of a wide tree; the last lanes are of no account. Empty until something is merged into it.
+/// A box in the units of a wide tree; the last lanes are of no account.
 struct FloatBox {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
-  Float4 lower{infinity, infinity, infinity, 0};
-  Float4 upper{-infinity, -infinity, -infinity, 0};
+  Float4 lower;
+  Float4 upper;
+
+  /// The box that anything can be merged into.
+  [[nodiscard]] static FloatBox empty() {
+    return {Float4{infinity, infinity, infinity, 0}, Float4{-infinity, -infinity, -infinity, 0}};
+  }
 
   void add(const FloatBox& other) {
     lower = least(lower, other.lower);

@@ -82,30 +82,29 @@ std::vector<Subtree> subtrees_below(std::span<const BinaryNode> nodes, std::span
 }
 
 /// Builds a subtree over a copy of its items, which stays in the processor's cache.
-void build(Subtree& subtree, std::span<const FloatItem> items, std::span<Index> order) {
+void build(Subtree& subtree, const FloatItem* items, std::span<Index> order) {
   std::vector<FloatItem> own;
   own.reserve(subtree.item_count);
   for (const Cell& cell : subtree.cells) {
-    const auto in_cell = items.subspan(cell.first, cell.count);
+    const auto in_cell = std::span(items + cell.first, cell.count);
     own.insert(own.end(), in_cell.begin(), in_cell.end());
   }
   subtree.blocks = blocks_over(own);
   set_order(order.subspan(subtree.first_item, subtree.item_count), own);
 }
 
-/// Copies a subtree's blocks to where they are from now on.
-void place(std::span<WideBlock> all, std::uint32_t first_block, const Subtree& subtree) {
-  auto to = all.begin() + first_block;
+/// Appends a subtree's blocks, whose numbers and places change by that.
+void append(std::vector<WideBlock>& all, const Subtree& subtree) {
+  const auto first_block = static_cast<std::int32_t>(all.size());
   for (const WideBlock& block : subtree.blocks) {
-    WideBlock& placed = *to++ = block;
+    WideBlock& placed = all.emplace_back(block);
     for (std::uint32_t lane = 0; lane < block.count; ++lane)
-      placed.child[lane] +=
-          block.is_item(lane) ? -static_cast<std::int32_t>(subtree.first_item) : static_cast<std::int32_t>(first_block);
+      placed.child[lane] += block.is_item(lane) ? -static_cast<std::int32_t>(subtree.first_item) : first_block;
   }
 }
 
 /// Puts the subtrees below the blocks over the cells.
-void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees, int threads) {
+void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees) {
   for (const Subtree& subtree : subtrees) nodes[subtree.node].count = BinaryNode::made_elsewhere;
   set_costs(nodes);
   const auto plans = nodes.size() > 1 ? plan_blocks(nodes) : std::vector<BlockPlan>{};
@@ -114,10 +113,10 @@ void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtre
     nodes[subtree.node].first = block_count;
     block_count += static_cast<std::uint32_t>(subtree.blocks.size());
   }
-  tree.blocks = std::vector<WideBlock>(block_count);
+  tree.blocks.reserve(block_count);
+  tree.blocks.resize(plans.size());
   fill_blocks(tree.blocks, plans, nodes, {});
-  parallel_for(subtrees.size(), threads,
-               [&](std::size_t i) { place(tree.blocks, nodes[subtrees[i].node].first, subtrees[i]); });
+  for (const Subtree& subtree : subtrees) append(tree.blocks, subtree);
 }
 
 /// The first levels are found from the cells of a grid, and the subtrees below them each on one thread.
@@ -127,9 +126,9 @@ void build_by_cells(WideTree& tree, const WideFrame& frame, std::span<const Aabb
     return part.items <= most_items_of_a_subtree || part.count < fewest_cells_to_split;
   });
   auto subtrees = subtrees_below(nodes, grid.cells);
-  parallel_for(subtrees.size(), threads, [&](std::size_t i) { build(subtrees[i], grid.items, tree.items); });
-  grid.items = {};
-  join(tree, nodes, subtrees, threads);
+  parallel_for(subtrees.size(), threads, [&](std::size_t i) { build(subtrees[i], grid.items.get(), tree.items); });
+  grid.items.reset();
+  join(tree, nodes, subtrees);
 }
 
 }  // namespace

@@ -82,9 +82,7 @@ std::vector<Cell> cells_that_hold_items(std::span<const std::uint32_t> starts) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
     if (starts[i + 1] == starts[i]) continue;
-    Cell& cell = cells.emplace_back();
-    cell.first = starts[i];
-    cell.count = starts[i + 1] - starts[i];
+    cells.push_back({FloatBox::empty(), starts[i], starts[i + 1] - starts[i]});
   }
   return cells;
 }
@@ -100,7 +98,9 @@ CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const 
     places[chunk].assign(grid.cell_count(), 0);
     for (const Aabb& box : chunks.of(boxes, chunk)) ++places[chunk][grid.of(box)];
   });
-  CellGrid result{std::vector<FloatItem>(boxes.size()), cells_that_hold_items(place_chunks(places, grid.cell_count()))};
+  // Not set to anything first, so that the memory is first touched in parallel.
+  CellGrid result{std::make_unique_for_overwrite<FloatItem[]>(boxes.size()),
+                  cells_that_hold_items(place_chunks(places, grid.cell_count()))};
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     auto number = static_cast<std::uint32_t>(chunks.first(chunk));
     for (const Aabb& box : chunks.of(boxes, chunk))
@@ -109,7 +109,7 @@ CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const 
   const Chunks cell_chunks{result.cells.size(), cells_per_task};
   parallel_for(cell_chunks.size(), threads, [&](std::size_t chunk) {
     for (Cell& cell : cell_chunks.of(std::span(result.cells), chunk))
-      for (const FloatItem& item : std::span(result.items).subspan(cell.first, cell.count)) cell.add(item);
+      for (const FloatItem& item : std::span(&result.items[cell.first], cell.count)) cell.add(item);
   });
   return result;
 }

@@ -17,7 +17,7 @@ struct BinaryNode {
   /// The count of a node whose block is made elsewhere; `first` is the number of that block.
   static constexpr std::uint32_t made_elsewhere = 0xffffffff;
 
-  FloatBox box;
+  FloatBox box{};
   std::uint32_t first = 0;
   std::uint32_t count = 0;  ///< items
   std::uint32_t children =
