@@ -35,9 +35,10 @@ class ToccataMeshes : public MeshLibrary {
   Answer answer(Task task, const PosePair& poses) const override {
     // As surfaces, since that is what the peers answer about.
     const PairQuery query{poses.a, poses.b, Solid::none, Solid::none};
-    if (task == Task::overlap) return {overlap(*a_, *b_, query), {}};
+    thread_local Workspace workspace;
+    if (task == Task::overlap) return {overlap(*a_, *b_, query, workspace), {}};
     Answer answer;
-    for (const Contact& contact : contacts(*a_, *b_, query))
+    for (const Contact& contact : contacts(*a_, *b_, query, workspace))
       answer.pairs.emplace_back(contact.triangle_a, contact.triangle_b);
     answer.overlap = !answer.pairs.empty();
     return answer;

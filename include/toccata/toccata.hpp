@@ -41,6 +41,7 @@
 #include "toccata/query/relation.hpp"
 #include "toccata/query/scene_models.hpp"
 #include "toccata/query/self_contacts.hpp"
+#include "toccata/query/workspace.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle.hpp"

@@ -10,6 +10,7 @@
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
 #include "query/task_reporter.hpp"
+#include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/overlap.hpp"
@@ -30,11 +31,12 @@ template <class Answer, class Ask>
 std::vector<Answer> ask_each(std::span<const PairQuery> queries, const BatchOptions& options, const Ask& ask) {
   std::vector<Answer> answers(queries.size());
   TaskReporter reporter(options.progress, queries.size());
+  WorkspacePool workspaces;
   std::atomic<std::size_t> first_failure = std::numeric_limits<std::size_t>::max();
   parallel_for(queries.size(), options.threads, [&](std::size_t i) {
     if (reporter.cancelled() || i > first_failure) return;
     try {
-      answers[i] = ask(queries[i]);
+      answers[i] = workspaces.with([&](Workspace& workspace) { return ask(queries[i], workspace); });
     } catch (const Error& error) {
       lower_to(first_failure, i);
       throw Error(fmt::format("query {}: {}", i, error.what()));
@@ -44,12 +46,10 @@ std::vector<Answer> ask_each(std::span<const PairQuery> queries, const BatchOpti
   return answers;
 }
 
-ContactCount count_contacts(const PosedPair& pair) {
+ContactCount count_contacts(const PosedPair& pair, Workspace& workspace) {
   std::vector<std::pair<Index, Index>> faces;
-  visit_surface_contacts(pair.a, pair.b, [&](const Contact& contact) {
+  for (const Contact& contact : surface_contacts(pair.a, pair.b, workspace.scratch()))
     faces.emplace_back(contact.face_a, contact.face_b);
-    return true;
-  });
   const std::size_t triangle_pairs = faces.size();
   std::sort(faces.begin(), faces.end());
   const auto last = std::unique(faces.begin(), faces.end());
@@ -61,26 +61,31 @@ ContactCount count_contacts(const PosedPair& pair) {
 std::vector<bool> overlap_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                const BatchOptions& options) {
   // Bytes, because the threads write neighbours.
-  const auto answers = ask_each<char>(queries, options,
-                                      [&](const PairQuery& query) { return overlap(a, b, query) ? char{1} : char{0}; });
+  const auto answers = ask_each<char>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
+    return overlap(a, b, query, workspace) ? char{1} : char{0};
+  });
   return {answers.begin(), answers.end()};
 }
 
 std::vector<Relation> relation_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                     const BatchOptions& options) {
-  return ask_each<Relation>(queries, options, [&](const PairQuery& query) { return relation(a, b, query); });
+  return ask_each<Relation>(queries, options,
+                            [&](const PairQuery& query, Workspace&) { return relation(a, b, query); });
 }
 
 std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                                 const BatchOptions& options) {
-  return ask_each<std::vector<Contact>>(queries, options,
-                                        [&](const PairQuery& query) { return contacts(a, b, query); });
+  return ask_each<std::vector<Contact>>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
+    const auto found = contacts(a, b, query, workspace);
+    return std::vector<Contact>(found.begin(), found.end());
+  });
 }
 
 std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                               const BatchOptions& options) {
-  return ask_each<ContactCount>(queries, options,
-                                [&](const PairQuery& query) { return count_contacts(PosedPair(a, b, query)); });
+  return ask_each<ContactCount>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
+    return count_contacts(PosedPair(a, b, query), workspace);
+  });
 }
 
 }  // namespace toccata

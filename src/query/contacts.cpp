@@ -1,19 +1,31 @@
 #include "toccata/query/contacts.hpp"
 
+#include <utility>
+
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
 
 namespace toccata {
 
 std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  static_cast<void>(contacts(a, b, query, workspace));
+  return std::move(workspace.scratch().contacts);
+}
+
+std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedPair pair(a, b, query);
-  return surface_contacts(pair.a, pair.b);
+  return surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
 }
 
 std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return first_contact(a, b, query, workspace);
+}
+
+std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedPair pair(a, b, query);
-  SearchScratch scratch;
-  return first_surface_contact(pair.a, pair.b, scratch);
+  return first_surface_contact(pair.a, pair.b, workspace.scratch());
 }
 
 Triangle world_triangle(const Model& model, const Pose& pose, Index triangle) {

@@ -1,10 +1,13 @@
 #include "toccata/query/model.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "query/posed_mesh.hpp"
+#include "query/relation_union_find.hpp"
+#include "shapes/welded_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/build.hpp"
@@ -19,6 +22,22 @@ std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
   for (const auto& corner : mesh.triangles())
     boxes.push_back(box_of({{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}}));
   return boxes;
+}
+
+std::vector<Index> part_vertices_of(const TriangleMesh& mesh) {
+  const WeldedTriangles welded = weld(mesh);
+  UnionFind parts(welded.distinct_vertices);
+  for (const auto& corner : welded.triangles)
+    for (std::size_t i = 1; i < 3; ++i) parts.unite(corner[0], corner[i]);
+  std::vector<bool> seen(welded.distinct_vertices);
+  std::vector<Index> vertices;
+  for (std::size_t t = 0; t < welded.triangles.size(); ++t) {
+    const Index leader = parts.leader(welded.triangles[t][0]);
+    if (!seen[leader]) vertices.push_back(mesh.triangles()[t][0]);
+    seen[leader] = true;
+  }
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
 }
 
 std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleMesh> mesh) {
@@ -37,8 +56,9 @@ struct Model::Parts {
   Aabb vertex_box;
 
   // What not every question needs, made by the first that does.
-  mutable std::once_flag tree_made, closed_known;
+  mutable std::once_flag tree_made, parts_found, closed_known;
   mutable Tree<Aabb> tree;
+  mutable std::vector<Index> part_vertices;
   mutable bool closed = false;
 };
 
@@ -56,6 +76,11 @@ const Aabb& Model::vertex_box() const { return parts_->vertex_box; }
 const Tree<Aabb>& Model::tree() const {
   std::call_once(parts_->tree_made, [this] { parts_->tree = build_tree(boxes_of(mesh())); });
   return parts_->tree;
+}
+
+std::span<const Index> Model::part_vertices() const {
+  std::call_once(parts_->parts_found, [this] { parts_->part_vertices = part_vertices_of(mesh()); });
+  return parts_->part_vertices;
 }
 
 bool Model::closed() const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "query/pair_cull.hpp"
+#include "query/self_meeting.hpp"
 #include "query/wide_cull.hpp"
 #include "toccata/core/parallel.hpp"
 #include "trees/wide_walk.hpp"
@@ -84,10 +85,24 @@ bool each_lane(unsigned bits, const See& see) {
   return true;
 }
 
+/// How a pair is decided that plain arithmetic leaves open: two triangles of two meshes.
+struct OfTwoMeshes {
+  static bool meet(const Triangle& a, const Triangle& b) { return overlap(a, b); }
+  static Meeting meeting_of(const Triangle& a, const Triangle& b) { return meeting(a, b); }
+};
+
+/// The same for two triangles of one mesh. What plain arithmetic decides is in general position: nothing is shared.
+struct OfOneMesh {
+  static bool meet(const Triangle& a, const Triangle& b) { return self_meet(a, b); }
+  static Meeting meeting_of(const Triangle& a, const Triangle& b) { return self_meeting(a, b); }
+};
+
+template <class Kind>
 bool lane_meets(const TrianglePairBlock& block, std::size_t lane) {
-  return (block.meeting >> lane & 1U) != 0 || overlap(triangle_a(block, lane), triangle_b(block, lane));
+  return (block.meeting >> lane & 1U) != 0 || Kind::meet(triangle_a(block, lane), triangle_b(block, lane));
 }
 
+template <class Kind>
 class AnyMeeting final : public PairVisitor {
  public:
   using PairVisitor::PairVisitor;
@@ -96,7 +111,7 @@ class AnyMeeting final : public PairVisitor {
       const bool known =
           std::any_of(blocks.begin(), blocks.end(), [](const auto& block) { return block.meeting != 0; });
       return !known && std::all_of(blocks.begin(), blocks.end(), [](const TrianglePairBlock& block) {
-        return each_lane(block.unknown, [&](std::size_t lane) { return !lane_meets(block, lane); });
+        return each_lane(block.unknown, [&](std::size_t lane) { return !lane_meets<Kind>(block, lane); });
       });
     });
     return !found;
@@ -113,7 +128,7 @@ class LeastMeeting final : public PairVisitor {
       for (std::size_t i = 0; i < blocks.size(); ++i)
         each_lane(blocks[i].meeting | blocks[i].unknown, [&](std::size_t lane) {
           const ItemPair& pair = part[i * TrianglePairBlock::lanes + lane];
-          if ((!least || pair < *least) && lane_meets(blocks[i], lane)) least = pair;
+          if ((!least || pair < *least) && lane_meets<OfTwoMeshes>(blocks[i], lane)) least = pair;
           return true;
         });
       return true;
@@ -127,7 +142,7 @@ class LeastMeeting final : public PairVisitor {
   std::optional<ItemPair> least;
 };
 
-template <class See>
+template <class Kind, class See>
 class EachMeeting final : public PairVisitor {
  public:
   EachMeeting(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, const See& see)
@@ -146,7 +161,7 @@ class EachMeeting final : public PairVisitor {
  private:
   bool see_lane(const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
     if ((block.meeting >> lane & 1U) != 0) return see_(contact_of(pair, meeting_in(block, lane)));
-    const Meeting common = meeting(triangle_a(block, lane), triangle_b(block, lane));
+    const Meeting common = Kind::meeting_of(triangle_a(block, lane), triangle_b(block, lane));
     return common.kind == MeetingKind::none || see_(contact_of(pair, common));
   }
 
@@ -179,33 +194,101 @@ void run(const PosedMesh& a, const PosedMesh& b, std::size_t first_batch, Search
   scratch.counts = scratch.frontier.counts;
 }
 
+void run_self(const PosedMesh& mesh, SearchScratch& scratch, WideVisitor& visitor) {
+  const MeshWalk walk(mesh, mesh);
+  walk->run_self(scratch.frontier, visitor);
+  scratch.counts = scratch.frontier.counts;
+}
+
+/// Keeps contacts in a scratch.
+template <class Kind>
+class Collector {
+ public:
+  Collector(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
+      : keep_{scratch.contacts}, each_(a, b, scratch, keep_) {
+    scratch.contacts.clear();
+  }
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+
+  WideVisitor& visitor() { return each_; }
+
+ private:
+  struct Keep {
+    std::vector<Contact>& contacts;
+    bool operator()(const Contact& contact) const {
+      contacts.push_back(contact);
+      return true;
+    }
+  };
+  Keep keep_;
+  EachMeeting<Kind, Keep> each_;
+};
+
+/// A search that is spread over threads begins breadth first with so many entries, which are then shared out. Neither
+/// number depends on the threads, nor does what is found.
+constexpr std::size_t spread_entries = 1024;
+constexpr std::size_t part_count = 32;
+
+/// Entry i of the frontier goes to part i % part_count: neighbours take about as long.
+void deal_out(const WideFrontier& from, std::size_t part, WideFrontier& to) {
+  to.blocks.clear();
+  to.boxes.clear();
+  for (std::size_t i = part; i < from.size; i += part_count) {
+    to.blocks.push_back(from.blocks[i]);
+    to.boxes.push_back(from.boxes[i]);
+  }
+  to.size = to.blocks.size();
+}
+
+void run_part(const PosedMesh& a, const PosedMesh& b, const MeshWalk& walk, std::size_t part, const WideFrontier& from,
+              SearchScratch& scratch) {
+  Collector<OfTwoMeshes> collector(a, b, scratch);
+  walk->start(scratch.frontier, WideWalk::largest_batch);
+  deal_out(from, part, scratch.frontier);
+  walk->run(scratch.frontier, collector.visitor());
+}
+
+void collect_on_threads(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
+  scratch.counts = {};
+  scratch.contacts.clear();
+  if (!overlap(a.box(), b.box())) return;
+  const MeshWalk walk(a, b);
+  Collector<OfTwoMeshes> first(a, b, scratch);
+  walk->start(scratch.frontier, WideWalk::largest_batch);
+  walk->spread(scratch.frontier, spread_entries, first.visitor());
+  scratch.parts.resize(part_count);
+  parallel_for(part_count, threads, [&](std::size_t part) {
+    if (!scratch.parts[part]) scratch.parts[part] = std::make_unique<SearchScratch>();
+    run_part(a, b, walk, part, scratch.frontier, *scratch.parts[part]);
+  });
+  scratch.counts = scratch.frontier.counts;
+  for (const auto& part : scratch.parts) {
+    scratch.contacts.insert(scratch.contacts.end(), part->contacts.begin(), part->contacts.end());
+    scratch.counts.volume_tests += part->frontier.counts.volume_tests;
+    scratch.counts.items += part->frontier.counts.items;
+  }
+}
+
 }  // namespace
 
 bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  AnyMeeting any(a, b, scratch);
+  AnyMeeting<OfTwoMeshes> any(a, b, scratch);
   run(a, b, small_batch, scratch, any);
   return any.found;
 }
 
-bool surfaces_meet(const PosedMesh& a, const PosedMesh& b) {
-  SearchScratch scratch;
-  return surfaces_meet(a, b, scratch);
-}
-
 void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see) {
   SearchScratch scratch;
-  EachMeeting each(a, b, scratch, see);
+  EachMeeting<OfTwoMeshes, std::function<bool(const Contact&)>> each(a, b, scratch, see);
   run(a, b, small_batch, scratch, each);
 }
 
-std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int) {
-  scratch.contacts.clear();
-  const auto keep = [&](const Contact& contact) {
-    scratch.contacts.push_back(contact);
-    return true;
-  };
-  EachMeeting each(a, b, scratch, keep);
-  run(a, b, WideWalk::largest_batch, scratch, each);
+std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
+  if (threads == 1)
+    run(a, b, WideWalk::largest_batch, scratch, Collector<OfTwoMeshes>(a, b, scratch).visitor());
+  else
+    collect_on_threads(a, b, scratch, threads);
   std::sort(scratch.contacts.begin(), scratch.contacts.end(), comes_before);
   return scratch.contacts;
 }
@@ -220,6 +303,18 @@ std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh
   LeastMeeting least(a, b, scratch);
   run(a, b, WideWalk::largest_batch, scratch, least);
   return least.contact();
+}
+
+bool meets_itself(const PosedMesh& mesh, SearchScratch& scratch) {
+  AnyMeeting<OfOneMesh> any(mesh, mesh, scratch);
+  run_self(mesh, scratch, any);
+  return any.found;
+}
+
+std::span<const Contact> self_contacts(const PosedMesh& mesh, SearchScratch& scratch) {
+  run_self(mesh, scratch, Collector<OfOneMesh>(mesh, mesh, scratch).visitor());
+  std::sort(scratch.contacts.begin(), scratch.contacts.end(), comes_before);
+  return scratch.contacts;
 }
 
 }  // namespace toccata

@@ -15,7 +15,6 @@ namespace toccata {
 
 /// Some triangle of `a` meets some triangle of `b`. Stops at the first found.
 [[nodiscard]] bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
-[[nodiscard]] bool surfaces_meet(const PosedMesh& a, const PosedMesh& b);
 
 /// Calls `see` with all pairs of triangles that meet, in no particular but always the same order; ends early when it
 /// returns false.
@@ -30,5 +29,11 @@ void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::f
 /// The least of them.
 [[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b,
                                                            SearchScratch& scratch);
+
+/// Some two triangles of one mesh have more in common than what they share (query/self_meeting.hpp).
+[[nodiscard]] bool meets_itself(const PosedMesh& mesh, SearchScratch& scratch);
+
+/// All such pairs, the lesser triangle first, ascending; they lie in the scratch.
+[[nodiscard]] std::span<const Contact> self_contacts(const PosedMesh& mesh, SearchScratch& scratch);
 
 }  // namespace toccata

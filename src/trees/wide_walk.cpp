@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #ifndef TOCCATA_WIDE_WALK_TABLE
 #define TOCCATA_WIDE_WALK_TABLE
@@ -285,6 +286,9 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
   f.pairs.resize(f.pair_count);
   const std::vector<Index>&a = walk.tree(0).items, &b = walk.tree(1).items;
   for (std::size_t i = 0; i < f.pair_count; ++i) f.pairs[i] = {a[f.places[0][i]], b[f.places[1][i]]};
+  if (f.within_one)
+    for (ItemPair& pair : f.pairs)
+      if (pair.second < pair.first) std::swap(pair.first, pair.second);
   f.counts.items += f.pair_count;
   f.pair_count = 0;
   f.batch = std::min(2 * f.batch, WideWalk::largest_batch);
@@ -347,6 +351,7 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
+  if (!f.ended) hand_on(walk, f, visitor, 1);
 }
 
 /// The lanes of every block with each other, and what is below them.
@@ -402,7 +407,7 @@ HWY_EXPORT(run_probe);
 void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
   frontier.size = frontier.pair_count = 0;
   frontier.batch = first_batch;
-  frontier.ended = false;
+  frontier.ended = frontier.within_one = false;
   frontier.counts = {};
   if (tree(0).blocks.empty() || tree(1).blocks.empty()) return;
   const std::uint32_t boxes = tree(1).blocks.front().count;
@@ -429,6 +434,7 @@ void WideWalk::run(WideFrontier& frontier, WideVisitor& visitor) const {
 void WideWalk::run_self(WideFrontier& frontier, WideVisitor& visitor) const {
   start(frontier, largest_batch);
   frontier.size = 0;
+  frontier.within_one = true;
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
 }
 

@@ -60,7 +60,7 @@ struct WideProbe {
 void walk_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit);
 
 /// What a walk finds: pairs (item of the first tree, item of the second), in batches. Of one tree with itself: two
-/// different items, in either order.
+/// different items, the lesser first.
 class WideVisitor {
  public:
   /// Says whether it wants more.
@@ -81,6 +81,7 @@ struct WideFrontier {
   std::vector<ItemPair> pairs;
   std::size_t batch = 0;  ///< so many pairs are handed on at once
   bool ended = false;
+  bool within_one = false;  ///< of one tree with itself: the lesser item first
   WalkCounts counts;
 };
 

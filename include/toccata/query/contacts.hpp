@@ -1,12 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "toccata/core/index.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
+#include "toccata/query/workspace.hpp"
 
 namespace toccata {
 
@@ -23,8 +25,16 @@ struct Contact {
 /// a solid without touching its surface has no contacts: ask `relation`.
 [[nodiscard]] std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query = {});
 
+/// The same, for a caller who asks often. The contacts lie in the workspace until it is used again.
+[[nodiscard]] std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query,
+                                                Workspace& workspace);
+
 /// The least of them by (triangle_a, triangle_b).
 [[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// The same, for a caller who asks often.
+[[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query,
+                                                   Workspace& workspace);
 
 /// A world triangle of a contact, for coordinates(contact.meeting, …). `triangle` is less than the mesh's count.
 [[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -28,6 +29,10 @@ class Model {
 
   /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
   [[nodiscard]] const Aabb& vertex_box() const;
+
+  /// One vertex of every part of the shape, parts being connected through vertices of equal coordinates; ascending.
+  /// Found out when first asked for.
+  [[nodiscard]] std::span<const Index> part_vertices() const;
 
   /// Closed: may be taken as a solid. Found out when first asked for.
   [[nodiscard]] bool closed() const;

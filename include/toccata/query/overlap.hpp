@@ -2,6 +2,7 @@
 
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
+#include "toccata/query/workspace.hpp"
 
 namespace toccata {
 
@@ -9,5 +10,8 @@ namespace toccata {
 /// Throws Error when a world vertex is not finite, or a model is asked about as a solid that is open or singularly
 /// posed.
 [[nodiscard]] bool overlap(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// The same, for a caller who asks often.
+[[nodiscard]] bool overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
 }  // namespace toccata

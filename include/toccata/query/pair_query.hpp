@@ -12,6 +12,7 @@ struct PairQuery {
   Pose pose_b{};
   Solid solid_a = Solid::automatic;
   Solid solid_b = Solid::automatic;
+  int threads = 1;  ///< `contacts` is searched on up to so many, 0: as many as the machine has; it changes no answer
 };
 
 }  // namespace toccata
