@@ -73,28 +73,36 @@ struct Sides {
 /// Two rigidly posed meshes have three slanted axes; this number stands for any.
 constexpr std::size_t any_count = WideAxes::most;
 
-/// The middle of the box along the axes first, first + 1 …
-HWY_INLINE void see_middle(const WideAxes& axes, const Box& box, std::size_t first, Seen& seen) {
+/// The middle of the box along the axes first, first + 1 …, as many as doubles fit into a vector.
+HWY_INLINE auto some_middles(const WideAxes& axes, const Box& box, std::size_t first) {
   const Doubles d;
   const auto product = [&](std::size_t i) HWY_ATTR {
     return hn::Mul(hn::Load(d, axes.other[i].data() + first), hn::Set(d, static_cast<double>(box.centre[i])));
   };
   const auto at =
       hn::Add(hn::Add(hn::Add(product(0), product(1)), product(2)), hn::Load(d, axes.offset.data() + first));
-  const hn::CappedTag<float, double_lanes> half;
-  hn::Store(hn::DemoteTo(half, at), half, seen.at.data() + first);
+  return hn::DemoteTo(hn::CappedTag<float, double_lanes>(), at);
 }
 
-HWY_INLINE void see_reach(const WideAxes& axes, const Box& box, std::size_t first, Seen& seen) {
+/// As many as floats fit. Joined in registers: reading two stores as one would wait until both have reached the cache.
+HWY_INLINE hn::Vec<Floats> middles(const WideAxes& axes, const Box& box, std::size_t first) {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_AVX3
+  return some_middles(axes, box, first);
+#else
+  return hn::Combine(Floats(), some_middles(axes, box, first + double_lanes), some_middles(axes, box, first));
+#endif
+}
+
+/// How far from its middle the box reaches along them.
+HWY_INLINE hn::Vec<Floats> reaches(const WideAxes& axes, const Box& box, std::size_t first, hn::Vec<Floats> middle) {
   const Floats d;
   const auto product = [&](std::size_t i) HWY_ATTR {
     return hn::Mul(hn::Load(d, axes.other_size[i].data() + first), hn::Set(d, box.extent[i]));
   };
   const auto reach = hn::Add(hn::Add(product(0), product(1)), product(2));
-  const auto at = hn::Abs(hn::Load(d, seen.at.data() + first));
-  const auto magnitude = hn::Add(hn::Add(hn::Load(d, axes.own_size.data() + first), at), reach);
+  const auto magnitude = hn::Add(hn::Add(hn::Load(d, axes.own_size.data() + first), hn::Abs(middle)), reach);
   const auto padded = hn::Add(reach, hn::Load(d, axes.pad.data() + first));
-  hn::Store(hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude)), d, seen.reach.data() + first);
+  return hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude));
 }
 
 template <std::size_t axis_count>
@@ -105,9 +113,10 @@ HWY_INLINE std::size_t count_of(const WideAxes& axes) {
 template <std::size_t axis_count>
 HWY_INLINE Seen seen_along(const WideAxes& axes, const Box& box) {
   Seen seen;
-  for (std::size_t first = 0; first < count_of<axis_count>(axes); first += WideBlock::width) {
-    for (std::size_t i = 0; i < WideBlock::width; i += double_lanes) see_middle(axes, box, first + i, seen);
-    for (std::size_t i = 0; i < WideBlock::width; i += lanes) see_reach(axes, box, first + i, seen);
+  for (std::size_t first = 0; first < count_of<axis_count>(axes); first += lanes) {
+    const auto middle = middles(axes, box, first);
+    hn::Store(middle, Floats(), seen.at.data() + first);
+    hn::Store(reaches(axes, box, first, middle), Floats(), seen.reach.data() + first);
   }
   return seen;
 }
