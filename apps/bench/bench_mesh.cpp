@@ -63,7 +63,7 @@ struct Measured {
 };
 
 /// Its queries on each number of threads, into `measured`.
-void measure_threads(const MeshLibrary& library, const MeshArguments& arguments, const std::vector<PosePair>& poses,
+void measure_threads(MeshLibrary& library, const MeshArguments& arguments, const std::vector<PosePair>& poses,
                      const Result& build, Measured& measured) {
   const Task task = task_of(arguments.task);
   for (const int threads : arguments.threads) {

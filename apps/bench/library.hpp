@@ -49,6 +49,8 @@ class MeshLibrary {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// Why this is not measured on so many threads; empty where it is.
   [[nodiscard]] virtual std::string obstacle(Task, int) const { return {}; }
+  /// Told before queries. True: each query is itself spread over so many threads. Else that many are asked at a time.
+  virtual bool spreads_queries(Task, int) { return false; }
   /// May be asked from several threads at once unless there is an obstacle. The task is overlap or contacts.
   [[nodiscard]] virtual Answer answer(Task task, const PosePair& poses) const = 0;
 };

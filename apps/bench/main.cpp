@@ -49,7 +49,8 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   mesh->add_option("--task", arguments.task, "what to ask")
       ->check(CLI::IsMember({"overlap", "contacts", "build"}))
       ->capture_default_str();
-  mesh->add_option("--threads", arguments.threads, "ask this many queries at a time; 1,2: measure both")
+  mesh->add_option("--threads", arguments.threads,
+                   "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -15,7 +15,7 @@ struct Result {
   int threads = 1;
   std::size_t queries = 0;
   double median_us = 0;
-  double mean_us = 0;  ///< on several threads: the whole time over the number of queries
+  double mean_us = 0;  ///< where several queries are asked at a time: the whole time over their number
   double p99_us = 0;
   double build_ms = 0;  ///< of both meshes
   double bytes_per_triangle = 0;
@@ -47,7 +47,7 @@ struct Answered {
 };
 
 /// The library must have been built.
-Answered measure_queries(const MeshLibrary& library, Task task, const std::vector<PosePair>& poses,
+Answered measure_queries(MeshLibrary& library, Task task, const std::vector<PosePair>& poses,
                          const MeasureOptions& options);
 
 /// `rounds` builds; of each library the median counts as its build time.

@@ -32,9 +32,14 @@ class ToccataMeshes : public MeshLibrary {
 
   std::size_t bytes() const override { return bytes_of(a_->wide_tree()) + bytes_of(b_->wide_tree()); }
 
+  bool spreads_queries(Task task, int threads) override {
+    threads_ = task == Task::contacts ? threads : 1;
+    return threads_ > 1;
+  }
+
   Answer answer(Task task, const PosePair& poses) const override {
     // As surfaces, since that is what the peers answer about.
-    const PairQuery query{poses.a, poses.b, Solid::none, Solid::none};
+    const PairQuery query{poses.a, poses.b, Solid::none, Solid::none, threads_};
     thread_local Workspace workspace;
     if (task == Task::overlap) return {overlap(*a_, *b_, query, workspace), {}};
     Answer answer;
@@ -47,6 +52,7 @@ class ToccataMeshes : public MeshLibrary {
  private:
   std::optional<Model> a_;
   std::optional<Model> b_;
+  int threads_ = 1;
 };
 
 using TriangleMethod = bool (*)(const Triangle&, const Triangle&);
