@@ -36,14 +36,14 @@ class Keys {
   }
 
   /// How many keys are less than the i-th.
-  [[nodiscard]] std::size_t rank(std::size_t i) const {
+  [[nodiscard]] std::uint32_t rank(std::size_t i) const {
     const Int4 own{keys_[i], keys_[i], keys_[i], keys_[i]};
     Int4 less{};
     for (std::size_t j = 0; j < count_; j += 4) {
       const Int4 others{keys_[j], keys_[j + 1], keys_[j + 2], keys_[j + 3]};
       less -= others < own;
     }
-    return static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+    return static_cast<std::uint32_t>(less[0] + less[1] + less[2] + less[3]);
   }
 
  private:

@@ -29,17 +29,17 @@ class Grid {
     if (!std::isfinite(scale)) return;
     scale_ = scale;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      last_[axis] = static_cast<std::int32_t>((upper[axis] - lower_[axis]) * scale);
+      last_[axis] = static_cast<std::size_t>((upper[axis] - lower_[axis]) * scale);
   }
 
   [[nodiscard]] std::size_t cell_count() const { return of_place(last_) + 1; }
 
   [[nodiscard]] std::size_t of(const Aabb& box) const {
     const auto middle = in_frame(0.5 * box.lower + 0.5 * box.upper);
-    std::array<std::int32_t, 3> place;
+    std::array<std::size_t, 3> place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto cell = static_cast<std::int32_t>((middle[axis] - lower_[axis]) * scale_);
-      place[axis] = std::clamp(cell, 0, last_[axis]);
+      place[axis] = std::min(static_cast<std::size_t>(std::max(cell, 0)), last_[axis]);
     }
     return of_place(place);
   }
@@ -50,14 +50,14 @@ class Grid {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
   }
 
-  [[nodiscard]] std::size_t of_place(const std::array<std::int32_t, 3>& place) const {
-    return static_cast<std::size_t>((place[2] * (last_[1] + 1) + place[1]) * (last_[0] + 1) + place[0]);
+  [[nodiscard]] std::size_t of_place(const std::array<std::size_t, 3>& place) const {
+    return (place[2] * (last_[1] + 1) + place[1]) * (last_[0] + 1) + place[0];
   }
 
   WideFrame frame_;
   std::array<float, 3> lower_;
   float scale_ = 0;
-  std::array<std::int32_t, 3> last_{0, 0, 0};
+  std::array<std::size_t, 3> last_{0, 0, 0};
 };
 
 /// Places for the items of each chunk in each cell, from the numbers of them, which are replaced.
@@ -98,9 +98,10 @@ CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const 
     places[chunk].assign(grid.cell_count(), 0);
     for (const Aabb& box : chunks.of(boxes, chunk)) ++places[chunk][grid.of(box)];
   });
+  CellGrid result;
+  result.cells = cells_that_hold_items(place_chunks(places, grid.cell_count()));
   // Not set to anything first, so that the memory is first touched in parallel.
-  CellGrid result{std::make_unique_for_overwrite<FloatItem[]>(boxes.size()),
-                  cells_that_hold_items(place_chunks(places, grid.cell_count()))};
+  result.items = std::make_unique_for_overwrite<FloatItem[]>(boxes.size());
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     auto number = static_cast<std::uint32_t>(chunks.first(chunk));
     for (const Aabb& box : chunks.of(boxes, chunk))

@@ -22,6 +22,12 @@ namespace {
 using oracle::exact;
 using oracle::Rational;
 
+/// The place of a lane's item in the order of items.
+std::size_t place_of(const WideBlock& block, std::size_t lane) {
+  const std::int32_t place = ~block.child[lane];
+  return static_cast<std::size_t>(place);
+}
+
 Aabb point_box(double x, double y, double z) { return {{x, y, z}, {x, y, z}}; }
 
 std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
@@ -97,7 +103,7 @@ class Checker {
     ASSERT_LE(block.count, WideBlock::width);
     for (std::size_t lane = 0; lane < block.count; ++lane) {
       if (block.is_item(lane)) {
-        ++seen_.at(static_cast<std::size_t>(~block.child[lane]));
+        ++seen_.at(place_of(block, lane));
         continue;
       }
       const auto child = static_cast<std::size_t>(block.child[lane]);
@@ -122,7 +128,7 @@ class Checker {
 
   Aabb child_box(const WideBlock& block, std::size_t lane) const {
     if (!block.is_item(lane)) return around_[static_cast<std::size_t>(block.child[lane])];
-    return boxes_[tree_.items[static_cast<std::size_t>(~block.child[lane])]];
+    return boxes_[tree_.items[place_of(block, lane)]];
   }
 
   void check_interval(const WideBlock& block, std::size_t lane, int axis, bool used, const Aabb& box) const {
@@ -226,7 +232,8 @@ TEST(WideBuild, CoincidentItemsFillTheirBlocks) {
 TEST(WideBuild, ItemsOnALineAndInAPlane) {
   std::vector<Aabb> line, grid;
   for (int i = 0; i < 1000; ++i) line.push_back(point_box(i, 0, 0));
-  for (int i = 0; i < 1024; ++i) grid.push_back(point_box(i % 32, i / 32, 0));
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) grid.push_back(point_box(x, y, 0));
   EXPECT_LE(check(line), 8);
   EXPECT_LE(check(grid), 6);
 }
@@ -246,7 +253,7 @@ TEST(WideBuild, BoxesAreTight) {
     const WideBlock& block = tree.blocks[number];
     for (std::size_t lane = 0; lane < block.count; ++lane) {
       if (!block.is_item(lane)) continue;
-      const Aabb& item = boxes[tree.items[static_cast<std::size_t>(~block.child[lane])]];
+      const Aabb& item = boxes[tree.items[place_of(block, lane)]];
       const Aabb box = box_of(tree, number, lane);
       for (int axis = 0; axis < 3; ++axis)
         EXPECT_LE((box.upper[axis] - box.lower[axis]) - (item.upper[axis] - item.lower[axis]), 1e-6);
