@@ -84,7 +84,7 @@ class AxesMaker {
 
   void add_slanted(const Form& form) {
     if (!is_usable(form) || axes_.count == WideAxes::most) return;
-    axes_.own[axes_.count] = floats_of(form.own);
+    axes_.slanted[axes_.count] = SlantedForm(floats_of(form.own));
     set(axes_.count++, form, sum_of(form.own));
   }
 
@@ -130,7 +130,7 @@ void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe&
   const Form form = scaled(whole, 1 / largest_of(whole.own));
   if (!is_usable(form) || probe.count == WideProbe::most) return;
   const double slack = 0x1p-20 * ((sum_of(form.own) + std::abs(form.offset)) + form.pad);
-  probe.axes[probe.count++] = {floats_of(form.own), static_cast<float>(form.offset),
+  probe.axes[probe.count++] = {SlantedForm(floats_of(form.own)), static_cast<float>(form.offset),
                                not_less((form.pad + rounding_of(form)) + slack)};
 }
 

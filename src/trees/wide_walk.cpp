@@ -70,7 +70,8 @@ struct Sides {
   const WideAxes* axes[2];
 };
 
-/// Two rigidly posed meshes have three slanted axes; this number stands for any.
+/// Two rigidly posed meshes have three slanted axes; the other number stands for any.
+constexpr std::size_t usual_count = 6;
 constexpr std::size_t any_count = WideAxes::most;
 
 /// The middle of the box along the axes first, first + 1 …, as many as doubles fit into a vector.
@@ -158,9 +159,8 @@ HWY_INLINE hn::Mask<Floats> is_beyond(hn::Vec<Floats> centre, hn::Vec<Floats> ex
   return hn::Gt(hn::Abs(hn::Sub(centre, hn::Set(d, at))), hn::Add(extent, hn::Set(d, reach)));
 }
 
-HWY_INLINE hn::Mask<Floats> is_beyond_along(const std::array<float, 3>& own, const Lanes& l, float at, float reach) {
-  const std::array<float, 3> own_size{std::fabs(own[0]), std::fabs(own[1]), std::fabs(own[2])};
-  return is_beyond(along(own, l.cx, l.cy, l.cz), along(own_size, l.ex, l.ey, l.ez), at, reach);
+HWY_INLINE hn::Mask<Floats> is_beyond_along(const SlantedForm& form, const Lanes& l, float at, float reach) {
+  return is_beyond(along(form.own, l.cx, l.cy, l.cz), along(form.size, l.ex, l.ey, l.ez), at, reach);
 }
 
 /// One box against the eight of a block.
@@ -173,8 +173,13 @@ HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const 
     auto apart =
         hn::Or(hn::Or(is_beyond(l.cx, l.ex, box.at[0], box.reach[0]), is_beyond(l.cy, l.ey, box.at[1], box.reach[1])),
                is_beyond(l.cz, l.ez, box.at[2], box.reach[2]));
-    for (std::size_t i = WideAxes::straight; i < count_of<axis_count>(axes); ++i)
-      apart = hn::Or(apart, is_beyond_along(axes.own[i], l, box.at[i], box.reach[i]));
+    const auto beyond = [&](std::size_t i)
+                            HWY_ATTR { return is_beyond_along(axes.slanted[i], l, box.at[i], box.reach[i]); };
+    if constexpr (axis_count == usual_count) {
+      apart = hn::Or(apart, hn::Or(hn::Or(beyond(3), beyond(4)), beyond(5)));
+    } else {
+      for (std::size_t i = WideAxes::straight; i < axes.count; ++i) apart = hn::Or(apart, beyond(i));
+    }
     result.apart |= bits_of(apart) << first;
     const hn::RebindToSigned<Words> whole;
     const auto children = hn::Load(whole, block.child.data() + first);
@@ -305,14 +310,9 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
 }
 
 /// Asks for the memory of a step before its turn comes.
-HWY_INLINE void prefetch(const Sides& sides, std::uint32_t block_number, std::uint32_t box_number) {
-  const std::uint32_t side = block_number & 1U;
-  const auto fetch = [](const WideBlock& block) HWY_ATTR {
-    const char* bytes = reinterpret_cast<const char*>(&block);
-    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
-  };
-  fetch(sides.blocks[side][block_number >> 1]);
-  fetch(sides.blocks[side ^ 1U][box_number >> 3]);
+HWY_INLINE void prefetch(const Sides& sides, std::uint32_t block_number) {
+  const auto* bytes = reinterpret_cast<const char*>(sides.blocks[block_number & 1U] + (block_number >> 1));
+  for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
 }
 
 /// Walks until the frontier is empty; a last batch that is not full stays.
@@ -328,7 +328,7 @@ void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
     std::copy_n(ends.blocks + f.size, block_size, blocks.data());
     std::copy_n(ends.boxes + f.size, block_size, boxes.data());
     for (std::size_t i = 0; i < count; ++i) {
-      if (i + ahead < count) prefetch(sides, blocks[i + ahead], boxes[i + ahead]);
+      if (i + ahead < count) prefetch(sides, blocks[i + ahead]);
       step<axis_count>(sides, blocks[i], boxes[i], 0xFF, ends);
     }
     take_over(ends, f);
@@ -337,9 +337,8 @@ void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
 }
 
 void drain(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
-  constexpr std::size_t usual = 6;
-  if (walk.axes(0).count == usual && walk.axes(1).count == usual)
-    drain_with<usual>(walk, f, visitor);
+  if (walk.axes(0).count == usual_count && walk.axes(1).count == usual_count)
+    drain_with<usual_count>(walk, f, visitor);
   else
     drain_with<any_count>(walk, f, visitor);
 }
@@ -386,7 +385,7 @@ void run_probe(const WideTree& tree, const WideProbe& probe, const std::function
     for (std::size_t part = 0; part < parts; ++part) {
       const Lanes l(block, part * lanes);
       for (std::size_t i = 0; i < probe.count; ++i)
-        apart |= bits_of(is_beyond_along(probe.axes[i].own, l, probe.axes[i].at, probe.axes[i].reach)) << part * lanes;
+        apart |= bits_of(is_beyond_along(probe.axes[i].form, l, probe.axes[i].at, probe.axes[i].reach)) << part * lanes;
     }
     for (unsigned hits = ~apart & ((1U << block.count) - 1U); hits != 0; hits &= hits - 1) {
       const std::int32_t child = block.child[static_cast<std::size_t>(std::countr_zero(hits))];

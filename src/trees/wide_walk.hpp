@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,13 +14,22 @@
 
 namespace toccata {
 
+/// own · q, and what half sizes add up to along it.
+struct SlantedForm {
+  SlantedForm() = default;
+  explicit SlantedForm(const std::array<float, 3>& form)
+      : own(form), size{std::fabs(form[0]), std::fabs(form[1]), std::fabs(form[2])} {}
+  std::array<float, 3> own{};
+  std::array<float, 3> size{};
+};
+
 /// How blocks of one tree ("its own") are compared with boxes of another: constants of a query. For a point q of the
 /// own tree and a point p of the other, each in its tree's units, every axis has a number that is the same for both
 /// where the two are one point of the world: own · q and offset + other · p. The pads cover all that was rounded on the
 /// way to the constants; what floats round during the walk is the walk's business (docs/design/fast-core.md).
 ///
-/// Axes 0, 1 and 2 follow the own coordinates (own · q is q_i, and `own` is not looked at); the rest are slanted. Axis
-/// by axis in one column, so that all are computed at once. A pad of +∞ turns an axis off.
+/// Axes 0, 1 and 2 follow the own coordinates (own · q is q_i, and `slanted` is not looked at); the rest are slanted.
+/// Axis by axis in one column, so that all are computed at once. A pad of +∞ turns an axis off.
 struct WideAxes {
   static constexpr std::size_t straight = 3;
   static constexpr std::size_t most = 16;
@@ -29,7 +39,7 @@ struct WideAxes {
   alignas(64) std::array<std::array<float, most>, 3> other_size{};  ///< |other|, rounded up
   alignas(64) std::array<float, most> pad{};
   alignas(64) std::array<float, most> own_size{};  ///< the sum of |own|; 1 for the first three
-  std::array<std::array<float, 3>, most> own{};
+  std::array<SlantedForm, most> slanted{};
   std::size_t count = straight;
 
   /// What a length of 1 of the other tree is in the own one, roughly: the larger of two boxes is split.
@@ -46,7 +56,7 @@ struct WideCull {
 /// every point of the region. The pads are in `reach`.
 struct WideProbe {
   struct Axis {
-    std::array<float, 3> own{};
+    SlantedForm form;
     float at = 0;
     float reach = 0;
   };
