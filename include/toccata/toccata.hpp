@@ -43,6 +43,7 @@
 #include "toccata/query/self_contacts.hpp"
 #include "toccata/query/workspace.hpp"
 #include "toccata/shapes/mesh_health.hpp"
+#include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"

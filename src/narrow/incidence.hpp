@@ -9,12 +9,6 @@ namespace toccata {
 
 // Where points, open segments and open triangles meet; exact for all finite doubles. "Open" is without the boundary.
 
-constexpr bool lexicographically_less(const Vec3& p, const Vec3& q) {
-  if (p.x != q.x) return p.x < q.x;
-  if (p.y != q.y) return p.y < q.y;
-  return p.z < q.z;
-}
-
 /// orient2d of the three points seen along a coordinate axis.
 [[nodiscard]] Sign orient_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c);
 

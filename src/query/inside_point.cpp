@@ -101,10 +101,4 @@ Sign projected_orientation(const Triangle& t, int axis) {
   return orient2d(drop_axis(t[0], axis), drop_axis(t[1], axis), drop_axis(t[2], axis));
 }
 
-bool has_area(const Triangle& t) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (projected_orientation(t, axis) != Sign::zero) return true;
-  return false;
-}
-
 }  // namespace toccata

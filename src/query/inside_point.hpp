@@ -41,6 +41,4 @@ class ExactPoint {
 /// The orientation of the triangle after dropping `axis`: the sign of that component of its normal.
 [[nodiscard]] Sign projected_orientation(const Triangle& t, int axis);
 
-[[nodiscard]] bool has_area(const Triangle& t);
-
 }  // namespace toccata

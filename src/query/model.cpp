@@ -1,13 +1,10 @@
 #include "toccata/query/model.hpp"
 
-#include <algorithm>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "query/posed_mesh.hpp"
-#include "query/relation_union_find.hpp"
-#include "shapes/welded_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/build.hpp"
@@ -22,22 +19,6 @@ std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
   for (const auto& corner : mesh.triangles())
     boxes.push_back(box_of({{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}}));
   return boxes;
-}
-
-std::vector<Index> part_vertices_of(const TriangleMesh& mesh) {
-  const WeldedTriangles welded = weld(mesh);
-  UnionFind parts(welded.distinct_vertices);
-  for (const auto& corner : welded.triangles)
-    for (std::size_t i = 1; i < 3; ++i) parts.unite(corner[0], corner[i]);
-  std::vector<bool> seen(welded.distinct_vertices);
-  std::vector<Index> vertices;
-  for (std::size_t t = 0; t < welded.triangles.size(); ++t) {
-    const Index leader = parts.leader(welded.triangles[t][0]);
-    if (!seen[leader]) vertices.push_back(mesh.triangles()[t][0]);
-    seen[leader] = true;
-  }
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
 }
 
 std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleMesh> mesh) {
@@ -58,7 +39,7 @@ struct Model::Parts {
   // What not every question needs, made by the first that does.
   mutable std::once_flag tree_made, parts_found, closed_known;
   mutable Tree<Aabb> tree;
-  mutable std::vector<Index> part_vertices;
+  mutable MeshParts mesh_parts;
   mutable bool closed = false;
 };
 
@@ -78,9 +59,9 @@ const Tree<Aabb>& Model::tree() const {
   return parts_->tree;
 }
 
-std::span<const Index> Model::part_vertices() const {
-  std::call_once(parts_->parts_found, [this] { parts_->part_vertices = part_vertices_of(mesh()); });
-  return parts_->part_vertices;
+const MeshParts& Model::mesh_parts() const {
+  std::call_once(parts_->parts_found, [this] { parts_->mesh_parts = toccata::mesh_parts(mesh()); });
+  return parts_->mesh_parts;
 }
 
 bool Model::closed() const {

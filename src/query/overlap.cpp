@@ -1,21 +1,20 @@
 #include "toccata/query/overlap.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
-#include "query/relation_parts.hpp"
+#include "query/relation_locality.hpp"
 
 namespace toccata {
 namespace {
 
 /// The surfaces do not meet, so every connected part of one lies as a whole inside the other or outside it.
 bool has_part_inside(const PosedMesh& mesh, const PosedMesh& solid) {
-  const auto parts = mesh.model().part_vertices();
-  return std::any_of(parts.begin(), parts.end(), [&](Index number) {
-    const Vec3 vertex = mesh.vertex(number);
-    return contains(solid.box(), {vertex, vertex}) && is_interior(vertex, solid);
-  });
+  const std::vector<Index>& parts = mesh.model().mesh_parts().first_triangle;
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](Index triangle) { return is_interior(mesh.triangle(triangle)[0], solid); });
 }
 
 }  // namespace

@@ -36,10 +36,20 @@ RegionsSeen operator|(const RegionsSeen& x, const RegionsSeen& y) {
   return {x.in_both || y.in_both, x.only_in_a || y.only_in_a, x.only_in_b || y.only_in_b};
 }
 
+RegionsSeen possible_at_surface_of_a(bool in_b) { return {in_b, !in_b, in_b}; }
+
+RegionsSeen possible_at_surface_of_b(bool in_a) { return {in_a, in_a, !in_a}; }
+
 SidesOfPoint sides_of(const SolidPair& pair, const ExactPoint& p, const Triangle& t) {
   const int axis = projection_axis(t);
   const LineWinding a = wind_along(pair.a, p, axis, t), b = wind_along(pair.b, p, axis, t);
-  return {region_of(a.ahead, b.ahead) | region_of(a.behind, b.behind), a.on_another_plane || b.on_another_plane};
+  SidesOfPoint sides{region_of(a.ahead, b.ahead) | region_of(a.behind, b.behind), {}, false};
+  sides.on_another_plane = a.on_another_plane || b.on_another_plane;
+  // A surface on one side of which the other solid is lies on the surface of that solid.
+  const bool in_a = a.ahead != 0, in_b = b.ahead != 0;
+  if (in_b == (b.behind != 0)) sides.possible_beyond = sides.possible_beyond | possible_at_surface_of_a(in_b);
+  if (in_a == (a.behind != 0)) sides.possible_beyond = sides.possible_beyond | possible_at_surface_of_b(in_a);
+  return sides;
 }
 
 RegionsSeen glance(const SolidPair& pair, const Triangle& t) { return glance_at_cells(pair, t, {}); }

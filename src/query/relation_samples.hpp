@@ -29,8 +29,15 @@ RegionsSeen operator|(const RegionsSeen& x, const RegionsSeen& y);
 /// The regions on both sides of a point of the triangle `t`.
 struct SidesOfPoint {
   RegionsSeen seen;
+  /// Kinds that can border on triangles that meet nothing of the other solid and hang together with the surface here.
+  RegionsSeen possible_beyond;
   bool on_another_plane = false;  ///< a triangle that is not in the plane of t contains the point
 };
+
+/// The kinds of region that can border on a piece of the surface of A that lies off the surface of B, inside B or
+/// outside as a whole; and the same of B.
+[[nodiscard]] RegionsSeen possible_at_surface_of_a(bool in_b);
+[[nodiscard]] RegionsSeen possible_at_surface_of_b(bool in_a);
 
 /// Precondition: has_area(t).
 [[nodiscard]] SidesOfPoint sides_of(const SolidPair& pair, const ExactPoint& p, const Triangle& t);

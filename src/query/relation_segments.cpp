@@ -96,11 +96,10 @@ struct CoplanarEdge {
 };
 
 void add_edges(const Triangle& t, int axis, std::vector<CoplanarEdge>& edges) {
-  const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
   const Sign orientation = projected_orientation(t, axis);
   for (int i = 0; i < 3; ++i) {
     const Vec3 &p = t[i], &q = t[(i + 1) % 3];
-    if (key(p) < key(q))
+    if (lexicographically_less(p, q))
       edges.push_back({p, q, orientation});
     else
       edges.push_back({q, p, -orientation});

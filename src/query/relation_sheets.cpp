@@ -1,12 +1,12 @@
 #include "query/relation_sheets.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <numeric>
-#include <tuple>
+#include <utility>
 
 #include "query/posed_mesh.hpp"
-#include "query/relation_union_find.hpp"
+#include "shapes/union_find.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/walk.hpp"
@@ -14,25 +14,32 @@
 namespace toccata {
 namespace {
 
-bool before(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
-
 /// The vertices in ascending order: the same for all triangles that are the same set.
 Triangle sorted_vertices(Triangle t) {
-  std::sort(t.vertex.begin(), t.vertex.end(), before);
+  std::sort(t.vertex.begin(), t.vertex.end(), lexicographically_less);
   return t;
 }
 
 bool before(const Triangle& s, const Triangle& t) {
   return std::lexicographical_compare(s.vertex.begin(), s.vertex.end(), t.vertex.begin(), t.vertex.end(),
-                                      [](const Vec3& p, const Vec3& q) { return before(p, q); });
+                                      lexicographically_less);
 }
 
 std::vector<Triangle> different_sheets(std::vector<Triangle> triangles) {
   for (Triangle& t : triangles) t = sorted_vertices(t);
-  std::sort(triangles.begin(), triangles.end(), [](const Triangle& s, const Triangle& t) { return before(s, t); });
+  std::sort(triangles.begin(), triangles.end(), before);
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   std::erase_if(triangles, [](const Triangle& t) { return !has_area(t); });
   return triangles;
+}
+
+/// The sheets of interest and, of the others, those that are none of them.
+std::vector<Triangle> sheets_and_others(std::vector<Triangle> sheets, std::vector<Triangle> others) {
+  std::vector<Triangle> added;
+  others = different_sheets(std::move(others));
+  std::set_difference(others.begin(), others.end(), sheets.begin(), sheets.end(), std::back_inserter(added), before);
+  sheets.insert(sheets.end(), added.begin(), added.end());
+  return sheets;
 }
 
 int shared_vertices(const Triangle& s, const Triangle& t) {
@@ -62,8 +69,11 @@ class BoxMeetings {
 
 }  // namespace
 
-Sheets::Sheets(std::vector<Triangle> triangles)
-    : sheets_(different_sheets(std::move(triangles))), cuts_(sheets_.size()), edge_blocked_(sheets_.size()) {
+Sheets::Sheets(std::vector<Triangle> of_interest, std::vector<Triangle> beside)
+    : sheets_(different_sheets(std::move(of_interest))), interest_count_(sheets_.size()) {
+  sheets_ = sheets_and_others(std::move(sheets_), std::move(beside));
+  cuts_.resize(sheets_.size());
+  edge_blocked_.resize(sheets_.size());
   find_cuts();
 }
 
@@ -77,6 +87,7 @@ void Sheets::find_cuts() {
 }
 
 void Sheets::note_meeting(Index i, Index j) {
+  if (i >= interest_count_ && j >= interest_count_) return;
   const Meeting common = meeting(sheets_[i], sheets_[j]);
   if (common.kind == MeetingKind::none || common.kind == MeetingKind::point) return;
   // A segment that contains a whole edge of both is that edge.
@@ -98,10 +109,11 @@ std::vector<Sheets::Edge> Sheets::sorted_edges() const {
   for (std::size_t i = 0; i < sheets_.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const Vec3 &p = sheets_[i][k], &q = sheets_[i][(k + 1) % 3];
-      edges.push_back({before(p, q) ? p : q, before(p, q) ? q : p, static_cast<Index>(i), k});
+      edges.push_back(
+          {lexicographically_less(p, q) ? p : q, lexicographically_less(p, q) ? q : p, static_cast<Index>(i), k});
     }
   std::sort(edges.begin(), edges.end(), [](const Edge& d, const Edge& e) {
-    return d.from == e.from ? before(d.to, e.to) : before(d.from, e.from);
+    return d.from == e.from ? lexicographically_less(d.to, e.to) : lexicographically_less(d.from, e.from);
   });
   return edges;
 }
@@ -109,7 +121,8 @@ std::vector<Sheets::Edge> Sheets::sorted_edges() const {
 std::vector<Index> Sheets::patch_leaders() const {
   UnionFind patches(sheets_.size());
   const auto is_open = [&](const Edge& e) {
-    return cuts_[e.sheet].empty() && !edge_blocked_[e.sheet][static_cast<std::size_t>(e.number)];
+    return e.sheet < interest_count_ && cuts_[e.sheet].empty() &&
+           !edge_blocked_[e.sheet][static_cast<std::size_t>(e.number)];
   };
   const std::vector<Edge> edges = sorted_edges();
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
@@ -118,7 +131,7 @@ std::vector<Index> Sheets::patch_leaders() const {
       patches.unite(edges[first].sheet, edges[first + 1].sheet);
   }
   std::vector<Index> leaders;
-  for (Index i = 0; i < sheets_.size(); ++i)
+  for (Index i = 0; i < interest_count_; ++i)
     if (patches.leader(i) == i) leaders.push_back(i);
   return leaders;
 }

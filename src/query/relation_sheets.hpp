@@ -18,10 +18,13 @@ namespace toccata {
 /// do not share a whole edge there, come together.
 class Sheets {
  public:
-  explicit Sheets(std::vector<Triangle> triangles);
+  /// `beside` are triangles that only cut those of interest. Where all that meet these are among the two, their patches
+  /// are those of the whole.
+  explicit Sheets(std::vector<Triangle> of_interest, std::vector<Triangle> beside = {});
 
-  /// Calls `visit` with a point of every patch and the triangle it lies on, of some patches more than once. Isolated
-  /// points in which a sheet is touched are not avoided: `visit` asks for another. Ends when `visit` says stop.
+  /// Calls `visit` with a point of every patch of the triangles of interest and the triangle it lies on, of some
+  /// patches more than once. Isolated points in which a sheet is touched are not avoided: `visit` asks for another.
+  /// Ends when `visit` says stop.
   void visit_patches(const std::function<CellVisit(const ExactPoint&, const Triangle&)>& visit) const;
 
  private:
@@ -39,7 +42,8 @@ class Sheets {
   [[nodiscard]] std::vector<Edge> sorted_edges() const;
   [[nodiscard]] std::vector<Triangle> cuts_of(Index sheet) const;
 
-  std::vector<Triangle> sheets_;
+  std::vector<Triangle> sheets_;  ///< first those of interest
+  std::size_t interest_count_;
   std::vector<std::vector<Index>> cuts_;           ///< of each sheet, the sheets that cut its interior
   std::vector<std::array<bool, 3>> edge_blocked_;  ///< touched along a part of it, other than by a whole edge
 };

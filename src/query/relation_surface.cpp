@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "query/inside_winding.hpp"
 #include "query/relation_cells.hpp"
-#include "query/relation_parts.hpp"
+#include "query/relation_locality.hpp"
 #include "query/relation_solids.hpp"
 
 namespace toccata {
@@ -52,9 +51,8 @@ struct SegmentEnds {
 };
 
 SegmentEnds ends_of(const Triangle& without_area) {
-  const auto before = [](const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
   const auto& v = without_area.vertex;
-  const auto [least, greatest] = std::minmax_element(v.begin(), v.end(), before);
+  const auto [least, greatest] = std::minmax_element(v.begin(), v.end(), lexicographically_less);
   return {*least, *greatest};
 }
 
@@ -137,15 +135,14 @@ class SurfaceLook {
     return area ? cells_reach_interior(solid_, t, cuts, true) : segment_reaches_interior(solid_, t, cuts);
   }
 
+  /// The triangles of a part of which some meet the solid and none reaches its interior are outside.
   PartsInside parts_off_the_faces() const {
-    std::vector<bool> meets(surface_.model().mesh().triangle_count());
-    for (const Contact& contact : contacts_) meets[contact.triangle_b] = true;
-    std::vector<Index> others;
-    for (Index t = 0; t < meets.size(); ++t)
-      if (!meets[t]) others.push_back(t);
+    std::vector<Index> with_contacts;
+    for (const Contact& contact : contacts_) with_contacts.push_back(contact.triangle_b);
     PartsInside inside;
-    for (const std::vector<Index>& part : connected_parts(surface_, others)) {
-      const bool interior = is_interior(surface_.triangle(part.front())[0], solid_);
+    for (const Index part : parts_without(surface_, with_contacts)) {
+      const Index first = surface_.model().mesh_parts().first_triangle[part];
+      const bool interior = is_interior(surface_.triangle(first)[0], solid_);
       inside.some |= interior;
       inside.all &= interior;
     }

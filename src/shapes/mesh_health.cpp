@@ -5,41 +5,10 @@
 #include <numeric>
 
 #include "shapes/welded_mesh.hpp"
-#include "toccata/math/predicates.hpp"
+#include "toccata/shapes/triangle.hpp"
 
 namespace toccata {
 namespace {
-
-/// Disjoint sets of vertices (R. E. Tarjan, "Efficiency of a good but not linear set union algorithm", 1975).
-class VertexSets {
- public:
-  explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index find(Index v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(Index a, Index b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<Index> parent_;
-};
-
-std::size_t count_components(const WeldedTriangles& welded) {
-  VertexSets sets(welded.distinct_vertices);
-  for (const auto& [a, b, c] : welded.triangles) {
-    sets.join(a, b);
-    sets.join(b, c);
-  }
-  std::vector<char> seen(welded.distinct_vertices, 0);
-  std::size_t count = 0;
-  for (const auto& triangle : welded.triangles) {
-    char& root = seen[sets.find(triangle[0])];
-    if (root == 0) ++count;
-    root = 1;
-  }
-  return count;
-}
 
 std::size_t count_duplicates(const WeldedTriangles& welded) {
   std::vector<std::array<Index, 3>> sorted = welded.triangles;
@@ -49,16 +18,11 @@ std::size_t count_duplicates(const WeldedTriangles& welded) {
   return static_cast<std::size_t>(sorted.end() - distinct_end);
 }
 
-bool has_no_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (orient2d(drop_axis(a, axis), drop_axis(b, axis), drop_axis(c, axis)) != Sign::zero) return false;
-  return true;
-}
-
 std::size_t count_degenerate(const TriangleMesh& mesh) {
   const auto v = mesh.vertices();
-  return static_cast<std::size_t>(std::count_if(mesh.triangles().begin(), mesh.triangles().end(),
-                                                [&](const auto& t) { return has_no_area(v[t[0]], v[t[1]], v[t[2]]); }));
+  return static_cast<std::size_t>(std::count_if(mesh.triangles().begin(), mesh.triangles().end(), [&](const auto& t) {
+    return !has_area({{v[t[0]], v[t[1]], v[t[2]]}});
+  }));
 }
 
 bool balanced(const EdgeUse& edge) { return edge.upward == edge.downward; }
@@ -124,7 +88,7 @@ MeshHealth inspect(const TriangleMesh& mesh) {
   health.distinct_vertices = welded.distinct_vertices;
   health.triangles = mesh.triangles().size();
   health.faces = mesh.face_count();
-  health.components = count_components(welded);
+  health.components = connected_parts(welded).first_triangle.size();
   count_edges(welded, health);
   health.degenerate_triangles = count_degenerate(mesh);
   health.duplicate_triangles = count_duplicates(welded);

@@ -1,8 +1,11 @@
 #include "shapes/welded_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
+
+#include "shapes/union_find.hpp"
 
 namespace toccata {
 namespace {
@@ -38,10 +41,8 @@ WeldedTriangles weld(const TriangleMesh& mesh) {
   const auto vertices = mesh.vertices();
   std::vector<Index> order(vertices.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-    const Vec3 &a = vertices[i], &b = vertices[j];
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](Index i, Index j) { return lexicographically_less(vertices[i], vertices[j]); });
   std::vector<Index> distinct(vertices.size());
   Index count = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -53,6 +54,27 @@ WeldedTriangles weld(const TriangleMesh& mesh) {
   welded.triangles.reserve(mesh.triangles().size());
   for (const auto& [a, b, c] : mesh.triangles()) welded.triangles.push_back({distinct[a], distinct[b], distinct[c]});
   return welded;
+}
+
+MeshParts connected_parts(const WeldedTriangles& welded) {
+  UnionFind sets(welded.distinct_vertices);
+  for (const auto& [a, b, c] : welded.triangles) {
+    sets.unite(a, b);
+    sets.unite(b, c);
+  }
+  constexpr Index none = std::numeric_limits<Index>::max();
+  std::vector<Index> part_of_leader(welded.distinct_vertices, none);
+  MeshParts parts;
+  parts.part_of_triangle.reserve(welded.triangles.size());
+  for (std::size_t t = 0; t < welded.triangles.size(); ++t) {
+    Index& part = part_of_leader[sets.leader(welded.triangles[t][0])];
+    if (part == none) {
+      part = static_cast<Index>(parts.first_triangle.size());
+      parts.first_triangle.push_back(static_cast<Index>(t));
+    }
+    parts.part_of_triangle.push_back(part);
+  }
+  return parts;
 }
 
 std::vector<EdgeUse> edge_uses(const WeldedTriangles& welded) {

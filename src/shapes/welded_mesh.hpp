@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
@@ -16,6 +17,9 @@ struct WeldedTriangles {
 };
 
 [[nodiscard]] WeldedTriangles weld(const TriangleMesh& mesh);
+
+/// The triangles that are connected through vertices.
+[[nodiscard]] MeshParts connected_parts(const WeldedTriangles& welded);
 
 /// An edge of a welded mesh, and how often triangles run along it. Triangles with two equal vertices have no edges.
 struct EdgeUse {

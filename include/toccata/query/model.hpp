@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/tree.hpp"
@@ -30,9 +30,8 @@ class Model {
   /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
   [[nodiscard]] const Aabb& vertex_box() const;
 
-  /// One vertex of every part of the shape, parts being connected through vertices of equal coordinates; ascending.
-  /// Found out when first asked for.
-  [[nodiscard]] std::span<const Index> part_vertices() const;
+  /// The connected parts of the mesh; found out when first asked for.
+  [[nodiscard]] const MeshParts& mesh_parts() const;
 
   /// Closed: may be taken as a solid. Found out when first asked for.
   [[nodiscard]] bool closed() const;

@@ -17,4 +17,7 @@ struct Triangle {
   friend constexpr bool operator==(const Triangle&, const Triangle&) = default;
 };
 
+/// It is neither a segment nor a point; exact.
+[[nodiscard]] bool has_area(const Triangle& t);
+
 }  // namespace toccata
