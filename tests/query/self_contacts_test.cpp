@@ -29,7 +29,7 @@ Pairs pairs_of(const TriangleMesh& mesh, const Pose& pose = {}) {
 
 /// The same whether or not the triangles share vertices by number.
 Pairs pairs_either_way(const TriangleMesh& mesh) {
-  const Pairs welded = pairs_of(mesh);
+  Pairs welded = pairs_of(mesh);
   EXPECT_EQ(pairs_of(test::unwelded(mesh)), welded);
   return welded;
 }
