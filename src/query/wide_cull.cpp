@@ -35,7 +35,7 @@ Form seen_from_other(const Form& f) { return {f.other, f.own, -f.offset, f.pad};
 
 /// What the doubles of a form round during a walk, and what becomes of numbers that underflow as floats.
 double rounding_of(const Form& f) {
-  return 8 * unit_roundoff * ((sum_of(f.own) + sum_of(f.other)) + std::abs(f.offset)) + 1e-30;
+  return 16 * unit_roundoff * ((sum_of(f.own) + sum_of(f.other)) + std::abs(f.offset)) + 1e-30;
 }
 
 /// As a float, and not less.
@@ -77,15 +77,15 @@ class AxesMaker {
  private:
   void add_straight(int i, Form form) {
     if (!is_usable(form)) return;
-    // |q| ≤ 1, so what the other two coordinates add is at most their factors.
-    form.pad += sum_of(form.own) - std::abs(form.own[i]);
-    set(static_cast<std::size_t>(i), form, 1);
+    // |q| ≤ 2 (trees/wide_tree.hpp), so what the other two coordinates add is at most twice their factors.
+    form.pad += 2 * (sum_of(form.own) - std::abs(form.own[i]));
+    set(static_cast<std::size_t>(i), form, 2);
   }
 
   void add_slanted(const Form& form) {
     if (!is_usable(form) || axes_.count == WideAxes::most) return;
     axes_.slanted[axes_.count] = SlantedForm(floats_of(form.own));
-    set(axes_.count++, form, sum_of(form.own));
+    set(axes_.count++, form, 2 * sum_of(form.own));
   }
 
   void set(std::size_t axis, const Form& form, double own_size) {
@@ -129,7 +129,7 @@ void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe&
   const Form whole{tree.unit * direction.on_mesh, {}, middle - origin, half + pad};
   const Form form = scaled(whole, 1 / largest_of(whole.own));
   if (!is_usable(form) || probe.count == WideProbe::most) return;
-  const double slack = 0x1p-20 * ((sum_of(form.own) + std::abs(form.offset)) + form.pad);
+  const double slack = 0x1p-20 * ((2 * sum_of(form.own) + std::abs(form.offset)) + form.pad);
   probe.axes[probe.count++] = {SlantedForm(floats_of(form.own)), static_cast<float>(form.offset),
                                not_less((form.pad + rounding_of(form)) + slack)};
 }

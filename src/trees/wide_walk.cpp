@@ -391,7 +391,7 @@ void run_probe(const WideTree& tree, const WideProbe& probe, const std::function
       const std::int32_t child = block.child[static_cast<std::size_t>(std::countr_zero(hits))];
       if (child >= 0)
         pending.push_back(child);
-      else if (!visit(tree.items[static_cast<std::size_t>(~child)]))
+      else if (!visit(tree.items[~static_cast<std::uint32_t>(child)]))
         return;
     }
   }

@@ -38,7 +38,7 @@ struct WideAxes {
   alignas(64) std::array<double, most> offset{};
   alignas(64) std::array<std::array<float, most>, 3> other_size{};  ///< |other|, rounded up
   alignas(64) std::array<float, most> pad{};
-  alignas(64) std::array<float, most> own_size{};  ///< the sum of |own|; 1 for the first three
+  alignas(64) std::array<float, most> own_size{};  ///< twice the sum of |own|; 2 for the first three
   std::array<SlantedForm, most> slanted{};
   std::size_t count = straight;
 

@@ -3,6 +3,7 @@
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/sweep.hpp"
+#include "toccata/core/simd.hpp"
 
 namespace toccata::test {
 namespace {
@@ -22,6 +23,8 @@ Model random_model(Random& random) {
 
 std::string fault_of_case(const std::string& family, std::uint64_t seed) {
   Random random(seed);
+  const std::vector<SimdLevel> levels = simd_levels();
+  use_simd_level(levels[seed % levels.size()]);
   const PairQuery query = random_poses(family, random);
   const Model a = random_model(random), b = random_model(random);
   return fault_of_surface_queries(a, b, query);
@@ -41,7 +44,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-// Overlap, first contact and all contacts of two posed surfaces against brute force, both ways round.
+// Overlap, first contact and all contacts of two posed surfaces against brute force, both ways round, the SIMD levels
+// in turn.
 const bool known = register_sweep({"mesh-pairs", pose_families(), 10000, 100, run});
 
 }  // namespace
