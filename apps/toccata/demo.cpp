@@ -21,35 +21,41 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string answer_scene(const Scene& scene, const DemoArguments& arguments) {
-  const std::vector<Posed> models = scene_models(scene, arguments.threads);
+CheckReport report_of(const std::vector<Posed>& models, const DemoArguments& arguments) {
   CheckOptions options;
   options.threads = arguments.threads;
-  const CheckReport report = make_check_report(models, check_all(models, options), Touching::count, false);
-  const bool json = arguments.format == Format::json;
-  return json ? check_report_json(scene, models, report, {}) : check_table(scene, report);
+  return make_check_report(models, check_all(models, options), Touching::count, false);
+}
+
+std::string demo_json(const DemoArguments& arguments) {
+  std::vector<NamedReport> reports;
+  for (const NamedScene& named : demo_scenes()) {
+    const Scene scene = demo_scene(named.name);
+    const std::vector<Posed> models = scene_models(scene, arguments.threads);
+    reports.push_back({named.name, check_report_json(scene, models, report_of(models, arguments), {})});
+  }
+  return joined_reports_json(reports);
+}
+
+std::string demo_text(const DemoArguments& arguments) {
+  const Clock::time_point start = Clock::now();
+  std::string text;
+  for (const NamedScene& named : demo_scenes()) {
+    const Scene scene = demo_scene(named.name);
+    const CheckReport report = report_of(scene_models(scene, arguments.threads), arguments);
+    text += fmt::format("{}: {}\n{}\n", named.name, named.description, check_table(scene, report));
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return text +
+         fmt::format(
+             "{0} made, built and checked in {1:.2f} s. Every answer is exact: no tolerance, no hull in place of a "
+             "shape.\nTo play with them as files:\n  {2} demo --write scenes\n  {2} check scenes/a.obj scenes/b.stl "
+             "--faces\n",
+             counted(demo_scenes().size(), "scene"), seconds, called_as());
 }
 
 int show_scenes(const DemoArguments& arguments) {
-  const Clock::time_point start = Clock::now();
-  const bool json = arguments.format == Format::json;
-  std::string text = json ? "{\n" : "";
-  for (const NamedScene& named : demo_scenes()) {
-    const std::string answer = answer_scene(demo_scene(named.name), arguments);
-    if (json)
-      text += fmt::format("{}\"{}\": {}", text.size() > 2 ? ",\n" : "", named.name, answer);
-    else
-      text += fmt::format("{}: {}\n{}\n", named.name, named.description, answer);
-  }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (json)
-    text += "}\n";
-  else
-    text += fmt::format(
-        "{0} made, built and checked in {1:.2f} s. Every answer is exact: no tolerance, no hull in place of a shape.\n"
-        "To play with them as files:\n  {2} demo --write scenes\n  {2} check scenes/a.obj scenes/b.stl --faces\n",
-        counted(demo_scenes().size(), "scene"), seconds, called_as());
-  print_answer(text);
+  print_answer(arguments.format == Format::json ? demo_json(arguments) : demo_text(arguments));
   return 0;
 }
 

@@ -35,13 +35,8 @@ std::string poses_report_json(const Scene& scene, std::span<const Posed> models,
                               std::span<const std::string> warnings) {
   io::Json head = io::report_head("toccata/check-poses/1", scene, models, warnings);
   head["in_contact"] = contact_count(report);
-  // A query is a line, so that many stay readable and are written without all being kept as values.
-  std::string text = io::document(head);
-  text.resize(text.size() - std::string_view("\n}\n").size());
-  text += ",\n  \"queries\": [";
-  for (std::size_t i = 0; i < report.queries.size(); ++i)
-    text += (i == 0 ? "\n    " : ",\n    ") + json_of_query(report, i).dump();
-  return text + "\n  ]\n}\n";
+  return io::with_list(io::document(head), "queries", report.queries.size(),
+                       [&](std::size_t i) { return io::line_of(json_of_query(report, i)); });
 }
 
 std::string poses_report_csv(const PosesReport& report) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 #include "io/report_parts.hpp"
@@ -16,20 +17,23 @@ using io::document;
 using io::Json;
 using io::json_of;
 
-Json json_of(const ReportedPair& pair, const Scene& scene, bool faces) {
+/// A line, and where the report has faces one more for each pair of them.
+std::string text_of(const ReportedPair& pair, const Scene& scene, bool faces) {
   const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
-  Json json = {{"a", first},
-               {"b", second},
-               {"a_index", pair.a},
-               {"b_index", pair.b},
-               {"relation", name_of(pair.relation.kind)},
-               {"containment", name_of(pair.relation.containment)},
-               {"side_unresolved", pair.relation.side_unresolved},
-               {"status", name_of(pair.relation.status)}};
-  if (!faces) return json;
-  Json& list = json["faces"] = Json::array();
-  for (const ReportedFacePair& face_pair : pair.face_pairs) list.push_back(json_of(face_pair));
-  return json;
+  std::string text = io::line_of({{"a", first},
+                                  {"b", second},
+                                  {"a_index", pair.a},
+                                  {"b_index", pair.b},
+                                  {"relation", name_of(pair.relation.kind)},
+                                  {"containment", name_of(pair.relation.containment)},
+                                  {"side_unresolved", pair.relation.side_unresolved},
+                                  {"status", name_of(pair.relation.status)}});
+  if (!faces) return text;
+  text.back() = ',';
+  text += "\"faces\":[";
+  for (std::size_t i = 0; i < pair.face_pairs.size(); ++i)
+    text += (i == 0 ? "\n      " : ",\n      ") + io::line_of(json_of(pair.face_pairs[i]));
+  return text + "]}";
 }
 
 std::string csv_names(const Scene& scene, const ReportedPair& pair) {
@@ -169,9 +173,18 @@ std::string check_report_json(const Scene& scene, std::span<const Posed> models,
   Json json = io::report_head("toccata/check/1", scene, models, warnings);
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
-  Json& pairs = json["pairs"] = Json::array();
-  for (const ReportedPair& pair : report.pairs) pairs.push_back(json_of(pair, scene, report.has_faces));
-  return document(json);
+  return io::with_list(document(json), "pairs", report.pairs.size(),
+                       [&](std::size_t i) { return text_of(report.pairs[i], scene, report.has_faces); });
+}
+
+std::string joined_reports_json(std::span<const NamedReport> reports) {
+  std::string text = "{";
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    std::string_view json = reports[i].json;
+    if (json.ends_with('\n')) json.remove_suffix(1);
+    text += (i == 0 ? "\n" : ",\n") + io::line_of(io::as_utf8(reports[i].name)) + ": " + std::string(json);
+  }
+  return text + "\n}\n";
 }
 
 std::string check_report_csv(const Scene& scene, const CheckReport& report) {

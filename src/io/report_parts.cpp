@@ -63,6 +63,16 @@ Json json_of(const ReportedFacePair& pair) {
 
 std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string with_list(std::string document, const std::string& name, std::size_t count,
+                      const std::function<std::string(std::size_t)>& item) {
+  document.resize(document.size() - std::string_view("\n}\n").size());
+  document += ",\n  \"" + name + "\": [";
+  for (std::size_t i = 0; i < count; ++i) document += (i == 0 ? "\n    " : ",\n    ") + item(i);
+  return document + (count == 0 ? "]\n}\n" : "\n  ]\n}\n");
+}
+
 Json report_head(const std::string& schema, const Scene& scene, std::span<const Posed> models,
                  std::span<const std::string> warnings) {
   Json json = {{"schema", schema}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -27,6 +29,14 @@ using Json = nlohmann::ordered_json;
 
 /// The document as text, with a line end.
 [[nodiscard]] std::string document(const Json& json);
+
+/// Adds to a document, as its last member, a list of `count` items, a line or more each. So many items stay readable,
+/// and are written without all being kept as values.
+[[nodiscard]] std::string with_list(std::string document, const std::string& name, std::size_t count,
+                                    const std::function<std::string(std::size_t)>& item);
+
+/// On one line.
+[[nodiscard]] std::string line_of(const Json& json);
 
 /// The head that all reports of `check` have; `schema` is its name and number.
 [[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, std::span<const Posed> models,

@@ -55,6 +55,15 @@ struct CheckReport {
 [[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const Posed> models,
                                             const CheckReport& report, std::span<const std::string> warnings);
 
+/// A JSON document, such as check_report_json makes, and its name.
+struct NamedReport {
+  std::string name;
+  std::string json;
+};
+
+/// One document that has several as members.
+[[nodiscard]] std::string joined_reports_json(std::span<const NamedReport> reports);
+
 /// Comma-separated values with a header line: a line per pair, or per pair of faces when the report has them.
 [[nodiscard]] std::string check_report_csv(const Scene& scene, const CheckReport& report);
 
