@@ -4,12 +4,17 @@
 #include "toccata/io/mesh_file.hpp"
 
 namespace toccata {
+namespace {
+
+constexpr int all_threads = 0;
+
+}  // namespace
 
 Model load_model(const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (!is_generator_specification(name)) return Model(read_mesh(path));
+  if (!is_generator_specification(name)) return Model(read_mesh(path), all_threads);
   const GeneratorSpecification specification = parse_generator(name);
-  return Model(generate_mesh(specification.name, specification.parameters));
+  return Model(generate_mesh(specification.name, specification.parameters), all_threads);
 }
 
 }  // namespace toccata

@@ -29,8 +29,10 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
 }  // namespace
 
 struct Model::Parts {
-  explicit Parts(std::shared_ptr<const TriangleMesh> given)
-      : mesh(std::move(given)), wide_tree(build_wide_tree(boxes_of(*mesh))), vertex_box(fit_aabb(mesh->vertices())) {}
+  Parts(std::shared_ptr<const TriangleMesh> given, int threads)
+      : mesh(std::move(given)),
+        wide_tree(build_wide_tree(boxes_of(*mesh), {.threads = threads})),
+        vertex_box(fit_aabb(mesh->vertices())) {}
 
   std::shared_ptr<const TriangleMesh> mesh;
   WideTree wide_tree;
@@ -43,10 +45,10 @@ struct Model::Parts {
   mutable bool closed = false;
 };
 
-Model::Model(TriangleMesh mesh) : Model(std::make_shared<const TriangleMesh>(std::move(mesh))) {}
+Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const TriangleMesh>(std::move(mesh)), threads) {}
 
-Model::Model(std::shared_ptr<const TriangleMesh> mesh)
-    : parts_(std::make_shared<const Parts>(require_mesh(std::move(mesh)))) {}
+Model::Model(std::shared_ptr<const TriangleMesh> mesh, int threads)
+    : parts_(std::make_shared<const Parts>(require_mesh(std::move(mesh)), threads)) {}
 
 const TriangleMesh& Model::mesh() const { return *parts_->mesh; }
 

@@ -23,8 +23,6 @@ Model random_model(Random& random) {
 
 std::string fault_of_case(const std::string& family, std::uint64_t seed) {
   Random random(seed);
-  const std::vector<SimdLevel> levels = simd_levels();
-  use_simd_level(levels[seed % levels.size()]);
   const PairQuery query = random_poses(family, random);
   const Model a = random_model(random), b = random_model(random);
   return fault_of_surface_queries(a, b, query);
@@ -33,14 +31,18 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random seeds(seed);
+  const SimdLevel before = simd_level();
+  const std::vector<SimdLevel> levels = simd_levels();
   for (; result.cases < cases; ++result.cases) {
     const std::uint64_t case_seed = seeds.bits();
+    use_simd_level(levels[case_seed % levels.size()]);
     const std::string fault = fault_of_case(family, case_seed);
     if (fault.empty()) continue;
     ++result.wrong;
     if (result.first_failure.empty())
       result.first_failure = fmt::format("{}, case seed {}: {} differs from brute force", family, case_seed, fault);
   }
+  use_simd_level(before);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "oracle/rational.hpp"
@@ -117,6 +118,38 @@ TEST(WideCull, WithoutThePadsContactsAreLost) {
   }
   EXPECT_GT(meeting, 100);
   EXPECT_GT(lost_without_pads, 10) << "this test no longer shows that the pads are needed";
+}
+
+/// Keeps what a walk finds.
+class AllPairs final : public WideVisitor {
+ public:
+  bool visit(std::span<const ItemPair> found) override {
+    pairs.insert(pairs.end(), found.begin(), found.end());
+    return true;
+  }
+  std::vector<ItemPair> pairs;
+};
+
+TEST(WideWalk, OfATreeWithItselfFindsEveryPairOnceTheLesserFirst) {
+  for (const Index triangles : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 500U}) {
+    Random random(triangles);
+    const PosedMesh mesh(Model(test::random_soup(random, triangles, 0.3, 0)), Pose{});
+    const WideTree& tree = mesh.model().wide_tree();
+    const WideCull cull = wide_cull(PairCull(mesh, mesh), mesh, mesh);
+    test::at_every_simd_level([&](SimdLevel level) {
+      WideFrontier frontier;
+      AllPairs all;
+      WideWalk(tree, tree, cull).run_self(frontier, all);
+      std::sort(all.pairs.begin(), all.pairs.end());
+      EXPECT_EQ(std::adjacent_find(all.pairs.begin(), all.pairs.end()), all.pairs.end()) << name_of(level);
+      for (Index i = 0; i < triangles; ++i)
+        for (Index j = i + 1; j < triangles; ++j)
+          if (overlap(box_of(mesh.triangle(i)), box_of(mesh.triangle(j)))) {
+            EXPECT_TRUE(std::binary_search(all.pairs.begin(), all.pairs.end(), ItemPair{i, j})) << i << ", " << j;
+          }
+      for (const ItemPair& pair : all.pairs) EXPECT_LT(pair.first, pair.second);
+    });
+  }
 }
 
 TEST(WideSearch, EveryLevelAndThreadCountFindsTheSameAtTheSameCost) {

@@ -2,7 +2,12 @@
 // of its own, <sweep>.<family>.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
 #include "support/sweep.hpp"
+#include "toccata/core/simd.hpp"
 
 namespace toccata::test {
 namespace {
@@ -33,10 +38,25 @@ void register_slices() {
   }
 }
 
+/// The SIMD level that the environment's TOCCATA_SIMD names is used in all tests. False where the machine lacks it.
+bool use_level_of_environment() {
+  const char* name = std::getenv("TOCCATA_SIMD");
+  if (name == nullptr) return true;
+  for (const SimdLevel level : simd_levels())
+    if (name_of(level) == std::string_view(name)) {
+      use_simd_level(level);
+      return true;
+    }
+  std::printf("this machine has no %s\n", name);
+  return false;
+}
+
 }  // namespace
 }  // namespace toccata::test
 
 int main(int argument_count, char** arguments) {
+  constexpr int skipped = 77;
+  if (!toccata::test::use_level_of_environment()) return skipped;
   testing::InitGoogleTest(&argument_count, arguments);
   toccata::test::register_slices();
   return RUN_ALL_TESTS();

@@ -4,15 +4,15 @@
 
 namespace toccata::test {
 
-/// Calls `test(level)` with every level of this machine forced, and leaves the highest in use.
+/// Calls `test(level)` with every level of this machine forced.
 template <class Test>
 void at_every_simd_level(const Test& test) {
-  const std::vector<SimdLevel> levels = simd_levels();
-  for (const SimdLevel level : levels) {
+  const SimdLevel before = simd_level();
+  for (const SimdLevel level : simd_levels()) {
     use_simd_level(level);
     test(level);
   }
-  use_simd_level(levels.back());
+  use_simd_level(before);
 }
 
 }  // namespace toccata::test

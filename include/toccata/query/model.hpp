@@ -15,9 +15,10 @@ namespace toccata {
 /// one per shape and pose it as often as needed; questions from many threads may share one.
 class Model {
  public:
-  /// Throws Error when the mesh has more triangles than a tree holds (2²⁸).
-  explicit Model(TriangleMesh mesh);
-  explicit Model(std::shared_ptr<const TriangleMesh> mesh);
+  /// The tree is built on up to `threads` threads (0: as many as the machine has); it does not depend on them. Throws
+  /// Error when the mesh has more triangles than a tree holds (2²⁸).
+  explicit Model(TriangleMesh mesh, int threads = 1);
+  explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = 1);
 
   [[nodiscard]] const TriangleMesh& mesh() const;
 
