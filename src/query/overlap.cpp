@@ -26,6 +26,7 @@ bool overlap(const Model& a, const Model& b, const PairQuery& query) {
 
 bool overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedPair pair(a, b, query);
+  workspace.scratch().counts = {};
   return overlap(pair.a.box(), pair.b.box()) &&
          (surfaces_meet(pair.a, pair.b, workspace.scratch()) || (pair.b_solid && has_part_inside(pair.a, pair.b)) ||
           (pair.a_solid && has_part_inside(pair.b, pair.a)));

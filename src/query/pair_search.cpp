@@ -29,8 +29,7 @@ void put_local(const TriangleMesh& mesh, Index triangle, std::size_t lane, Trian
   }
 }
 
-/// What the searches below share: the pairs that a walk finds, by places in the item orders of the two trees, are
-/// decided in blocks.
+/// What the searches below share: the pairs that a walk finds are decided in blocks.
 class PairVisitor : public WideVisitor {
  public:
   PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
@@ -194,9 +193,9 @@ void run(const PosedMesh& a, const PosedMesh& b, std::size_t first_batch, Search
   scratch.counts = scratch.frontier.counts;
 }
 
-void run_self(const PosedMesh& mesh, SearchScratch& scratch, WideVisitor& visitor) {
+void run_self(const PosedMesh& mesh, std::size_t first_batch, SearchScratch& scratch, WideVisitor& visitor) {
   const MeshWalk walk(mesh, mesh);
-  walk->run_self(scratch.frontier, visitor);
+  walk->run_self(scratch.frontier, first_batch, visitor);
   scratch.counts = scratch.frontier.counts;
 }
 
@@ -234,6 +233,8 @@ constexpr std::size_t part_count = 32;
 void deal_out(const WideFrontier& from, std::size_t part, WideFrontier& to) {
   to.blocks.clear();
   to.boxes.clear();
+  to.blocks.reserve(from.size / part_count + 1);
+  to.boxes.reserve(from.size / part_count + 1);
   for (std::size_t i = part; i < from.size; i += part_count) {
     to.blocks.push_back(from.blocks[i]);
     to.boxes.push_back(from.boxes[i]);
@@ -307,12 +308,12 @@ std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh
 
 bool meets_itself(const PosedMesh& mesh, SearchScratch& scratch) {
   AnyMeeting<OfOneMesh> any(mesh, mesh, scratch);
-  run_self(mesh, scratch, any);
+  run_self(mesh, small_batch, scratch, any);
   return any.found;
 }
 
 std::span<const Contact> self_contacts(const PosedMesh& mesh, SearchScratch& scratch) {
-  run_self(mesh, scratch, Collector<OfOneMesh>(mesh, mesh, scratch).visitor());
+  run_self(mesh, WideWalk::largest_batch, scratch, Collector<OfOneMesh>(mesh, mesh, scratch).visitor());
   std::sort(scratch.contacts.begin(), scratch.contacts.end(), comes_before);
   return scratch.contacts;
 }

@@ -1,6 +1,7 @@
 #include "query/posed_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -46,8 +47,10 @@ Aabb world_box(const Pose& pose, const Aabb& local) {
   for (int axis = 0; axis < 3; ++axis) {
     const Range range = range_of(pose.linear[axis], local);
     const double pad = 16 * unit_roundoff * sizes[axis] + 8 * smallest_double;
-    box.lower[axis] = (range.low + pose.offset[axis]) - pad;
-    box.upper[axis] = (range.high + pose.offset[axis]) + pad;
+    const double low = (range.low + pose.offset[axis]) - pad, high = (range.high + pose.offset[axis]) + pad;
+    // World vertices are finite, so a side that overflowed is the greatest double.
+    box.lower[axis] = std::isfinite(low) ? low : -std::numeric_limits<double>::max();
+    box.upper[axis] = std::isfinite(high) ? high : std::numeric_limits<double>::max();
   }
   return box;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -22,7 +23,10 @@ class WorkspacePool {
   struct Lease {
     explicit Lease(WorkspacePool& from) : pool(from) {
       const std::lock_guard lock(pool.mutex_);
-      if (pool.free_.empty()) pool.free_.push_back(std::make_unique<Workspace>());
+      if (pool.free_.empty()) {
+        pool.free_.reserve(++pool.made_);  // giving back never allocates
+        pool.free_.push_back(std::make_unique<Workspace>());
+      }
       workspace = std::move(pool.free_.back());
       pool.free_.pop_back();
     }
@@ -39,6 +43,7 @@ class WorkspacePool {
 
   std::mutex mutex_;
   std::vector<std::unique_ptr<Workspace>> free_;
+  std::size_t made_ = 0;
 };
 
 }  // namespace toccata

@@ -279,12 +279,11 @@ constexpr std::size_t ahead = 4;
 /// Room for what so many steps may add, and for the words that `append` writes beyond.
 Ends room_for(WideFrontier& f, std::size_t steps) {
   const std::size_t entries = f.size + 8 * steps + 16, pairs = f.pair_count + 8 * steps + 16;
-  if (f.blocks.size() < entries) {
-    f.blocks.resize(2 * entries);
-    f.boxes.resize(2 * entries);
-  }
-  if (f.places[0].size() < pairs)
-    for (auto& places : f.places) places.resize(2 * pairs);
+  // Each is looked at on its own: where memory ran out between two, a later call must not trust the first.
+  for (auto* words : {&f.blocks, &f.boxes})
+    if (words->size() < entries) words->resize(2 * entries);
+  for (auto& places : f.places)
+    if (places.size() < pairs) places.resize(2 * pairs);
   return {f.blocks.data(), f.boxes.data(), {f.places[0].data(), f.places[1].data()}, f.size, f.pair_count, 0};
 }
 
@@ -370,7 +369,8 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
       step<any_count>(Sides(walk), block << 1, (block << 3) + lane, 0xFFU << (lane + 1) & 0xFFU, ends);
     take_over(ends, f);
-    if (f.size >= block_size) drain(walk, f, visitor);
+    hand_on(walk, f, visitor, f.batch);
+    if (f.size >= block_size && !f.ended) drain(walk, f, visitor);
   }
   run_all(walk, f, visitor);
 }
@@ -419,10 +419,8 @@ void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
   frontier.counts = {};
   if (tree(0).blocks.empty() || tree(1).blocks.empty()) return;
   const std::uint32_t boxes = tree(1).blocks.front().count;
-  if (frontier.blocks.size() < boxes) {
-    frontier.blocks.resize(256);
-    frontier.boxes.resize(256);
-  }
+  for (auto* words : {&frontier.blocks, &frontier.boxes})
+    if (words->size() < boxes) words->resize(256);
   for (std::uint32_t lane = 0; lane < boxes; ++lane) {
     frontier.blocks[lane] = 0;
     frontier.boxes[lane] = lane;
@@ -439,8 +437,8 @@ void WideWalk::run(WideFrontier& frontier, WideVisitor& visitor) const {
   HWY_DYNAMIC_DISPATCH(run_all)(*this, frontier, visitor);
 }
 
-void WideWalk::run_self(WideFrontier& frontier, WideVisitor& visitor) const {
-  start(frontier, largest_batch);
+void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, WideVisitor& visitor) const {
+  start(frontier, first_batch);
   frontier.size = 0;
   frontier.within_one = true;
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);

@@ -115,7 +115,7 @@ class WideWalk {
   void run(WideFrontier& frontier, WideVisitor& visitor) const;
 
   /// Both trees being one: visits each unordered pair of different items whose boxes meet once.
-  void run_self(WideFrontier& frontier, WideVisitor& visitor) const;
+  void run_self(WideFrontier& frontier, std::size_t first_batch, WideVisitor& visitor) const;
 
   [[nodiscard]] const WideTree& tree(std::size_t side) const { return *trees_[side]; }
   [[nodiscard]] const WideAxes& axes(std::size_t side) const { return *axes_[side]; }

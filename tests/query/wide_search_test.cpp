@@ -139,7 +139,7 @@ TEST(WideWalk, OfATreeWithItselfFindsEveryPairOnceTheLesserFirst) {
     test::at_every_simd_level([&](SimdLevel level) {
       WideFrontier frontier;
       AllPairs all;
-      WideWalk(tree, tree, cull).run_self(frontier, all);
+      WideWalk(tree, tree, cull).run_self(frontier, 8, all);
       std::sort(all.pairs.begin(), all.pairs.end());
       EXPECT_EQ(std::adjacent_find(all.pairs.begin(), all.pairs.end()), all.pairs.end()) << name_of(level);
       for (Index i = 0; i < triangles; ++i)
@@ -219,6 +219,34 @@ TEST(WideSearch, NothingIsAllocatedAfterTheFirstCall) {
     static_cast<void>(overlap(a, b, query, workspace));
     EXPECT_EQ(places(), before);
   }
+}
+
+TEST(WideSearch, TheFirstOfManySelfContactsEndsTheSearch) {
+  // Clusters that meet within themselves and are far from each other, so that little is ever pending.
+  Random random(10);
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  for (int cluster = 0; cluster < 500; ++cluster)
+    for (int i = 0; i < 8; ++i) {
+      const auto first = static_cast<Index>(vertices.size());
+      for (int corner = 0; corner < 3; ++corner)
+        vertices.push_back(Vec3{10.0 * cluster, 0, 0} + Vec3{random.unit(), random.unit(), random.unit()});
+      triangles.push_back({first, first + 1, first + 2});
+    }
+  const PosedMesh mesh(Model(TriangleMesh(vertices, triangles)), Pose{});
+  SearchScratch scratch;
+  EXPECT_TRUE(meets_itself(mesh, scratch));
+  EXPECT_LT(scratch.counts.items, 500U);
+}
+
+TEST(WideSearch, CountsAreOfTheLastQuestion) {
+  Random random(11);
+  const Model soup(test::random_soup(random, 100, 0.3, 0));
+  Workspace workspace;
+  EXPECT_TRUE(overlap(soup, soup, {}, workspace));
+  EXPECT_GT(workspace.counts().volume_tests, 0U);
+  EXPECT_FALSE(overlap(soup, soup, {.pose_b = Pose::translation(100, 0, 0)}, workspace));
+  EXPECT_EQ(workspace.counts(), WalkCounts{});
 }
 
 /// FNV-1a over the triangles and the extreme points of all contacts.
