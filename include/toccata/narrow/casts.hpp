@@ -1,0 +1,30 @@
+#pragma once
+
+#include "toccata/narrow/convex_half_space.hpp"
+
+// Straight casts: a point or a convex shape moves along a vector, and the first time at which it meets another is
+// asked.
+namespace toccata {
+
+/// The exact first time in [0, 1] lies in [lower, upper]; 0 when the sets meet at the start.
+struct Cast {
+  bool hit = false;  ///< false is proved: nothing is met
+  double lower = 0;
+  double upper = 0;
+  Vec3 point{};   ///< where they meet then, rounded
+  Vec3 normal{};  ///< unit, from the target to what moves; zero when they meet at the start
+  Status status = Status::exact;
+  friend constexpr bool operator==(const Cast&, const Cast&) = default;
+};
+
+/// A ray from `origin` to `origin + motion`: the time is the fraction of the way. Throws Error when a number is not
+/// finite or the motion is zero.
+[[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target);
+[[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target);
+
+/// A moves by `motion`, without turning; B stands. Throws Error when the motion is not finite.
+[[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b,
+                              ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b);
+
+}  // namespace toccata

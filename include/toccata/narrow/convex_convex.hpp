@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "toccata/core/index.hpp"
+#include "toccata/core/status.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/set_relation.hpp"
+
+// Two bounded convex shapes, whichever they are. Everything is in world coordinates and units.
+namespace toccata {
+
+/// Which path answered. Answers never depend on it.
+struct ConvexCounts {
+  std::uint64_t support_points = 0;  ///< searched for, over both shapes
+  std::uint64_t closed_forms = 0;    ///< answered by a formula for the pair
+  std::uint64_t certificates = 0;    ///< answered by a verified separating direction, simplex or interval
+  std::uint64_t exact = 0;           ///< answered by exact arithmetic, because nothing cheaper verified
+  friend constexpr bool operator==(const ConvexCounts&, const ConvexCounts&) = default;
+};
+
+/// What a caller may keep of a pair from one question to the next: where the last search ended. It saves time when the
+/// shapes have moved little, and changes no answer. One thread may use it at a time.
+struct ConvexWorkspace {
+  Vec3 direction{};  ///< from A to B; zero: nothing is known
+  std::array<Index, 4> vertex_a{};
+  std::array<Index, 4> vertex_b{};
+  int simplex_size = 0;
+  ConvexCounts counts{};  ///< of all questions asked with it
+};
+
+/// A certified distance: the exact one lies in [lower, upper], which are equal where it is a double and neighbouring
+/// doubles elsewhere. 0 when the shapes meet.
+struct Distance {
+  double lower = 0;
+  double upper = 0;
+  /// Points of the shapes at that distance, rounded to nearest; where several pairs are at that distance, the one whose
+  /// `on_a` is the least in lexicographic order. When the shapes meet, a point of both.
+  Vec3 on_a{};
+  Vec3 on_b{};
+  Status status = Status::exact;
+  friend constexpr bool operator==(const Distance&, const Distance&) = default;
+};
+
+/// Do they have a point in common? Touching counts. Exact.
+[[nodiscard]] bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+
+[[nodiscard]] Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+
+/// Exact, with containment.
+[[nodiscard]] Relation relation(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+
+/// The shortest way to part two solids that meet.
+struct Penetration {
+  /// The exact depth, the length of the shortest translation after which the interiors do not meet, lies in
+  /// [lower, upper]. Both 0 when the shapes are apart or touch.
+  double lower = 0;
+  double upper = 0;
+  /// Unit, from A to B: B moved by upper · direction, or A by −upper · direction, no longer overlaps.
+  Vec3 direction{};
+  /// The deepest points along the direction: on_a on the boundary of A within B, on_b on that of B within A.
+  Vec3 on_a{};
+  Vec3 on_b{};
+  Status status = Status::exact;
+  friend constexpr bool operator==(const Penetration&, const Penetration&) = default;
+};
+
+/// Throws Error when one is a surface: it has no interior that another could leave.
+[[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+
+/// A feature of a convex shape: a face, a half-edge or a vertex by its number in `HullTopology`.
+struct ConvexFeature {
+  enum class Kind : std::uint8_t { vertex, edge, face } kind = Kind::vertex;
+  Index index = 0;
+  friend constexpr bool operator==(const ConvexFeature&, const ConvexFeature&) = default;
+};
+
+struct ManifoldPoint {
+  Vec3 position;       ///< half way between the two surfaces
+  double depth = 0;    ///< how deep the surfaces overlap there along the normal; negative: a gap
+  ConvexFeature on_a;  ///< which features meet here; the same from step to step while the contact lasts
+  ConvexFeature on_b;
+  friend constexpr bool operator==(const ManifoldPoint&, const ManifoldPoint&) = default;
+};
+
+/// Where two convex shapes touch or overlap: up to four points that stand for the region of contact.
+struct Manifold {
+  Vec3 normal{};  ///< unit, from A to B
+  std::array<ManifoldPoint, 4> points{};
+  int count = 0;  ///< 0: the shapes are apart
+  friend constexpr bool operator==(const Manifold&, const Manifold&) = default;
+};
+
+/// Empty exactly when the shapes are apart.
+[[nodiscard]] Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+
+}  // namespace toccata

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "toccata/core/index.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/hull_topology.hpp"
+#include "toccata/shapes/shape.hpp"
+
+namespace toccata {
+
+/// A bounded convex shape at its place, as the pair questions see every one of them: the convex hull of world vertices
+/// (those of docs/truth.md) grown by a radius. A sphere has one vertex, a segment and a capsule two, a triangle three,
+/// a box eight, a hull its own. Cheap to make: at most eight vertices are computed at once, those of a hull when they
+/// are looked at. It refers to the hull it was made of, which has to outlive it.
+class PosedConvex {
+ public:
+  // Throw Error when the pose or a world vertex is not finite, the pose of a shape with a radius deforms it (the
+  // largest row sum of |RᵀR − I| is more than 2⁻⁴⁰; the message names the ellipsoid), or that of a solid is singular.
+  explicit PosedConvex(const Point& shape, const Pose& pose = {});
+  explicit PosedConvex(const Segment& shape, const Pose& pose = {});
+  explicit PosedConvex(const Triangle& shape, const Pose& pose = {});
+  explicit PosedConvex(const Sphere& shape, const Pose& pose = {});
+  explicit PosedConvex(const Box& shape, const Pose& pose = {});
+  explicit PosedConvex(const Capsule& shape, const Pose& pose = {});
+  explicit PosedConvex(const ConvexHull& shape, const Pose& pose = {});
+  explicit PosedConvex(const Rounded& shape, const Pose& pose = {});
+
+  [[nodiscard]] Index vertex_count() const { return count_; }
+
+  /// In the world.
+  [[nodiscard]] Vec3 vertex(Index i) const {
+    const Vec3 stored{along_[0][i], along_[1][i], along_[2][i]};
+    return in_world_ ? stored : transform(pose_, stored);
+  }
+
+  [[nodiscard]] double radius() const { return radius_; }
+
+  /// It has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
+  [[nodiscard]] bool solid() const { return solid_; }
+
+  /// Vertices and faces of the shape in its own frame. In the world rounding may bend a face by the last place.
+  [[nodiscard]] HullTopology topology() const { return topology_; }
+
+  // For the supports. Coordinates along an axis, padded to a multiple of eight by repeating the last vertex; they are
+  // world coordinates already when `in_world`, else the shape's own, to be posed.
+  [[nodiscard]] const double* along(int axis) const { return along_[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] Index padded_count() const { return (count_ + 7) / 8 * 8; }
+  [[nodiscard]] bool in_world() const { return in_world_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+
+  PosedConvex(const PosedConvex& other);
+  PosedConvex& operator=(const PosedConvex& other);
+
+ private:
+  alignas(64) std::array<std::array<double, 8>, 3> few_;  // the world coordinates of up to eight vertices
+  std::array<const double*, 3> along_{};                  // into few_, or into the hull
+  Pose pose_;
+  HullTopology topology_;
+  double radius_ = 0;
+  Index count_ = 0;
+  bool in_world_ = true;
+  bool solid_ = false;
+};
+
+}  // namespace toccata

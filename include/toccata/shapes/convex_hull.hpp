@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "toccata/core/index.hpp"
+#include "toccata/math/vec3.hpp"
+#include "toccata/shapes/hull_topology.hpp"
+
+namespace toccata {
+
+class TriangleMesh;
+
+/// The points given to a hull are refused when there are more.
+inline constexpr Index most_hull_points = 1U << 24;
+
+/// The convex hull of points, exact: its vertices are those points that are extreme, its faces the true faces, coplanar
+/// triangles merged. Signs are exact, so nothing is merged, moved or left out because it is nearly something. Shared
+/// and immutable; copies share all. Less than 128 bytes a vertex.
+///
+/// A hull may be flat (a polygon, a segment, a point): it is a surface then, else solid.
+///
+/// Quickhull after C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996.
+class ConvexHull {
+ public:
+  /// Throws Error when there is no point or more than `most_hull_points`, or one is not finite.
+  explicit ConvexHull(std::span<const Vec3> points);
+
+  [[nodiscard]] Index vertex_count() const;
+  /// In the shape's own frame. Vertices keep the order of the points; of equal points the first counts.
+  [[nodiscard]] Vec3 vertex(Index i) const;
+  /// The number that vertex i had among the points given.
+  [[nodiscard]] Index source_of(Index vertex) const;
+
+  /// 0: a point, 1: a segment, 2: a flat polygon, 3: a solid.
+  [[nodiscard]] int dimension() const;
+  [[nodiscard]] HullTopology topology() const;
+
+  /// The coordinates of all vertices along an axis, padded by repeating the last vertex to a multiple of 8.
+  [[nodiscard]] std::span<const double> padded_coordinates(int axis) const;
+
+  /// Bytes that the hull takes, all of them.
+  [[nodiscard]] std::size_t memory() const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
+};
+
+/// The hull of a mesh's vertices. A mesh that *is* a convex solid may be given where a hull is wanted; this tells when
+/// it is not: throws Error when the mesh is open, inside out (its faces turn clockwise seen from outside), or not
+/// convex, naming the face.
+[[nodiscard]] ConvexHull hull_of_convex_mesh(const TriangleMesh& mesh);
+
+}  // namespace toccata

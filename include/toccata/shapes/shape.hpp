@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/box.hpp"
+#include "toccata/shapes/capsule.hpp"
+#include "toccata/shapes/convex_hull.hpp"
+#include "toccata/shapes/half_space.hpp"
+#include "toccata/shapes/height_field.hpp"
+#include "toccata/shapes/point.hpp"
+#include "toccata/shapes/rounded.hpp"
+#include "toccata/shapes/segment.hpp"
+#include "toccata/shapes/sphere.hpp"
+#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
+
+namespace toccata {
+
+struct CompoundPart;
+
+/// The union of posed shapes; solid if all parts are. Shared and immutable; copies share all. A part may be a compound.
+class Compound {
+ public:
+  /// The part's pose is relative to the compound. Throws Error when there is no part, or a pose is not finite.
+  explicit Compound(std::span<const CompoundPart> parts);
+
+  [[nodiscard]] std::span<const CompoundPart> parts() const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
+};
+
+/// Any shape. Sets and classes: docs/truth.md.
+using Shape = std::variant<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, HeightField,
+                           std::shared_ptr<const TriangleMesh>, Compound>;
+
+struct CompoundPart {
+  Shape shape;
+  Pose pose{};
+};
+
+/// "point", "segment", "triangle", "half-space", "sphere", "box", "capsule", "convex hull", "rounded shape",
+/// "height field", "mesh", "compound": for messages and reports.
+[[nodiscard]] std::string_view name_of(const Shape& shape);
+
+}  // namespace toccata
