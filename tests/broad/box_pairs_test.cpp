@@ -75,7 +75,8 @@ TEST(BoxPairs, AsBruteForceOnRandomBoxes) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    expect_as_brute_force(grid_boxes(random, random.below(120), 1 + random.below(40), seed % 3));
+    const std::size_t count = random.below(120);
+    expect_as_brute_force(grid_boxes(random, count, 1 + random.below(40), seed % 3));
   }
 }
 

@@ -32,8 +32,9 @@ std::string random_digits(Random& random, std::size_t most) {
 
 std::string random_exponent(Random& random, int least, int count) {
   const int exponent = least + static_cast<int>(random() % static_cast<unsigned>(count));
-  return (random() % 2 == 0 ? "e" : "E") + std::string(exponent >= 0 && random() % 2 == 0 ? "+" : "") +
-         std::to_string(exponent);
+  std::string text = random() % 2 == 0 ? "e" : "E";
+  if (exponent >= 0 && random() % 2 == 0) text += '+';
+  return text + std::to_string(exponent);
 }
 
 std::string random_sign(Random& random) {
@@ -56,7 +57,8 @@ std::string any_decimal(Random& random) {
       text += random_digits(random, most_digits) + ".";
       break;
     default:
-      text += random_digits(random, most_digits) + "." + random_digits(random, most_digits);
+      text += random_digits(random, most_digits) + ".";
+      text += random_digits(random, most_digits);
   }
   return random() % 2 == 0 ? text : text + random_exponent(random, -370, 720);
 }
@@ -76,22 +78,25 @@ std::string near_halfway(Random& random) {
   return random_sign(random) + result;
 }
 
-std::string near_underflow(Random& random) {
-  return random_sign(random) + random_digits(random, 1) + "." + random_digits(random, 30) +
-         random_exponent(random, -326, 22);
+/// Any sign, one digit, a point and up to 30 more; the exponent is one of `count` from `least` on.
+std::string scientific(Random& random, int least, int count) {
+  std::string text = random_sign(random);
+  text += random_digits(random, 1) + ".";
+  text += random_digits(random, 30);
+  return text + random_exponent(random, least, count);
 }
 
-std::string near_overflow(Random& random) {
-  return random_sign(random) + random_digits(random, 1) + "." + random_digits(random, 30) +
-         random_exponent(random, 305, 5);
-}
+std::string near_underflow(Random& random) { return scientific(random, -326, 22); }
+
+std::string near_overflow(Random& random) { return scientific(random, 305, 5); }
 
 /// Hundreds of digits before or behind the point, brought back to size by the exponent.
 std::string long_digits(Random& random) {
   const std::string digits = random_digits(random, 1200);
   const int shift = static_cast<int>(digits.size());
   if (random() % 2 == 0) return digits + random_exponent(random, -shift - 20, 40);
-  return "0." + std::string(random() % 1000, '0') + digits + random_exponent(random, -20, 1100);
+  const std::string zeros(random() % 1000, '0');
+  return "0." + zeros + digits + random_exponent(random, -20, 1100);
 }
 
 std::string text_of(const std::string& family, Random& random) {

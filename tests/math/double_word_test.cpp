@@ -17,7 +17,8 @@ Rational exact(const DoubleWord& a) { return oracle::exact(a.high) + oracle::exa
 /// Of any exponent within 30 of 0, and often with a low part much smaller than it might be.
 DoubleWord random_word(Random& random) {
   const auto number = [&](int least, std::uint64_t exponents) {
-    return std::ldexp(random.between(-1, 1), least + static_cast<int>(random.below(exponents)));
+    const int exponent = least + static_cast<int>(random.below(exponents));
+    return std::ldexp(random.between(-1, 1), exponent);
   };
   const double high = number(-30, 60);
   return double_word(two_sum(high, high * number(-80, 27)));

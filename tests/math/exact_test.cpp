@@ -103,7 +103,8 @@ TEST(Exact, AgreesWithStrtodOnDecimals) {
   Random random(3);
   for (int i = 0; i < 3000; ++i) {
     std::string text = random.below(2) == 0 ? "-" : "";
-    text += std::to_string(random.bits()) + "." + std::to_string(random.bits());
+    text += std::to_string(random.bits());
+    text += "." + std::to_string(random.bits());
     text += "e" + std::to_string(static_cast<int>(random.below(640)) - 340);
     ASSERT_EQ(nearest_double(decimal(text)), std::strtod(text.c_str(), nullptr)) << text;
   }
@@ -114,7 +115,8 @@ TEST(Exact, AgreesWithStrtodOnDecimals) {
 
 RationalPoint random_point(Random& random) {
   const auto number = [&] {
-    return Rational(static_cast<std::int64_t>(random.below(7)) - 3, static_cast<std::int64_t>(1 + random.below(3)));
+    const auto numerator = static_cast<std::int64_t>(random.below(7)) - 3;
+    return Rational(numerator, static_cast<std::int64_t>(1 + random.below(3)));
   };
   return {number(), number(), number()};
 }

@@ -74,7 +74,8 @@ inline FourPoints stretched_by(const Vec3& factors, FourPoints points) {
 
 /// One coordinate moved to a neighbouring double.
 inline FourPoints nudged(Random& random, FourPoints points) {
-  double& coordinate = points[random.below(4)][static_cast<int>(random.below(3))];
+  Vec3& point = points[random.below(4)];
+  double& coordinate = point[static_cast<int>(random.below(3))];
   coordinate = std::nextafter(coordinate, random.below(2) == 0 ? -HUGE_VAL : HUGE_VAL);
   return points;
 }
@@ -94,12 +95,18 @@ inline FourPoints moved_far(Random& random) {
   return points;
 }
 
+/// Coplanar, times a power of two with an exponent in [low, high].
+inline FourPoints scaled_coplanar(Random& random, int low, int high) {
+  const double factor = power_of_two_between(random, low, high);
+  return scaled_by(factor, coplanar(random));
+}
+
 inline FourPoints tiny(Random& random) {
   switch (random.below(4)) {
     case 0:
       return scaled_by(5e-324, on_small_grid(random));
     case 1:
-      return scaled_by(power_of_two_between(random, -1074, -900), coplanar(random));
+      return scaled_coplanar(random, -1074, -900);
     case 2:
       return nudged(random, scaled_by(1e-300, coplanar(random)));
     default:
@@ -113,7 +120,7 @@ inline FourPoints huge(Random& random) {
     case 0:
       return scaled_by(0x1p1022, on_small_grid(random));
     case 1:
-      return scaled_by(power_of_two_between(random, 900, 999), coplanar(random));
+      return scaled_coplanar(random, 900, 999);
     case 2:
       return nudged(random, scaled_by(1e300, coplanar(random)));
     default:
@@ -127,7 +134,10 @@ inline FourPoints any_doubles(Random& random) {
 }
 
 inline FourPoints mixed_magnitudes(Random& random) {
-  return independent([&] { return random.between(-1, 1) * power_of_two_between(random, -60, 60); });
+  return independent([&] {
+    const double size = power_of_two_between(random, -60, 60);
+    return size * random.between(-1, 1);
+  });
 }
 
 inline FourPoints repeated(Random& random) {
@@ -140,7 +150,8 @@ inline FourPoints repeated(Random& random) {
 /// Where the expansions stop and the integers begin, and where products of three begin to under- and overflow.
 inline FourPoints near_range_limits(Random& random) {
   constexpr std::array<int, 6> exponents{-1000, -360, -320, 280, 320, 340};
-  const double factor = power_of_two_between(random, -4, 4) * std::ldexp(1.0, exponents[random.below(6)]);
+  const double limit = std::ldexp(1.0, exponents[random.below(6)]);
+  const double factor = limit * power_of_two_between(random, -4, 4);
   return scaled_by(factor, random.below(2) == 0 ? coplanar(random) : rounded_into_plane(random));
 }
 

@@ -104,9 +104,9 @@ TEST(Plane, AgreesWithRationals) {
     const bool coarse = seed % 2 == 0;
     const auto coordinate = [&] { return coarse ? static_cast<double>(random.below(5)) : random.between(-1, 1); };
     const auto point = [&] { return Vec3{coordinate(), coordinate(), coordinate()}; };
-    const Vec3 a = point(), b = point(), c = point();
+    const Vec3 a = point(), b = point(), c = point(), p = point(), q = point();
     try {
-      expect_like_rationals(Plane(a, b, c), point(), point());
+      expect_like_rationals(Plane(a, b, c), p, q);
     } catch (const Error&) {
       const ExactVector u = minus(b, a), v = minus(c, a);
       for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})

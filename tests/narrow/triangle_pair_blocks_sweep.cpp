@@ -10,15 +10,18 @@ namespace {
 using triangle_pairs::random_point;
 
 Pose random_pose(Random& random) {
-  const Vec3 offset = std::ldexp(1.0, static_cast<int>(random.below(8)) - 4) * random_point(random);
+  const double distance = std::ldexp(1.0, static_cast<int>(random.below(8)) - 4);
+  const Vec3 offset = distance * random_point(random);
   switch (random.below(8)) {
     case 0:
     case 1:
     case 2:
       return {};
     case 3:
-    case 4:
-      return {rotation_about(random_point(random), random.between(-180, 180)), offset};
+    case 4: {
+      const Vec3 axis = random_point(random);
+      return {rotation_about(axis, random.between(-180, 180)), offset};
+    }
     case 5:  // shears, mirrors and stretches
       return {{{random_point(random), random_point(random), random_point(random)}}, offset};
     case 6:  // flattens

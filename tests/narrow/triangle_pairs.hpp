@@ -124,7 +124,7 @@ inline TrianglePair needle_pair(Random& random) {
   const Triangle a = needle(random);
   Triangle b = random.below(2) == 0 ? needle(random) : random_triangle(random);
   if (random.below(2) == 0) {  // through or beside a point of a
-    const Vec3 shift = point_of(a, random) - point_of(b, random);
+    const Vec3 goal = point_of(a, random), shift = goal - point_of(b, random);
     b = each_vertex(b, [&](const Vec3& v) { return v + shift; });
   }
   return {a, b};
@@ -200,7 +200,8 @@ inline TrianglePair scaled_pair(TrianglePair pair, double factor) {
 }
 
 inline TrianglePair tiny_pair(Random& random) {
-  return scaled_pair(any_pair(random), random.below(2) == 0 ? 1e-300 : 64 * 0x1p-1074);
+  const double factor = random.below(2) == 0 ? 1e-300 : 64 * 0x1p-1074;
+  return scaled_pair(any_pair(random), factor);
 }
 
 /// Up to the greatest double.

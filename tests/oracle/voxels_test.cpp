@@ -27,8 +27,8 @@ TEST(OracleVoxels, SolidsLieAsTheirVoxelsDo) {
     const VoxelSolid b = test::random_voxels(random, 3, 2);
     const Skin skin = round % 3 == 0 ? Skin::every : round % 3 == 1 ? Skin::outer : Skin::inside_out;
     const Pose pose = test::random_integer_pose(random);
-    const Relation answer =
-        relation(solid_set(mesh_of(a, skin, random), pose), solid_set(mesh_of(b, Skin::outer, random), pose));
+    const auto set_a = solid_set(mesh_of(a, skin, random), pose);
+    const Relation answer = relation(set_a, solid_set(mesh_of(b, Skin::outer, random), pose));
     expect_same(answer, test::true_relation(a, b), "seed 21 round " + std::to_string(round));
   }
 }
@@ -39,8 +39,8 @@ TEST(OracleVoxels, SheetsLieAsTheirSquaresDo) {
   for (int round = 0; round < 10; ++round) {
     const GridSheet a = test::random_sheet(random, 2, 3);
     const VoxelSolid b = test::random_voxels(random, 12, 3);
-    const Relation answer =
-        relation(surface_set(mesh_of(a, random), {}), solid_set(mesh_of(b, Skin::outer, random), {}));
+    const auto set_a = surface_set(mesh_of(a, random), {});
+    const Relation answer = relation(set_a, solid_set(mesh_of(b, Skin::outer, random), {}));
     expect_same(answer, test::true_relation(a, b), "seed 22 round " + std::to_string(round));
   }
 }

@@ -18,7 +18,7 @@ using oracle::Rational;
 
 Aabb point_box(const Vec3& p) { return {p, p}; }
 
-TriangleMesh triangle_mesh(const Vec3& p, const Vec3& q, const Vec3& r) { return {{p, q, r}, {{0, 1, 2}}}; }
+TriangleMesh triangle_mesh(const Triangle& t) { return {{t[0], t[1], t[2]}, {{0, 1, 2}}}; }
 
 const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_tree().box; }
 
@@ -35,7 +35,7 @@ double error_ratio(const CullDirection& d, const PosedMesh& a, Index vertex_a, c
 double worst_ratio(const std::string& family, std::uint64_t seed, double coordinate_scale) {
   Random random(seed);
   const auto vertex = [&] { return coordinate_scale * Vec3{random.unit(), random.unit(), random.unit()}; };
-  const auto mesh = [&] { return Model(triangle_mesh(vertex(), vertex(), vertex())); };
+  const auto mesh = [&] { return Model(triangle_mesh({vertex(), vertex(), vertex()})); };
   PairQuery query = test::random_poses(family, random);
   // Poses that cancel large offsets by large coordinates are the hard ones.
   if (seed % 2 == 0) query.pose_a.offset = -transform({query.pose_a.linear, {}}, vertex());
@@ -69,8 +69,8 @@ struct RoundedTogether {
     query.pose_b.linear = test::random_rotation(random);
     query.pose_a.offset = query.pose_b.offset = {1e6, -1e6, 1e6 * random.unit()};
     const auto vertex = [&] { return 1e-12 * Vec3{random.unit(), random.unit(), random.unit()}; };
-    a.emplace(Model(triangle_mesh(vertex(), vertex(), vertex())), query.pose_a);
-    b.emplace(Model(triangle_mesh(vertex(), vertex(), vertex())), query.pose_b);
+    a.emplace(Model(triangle_mesh({vertex(), vertex(), vertex()})), query.pose_a);
+    b.emplace(Model(triangle_mesh({vertex(), vertex(), vertex()})), query.pose_b);
   }
   PairQuery query;
   std::optional<PosedMesh> a, b;
@@ -111,8 +111,8 @@ TEST(PairCull, SeparatesBoxesThatAreApart) {
 
 TEST(PairCull, WhatOverflowsIsNotSeparated) {
   const double huge = 1e308;
-  const Model wide(triangle_mesh({-huge, 0, 0}, {huge, 0, 0}, {0, huge, 0}));
-  const Model point(triangle_mesh({0, 0, 1}, {0, 0, 1}, {0, 0, 1}));
+  const Model wide(triangle_mesh({Vec3{-huge, 0, 0}, Vec3{huge, 0, 0}, Vec3{0, huge, 0}}));
+  const Model point(triangle_mesh({Vec3{0, 0, 1}, Vec3{0, 0, 1}, Vec3{0, 0, 1}}));
   Random random(1);
   const PosedMesh a(wide, Pose{}), b(point, Pose{test::random_rotation(random), {huge, huge, huge}});
   for (const CullDirection& d : PairCull(a, b).directions()) EXPECT_TRUE(std::isfinite(d.pad) && is_finite(d.on_a));

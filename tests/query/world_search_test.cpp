@@ -53,7 +53,8 @@ TEST(WorldSearch, AsBruteForceForBoxes) {
       const Pose pose = test::random_poses(family, random).pose_a;
       const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
       // Corners at vertices, so that many boxes touch exactly.
-      const Aabb region = merge(merge(Aabb{}, random_vertex(mesh, random)), random_vertex(mesh, random));
+      const Vec3 corner = random_vertex(mesh, random);
+      const Aabb region = merge(merge(Aabb{}, corner), random_vertex(mesh, random));
       EXPECT_EQ(near(mesh, region), near_by_brute_force(mesh, region));
     }
 }

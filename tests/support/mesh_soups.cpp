@@ -45,7 +45,10 @@ Mat3 on_grid(Random& random) {
 Mat3 random_linear(const std::string& family, Random& random) {
   const Mat3 rotation = random_rotation(random);
   const auto stretch = [&] { return std::exp(random.between(-1, 1)); };
-  if (family == "scaled") return product(rotation, diagonal(stretch(), stretch(), stretch()));
+  if (family == "scaled") {
+    const double x = stretch(), y = stretch(), z = stretch();
+    return product(rotation, diagonal(x, y, z));
+  }
   if (family == "sheared") return sheared(random);
   if (family == "mirrored") return product(rotation, diagonal(1, -stretch(), 1));
   if (family == "singular") return singular(random);

@@ -32,9 +32,10 @@ TriangleMesh sheet_mesh(Random& random) {
   const double whole = random.below(2) == 0 ? 0 : 1;
   std::vector<Vec3> points;
   for (Index j = 0; j < rows; ++j)
-    for (Index i = 0; i < columns; ++i)
-      points.push_back({std::abs(i - fold), static_cast<double>(j),
-                        noise * random.between(-1, 1) + whole * static_cast<double>(random.below(2))});
+    for (Index i = 0; i < columns; ++i) {
+      const double step = whole * static_cast<double>(random.below(2));
+      points.push_back({std::abs(i - fold), static_cast<double>(j), step + noise * random.between(-1, 1)});
+    }
   Corners corners;
   for (Index j = 0; j + 1 < rows; ++j)
     for (Index i = 0; i + 1 < columns; ++i) {
@@ -61,7 +62,10 @@ TriangleMesh strip_mesh(Random& random) {
 
 /// Long thin triangles around a hub, with a few more between their ends.
 TriangleMesh needle_mesh(Random& random) {
-  const auto small = [&] { return std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(52))); };
+  const auto small = [&] {
+    const int exponent = -static_cast<int>(random.below(52));
+    return std::ldexp(random.between(-1, 1), exponent);
+  };
   std::vector<Vec3> points{{small(), small(), small()}};
   for (Index i = 0; i < 8; ++i) points.push_back({random.below(3) == 0 ? -100.0 : 100.0, small(), small()});
   Corners corners;

@@ -111,7 +111,10 @@ TEST(BuildTree, TheLargestAndSmallestDoubles) {
 TEST(BuildTree, TheSameBoxesGiveTheSameTree) {
   Random random(5);
   std::vector<Aabb> boxes;
-  for (int i = 0; i < 300; ++i) boxes.push_back(point_box(random.unit(), random.unit(), random.unit()));
+  for (int i = 0; i < 300; ++i) {
+    const double x = random.unit(), y = random.unit(), z = random.unit();
+    boxes.push_back(point_box(x, y, z));
+  }
   EXPECT_EQ(build_tree(boxes).items, build_tree(boxes).items);
 }
 

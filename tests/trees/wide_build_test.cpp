@@ -180,7 +180,8 @@ TEST(WideBuild, HoldsRandomBoxes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    check(random_boxes(random, 1 + random.below(400), {}, 1, random.unit()));
+    const std::size_t count = 1 + random.below(400);
+    check(random_boxes(random, count, {}, 1, random.unit()));
   }
 }
 
