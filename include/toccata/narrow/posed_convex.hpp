@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string_view>
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
@@ -27,6 +28,10 @@ class PosedConvex {
   explicit PosedConvex(const ConvexHull& shape, const Pose& pose = {});
   explicit PosedConvex(const Rounded& shape, const Pose& pose = {});
 
+  PosedConvex(const PosedConvex& other);
+  PosedConvex& operator=(const PosedConvex& other);
+  ~PosedConvex() = default;
+
   [[nodiscard]] Index vertex_count() const { return count_; }
 
   /// In the world.
@@ -40,7 +45,10 @@ class PosedConvex {
   /// It has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
   [[nodiscard]] bool solid() const { return solid_; }
 
-  /// Vertices and faces of the shape in its own frame. In the world rounding may bend a face by the last place.
+  /// Vertices and faces of the shape in its own frame. In the world rounding may bend a face by the last place, and a
+  /// mirroring pose turns every face round. A triangle whose world vertices are collinear has the topology of the
+  /// segment between the lexicographically least and greatest of them, or of a point; it keeps its three vertices, and
+  /// `leaving` of one that is no end is 0.
   [[nodiscard]] HullTopology topology() const { return topology_; }
 
   // For the supports. Coordinates along an axis, padded to a multiple of eight by repeating the last vertex; they are
@@ -50,10 +58,10 @@ class PosedConvex {
   [[nodiscard]] bool in_world() const { return in_world_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
-  PosedConvex(const PosedConvex& other);
-  PosedConvex& operator=(const PosedConvex& other);
-
  private:
+  /// Up to eight vertices, to the world.
+  void place(std::span<const Vec3> local, std::string_view who);
+
   alignas(64) std::array<std::array<double, 8>, 3> few_;  // the world coordinates of up to eight vertices
   std::array<const double*, 3> along_{};                  // into few_, or into the hull
   Pose pose_;

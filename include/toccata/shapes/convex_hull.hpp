@@ -39,6 +39,9 @@ class ConvexHull {
   /// The coordinates of all vertices along an axis, padded by repeating the last vertex to a multiple of 8.
   [[nodiscard]] std::span<const double> padded_coordinates(int axis) const;
 
+  /// The greatest magnitude of any coordinate of a vertex.
+  [[nodiscard]] double largest_coordinate() const;
+
   /// Bytes that the hull takes, all of them.
   [[nodiscard]] std::size_t memory() const;
 
