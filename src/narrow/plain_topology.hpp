@@ -1,0 +1,20 @@
+#pragma once
+
+#include "toccata/shapes/hull_topology.hpp"
+#include "toccata/shapes/triangle.hpp"
+
+// The topologies that many shapes have in common. They last for ever.
+namespace toccata {
+
+[[nodiscard]] HullTopology point_topology();
+
+/// Of the vertices 0 and 1.
+[[nodiscard]] HullTopology segment_topology();
+
+/// Of a world triangle: as posed_convex.hpp says where it has no area.
+[[nodiscard]] HullTopology triangle_topology(const Triangle& triangle);
+
+/// Vertices as numbered by `Box::corner`; faces: −x, +x, −y, +y, −z, +z.
+[[nodiscard]] HullTopology box_topology();
+
+}  // namespace toccata

@@ -1,0 +1,44 @@
+#include "toccata/shapes/shape.hpp"
+
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+void require_part(const CompoundPart& part, std::size_t number) {
+  if (!is_finite(part.pose))
+    throw Error(fmt::format("the pose ({}) of part {} of a compound has a number that is not finite",
+                            fmt::join(part.pose.numbers(), ", "), number));
+  const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&part.shape);
+  if (mesh != nullptr && !*mesh)
+    throw Error(fmt::format("part {} of a compound is a mesh, and the pointer given is null", number));
+}
+
+}  // namespace
+
+struct Compound::Parts {
+  std::vector<CompoundPart> all;
+};
+
+Compound::Compound(std::span<const CompoundPart> parts)
+    : parts_(std::make_shared<const Parts>(Parts{{parts.begin(), parts.end()}})) {
+  if (parts.empty()) throw Error("a compound needs at least one part");
+  for (std::size_t i = 0; i < parts.size(); ++i) require_part(parts[i], i);
+}
+
+std::span<const CompoundPart> Compound::parts() const { return parts_->all; }
+
+std::string_view name_of(const Shape& shape) {
+  constexpr std::array<std::string_view, std::variant_size_v<Shape>> names = {
+      "point",   "segment",     "triangle",      "half-space",   "sphere", "box",
+      "capsule", "convex hull", "rounded shape", "height field", "mesh",   "compound"};
+  return names[shape.index()];
+}
+
+}  // namespace toccata
