@@ -1,5 +1,7 @@
 #include "toccata/shapes/box.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "shapes/validation.hpp"
@@ -13,8 +15,7 @@ Box::Box(const Vec3& half_extents, const Vec3& centre) : centre_(centre), half_e
     const char name = "xyz"[axis];
     require_positive(half_extents[axis], fmt::format("the half extent of a box along {}", name));
     const double low = corner(0)[axis], high = corner(7)[axis];
-    // Also where the sum overflows.
-    if (!(high - low > 0) || !is_finite(corner(0)) || !is_finite(corner(7)))
+    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
       throw Error(
           fmt::format("the corners of a box with centre {} and half extent {} along {} are {} and {}; give numbers of "
                       "which the sum and the difference are finite and not the same",
