@@ -23,8 +23,8 @@ struct ExactNearest {
 ///
 /// E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the distance between complex objects in
 /// three-dimensional space", 1988, in integers. It ends: a vertex is added only when it lies before the plane through
-/// the nearest point of the simplex, so that simplices stay affinely independent and each is nearer than the one before;
-/// there are finitely many.
+/// the nearest point of the simplex, so that simplices stay affinely independent and each is nearer than the one
+/// before; there are finitely many.
 [[nodiscard]] ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start);
 
 }  // namespace toccata

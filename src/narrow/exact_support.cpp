@@ -14,8 +14,8 @@ struct Height {
 };
 
 Height height_of(const Vec3& direction, const Vec3& vertex) {
-  const double magnitude = (std::fabs(direction.x * vertex.x) + std::fabs(direction.y * vertex.y)) +
-                           std::fabs(direction.z * vertex.z);
+  const double magnitude =
+      (std::fabs(direction.x * vertex.x) + std::fabs(direction.y * vertex.y)) + std::fabs(direction.z * vertex.z);
   return {dot(direction, vertex), 0x1p-50 * magnitude + 0x1p-1020};
 }
 

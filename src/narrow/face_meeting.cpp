@@ -25,30 +25,31 @@ WideInteger turn(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) 
 /// Counter-clockwise, corners only: three or more, or the two ends of a segment, or one point.
 using Polygon = std::vector<PlanePoint>;
 
+/// The corners of a chain that turns left, the last one left out: it starts the next chain.
+void append_chain(Polygon& hull, std::span<const PlanePoint> points) {
+  const std::size_t kept = hull.size();
+  for (const PlanePoint& point : points) {
+    while (hull.size() >= kept + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
+    hull.push_back(point);
+  }
+  hull.pop_back();
+}
+
 /// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 Polygon hull_of(std::vector<PlanePoint> points) {
-  std::sort(points.begin(), points.end(), less);
+  std::sort(points.begin(), points.end(), [](const PlanePoint& p, const PlanePoint& q) { return less(p, q); });
   Polygon hull;
-  const auto add_chain = [&hull, least = std::size_t{0}](auto begin, auto end) mutable {
-    for (auto point = begin; point != end; ++point) {
-      while (hull.size() >= least + 2 && turn(hull[hull.size() - 2], hull.back(), *point) <= 0) hull.pop_back();
-      hull.push_back(*point);
-    }
-    hull.pop_back();  // it starts the next chain
-    least = hull.size();
-  };
-  const PlanePoint first = points.front();
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  if (hull.empty()) hull.push_back(first);
+  append_chain(hull, points);
+  std::reverse(points.begin(), points.end());
+  append_chain(hull, points);
+  if (hull.empty()) hull.push_back(points.front());
   return hull;
 }
 
 bool contains(const Polygon& polygon, const PlanePoint& p) {
   if (polygon.size() == 1) return polygon[0].x == p.x && polygon[0].y == p.y;
-  if (polygon.size() == 2)
-    return turn(polygon[0], polygon[1], p) == 0 && !less(p, std::min(polygon[0], polygon[1], less)) &&
-           !less(std::max(polygon[0], polygon[1], less), p);
+  // The first corner of a hull is its least.
+  if (polygon.size() == 2) return turn(polygon[0], polygon[1], p) == 0 && !less(p, polygon[0]) && !less(polygon[1], p);
   for (std::size_t i = 0; i < polygon.size(); ++i)
     if (turn(polygon[i], polygon[(i + 1) % polygon.size()], p) < 0) return false;
   return true;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "narrow/exact_nearest.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+
+namespace toccata {
+
+/// The shapes, grown by their radii, have a point in common.
+[[nodiscard]] bool grown_meet(const ExactNearest& nearest, double radius_a, double radius_b);
+
+/// The answer of `distance`, from the exact nearest points of the cores.
+///
+/// Where the grown shapes meet and the cores do not, the common point is the one that divides the way from core to core
+/// as the radii do.
+[[nodiscard]] Distance rounded_distance(const ExactNearest& nearest, double radius_a, double radius_b);
+
+}  // namespace toccata
