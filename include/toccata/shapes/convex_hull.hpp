@@ -16,7 +16,7 @@ inline constexpr Index most_hull_points = 1U << 24;
 
 /// The convex hull of points, exact: its vertices are those points that are extreme, its faces the true faces, coplanar
 /// triangles merged. Signs are exact, so nothing is merged, moved or left out because it is nearly something. Shared
-/// and immutable; copies share all. Less than 128 bytes a vertex.
+/// and immutable; copies share all. Less than 128 bytes a vertex from four vertices on.
 ///
 /// A hull may be flat (a polygon, a segment, a point): it is a surface then, else solid.
 ///

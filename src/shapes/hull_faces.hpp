@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "shapes/quickhull.hpp"
+
+namespace toccata {
+
+/// The faces of a convex hull as HullTopology describes them, their corners as numbers of points, in no order.
+struct HullFaces {
+  int dimension = 0;
+  std::vector<Index> corners;
+  std::vector<Index> first{0};  ///< face i has the corners [first[i], first[i + 1])
+
+  void close_face() { first.push_back(static_cast<Index>(corners.size())); }
+};
+
+/// Of finite points, at least one. Of a hull that is one point the only corner belongs to no face.
+[[nodiscard]] HullFaces hull_faces(std::span<const Vec3> points);
+
+/// The hull of points in one plane, of which the first three are not on one line, by the numbers of these three.
+/// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+[[nodiscard]] HullFaces flat_hull_faces(std::span<const Vec3> points, const std::array<Index, 3>& triangle);
+
+/// Triangles in one plane become one face, and vertices within an edge or a face are dropped.
+[[nodiscard]] HullFaces merged_faces(std::span<const Vec3> points, std::span<const HullTriangle> triangles);
+
+/// Exactly.
+[[nodiscard]] bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace toccata

@@ -1,0 +1,144 @@
+#include "toccata/shapes/convex_hull.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "shapes/hull_cases.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+using test::hull_failure;
+using test::hull_points;
+
+std::vector<Vec3> cube() {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({static_cast<double>(i & 1), static_cast<double>(i >> 1 & 1), static_cast<double>(i >> 2)});
+  return corners;
+}
+
+std::vector<Index> face_of(const HullTopology& t, Index f) {
+  return {t.origin.begin() + t.face_start[f], t.origin.begin() + t.face_start[f + 1]};
+}
+
+TEST(ConvexHull, OfACubeHasSixFacesInCanonicalOrder) {
+  std::vector<Vec3> points = cube();
+  points.push_back({0.5, 0.5, 0.5});  // inside
+  points.push_back({0.5, 0.5, 1});    // within a face
+  points.push_back({0.5, 0, 0});      // within an edge
+  const ConvexHull hull(points);
+  EXPECT_EQ(hull_failure(hull, points), "");
+  EXPECT_EQ(hull.vertex_count(), 8U);
+  EXPECT_EQ(hull.dimension(), 3);
+  const HullTopology t = hull.topology();
+  ASSERT_EQ(t.face_count(), 6U);
+  EXPECT_EQ(face_of(t, 0), (std::vector<Index>{0, 1, 5, 4}));
+  EXPECT_EQ(face_of(t, 1), (std::vector<Index>{0, 2, 3, 1}));
+  EXPECT_EQ(face_of(t, 5), (std::vector<Index>{4, 5, 7, 6}));
+}
+
+TEST(ConvexHull, KeepsTheOrderOfThePoints) {
+  std::vector<Vec3> points{{0.5, 0.25, 0.25}};
+  for (const Vec3& corner : cube()) {
+    points.push_back(corner);
+    points.push_back(corner);
+  }
+  const ConvexHull hull(points);
+  ASSERT_EQ(hull.vertex_count(), 8U);
+  for (Index v = 0; v < 8; ++v) EXPECT_EQ(hull.source_of(v), 1 + 2 * v);
+}
+
+TEST(ConvexHull, MayBeFlat) {
+  const ConvexHull point(std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}});
+  EXPECT_EQ(point.dimension(), 0);
+  EXPECT_EQ(point.topology().face_count(), 0U);
+  EXPECT_EQ(point.padded_coordinates(2).size(), 8U);
+
+  const ConvexHull segment(std::vector<Vec3>{{1, 1, 1}, {0, 0, 0}, {3, 3, 3}, {2, 2, 2}});
+  EXPECT_EQ(segment.dimension(), 1);
+  EXPECT_EQ(segment.source_of(0), 1U);
+  EXPECT_EQ(segment.source_of(1), 2U);
+  EXPECT_EQ(segment.topology().twin[0], 1U);
+
+  const ConvexHull square(std::vector<Vec3>{{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {1, 1, 1}});
+  EXPECT_EQ(square.dimension(), 2);
+  EXPECT_EQ(square.vertex_count(), 4U);
+  EXPECT_EQ(face_of(square.topology(), 0), (std::vector<Index>{0, 1, 2, 3}));
+  EXPECT_EQ(face_of(square.topology(), 1), (std::vector<Index>{0, 3, 2, 1}));
+}
+
+TEST(ConvexHull, OneLastPlaceIsNotFlat) {
+  std::vector<Vec3> points{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  EXPECT_EQ(ConvexHull(points).dimension(), 2);
+  points[2].z = std::nextafter(1.0, 2.0);
+  const ConvexHull hull(points);
+  EXPECT_EQ(hull.dimension(), 3);
+  EXPECT_EQ(hull.topology().face_count(), 4U);
+}
+
+TEST(ConvexHull, RefusesWhatIsNoHull) {
+  EXPECT_THROW(ConvexHull(std::vector<Vec3>{}), Error);
+  EXPECT_THROW(ConvexHull(std::vector<Vec3>(most_hull_points + 1U)), Error);
+  std::vector<Vec3> points = cube();
+  points[3].y = std::numeric_limits<double>::quiet_NaN();
+  try {
+    const ConvexHull hull(points);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("point 3"), std::string::npos) << error.what();
+  }
+}
+
+TEST(ConvexHull, IsThatOfItsPointsInEveryFamily) {
+  for (const std::string& family : test::hull_families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      Random random(seed);
+      const std::size_t count = 1 + random.below(seed % 4 == 0 ? 300 : 30);
+      const std::vector<Vec3> points = hull_points(family, random, count);
+      const ConvexHull hull(points);
+      ASSERT_EQ(hull_failure(hull, points), "") << family << " seed " << seed << ": " << test::to_text(points);
+    }
+}
+
+TEST(ConvexHull, DoesNotDependOnTheOrderOfThePoints) {
+  for (const std::string& family : test::hull_families())
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      Random random(seed);
+      const std::vector<Vec3> points = hull_points(family, random, 60);
+      const ConvexHull hull(points);
+      // The vertices alone, in their order, have the same hull, to the last index.
+      std::vector<Vec3> vertices;
+      for (Index v = 0; v < hull.vertex_count(); ++v) vertices.push_back(hull.vertex(v));
+      std::vector<Vec3> with_others = vertices;
+      with_others.insert(with_others.end(), points.rbegin(), points.rend());
+      for (const auto& same : {vertices, with_others}) {
+        const ConvexHull again(same);
+        ASSERT_TRUE(std::ranges::equal(again.topology().origin, hull.topology().origin)) << family << " seed " << seed;
+        ASSERT_TRUE(std::ranges::equal(again.topology().twin, hull.topology().twin)) << family << " seed " << seed;
+        ASSERT_TRUE(std::ranges::equal(again.topology().face_start, hull.topology().face_start));
+      }
+    }
+}
+
+TEST(ConvexHull, TakesLessThan128BytesAVertex) {
+  for (const std::size_t count : {4U, 5U, 9U, 12U, 17U, 100U, 1000U}) {
+    Random random(count);
+    const ConvexHull hull(hull_points("sphere", random, count));
+    EXPECT_EQ(hull.vertex_count(), count);
+    EXPECT_LT(hull.memory(), 128 * count) << count;
+  }
+}
+
+TEST(ConvexHullSlow, OfManyPoints) {
+  for (const char* family : {"ball", "sphere", "near-coplanar", "grid"}) {
+    Random random(7);
+    const std::vector<Vec3> points = hull_points(family, random, 20'000);
+    EXPECT_EQ(hull_failure(ConvexHull(points), points, 100), "") << family;
+  }
+}
+
+}  // namespace
+}  // namespace toccata
