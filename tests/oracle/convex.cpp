@@ -13,11 +13,12 @@ struct DifferencePoint {
   RationalPoint difference;
 };
 
-std::vector<DifferencePoint> differences(const ConvexSet& a, const ConvexSet& b) {
-  std::vector<DifferencePoint> result;
-  for (const RationalPoint& p : a.vertices)
-    for (const RationalPoint& q : b.vertices) result.push_back({p, q, p - q});
-  return result;
+/// The point of A − B that lies farthest against a direction. Of A and of B alone, as A − B has far more vertices.
+DifferencePoint farthest_against(const RationalPoint& direction, const ConvexSet& a, const ConvexSet& b) {
+  const auto along = [&](const RationalPoint& v) { return dot(v, direction); };
+  const RationalPoint& on_a = *std::ranges::min_element(a.vertices, {}, along);
+  const RationalPoint& on_b = *std::ranges::max_element(b.vertices, {}, along);
+  return {on_a, on_b, on_a - on_b};
 }
 
 /// Solves the n × n system by Gauss elimination; `rows` hold n coefficients and the right side. Empty when singular.
@@ -99,9 +100,24 @@ Support nearest_of_few(const Simplex& few) {
   throw std::logic_error("oracle: a hull without a nearest point");
 }
 
-/// Normals n, not 0, with n · d ≥ 0 for every d: the cone they form, cut by the surface of the cube [−1, 1]³, as the
-/// extreme points of its (at most six) polygons.
-std::vector<RationalPoint> weakly_separating_normals(const std::vector<DifferencePoint>& vertices) {
+/// Cuts away what has n · d < 0 for some point d of A − B: by the d that a corner has farthest against it, until none.
+std::vector<RationalPoint> separating_part(std::vector<RationalPoint> face, const ConvexSet& a, const ConvexSet& b) {
+  for (std::size_t corner = 0; corner < face.size();) {
+    const DifferencePoint farthest = farthest_against(face[corner], a, b);
+    if (dot(face[corner], farthest.difference) >= 0) {
+      ++corner;
+      continue;
+    }
+    face = clipped(face, {-farthest.difference, 0});
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    corner = 0;
+  }
+  return face;
+}
+
+/// Normals n, not 0, with n · d ≥ 0 for every d in A − B: the cone they form, cut by the surface of the cube [−1, 1]³,
+/// as the extreme points of its (at most six) polygons.
+std::vector<RationalPoint> weakly_separating_normals(const ConvexSet& a, const ConvexSet& b) {
   std::vector<RationalPoint> result;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = -1; side <= 1; side += 2) {
@@ -110,26 +126,20 @@ std::vector<RationalPoint> weakly_separating_normals(const std::vector<Differenc
         face.push_back(axis == 0   ? RationalPoint{side, u, v}
                        : axis == 1 ? RationalPoint{v, side, u}
                                    : RationalPoint{u, v, side});
-      for (const DifferencePoint& vertex : vertices) {
-        face = clipped(face, {-vertex.difference, 0});
-        face.erase(std::unique(face.begin(), face.end()), face.end());
-      }
-      result.insert(result.end(), face.begin(), face.end());
+      const std::vector<RationalPoint> part = separating_part(std::move(face), a, b);
+      result.insert(result.end(), part.begin(), part.end());
     }
   return result;
 }
 
 /// No plane separates the hulls, not even weakly. For two bodies: their interiors meet. For a body and a flat hull:
 /// the hull meets the body's interior (R. T. Rockafellar, "Convex Analysis", 1970, §11).
-bool interiors_meet(const ConvexSet& a, const ConvexSet& b) {
-  return weakly_separating_normals(differences(a, b)).empty();
-}
+bool interiors_meet(const ConvexSet& a, const ConvexSet& b) { return weakly_separating_normals(a, b).empty(); }
 
 /// Every weakly separating plane contains both hulls (Rockafellar, theorem 11.3).
 bool relative_interiors_meet(const ConvexSet& a, const ConvexSet& b) {
-  const std::vector<DifferencePoint> d = differences(a, b);
-  return std::ranges::all_of(weakly_separating_normals(d), [&](const RationalPoint& n) {
-    return std::ranges::all_of(d, [&](const DifferencePoint& v) { return dot(n, v.difference).is_zero(); });
+  return std::ranges::all_of(weakly_separating_normals(a, b), [&](const RationalPoint& n) {
+    return dot(n, farthest_against(-n, a, b).difference).is_zero();
   });
 }
 
@@ -235,19 +245,21 @@ bool is_solid(const ConvexSet& set) { return set.radius > 0 || !are_coplanar(set
 
 // Grows a simplex by the vertex that lies farthest against the nearest point found so far, and drops what that point
 // does not need (P. Wolfe, "Finding the nearest point in a polytope", 1976). The distance falls strictly, so it ends.
+// The certificate is that of is_nearest.
 NearestPoints nearest_points(const ConvexSet& a, const ConvexSet& b) {
-  const std::vector<DifferencePoint> vertices = differences(a, b);
-  Support support{{vertices.at(0)}, vertices.at(0)};
-  const auto along = [&](const DifferencePoint& v) { return dot(v.difference, support.nearest.difference); };
-  while (!is_nearest(support.nearest, vertices)) {
-    support.simplex.push_back(*std::ranges::min_element(vertices, {}, along));
-    const Rational before = dot(support.nearest.difference, support.nearest.difference);
+  const DifferencePoint first{a.vertices.at(0), b.vertices.at(0), a.vertices[0] - b.vertices[0]};
+  Support support{{first}, first};
+  while (true) {
+    const RationalPoint& x = support.nearest.difference;
+    const Rational squared_distance = dot(x, x);
+    const DifferencePoint farthest = farthest_against(x, a, b);
+    if (dot(farthest.difference, x) >= squared_distance)
+      return {support.nearest.on_a, support.nearest.on_b, squared_distance};
+    support.simplex.push_back(farthest);
     support = nearest_of_few(support.simplex);
-    if (dot(support.nearest.difference, support.nearest.difference) >= before)
+    if (dot(support.nearest.difference, support.nearest.difference) >= squared_distance)
       throw std::logic_error("oracle: the distance did not fall");
   }
-  const DifferencePoint& nearest = support.nearest;
-  return {nearest.on_a, nearest.on_b, dot(nearest.difference, nearest.difference)};
 }
 
 int compare_distance(const ConvexSet& a, const ConvexSet& b, const Rational& gap) {
@@ -272,16 +284,17 @@ bool overlap(const ConvexSet& a, const HalfSpace& b) { return reach_sign(a, b, W
 
 bool overlap(const HalfSpace& a, const HalfSpace& b) { return relation(a, b).kind != RelationKind::apart; }
 
-Relation relation(const ConvexSet& a, const ConvexSet& b) {
-  const bool a_solid = is_solid(a);
-  const bool b_solid = is_solid(b);
+Relation relation(const ConvexSet& a, const ConvexSet& b) { return relation(a, is_solid(a), b, is_solid(b)); }
+
+Relation relation(const ConvexSet& a, bool a_solid, const ConvexSet& b, bool b_solid) {
   if (!a_solid && !b_solid) return relation_of_surfaces(a, b);
   const Rational squared = nearest_points(a, b).squared_distance;
   const Rational reach = a.radius + b.radius;
   if (squared > reach * reach) return {};
   // A set with a radius meets another's interior as soon as the cores are nearer than the radii reach.
   const bool deep = reach > 0 ? squared < reach * reach : interiors_meet(a, b);
-  if (!deep) return {RelationKind::touching};
+  const bool flattened = (a_solid && !is_solid(a)) || (b_solid && !is_solid(b));  // no interior is left to meet
+  if (!deep || flattened) return {RelationKind::touching};
   if (a_solid && b_solid) return {RelationKind::overlapping, containment_of(is_subset(a, b), is_subset(b, a))};
   if (a_solid) return {RelationKind::crossing, is_inside(b, a) ? Containment::b_in_a : Containment::none};
   return {RelationKind::crossing, is_inside(a, b) ? Containment::a_in_b : Containment::none};

@@ -63,6 +63,9 @@ bool overlap(const HalfSpace& a, const HalfSpace& b);
 
 /// Oracles of relation. A flat set with radius 0 is a surface, everything else is solid.
 Relation relation(const ConvexSet& a, const ConvexSet& b);
+/// Where what they are taken for is known from their own frames: rounding may bend a flat hull in the world, and
+/// flatten a solid.
+Relation relation(const ConvexSet& a, bool a_solid, const ConvexSet& b, bool b_solid);
 Relation relation(const ConvexSet& a, const HalfSpace& b);
 Relation relation(const HalfSpace& a, const HalfSpace& b);
 

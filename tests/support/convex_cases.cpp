@@ -620,7 +620,7 @@ ConvexCase convex_case(const std::string& kind_a, const std::string& kind_b, con
 
 ConvexCase numbered_case(const std::string& kind_a, std::uint64_t number, Random& random) {
   const std::string& kind_b = convex_kinds()[number % convex_kinds().size()];
-  const std::string& regime = convex_regimes()[number / convex_kinds().size() % convex_regimes().size()];
+  const std::string& regime = convex_regimes()[number % convex_regimes().size()];
   return convex_case(kind_a, kind_b, regime, random);
 }
 

@@ -50,7 +50,8 @@ ConvexCase convex_case(const std::string& kind_a, const std::string& kind_b, con
 /// A shape of the kind above, in or deep in a half-space, or touching it, in the same regimes.
 HalfSpaceCase half_space_case(const std::string& kind, const std::string& regime, Random& random);
 
-/// Case `number` of a sequence that goes round all kinds of B, and for each through all regimes.
+/// Case `number` of a sequence that goes round all kinds of B and round all regimes at once. There are 14 and 15, which
+/// have no common factor, so that 210 numbers in a row are all pairs of them.
 ConvexCase numbered_case(const std::string& kind_a, std::uint64_t number, Random& random);
 
 /// A shape of the kind, of about size 1 around the origin of its own frame.
