@@ -652,8 +652,6 @@ PosedConvex posed(const PlacedConvex& placed) {
   return std::visit([&](const auto& shape) { return PosedConvex(shape, placed.pose); }, placed.shape);
 }
 
-PosedHalfSpace posed(const PlacedHalfSpace& placed) { return PosedHalfSpace(placed.shape, placed.pose); }
-
 oracle::ConvexSet set_of(const PlacedConvex& placed) {
   const CoreAndRadius parts = parts_of(placed.shape);
   oracle::ConvexSet set;
@@ -677,8 +675,10 @@ bool is_solid(const PlacedConvex& placed) {
 std::string to_text(const ConvexCase& pair) { return "a: " + to_text(pair.a) + "; b: " + to_text(pair.b); }
 
 std::string to_text(const HalfSpaceCase& pair) {
-  const PosedHalfSpace b = posed(pair.b);
-  return "a: " + to_text(pair.a) + "; b: half-space at " + to_text(b.point) + ", normal " + to_text(b.normal);
+  const Pose turned{pair.b.pose.linear, {}};
+  return "a: " + to_text(pair.a) + "; b: half-space at " +
+         to_text(oracle::world_vertex(pair.b.pose, pair.b.shape.point())) + ", normal " +
+         to_text(oracle::world_vertex(turned, pair.b.shape.normal()));
 }
 
 }  // namespace toccata::test

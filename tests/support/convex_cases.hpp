@@ -59,7 +59,7 @@ ConvexShape random_convex(const std::string& kind, Random& random);
 
 /// Refers to the shape's hull.
 PosedConvex posed(const PlacedConvex& placed);
-PosedHalfSpace posed(const PlacedHalfSpace& placed);
+inline PosedHalfSpace posed(const PlacedHalfSpace& placed) { return PosedHalfSpace(placed.shape, placed.pose); }
 
 /// The same for the oracle: world vertices as the truth page says.
 oracle::ConvexSet set_of(const PlacedConvex& placed);

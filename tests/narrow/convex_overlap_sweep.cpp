@@ -1,0 +1,23 @@
+#include "narrow/convex_sweeps.hpp"
+
+// Whether two convex shapes meet, compared with rational arithmetic.
+namespace toccata::test {
+namespace {
+
+bool ask(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) { return overlap(a, b, workspace); }
+
+std::string check(const SeenCase& seen) {
+  const bool truth = oracle::overlap(seen.set_a, seen.set_b);
+  if (overlap(seen.a, seen.b) != truth) return truth ? "they meet" : "they do not meet";
+  if (overlap(seen.b, seen.a) != truth) return "exchanged";
+  return compare_warm(seen, ask);
+}
+
+SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {
+  return run_convex_cases(kind, seed, cases, check);
+}
+
+const bool known = register_sweep({"convex-overlap", convex_kinds(), convex_goal, convex_slice, run, convex_shard});
+
+}  // namespace
+}  // namespace toccata::test
