@@ -1,26 +1,162 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
 #include "narrow/exact_distance.hpp"
 #include "narrow/exact_nearest.hpp"
+#include "narrow/gjk.hpp"
+#include "narrow/nearest_certificate.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {
 
-VertexPairs first_vertices() {
-  VertexPairs pairs;
-  pairs.append(0, 0);
-  return pairs;
+/// Where the last question with the workspace ended, if that makes sense for these shapes.
+VertexPairs kept_simplex(const ConvexWorkspace& workspace, const PosedConvex& a, const PosedConvex& b) {
+  VertexPairs simplex;
+  for (int i = 0; i < std::min(workspace.simplex_size, 4); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (workspace.vertex_a[at] >= a.vertex_count() || workspace.vertex_b[at] >= b.vertex_count()) return {};
+    simplex.append(workspace.vertex_a[at], workspace.vertex_b[at]);
+  }
+  return simplex;
 }
+
+void keep(ConvexWorkspace& workspace, const VertexPairs& simplex, const Vec3& difference) {
+  workspace.vertex_a = simplex.a;
+  workspace.vertex_b = simplex.b;
+  workspace.simplex_size = static_cast<int>(simplex.size);
+  workspace.direction = -difference;
+}
+
+/// What `grown_meet` knows for certain: positive is apart.
+std::optional<bool> certain_meeting(const BoundedNumber& gap) {
+  if (gap.is_positive()) return false;
+  if (gap.is_negative()) return true;
+  return {};
+}
+
+std::optional<Distance> rounded(const BoundedNumber& gap, const BoundedVector& on_a, const BoundedVector& on_b) {
+  const double high = gap.value.high, low = gap.value.low, off = 4 * gap.error;
+  const bool above = low > off, below = low < -off;
+  if (!above && !below) return {};
+  const auto point_a = nearest_doubles(on_a), point_b = nearest_doubles(on_b);
+  if (!point_a || !point_b) return {};
+  const double infinity = std::numeric_limits<double>::infinity();
+  return Distance{above ? high : std::nextafter(high, 0), above ? std::nextafter(high, infinity) : high, *point_a,
+                  *point_b, Status::exact};
+}
+
+std::optional<Distance> at_common_point(const BoundedVector& point) {
+  const auto common = nearest_doubles(point);
+  if (!common) return {};
+  return Distance{0, 0, *common, *common, Status::exact};
+}
+
+/// One question about two shapes.
+class PairQuestion {
+ public:
+  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace)
+      : kernels_(support_kernels()),
+        a_(a, kernels_),
+        b_(b, kernels_),
+        reach_(exactly(a.radius()) + exactly(b.radius())),
+        workspace_(workspace) {}
+
+  bool overlap() {
+    const GjkEnd end = search(kept_simplex(workspace_, a_.shape(), b_.shape()), reach_.value.high);
+    const bool stopped_early = !(end.separating == Vec3{});
+    const Vec3& direction = stopped_early ? end.separating : end.nearest;
+    if (!end.inside && certainly_farther(a_, b_, direction, upper_reach())) return certified(false);
+    if (end.inside && contains_origin(a_.shape(), b_.shape(), end.simplex.pairs)) return certified(true);
+    if (reach_.value.high > 0 && !end.inside)
+      if (const auto found = certain_nearest(a_, b_, end.simplex.pairs))
+        if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
+    ++workspace_.counts.exact;
+    return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+  }
+
+  /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
+  /// there the search starts anew.
+  Distance distance() {
+    const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
+    if (kept.size > 0)
+      if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
+    const GjkEnd end = search({}, no_goal);
+    if (const auto distance = distance_by(end, Cores::any)) return *distance;
+    ++workspace_.counts.exact;
+    return rounded_distance(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+  }
+
+ private:
+  static constexpr double no_goal = std::numeric_limits<double>::quiet_NaN();
+
+  /// Which answers are taken.
+  enum class Cores { apart, any };
+
+  GjkEnd search(const VertexPairs& start, double gap) {
+    const GjkEnd end = search_nearest(a_, b_, start, {gap});
+    workspace_.counts.support_points += end.support_points;
+    keep(workspace_, end.simplex.pairs, end.nearest);
+    return end;
+  }
+
+  template <class Answer>
+  Answer certified(const Answer& answer) {
+    ++workspace_.counts.certificates;
+    return answer;
+  }
+
+  [[nodiscard]] double upper_reach() const {
+    return std::nextafter(reach_.value.high, std::numeric_limits<double>::infinity());
+  }
+
+  std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
+    std::optional<Distance> distance;
+    if (!end.inside) {
+      if (const auto found = certain_nearest(a_, b_, end.simplex.pairs)) {
+        keep(workspace_, found->pairs, high_parts(found->difference));
+        distance = grown_distance(*found);
+      }
+    } else if (cores == Cores::any && contains_origin(a_.shape(), b_.shape(), end.simplex.pairs)) {
+      distance = at_common_point(common_point(a_.shape(), b_.shape(), end.simplex.pairs));
+    }
+    return distance ? certified(distance) : distance;
+  }
+
+  [[nodiscard]] std::optional<Distance> grown_distance(const CertainNearest& found) const {
+    if (reach_.value.high == 0) return rounded(found.distance, found.on_a, found.on_b);
+    const BoundedNumber gap = found.distance - reach_;
+    const BoundedNumber radius_a = exactly(a_.shape().radius()), radius_b = exactly(b_.shape().radius());
+    const auto meet = certain_meeting(gap);
+    if (!meet) return {};
+    if (*meet) return at_common_point(found.on_a - (radius_a / reach_) * found.difference);
+    return rounded(gap, found.on_a - (radius_a / found.distance) * found.difference,
+                   found.on_b + (radius_b / found.distance) * found.difference);
+  }
+
+  ExactNearest exact(const VertexPairs& start) {
+    ExactNearest nearest = exact_nearest(a_.shape(), b_.shape(), start);
+    keep(workspace_, nearest.simplex, nearest.meet ? Vec3{} : rounded_direction(nearest.direction));
+    return nearest;
+  }
+
+  SupportKernels kernels_;
+  SupportSearch a_, b_;
+  BoundedNumber reach_;  // the sum of the radii
+  ConvexWorkspace& workspace_;
+};
 
 }  // namespace
 
 bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  if (workspace != nullptr) ++workspace->counts.exact;
-  return grown_meet(exact_nearest(a, b, first_vertices()), a.radius(), b.radius());
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).overlap();
 }
 
 Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  if (workspace != nullptr) ++workspace->counts.exact;
-  return rounded_distance(exact_nearest(a, b, first_vertices()), a.radius(), b.radius());
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).distance();
 }
 
 }  // namespace toccata

@@ -1,0 +1,153 @@
+#include "narrow/gjk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toccata {
+namespace {
+
+/// More than any search that gets somewhere was seen to need.
+constexpr int most_steps = 64;
+
+/// Rᵀ · v: heights of vertices in their own frame.
+Vec3 transposed_times(const Mat3& m, const Vec3& v) {
+  return {dot(m.column(0), v), dot(m.column(1), v), dot(m.column(2), v)};
+}
+
+Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+
+Mat3 magnitudes(const Mat3& m) { return {{magnitudes(m[0]), magnitudes(m[1]), magnitudes(m[2])}}; }
+
+double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+bool has(const VertexPairs& pairs, Index a, Index b) {
+  for (std::size_t i = 0; i < pairs.size; ++i)
+    if (pairs.a[i] == a && pairs.b[i] == b) return true;
+  return false;
+}
+
+/// The search, a step at a time.
+class Walk {
+ public:
+  Walk(const SupportSearch& a, const SupportSearch& b, const GjkGoal& goal) : a_(a), b_(b), goal_(goal) {}
+
+  /// Adds the pair if it is nearer along the present direction, by more than rounding; tells whether it did.
+  bool step_to(Index a, Index b) {
+    const Vec3 point = a_.shape().vertex(a) - b_.shape().vertex(b);
+    if (end_.simplex.pairs.size == 0) {
+      end_.simplex.append(a, b, point);
+      end_.nearest = point;
+      size_ = largest(point);
+      return true;
+    }
+    size_ = std::max(size_, largest(point));
+    const double squared = dot(end_.nearest, end_.nearest);
+    const double gain = squared - dot(end_.nearest, point);
+    // Less is rounding: of the vertices, and of the nearest point.
+    if (!(gain > 0x1p-46 * size_ * std::sqrt(squared)) || has(end_.simplex.pairs, a, b)) return false;
+    GjkSimplex more = end_.simplex;
+    more.append(a, b, point);
+    const Vec3 nearest = reduce(more);
+    if (more.pairs.size < 4 && !(dot(nearest, nearest) < squared)) return false;
+    end_.simplex = more;
+    end_.nearest = nearest;
+    end_.inside = more.pairs.size == 4;
+    return true;
+  }
+
+  /// A step to the vertices that are the nearest along a direction, which is given by value because the step may change
+  /// the present one; tells whether the search goes on.
+  bool step_along(Vec3 direction) {
+    end_.support_points += 2;
+    const Index vertex_a = a_.least(direction), vertex_b = b_.least(-direction);
+    return step_to(vertex_a, vertex_b) && !goal_reached(direction, vertex_a, vertex_b);
+  }
+
+  [[nodiscard]] const GjkEnd& end() const { return end_; }
+
+ private:
+  /// The last vertex that was stepped to is the least along the direction.
+  [[nodiscard]] bool goal_reached(const Vec3& direction, Index a, Index b) {
+    if (std::isnan(goal_.gap)) return false;
+    const double height = dot(direction, a_.shape().vertex(a) - b_.shape().vertex(b));
+    if (!(height > (goal_.gap + 0x1p-40 * size_) * std::sqrt(dot(direction, direction)))) return false;
+    end_.separating = direction;
+    return true;
+  }
+
+  const SupportSearch& a_;
+  const SupportSearch& b_;
+  const GjkGoal& goal_;
+  GjkEnd end_;
+  double size_ = 0;  // the largest coordinate of a difference so far
+};
+
+}  // namespace
+
+// Bounds of heights. Let u = 2^-53. In its own frame a vertex x has the height h = fl(fl(Rᵀd) · x), off by less than
+// 6.01u Σ |d_i||R_ij||x_j| from d · Rx, and the world vertex is off by less than 4.01u (Σ |R_ij||x_j| + |t_i|) from
+// Rx + t; so h + d · t is within 10.1u Σ |d_i|(Σ |R_ij||x_j| + |t_i|) of the height of the world vertex. With 32u in
+// place of 10.1u the few roundings of the bounds themselves and of their comparison are covered. A direction off by
+// slack_i adds slack_i times the same sum. Underflow: a product of Rᵀd loses at most 2^-1074, times |x_j|; each of
+// those that make a height as much; and those that make a world vertex, times |d_i| ≤ 2^300.
+namespace {
+
+constexpr double rounding = 0x1p-48;
+constexpr double lost_per_coordinate = 0x1p-1000;
+constexpr double lost_per_height = 0x1p-700;
+
+Vec3 with_rounding(const Vec3& direction, const Vec3& slack) { return rounding * magnitudes(direction) + slack; }
+
+/// What the offset of the pose adds to heights, and to their bounds.
+struct OffsetPart {
+  double height = 0;
+  double error = lost_per_height;
+};
+
+OffsetPart offset_part(const PosedConvex& shape, const Vec3& direction, const Vec3& spread) {
+  if (shape.in_world()) return {};
+  const Vec3& offset = shape.pose().offset;
+  return {dot(direction, offset), dot(spread, magnitudes(offset)) + lost_per_height};
+}
+
+}  // namespace
+
+bool in_certain_range(const Vec3& direction) {
+  const double size = largest(direction);
+  return size >= 0x1p-300 && size <= 0x1p300;
+}
+
+SupportScan SupportSearch::scan(const Vec3& direction, const Vec3& slack) const {
+  const PosedConvex& s = *shape_;
+  SupportScan scan{s.along(0), s.along(1), s.along(2), s.padded_count(), direction, slack};
+  if (s.in_world()) return scan;
+  scan.direction = transposed_times(s.pose().linear, direction);
+  scan.spread = transposed_times(magnitudes(s.pose().linear), slack) +
+                Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
+  return scan;
+}
+
+Index SupportSearch::close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<Index> found) const {
+  const Vec3 spread = with_rounding(direction, slack);
+  const OffsetPart offset = offset_part(*shape_, direction, spread);
+  const double highest = dot(direction, vertex) + dot(spread, magnitudes(vertex));
+  const double bound = (highest - offset.height) + 2 * offset.error;
+  return kernels_->close(scan(direction, spread), bound, found.data(), static_cast<Index>(found.size()));
+}
+
+double SupportSearch::lower_bound(const Vec3& direction) const {
+  const Vec3 spread = with_rounding(direction, {});
+  const OffsetPart offset = offset_part(*shape_, direction, spread);
+  return (kernels_->least_depth(scan(direction, spread)) + offset.height) - 2 * offset.error;
+}
+
+GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {
+  Walk walk(a, b, goal);
+  if (start.size == 0) walk.step_along(a.shape().pose().offset - b.shape().pose().offset);
+  for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
+  for (int step = 0; step < most_steps && !walk.end().inside; ++step)
+    if (!walk.step_along(walk.end().nearest)) break;
+  return walk.end();
+}
+
+}  // namespace toccata

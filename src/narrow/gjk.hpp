@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+
+#include "narrow/gjk_simplex.hpp"
+#include "narrow/support_scan.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+
+// The search in doubles. What it finds is a guess; nearest_certificate.hpp proves it, or exact arithmetic takes over.
+namespace toccata {
+
+/// Vertices of one shape by direction.
+class SupportSearch {
+ public:
+  SupportSearch(const PosedConvex& shape, const SupportKernels& kernels) : shape_(&shape), kernels_(&kernels) {}
+
+  [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
+
+  /// The vertex of least height along a world direction, but for rounding.
+  [[nodiscard]] Index least(const Vec3& direction) const { return kernels_->least(scan(direction, {})); }
+
+  /// Heights along a direction that is known to within `slack`: |exact − direction| ≤ slack, along each axis. Both
+  /// include what rounding of world vertices and of heights adds, if the direction's greatest coordinate lies within
+  /// the certain range.
+
+  /// All vertices that may be as low as the given one is; ascending. As many as fit are written; returns how many there
+  /// are, the last vertex counted several times perhaps.
+  [[nodiscard]] Index close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<Index> found) const;
+
+  /// No world vertex is lower; NaN where nothing is certain.
+  [[nodiscard]] double lower_bound(const Vec3& direction) const;
+
+ private:
+  [[nodiscard]] SupportScan scan(const Vec3& direction, const Vec3& slack) const;
+
+  const PosedConvex* shape_;
+  const SupportKernels* kernels_;
+};
+
+/// Directions for which the bounds of SupportSearch hold.
+[[nodiscard]] bool in_certain_range(const Vec3& direction);
+
+/// Where the search ended.
+struct GjkEnd {
+  GjkSimplex simplex;
+  Vec3 nearest;                      ///< the point of the simplex that is nearest to the origin
+  bool inside = false;               ///< the origin seems to be in the simplex of four pairs
+  Vec3 separating;                   ///< the direction that reached the goal; else zero
+  std::uint64_t support_points = 0;  ///< searched for
+};
+
+/// When a search may end before it has the nearest points.
+struct GjkGoal {
+  /// The shapes seem to be farther apart than this along the direction of the search; NaN: search to the end.
+  double gap;
+};
+
+/// Starts with a simplex, or with the vertices along the way between the shapes' frames where it is empty.
+///
+/// Takes at most 68 steps of fixed size, whatever the numbers are: no loop but over vertices and over steps.
+[[nodiscard]] GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start,
+                                    const GjkGoal& goal);
+
+}  // namespace toccata

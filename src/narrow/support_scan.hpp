@@ -1,0 +1,33 @@
+#pragma once
+
+#include "toccata/narrow/posed_convex.hpp"
+
+namespace toccata {
+
+/// The vertices that are scanned, and along what. Each kernel reads all of them once.
+struct SupportScan {
+  const double* x = nullptr;  ///< as PosedConvex::along, padded to a multiple of eight
+  const double* y = nullptr;
+  const double* z = nullptr;
+  Index padded_count = 0;
+  Vec3 direction;
+  /// What each coordinate of a vertex lets its height be off by; not used by `least`.
+  Vec3 spread;
+};
+
+/// The kernels for the SIMD level in use; asked for once a question. The height of a vertex is
+/// ((direction.x · x + direction.y · y) + direction.z · z), never fused, the same bits at every level; its depth is its
+/// height less ((spread.x · |x| + spread.y · |y|) + spread.z · |z|).
+struct SupportKernels {
+  /// The vertex of the least height, of several the first; some vertex where heights are NaN.
+  Index (*least)(const SupportScan&) = nullptr;
+  /// The least depth; NaN where one is.
+  double (*least_depth)(const SupportScan&) = nullptr;
+  /// Writes the first `capacity` vertices whose depth is not above `bound`, ascending, and returns how many there are,
+  /// padding included.
+  Index (*close)(const SupportScan&, double bound, Index* found, Index capacity) = nullptr;
+};
+
+[[nodiscard]] SupportKernels support_kernels();
+
+}  // namespace toccata
