@@ -1,0 +1,12 @@
+#pragma once
+
+#include "toccata/shapes/convex_hull.hpp"
+
+namespace toccata {
+
+/// A vertex of the hull that is highest above the plane of a, b, c, on the side from which they turn counter-clockwise;
+/// exact. It walks from `start` to higher neighbours: where none is higher, no vertex is, because the hull is convex.
+/// From one plane to one nearby a few steps are enough.
+[[nodiscard]] Index highest_vertex(const ConvexHull& hull, const Vec3& a, const Vec3& b, const Vec3& c, Index start);
+
+}  // namespace toccata
