@@ -32,6 +32,7 @@
 #include "toccata/narrow/casts.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/plane.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 #include "toccata/narrow/set_relation.hpp"

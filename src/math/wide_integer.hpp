@@ -36,6 +36,8 @@ struct IntegerVector {
 [[nodiscard]] IntegerVector cross(const IntegerVector& u, const IntegerVector& v);
 [[nodiscard]] bool is_zero(const IntegerVector& v);
 
+[[nodiscard]] inline Sign sign_of(const WideInteger& value) { return static_cast<Sign>(value.sign()); }
+
 /// A vector of nearly the same direction: the greatest coordinate is at most 1/4 in magnitude and at least 1/16, and
 /// each is off by at most 2^-53 of itself or by 2^-1074. Not for the zero vector.
 [[nodiscard]] Vec3 rounded_direction(const IntegerVector& v);

@@ -1,0 +1,175 @@
+#include "narrow/core_parting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow/expanding_polytope.hpp"
+
+// Let D be the Minkowski difference and h(n) the greatest n · d over it, for a unit vector n. B moved by t n no longer
+// overlaps A when t ≥ h(n); the depth is the least of all h(n), the distance from the origin to the boundary of D when
+// it lies within.
+//
+// Every h(n) is an upper bound; that of a rounded n is computed to 2^-48 V (V is the extent of D): the support is
+// farthest up to 2^-49 V, and the product off by 2^-50 V. The least distance of a facet of a convex polytope in D that
+// has the origin behind all its facets is a lower bound. The search expands the facet with the least lower bound until
+// both bounds meet to `relative_width_of_depth`. Where rounding hides whether anything lies beyond a facet, its plane
+// is computed exactly; if nothing does, it is a facet of D, and both bounds are its distance.
+//
+// It ends: every step either makes a facet exact, of which there are finitely many, or adds a point of D that lies
+// strictly outside of the polytope, which happens at most once for each pair of vertices.
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Roughly, for comparing.
+double squared_size(const CoreVertices& core) {
+  const Vec3 diagonal = 0x1p-512 * core.greatest() - 0x1p-512 * core.least();
+  return dot(diagonal, diagonal);
+}
+
+class Search {
+ public:
+  Search(const PosedConvex& a, const PosedConvex& b, double reach)
+      : body_(a, b), polytope_(body_), reach_(body_.scaled_length(reach)) {}
+
+  CoreParting run();
+
+ private:
+  enum class Step { onwards, done, stuck };
+
+  [[nodiscard]] Step step(Index f);
+  [[nodiscard]] Step exact_step(Index f);
+  [[nodiscard]] Step expand(Index f, const DifferencePoint& p) {
+    return polytope_.add(p, f) ? Step::onwards : Step::stuck;
+  }
+  void offer(Index f, double upper);
+  [[nodiscard]] bool is_narrow(Index f, double upper) const {
+    return upper <= 0 || upper - polytope_.facet(f).lower <= relative_width_of_depth * (upper + reach_);
+  }
+  [[nodiscard]] CoreParting answer(double lower, Status status) const;
+  void find_points(CoreParting& parting) const;
+  [[nodiscard]] std::array<double, 3> weights_of_foot(Index f) const;
+  [[nodiscard]] Index facet_of_foot() const;
+
+  DifferenceBody body_;
+  ExpandingPolytope polytope_;
+  double reach_;
+  double upper_ = infinity;  ///< the least so far, scaled, and of which facet
+  Vec3 direction_{};
+  Index facet_ = 0;
+};
+
+void Search::offer(Index f, double upper) {
+  upper_ = upper;
+  direction_ = polytope_.facet(f).normal;
+  facet_ = f;
+}
+
+Search::Step Search::step(Index f) {
+  const Vec3& n = polytope_.facet(f).normal;
+  const DifferencePoint farthest = body_.support(n);
+  const double upper = dot(n, farthest.value) + 0x1p-48 * body_.extent();
+  const bool narrow = is_narrow(f, upper);
+  if (narrow || upper < upper_) offer(f, upper);
+  if (narrow) return Step::done;
+  if (polytope_.height(f, farthest) > polytope_.facet(f).error) return expand(f, farthest);
+  if (polytope_.is_exact(f)) return exact_step(f);
+  polytope_.make_exact(f);
+  return Step::onwards;
+}
+
+Search::Step Search::exact_step(Index f) {
+  const auto [farthest, height] = polytope_.exact_support(f);
+  if (height == Sign::positive) return expand(f, farthest);
+  const double distance = polytope_.facet(f).distance;
+  offer(f, distance + 0x1p-51 * std::fabs(distance));
+  return Step::done;
+}
+
+CoreParting Search::run() {
+  if (!polytope_.start()) {
+    CoreParting flat;
+    flat.kind = CoreParting::Kind::flat;
+    flat.direction = polytope_.flat_direction();
+    return flat;
+  }
+  // Far more than any search takes, and less than a person would call a hang.
+  const Index limit = 1000 + 4 * (body_.a().count() + body_.b().count());
+  for (Index steps = 0; steps < limit; ++steps) {
+    const Index f = polytope_.nearest();
+    const Step outcome = step(f);
+    if (outcome == Step::done) return answer(polytope_.facet(f).lower, Status::exact);
+    if (outcome == Step::stuck) break;
+  }
+  return answer(polytope_.facet(polytope_.nearest()).lower, Status::not_converged);
+}
+
+/// Where the foot of the origin lies in the plane of a facet: its weights, which add up to 1, by areas (by lengths and
+/// angles they would be twice as badly conditioned in a needle).
+std::array<double, 3> Search::weights_of_foot(Index f) const {
+  const Vec3 &p = polytope_.corner(f, 0).value, &q = polytope_.corner(f, 1).value, &r = polytope_.corner(f, 2).value;
+  const Vec3& n = polytope_.facet(f).normal;
+  const Vec3 to_foot = polytope_.facet(f).distance * n - p;
+  const double area = dot(n, cross(q - p, r - p));
+  if (!(area > 0)) return {1, 0, 0};
+  const double of_q = dot(n, cross(to_foot, r - p)) / area, of_r = dot(n, cross(q - p, to_foot)) / area;
+  return {1 - of_q - of_r, of_q, of_r};
+}
+
+/// Coplanar triangles of the polytope are one facet of D; the foot of the origin lies in one of them.
+Index Search::facet_of_foot() const {
+  Index f = facet_;
+  for (int hops = 0; hops < 64; ++hops) {
+    const auto weights = weights_of_foot(f);
+    const auto least = static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
+    if (weights[least] >= 0) return f;
+    const Index next = polytope_.facet(f).neighbour[(least + 1) % 3];
+    if (!(dot(polytope_.facet(next).normal, direction_) >= 1 - 0x1p-30)) return f;
+    f = next;
+  }
+  return f;
+}
+
+void Search::find_points(CoreParting& parting) const {
+  const Index f = facet_of_foot();
+  std::array<double, 3> weights = weights_of_foot(f);
+  double sum = 0;
+  for (double& weight : weights) sum += weight = std::clamp(weight, 0.0, 1.0);
+  parting.on_a = body_.a()[polytope_.corner(f, 0).on_a];
+  parting.on_b = body_.b()[polytope_.corner(f, 0).on_b];
+  const Vec3 a = parting.on_a, b = parting.on_b;
+  for (std::size_t k = 1; k < 3; ++k) {
+    parting.on_a = parting.on_a + (weights[k] / sum) * (body_.a()[polytope_.corner(f, k).on_a] - a);
+    parting.on_b = parting.on_b + (weights[k] / sum) * (body_.b()[polytope_.corner(f, k).on_b] - b);
+  }
+  // The weights of a needle are rough. What the point on the smaller core is off by is small all the same; it leads to
+  // the other.
+  const Vec3 way = body_.unscaled(polytope_.facet(f).distance) * direction_;
+  if (squared_size(body_.a()) <= squared_size(body_.b()))
+    parting.on_b = parting.on_a - way;
+  else
+    parting.on_a = parting.on_b + way;
+}
+
+CoreParting Search::answer(double lower, Status status) const {
+  CoreParting parting;
+  parting.status = status;
+  parting.direction = direction_;
+  find_points(parting);
+  if (upper_ <= 0) return parting;
+  parting.kind = CoreParting::Kind::deep;
+  // The direction is a unit vector up to 2^-50, and the way back to the world's unit may round.
+  parting.upper = std::nextafter(body_.unscaled(upper_ + 0x1p-49 * upper_), infinity);
+  parting.lower = lower > 0 ? std::nextafter(body_.unscaled(lower), 0.0) : 0.0;
+  return parting;
+}
+
+}  // namespace
+
+CoreParting part_cores_by_expansion(const PosedConvex& a, const PosedConvex& b, double reach) {
+  return Search(a, b, reach).run();
+}
+
+}  // namespace toccata

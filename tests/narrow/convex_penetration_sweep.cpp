@@ -1,0 +1,62 @@
+#include "narrow/penetration_checks.hpp"
+#include "support/sweep.hpp"
+
+// Penetration of every kind of solid with every other, in every regime, compared with rational arithmetic and with
+// itself under exchange.
+namespace toccata::test {
+namespace {
+
+const std::vector<std::string> solid_kinds{"sphere",      "box",           "capsule",         "hull",
+                                           "needle-hull", "rounded-point", "rounded-segment", "rounded-triangle",
+                                           "rounded-box", "rounded-hull"};
+
+double size_of(const oracle::ConvexSet& set) {
+  double size = set.radius.convert_to<double>();
+  for (const oracle::RationalPoint& p : set.vertices)
+    for (const oracle::Rational& c : {p.x, p.y, p.z}) size = std::max(size, std::fabs(c.convert_to<double>()));
+  return size;
+}
+
+bool same_but_flipped(const Penetration& p, const Penetration& q) {
+  return p.lower == q.lower && p.upper == q.upper && p.direction == -q.direction && p.on_a == q.on_b &&
+         p.on_b == q.on_a;
+}
+
+bool same_shapes(const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
+  return a.vertices == b.vertices && a.radius == b.radius;
+}
+
+std::string check(const ConvexCase& pair) {
+  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  if (!a.solid() || !b.solid()) return "";
+  const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
+  if (!oracle::is_solid(set_a) || !oracle::is_solid(set_b)) return "";
+  const double size = size_of(set_a) + size_of(set_b);
+  const Penetration by_expansion = penetration_by_expansion(a, b);
+  const std::string wrong = wrong_with(by_expansion, set_a, set_b, size);
+  if (!wrong.empty()) return "by expansion: " + wrong;
+  if (!same_shapes(set_a, set_b) && !same_but_flipped(by_expansion, penetration_by_expansion(b, a)))
+    return "by expansion: exchanged";
+  return "";
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  for (; result.cases < cases; ++result.cases) {
+    const std::uint64_t which = random.below(solid_kinds.size());
+    const std::string regime = convex_regimes()[random.below(convex_regimes().size())];
+    const ConvexCase pair = convex_case(family, solid_kinds[which], regime, random);
+    const std::string wrong = check(pair);
+    if (wrong.empty()) continue;
+    if (result.wrong++ == 0)
+      result.first_failure = wrong + ", case " + std::to_string(result.cases) + ", " + solid_kinds[which] + ", " +
+                             regime + ": " + to_text(pair);
+  }
+  return result;
+}
+
+const bool known = register_sweep({"convex-penetration", solid_kinds, 100'000, 100, run, 1000});
+
+}  // namespace
+}  // namespace toccata::test

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "oracle/penetration.hpp"
+#include "support/convex_cases.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
+
+// What every answer about penetration has to be, compared with rational arithmetic.
+namespace toccata::test {
+
+inline bool is_unit(const Vec3& v) { return std::fabs(dot(v, v) - 1) <= 0x1p-48; }
+
+/// The points are as far apart as the depth, along the direction, and lie on the shapes, up to the rounding of
+/// coordinates of that size.
+inline bool points_fit(const Penetration& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b, double size) {
+  const Vec3 rest = (p.on_a - p.on_b) - p.upper * p.direction;
+  const oracle::Rational near = oracle::exact(1e-7 * size);
+  return std::sqrt(dot(rest, rest)) <= 1e-12 * size &&
+         oracle::compare_distance(oracle::point_set(p.on_a), a, near) <= 0 &&
+         oracle::compare_distance(oracle::point_set(p.on_b), b, near) <= 0;
+}
+
+/// The interiors meet no longer once b has been moved.
+inline bool is_parted_by(const oracle::ConvexSet& a, const oracle::ConvexSet& b, const oracle::RationalPoint& move) {
+  return oracle::relation(a, oracle::moved(b, move)).kind != oracle::RelationKind::overlapping;
+}
+
+/// Empty, or what is wrong with the penetration of two solids. `size`: of all coordinates.
+inline std::string wrong_with(const Penetration& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b,
+                              double size) {
+  using oracle::exact;
+  if (!(std::isfinite(p.lower) && std::isfinite(p.upper) && is_finite(p.on_a) && is_finite(p.on_b)))
+    return "not finite";
+  if (!is_unit(p.direction)) return "direction is no unit vector";
+  if (p.lower < 0 || p.lower > p.upper) return "lower and upper";
+  if (oracle::compare_penetration(a, b, exact(p.lower)) < 0) return "less deep than lower";
+  if (oracle::compare_penetration(a, b, exact(p.upper)) > 0) return "deeper than upper";
+  if (p.status != Status::exact) return "not converged";
+  if (p.upper - p.lower > 0x1p-39 * p.upper) return "wide";
+  const bool meet = oracle::relation(a, b).kind == oracle::RelationKind::overlapping;
+  if (meet != (p.lower > 0) || meet != (p.upper > 0)) return "depth and relation";
+  if (!meet) return "";
+  if (!is_parted_by(a, b, exact(p.upper) * exact(p.direction))) return "not parted by upper";
+  if (is_parted_by(a, b, exact(0.999 * p.lower) * exact(p.direction))) return "parted by less";
+  return points_fit(p, a, b, size) ? "" : "points";
+}
+
+}  // namespace toccata::test
