@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "toccata/math/predicates.hpp"
+#include "toccata/shapes/triangle.hpp"
 
 namespace toccata {
 namespace {
@@ -63,7 +64,7 @@ std::optional<Index> point_off_line(std::span<const Vec3> points, const Vec3& a,
     const Vec3 n = cross(along, points[i] - a);
     return dot(n, n);
   });
-  const auto off = [&](Index i) { return !are_collinear(a, b, points[i]); };
+  const auto off = [&](Index i) { return has_area({{a, b, points[i]}}); };
   // What rounding made the farthest need not be off the line; then all are asked exactly.
   return off(far) ? far : first_that(points.size(), off);
 }
@@ -88,12 +89,6 @@ HullFaces faces_of(std::span<const Vec3> points) {
 }
 
 }  // namespace
-
-bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (orient2d(drop_axis(a, axis), drop_axis(b, axis), drop_axis(c, axis)) != Sign::zero) return false;
-  return true;
-}
 
 HullFaces hull_faces(std::span<const Vec3> points) {
   const std::vector<Vec3> scaled = scaled_to_middle(points);

@@ -26,7 +26,4 @@ struct HullFaces {
 /// Triangles in one plane become one face, and vertices within an edge or a face are dropped.
 [[nodiscard]] HullFaces merged_faces(std::span<const Vec3> points, std::span<const HullTriangle> triangles);
 
-/// Exactly.
-[[nodiscard]] bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace toccata

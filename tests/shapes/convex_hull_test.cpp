@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 #include "shapes/hull_cases.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
 namespace {
@@ -94,7 +97,7 @@ TEST(ConvexHull, RefusesWhatIsNoHull) {
 
 TEST(ConvexHull, IsThatOfItsPointsInEveryFamily) {
   for (const std::string& family : test::hull_families())
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
       Random random(seed);
       const std::size_t count = 1 + random.below(seed % 4 == 0 ? 300 : 30);
       const std::vector<Vec3> points = hull_points(family, random, count);
@@ -138,6 +141,77 @@ TEST(ConvexHullSlow, OfManyPoints) {
     const std::vector<Vec3> points = hull_points(family, random, 20'000);
     EXPECT_EQ(hull_failure(ConvexHull(points), points, 100), "") << family;
   }
+}
+
+std::string message_of_convex_mesh(const TriangleMesh& mesh) {
+  try {
+    (void)hull_of_convex_mesh(mesh);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A hull's faces as fans.
+TriangleMesh mesh_of(const ConvexHull& hull) {
+  std::vector<Vec3> vertices;
+  for (Index v = 0; v < hull.vertex_count(); ++v) vertices.push_back(hull.vertex(v));
+  const HullTopology t = hull.topology();
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index f = 0; f < t.face_count(); ++f)
+    for (Index h = t.face_start[f] + 1; h + 1 < t.face_start[f + 1]; ++h)
+      triangles.push_back({t.origin[t.face_start[f]], t.origin[h], t.origin[h + 1]});
+  return TriangleMesh(vertices, triangles);
+}
+
+TriangleMesh changed(const TriangleMesh& mesh, const std::function<void(std::vector<std::array<Index, 3>>&)>& change) {
+  std::vector<std::array<Index, 3>> triangles(mesh.triangles().begin(), mesh.triangles().end());
+  change(triangles);
+  return TriangleMesh({mesh.vertices().begin(), mesh.vertices().end()}, triangles);
+}
+
+TEST(HullOfConvexMesh, TakesEveryHullsBoundary) {
+  for (const char* family : {"ball", "sphere", "coarse-grid", "near-coplanar", "needle", "huge"})
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      Random random(seed);
+      const ConvexHull hull(hull_points(family, random, 40));
+      ASSERT_EQ(hull.dimension(), 3);
+      const ConvexHull again = hull_of_convex_mesh(mesh_of(hull));
+      ASSERT_TRUE(std::ranges::equal(again.topology().origin, hull.topology().origin)) << family << " seed " << seed;
+    }
+}
+
+TEST(HullOfConvexMesh, SaysWhatIsWrong) {
+  const TriangleMesh box = mesh_of(ConvexHull(cube()));
+  EXPECT_EQ(message_of_convex_mesh(box), "");
+  const std::string open = message_of_convex_mesh(changed(box, [](auto& t) { t.pop_back(); }));
+  EXPECT_NE(open.find("face 4 has an edge"), std::string::npos) << open;
+  const TriangleMesh inside_out = changed(box, [](auto& triangles) {
+    for (auto& t : triangles) std::swap(t[1], t[2]);
+  });
+  EXPECT_EQ(message_of_convex_mesh(inside_out),
+            "the mesh is not a convex solid: face 0 turns clockwise seen from outside; turn all faces round");
+  const TriangleMesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
+  EXPECT_NE(message_of_convex_mesh(flat).find("flat"), std::string::npos);
+  EXPECT_NE(message_of_convex_mesh(generate_mesh("torus-knot")).find(" before it"), std::string::npos);
+}
+
+TEST(HullOfConvexMesh, OneLastPlaceIsADent) {
+  const std::vector<Vec3> corners = cube();
+  const auto pyramid_on_cube = [&](double height) {
+    TriangleMesh box = mesh_of(ConvexHull(corners));
+    std::vector<Vec3> vertices(box.vertices().begin(), box.vertices().end());
+    vertices.push_back({0.5, 0.5, height});
+    std::vector<std::array<Index, 3>> triangles;
+    for (const auto& t : box.triangles())
+      if (!(vertices[t[0]].z == 1 && vertices[t[1]].z == 1 && vertices[t[2]].z == 1)) triangles.push_back(t);
+    for (const auto& [from, to] : {std::pair{4, 5}, {5, 7}, {7, 6}, {6, 4}})
+      triangles.push_back({static_cast<Index>(from), static_cast<Index>(to), 8});
+    return TriangleMesh(vertices, triangles);
+  };
+  EXPECT_EQ(hull_of_convex_mesh(pyramid_on_cube(1)).vertex_count(), 8U);
+  EXPECT_EQ(hull_of_convex_mesh(pyramid_on_cube(std::nextafter(1.0, 2.0))).vertex_count(), 9U);
+  EXPECT_NE(message_of_convex_mesh(pyramid_on_cube(std::nextafter(1.0, 0.0))), "");
 }
 
 }  // namespace

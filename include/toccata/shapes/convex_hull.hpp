@@ -18,6 +18,9 @@ inline constexpr Index most_hull_points = 1U << 24;
 /// triangles merged. Signs are exact, so nothing is merged, moved or left out because it is nearly something. Shared
 /// and immutable; copies share all. Less than 128 bytes a vertex from four vertices on.
 ///
+/// The order is canonical: every face begins at its least vertex, faces are sorted by their first two vertices, and
+/// `leaving` is the least half-edge of a vertex. So it does not depend on points that are not vertices.
+///
 /// A hull may be flat (a polygon, a segment, a point): it is a surface then, else solid.
 ///
 /// Quickhull after C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996.

@@ -1,0 +1,37 @@
+#include "shapes/hull_cases.hpp"
+#include "support/sweep.hpp"
+
+// Hulls of points, proved by their own certificate with exact signs: topology, planar and strictly convex faces, and no
+// point before any face.
+namespace toccata::test {
+namespace {
+
+std::string check(const std::vector<Vec3>& points) {
+  const ConvexHull hull(points);
+  if (std::string wrong = hull_failure(hull, points); !wrong.empty()) return wrong;
+  // The same faces from the points in the opposite order, whose vertices are numbered backwards.
+  const ConvexHull backwards(std::vector<Vec3>(points.rbegin(), points.rend()));
+  if (std::string wrong = topology_failure(backwards); !wrong.empty()) return "backwards: " + wrong;
+  const bool same = backwards.vertex_count() == hull.vertex_count() && backwards.dimension() == hull.dimension() &&
+                    backwards.topology().face_count() == hull.topology().face_count();
+  return same ? "" : "another hull backwards";
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random random(seed * 0x9e3779b97f4a7c15ULL + 5);
+  for (; result.cases < cases; ++result.cases) {
+    const std::size_t count = 1 + random.below(result.cases % 16 == 0 ? 100 : 24);
+    const std::vector<Vec3> points = hull_points(family, random, count);
+    const std::string wrong = check(points);
+    if (wrong.empty()) continue;
+    if (result.wrong++ == 0)
+      result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + to_text(points);
+  }
+  return result;
+}
+
+const bool known = register_sweep({"convex-hulls", hull_families(), 100'000, 500, run});
+
+}  // namespace
+}  // namespace toccata::test
