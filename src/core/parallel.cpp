@@ -34,6 +34,22 @@ class FirstFailure {
 
 }  // namespace
 
+int thread_count(int threads) {
+  // TBB prints a warning when asked for more threads than the machine has.
+  const int available = tbb::info::default_concurrency();
+  return threads > 0 ? std::min(threads, available) : available;
+}
+
+void on_threads(int threads, const std::function<void()>& work) {
+  // Threads that have just left one arena take up to 0.1 ms to come to another, so the one at hand is used where it has
+  // the right size. Isolated: whoever waits in it must not begin with other work of the caller's in the meantime.
+  const int count = thread_count(threads);
+  if (count == tbb::this_task_arena::max_concurrency())
+    tbb::this_task_arena::isolate(work);
+  else
+    tbb::task_arena(count).execute(work);
+}
+
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
   if (threads == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) body(i);
@@ -49,10 +65,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
       }
     }
   };
-  // TBB prints a warning when asked for more threads than the machine has.
-  const int available = tbb::info::default_concurrency();
-  tbb::task_arena arena(threads > 0 ? std::min(threads, available) : available);
-  arena.execute([&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), run); });
+  on_threads(threads, [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), run); });
   failure.rethrow();
 }
 

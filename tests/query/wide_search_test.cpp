@@ -165,15 +165,45 @@ TEST(WideSearch, EveryLevelAndThreadCountFindsTheSameAtTheSameCost) {
       for (const int threads : {1, 2, 0}) {
         query.threads = threads;
         EXPECT_TRUE(test::same(copied(contacts(a, b, query, workspace)), expected)) << family << ", " << name_of(level);
-        if (threads == 1) counts.push_back(workspace.counts());
-        EXPECT_EQ(workspace.counts().items, counts.front().items);
+        counts.push_back(workspace.counts());
       }
-      EXPECT_EQ(counts.back(), counts.front()) << family << ", " << name_of(level);
+      for (const WalkCounts& count : counts) EXPECT_EQ(count, counts.front()) << family << ", " << name_of(level);
       EXPECT_EQ(overlap(a, b, query, workspace), !expected.empty());
       const auto first = first_contact(a, b, query, workspace);
       EXPECT_TRUE(first.has_value() == !expected.empty() && (!first || test::same({*first}, {expected.front()})));
     });
   }
+}
+
+TEST(WideSearch, ManyContactsAreTheSameOnAnyNumberOfThreads) {
+  Random random(12);
+  const Model dense(test::random_soup(random, 450, 1.0, 16)), other(test::random_soup(random, 400, 1.0, 16));
+  // The second time most triangles meet in special position.
+  for (const Model& b : {other, dense}) {
+    PairQuery query{Pose{}, Pose{}, Solid::none, Solid::none};
+    const std::vector<Contact> expected = test::contacts_by_brute_force(dense, b, query);
+    EXPECT_GT(expected.size(), 2000U);
+    Workspace workspace;
+    for (const int threads : {1, 2, 0, 7, 1}) {
+      query.threads = threads;
+      EXPECT_TRUE(test::same(copied(contacts(dense, b, query, workspace)), expected)) << threads;
+    }
+  }
+}
+
+TEST(FoundPairs, AreSortedByTheirNumbers) {
+  Random random(13);
+  for (const std::size_t count : {0U, 1U, 2U, 99U, 100U, 101U, 5000U})
+    for (const std::uint64_t most : {std::uint64_t{1} << 14, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+      std::vector<std::uint64_t> numbers;
+      for (std::size_t i = 0; i < count; ++i) numbers.push_back(random.below(most));
+      std::vector<FoundPair> pairs, spare(count);
+      for (const std::uint64_t number : numbers) pairs.push_back({number, nullptr});
+      std::sort(numbers.begin(), numbers.end());
+      const auto found = sorted(std::span(pairs), std::span(spare));
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), numbers.begin(), numbers.end(),
+                             [](const FoundPair& pair, std::uint64_t number) { return pair.number == number; }));
+    }
 }
 
 TEST(WideSearch, SelfContactsAreTheSameAtEveryLevel) {
@@ -209,9 +239,9 @@ TEST(WideSearch, NothingIsAllocatedAfterTheFirstCall) {
   static_cast<void>(contacts(a, b, query, workspace));
   const SearchScratch& scratch = workspace.scratch();
   const auto places = [&] {
-    return std::vector<const void*>{scratch.frontier.blocks.data(),    scratch.frontier.boxes.data(),
-                                    scratch.frontier.places[0].data(), scratch.frontier.places[1].data(),
-                                    scratch.frontier.pairs.data(),     scratch.contacts.data()};
+    return std::vector<const void*>{scratch.main.frontier.blocks.data(),    scratch.main.frontier.boxes.data(),
+                                    scratch.main.frontier.places[0].data(), scratch.main.frontier.places[1].data(),
+                                    scratch.main.frontier.pairs.data(),     scratch.contacts.data()};
   };
   const auto before = places();
   for (int round = 0; round < 3; ++round) {

@@ -5,6 +5,13 @@
 
 namespace toccata {
 
+/// On how many threads a call runs that may use up to `threads` (0: as many as the machine has).
+[[nodiscard]] int thread_count(int threads);
+
+/// Calls `work` where several calls of `parallel_for` on so many threads can follow each other at once: between them
+/// the threads stay awake for a while.
+void on_threads(int threads, const std::function<void()>& work);
+
 /// Calls `body(i)` once for every i in [0, count), on up to `threads` threads (0: as many as the machine has, 1: the
 /// caller's thread, in order). Work is split by index and never by thread, so a body that writes only its own slot
 /// gives the same result for any thread count. When bodies throw, the exception of the least index among those thrown

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "toccata/narrow/triangle_triangle.hpp"
+#include "toccata/trees/walk.hpp"
+
+namespace toccata {
+
+/// Two triangles that meet, as a search finds them: small, because they are sorted. Pairs are in order when their
+/// numbers are.
+struct FoundPair {
+  std::uint64_t number = 0;  ///< the first triangle · 2^32 + the second
+  const Meeting* meeting = nullptr;
+
+  [[nodiscard]] Index first() const { return static_cast<Index>(number >> 32); }
+  [[nodiscard]] Index second() const { return static_cast<Index>(number); }
+};
+
+[[nodiscard]] constexpr std::uint64_t number_of(const ItemPair& pair) {
+  return std::uint64_t{pair.first} << 32 | pair.second;
+}
+
+/// Meetings that stay where they are as long as this does or until it is cleared. Memory is kept.
+class KeptMeetings {
+ public:
+  const Meeting* keep(const Meeting& meeting) {
+    const std::size_t chunk = count_ / chunk_size;
+    if (chunk == chunks_.size()) chunks_.push_back(std::make_unique<Chunk>());
+    return &((*chunks_[chunk])[count_++ % chunk_size] = meeting);
+  }
+  void clear() { count_ = 0; }
+
+ private:
+  static constexpr std::size_t chunk_size = 256;
+  using Chunk = std::array<Meeting, chunk_size>;
+  std::vector<std::unique_ptr<Chunk>> chunks_;
+  std::size_t count_ = 0;
+};
+
+/// What one thread found.
+struct FoundPairs {
+  std::vector<FoundPair> pairs;
+  KeptMeetings meetings;  ///< of pairs in special position; all others refer to a table
+
+  void clear() {
+    pairs.clear();
+    meetings.clear();
+  }
+  /// The meeting must stay where it is.
+  void add(const ItemPair& pair, const Meeting* meeting) { pairs.push_back({number_of(pair), meeting}); }
+};
+
+/// Sorts pairs that are all different (a radix sort, least digit first). Says where they are now: where they were, or
+/// in `spare`, which is as long.
+[[nodiscard]] std::span<FoundPair> sorted(std::span<FoundPair> pairs, std::span<FoundPair> spare);
+
+}  // namespace toccata
