@@ -1,16 +1,25 @@
 #pragma once
 
+#include <optional>
+
 #include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/set_relation.hpp"
 
 namespace toccata {
 
+/// Which of two shapes contains which; exactly. The queries count whether exact arithmetic was needed.
+struct ContainmentAnswer {
+  Containment containment = Containment::none;
+  bool by_exact = false;
+};
+
+/// Of two solids with an interior: every point of one is a point of the other.
+[[nodiscard]] ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex& b);
+
+/// Every point of the surface A lies in the interior of the solid B: a_in_b, or none.
+[[nodiscard]] ContainmentAnswer containment_in_interior(const PosedConvex& a, const PosedConvex& b);
+
 /// The world vertices span space, or there is a radius; exactly.
 [[nodiscard]] bool has_interior(const PosedConvex& shape);
-
-/// Every point of A is a point of B; exactly. Both are solids with an interior.
-[[nodiscard]] bool is_subset(const PosedConvex& a, const PosedConvex& b);
-
-/// Every point of A lies in the interior of B; exactly. A has no radius, B has an interior.
-[[nodiscard]] bool is_in_interior(const PosedConvex& a, const PosedConvex& b);
 
 }  // namespace toccata

@@ -1,5 +1,5 @@
 #include "narrow/convex_containment.hpp"
-#include "narrow/exact_distance.hpp"
+#include "narrow/core_distance.hpp"
 #include "narrow/exact_interior.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
@@ -16,44 +16,77 @@ VertexPairs known_simplex(const ConvexWorkspace& workspace) {
 /// A solid whose interior is looked for must have one: a pose may have flattened it by rounding.
 bool may_be_entered(const PosedConvex& shape) { return !shape.solid() || has_interior(shape); }
 
-/// Of two solids the interiors meet; of a solid and a surface, the surface meets the interior; of two surfaces the
-/// relative interiors meet, and they do not lie in one plane. With radii that is: the cores are nearer than their sum.
-bool meet_deeply(const PosedConvex& a, const PosedConvex& b, const VertexPairs& hint) {
-  if (!may_be_entered(a) || !may_be_entered(b)) return false;
-  if (a.radius() == 0 && b.radius() == 0) return interiors_meet(a, b, hint);
-  VertexPairs start = hint;
-  if (start.size == 0) start.append(0, 0);
-  return compare_core_distance(exact_nearest(a, b, start), a.radius(), b.radius()) == Sign::negative;
+Containment flipped(Containment containment) {
+  return containment == Containment::a_in_b ? Containment::b_in_a : containment;
 }
 
-Containment containment_of_solids(const PosedConvex& a, const PosedConvex& b) {
-  const bool a_in_b = is_subset(a, b), b_in_a = is_subset(b, a);
-  if (a_in_b && b_in_a) return Containment::equal;
-  if (a_in_b) return Containment::a_in_b;
-  return b_in_a ? Containment::b_in_a : Containment::none;
-}
+/// One question about two shapes.
+class RelationQuestion {
+ public:
+  RelationQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace)
+      : a_(a), b_(b), workspace_(workspace) {}
 
-Relation relation_when_deep(const PosedConvex& a, const PosedConvex& b) {
-  if (a.solid() && b.solid()) return {RelationKind::overlapping, containment_of_solids(a, b)};
-  if (a.solid()) return {RelationKind::crossing, is_in_interior(b, a) ? Containment::b_in_a : Containment::none};
-  if (b.solid()) return {RelationKind::crossing, is_in_interior(a, b) ? Containment::a_in_b : Containment::none};
-  return {RelationKind::crossing};
-}
+  /// The question counts once, whatever it is made of.
+  Relation answer() {
+    const ConvexCounts before = workspace_.counts;
+    Relation relation = kind();
+    relation.a_solid = a_.solid();
+    relation.b_solid = b_.solid();
+    ConvexCounts& counts = workspace_.counts;
+    if (by_exact_ || counts.exact > before.exact) {
+      counts.exact = before.exact + 1;
+      counts.certificates = before.certificates;
+      counts.closed_forms = before.closed_forms;
+    }
+    return relation;
+  }
 
-Relation kind_of(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace) {
-  if (!overlap(a, b, &workspace)) return {};
-  if (meet_deeply(a, b, known_simplex(workspace))) return relation_when_deep(a, b);
-  return {RelationKind::touching, Containment::none, !a.solid() && !b.solid()};
-}
+ private:
+  Relation kind() {
+    if (!overlap(a_, b_, &workspace_)) return {};
+    if (meet_deeply()) return relation_when_deep();
+    return {RelationKind::touching, Containment::none, !a_.solid() && !b_.solid()};
+  }
+
+  /// Of two solids the interiors meet; of a solid and a surface, the surface meets the interior; of two surfaces the
+  /// relative interiors meet, and they do not lie in one plane. With radii that is: the cores are nearer than their
+  /// sum.
+  bool meet_deeply() {
+    if (!may_be_entered(a_) || !may_be_entered(b_)) return false;
+    const VertexPairs simplex = known_simplex(workspace_);
+    if (a_.radius() > 0 || b_.radius() > 0) {
+      const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);
+      by_exact_ = by_exact_ || order.by_exact;
+      return order.sign == Sign::negative;
+    }
+    if (simplex.size == 4 && origin_within_tetrahedron(a_, b_, simplex)) return true;
+    by_exact_ = true;
+    return interiors_meet(a_, b_, simplex);
+  }
+
+  Relation relation_when_deep() {
+    if (a_.solid() && b_.solid()) return {RelationKind::overlapping, noted(containment_of_solids(a_, b_))};
+    if (a_.solid()) return {RelationKind::crossing, flipped(noted(containment_in_interior(b_, a_)))};
+    if (b_.solid()) return {RelationKind::crossing, noted(containment_in_interior(a_, b_))};
+    return {RelationKind::crossing};
+  }
+
+  Containment noted(const ContainmentAnswer& answer) {
+    by_exact_ = by_exact_ || answer.by_exact;
+    return answer.containment;
+  }
+
+  const PosedConvex& a_;
+  const PosedConvex& b_;
+  ConvexWorkspace& workspace_;
+  bool by_exact_ = false;
+};
 
 }  // namespace
 
 Relation relation(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  ConvexWorkspace own;
-  Relation answer = kind_of(a, b, workspace != nullptr ? *workspace : own);
-  answer.a_solid = a.solid();
-  answer.b_solid = b.solid();
-  return answer;
+  ConvexWorkspace alone;
+  return RelationQuestion(a, b, workspace != nullptr ? *workspace : alone).answer();
 }
 
 }  // namespace toccata
