@@ -31,11 +31,11 @@ TEST(ConvexCases, PairsThatTouchDoSoExactly) {
 }
 
 TEST(ConvexCases, FarAndNearPairsAreApart) {
-  for (const std::string& regime : {"far", "near"}) EXPECT_EQ(relations_of(regime)[RelationKind::apart], 14 * 14);
+  for (const char* regime : {"far", "near"}) EXPECT_EQ(relations_of(regime)[RelationKind::apart], 14 * 14);
 }
 
 TEST(ConvexCases, ALastPlaceDecides) {
-  for (const std::string& regime : {"ulp", "hair", "close", "parallel"}) {
+  for (const char* regime : {"ulp", "hair", "close", "parallel"}) {
     std::map<RelationKind, int> counts = relations_of(regime);
     EXPECT_GT(counts[RelationKind::apart], 20) << regime;
     EXPECT_GT(counts[RelationKind::overlapping] + counts[RelationKind::crossing], 20) << regime;

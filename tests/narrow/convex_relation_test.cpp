@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "narrow/exact_interior.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+
+namespace toccata {
+namespace {
+
+PosedConvex box_at(const Vec3& centre, double half = 1) { return PosedConvex{Box({half, half, half}, centre)}; }
+PosedConvex ball_at(const Vec3& centre, double radius) { return PosedConvex{Sphere(radius, centre)}; }
+
+/// The relation, which is that of the exchanged shapes too.
+Relation seen(const PosedConvex& a, const PosedConvex& b) {
+  const Relation relation_of_both = relation(a, b), exchanged = relation(b, a);
+  EXPECT_EQ(exchanged.kind, relation_of_both.kind);
+  EXPECT_EQ(exchanged.side_unresolved, relation_of_both.side_unresolved);
+  EXPECT_EQ(exchanged.a_solid, relation_of_both.b_solid);
+  EXPECT_EQ(exchanged.b_solid, relation_of_both.a_solid);
+  const bool one_in_the_other =
+      relation_of_both.containment == Containment::a_in_b || relation_of_both.containment == Containment::b_in_a;
+  EXPECT_EQ(exchanged.containment == relation_of_both.containment, !one_in_the_other);
+  return relation_of_both;
+}
+
+void expect(const PosedConvex& a, const PosedConvex& b, RelationKind kind,
+            Containment containment = Containment::none) {
+  const Relation answer = seen(a, b);
+  EXPECT_EQ(answer.kind, kind);
+  EXPECT_EQ(answer.containment, containment);
+}
+
+TEST(ConvexRelation, OfBoxes) {
+  const PosedConvex unit = box_at({});
+  expect(unit, box_at({2, 0, 0}), RelationKind::touching);
+  expect(unit, box_at({2, 2, 2}), RelationKind::touching);
+  expect(unit, box_at({2 + 0x1p-50, 0, 0}), RelationKind::apart);
+  expect(unit, box_at({2 - 0x1p-50, 0, 0}), RelationKind::overlapping);
+  expect(unit, box_at({1, 0, 0}), RelationKind::overlapping);  // half of each, no faces cross
+  expect(unit, unit, RelationKind::overlapping, Containment::equal);
+  expect(box_at({0.5, 0.5, 0.5}, 0.5), unit, RelationKind::overlapping, Containment::a_in_b);
+}
+
+TEST(ConvexRelation, ABallInABox) {
+  expect(ball_at({}, 1), box_at({}), RelationKind::overlapping, Containment::a_in_b);  // touches all faces from inside
+  expect(ball_at({}, std::nextafter(1.0, 2.0)), box_at({}), RelationKind::overlapping);
+  expect(ball_at({}, 1.75), box_at({}), RelationKind::overlapping, Containment::b_in_a);
+  expect(ball_at({}, 1.7), box_at({}), RelationKind::overlapping);
+  expect(ball_at({3, 0, 0}, 2), box_at({}), RelationKind::touching);
+  // Centre inside: the surface is nowhere near.
+  expect(ball_at({0.25, 0.25, 0.25}, 0.125), box_at({}), RelationKind::overlapping, Containment::a_in_b);
+}
+
+TEST(ConvexRelation, BallsExactlyByTheSquares) {
+  // 3, 4, 5: the distance of the centres is 5.
+  expect(ball_at({}, 2), ball_at({3, 4, 0}, 3), RelationKind::touching);
+  expect(ball_at({}, 2), ball_at({3, 4, 0}, std::nextafter(3.0, 4.0)), RelationKind::overlapping);
+  expect(ball_at({}, 8), ball_at({3, 4, 0}, 3), RelationKind::overlapping, Containment::b_in_a);
+  expect(ball_at({}, std::nextafter(8.0, 0.0)), ball_at({3, 4, 0}, 3), RelationKind::overlapping);
+  expect(ball_at({1, 2, 3}, 3), ball_at({1, 2, 3}, 3), RelationKind::overlapping, Containment::equal);
+}
+
+TEST(ConvexRelation, RoundedShapesThatAreTheSameSet) {
+  const PosedConvex capsule{Capsule({-1, 0, 0}, {1, 0, 0}, 0.5)};
+  const std::vector<Vec3> points{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+  expect(capsule, PosedConvex{Rounded(Segment({1, 0, 0}, {-1, 0, 0}), 0.5)}, RelationKind::overlapping,
+         Containment::equal);
+  const ConvexHull flat(points);
+  const Rounded around_flat(flat, 0.5);
+  expect(capsule, PosedConvex{around_flat}, RelationKind::overlapping, Containment::equal);
+  expect(ball_at({0.5, 0, 0}, 0.5), capsule, RelationKind::overlapping, Containment::a_in_b);
+  expect(ball_at({std::nextafter(1.0, 2.0), 0, 0}, 0.5), capsule, RelationKind::overlapping);
+}
+
+TEST(ConvexRelation, ALargerRadiusInABody) {
+  const Rounded around_box(Box({2, 2, 2}), 1);
+  const PosedConvex rounded{around_box};
+  // A ball of radius 2 reaches 1 beyond the part that it shares with the radius of the box.
+  expect(ball_at({1, 1, 1}, 2), rounded, RelationKind::overlapping, Containment::a_in_b);
+  expect(ball_at({std::nextafter(1.0, 2.0), 1, 1}, 2), rounded, RelationKind::overlapping);
+  // In a slanted body: the depth is not a double, its square is whole.
+  const ConvexHull octahedron(std::vector<Vec3>{{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}});
+  const double depth = std::sqrt(3.0);  // rounded down
+  expect(ball_at({}, depth), PosedConvex{octahedron}, RelationKind::overlapping, Containment::a_in_b);
+  expect(ball_at({}, std::nextafter(depth, 2.0)), PosedConvex{octahedron}, RelationKind::overlapping);
+}
+
+TEST(ConvexRelation, OfSurfaces) {
+  const PosedConvex floor{Triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}}};
+  expect(floor, PosedConvex{Segment({1, 1, -1}, {1, 1, 1})}, RelationKind::crossing);
+  expect(floor, PosedConvex{Segment({1, 1, 0}, {1, 1, 1})}, RelationKind::touching);   // ends in it
+  expect(floor, PosedConvex{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::touching);  // through its edge
+  expect(floor, PosedConvex{Segment({1, 1, 0}, {2, 1, 0})}, RelationKind::touching);   // in its plane
+  expect(floor, PosedConvex{Point({1, 1, 0})}, RelationKind::touching);
+  expect(PosedConvex{Segment({-1, 0, 0}, {1, 0, 0})}, PosedConvex{Segment({0, -1, 0}, {0, 1, 0})},
+         RelationKind::touching);  // six vertices in one plane
+  EXPECT_TRUE(seen(floor, PosedConvex{Point({1, 1, 0})}).side_unresolved);
+  EXPECT_FALSE(seen(floor, PosedConvex{Segment({1, 1, -1}, {1, 1, 1})}).side_unresolved);
+  EXPECT_FALSE(seen(floor, PosedConvex{Point({1, 1, 1})}).side_unresolved);
+}
+
+TEST(ConvexRelation, AFlatHullIsOneFace) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  const ConvexHull square(corners);
+  // On what would be its diagonal.
+  expect(PosedConvex{square}, PosedConvex{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::crossing);
+}
+
+TEST(ConvexRelation, OfASurfaceAndASolid) {
+  const PosedConvex box = box_at({});
+  expect(PosedConvex{Point(Vec3{})}, box, RelationKind::crossing, Containment::a_in_b);
+  expect(PosedConvex{Point({1, 0, 0})}, box, RelationKind::touching);
+  expect(PosedConvex{Segment({0, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);  // its end is on the boundary
+  expect(PosedConvex{Segment({-1, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);
+  expect(PosedConvex{Segment({-1, 1, 0}, {1, 1, 0})}, box, RelationKind::touching);
+  expect(PosedConvex{Segment({0, 0, 0}, {std::nextafter(1.0, 0.0), 0, 0})}, box, RelationKind::crossing,
+         Containment::a_in_b);
+  expect(PosedConvex{Point({3, 4, 0})}, ball_at({}, 5), RelationKind::touching);
+  expect(PosedConvex{Point({3, 4, 0})}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
+         Containment::a_in_b);
+}
+
+TEST(ConvexRelation, ASolidThatRoundingFlattensOnlyTouches) {
+  Pose far;
+  far.offset = {0, 0, 0x1p60};
+  const Box thin({1, 1, 0x1p-10});
+  const PosedConvex flattened{thin, far};
+  expect(flattened, flattened, RelationKind::touching);
+  expect(flattened, PosedConvex{Sphere(1), far}, RelationKind::touching);
+  expect(flattened, PosedConvex{Segment({0, 0, -0x1p60}, {0, 0, 0x1p60}), far}, RelationKind::touching);
+  EXPECT_TRUE(relation(flattened, flattened).a_solid);
+}
+
+TEST(ConvexRelation, AtTheEndsOfTheRange) {
+  for (const double unit : {0x1p-1070, 1e-300, 1.0, 1e300}) {
+    const Box box({2 * unit, 2 * unit, 2 * unit});
+    Pose beside, shifted;
+    beside.offset = {4 * unit, 0, 0};
+    shifted.offset = {3 * unit, 0, 0};
+    expect(PosedConvex{box}, PosedConvex{box, beside}, RelationKind::touching);
+    expect(PosedConvex{box}, PosedConvex{box, shifted}, RelationKind::overlapping);
+    expect(PosedConvex{box}, PosedConvex{box}, RelationKind::overlapping, Containment::equal);
+    expect(ball_at({}, 2 * unit), ball_at({4 * unit, 0, 0}, 2 * unit), RelationKind::touching);
+    expect(ball_at({}, 2 * unit), PosedConvex{box}, RelationKind::overlapping, Containment::a_in_b);
+  }
+}
+
+TEST(ConvexRelation, CountsAQuestionOnce) {
+  ConvexWorkspace workspace;
+  (void)relation(box_at({}), box_at({9, 0, 0}), &workspace);
+  (void)relation(box_at({}), box_at({0.5, 0.25, 0.125}), &workspace);
+  EXPECT_EQ(workspace.counts.exact, 0U);
+  EXPECT_EQ(workspace.counts.certificates + workspace.counts.closed_forms, 2U);
+  (void)relation(box_at({}), box_at({2, 0, 0}), &workspace);
+  EXPECT_EQ(workspace.counts.exact, 1U);
+  EXPECT_EQ(workspace.counts.certificates + workspace.counts.closed_forms, 2U);
+}
+
+TEST(InteriorsMeet, WhereTheCommonPointIsAVertexOfBoth) {
+  // The pyramids of two octants meet in the origin; turned a little, their insides do.
+  const ConvexHull octant(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const ConvexHull opposite(std::vector<Vec3>{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
+  const ConvexHull over_the_edge(std::vector<Vec3>{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0x1p-60, 0x1p-60, 1}});
+  VertexPairs common;
+  common.append(0, 0);
+  EXPECT_FALSE(interiors_meet(PosedConvex{octant}, PosedConvex{opposite}, common));
+  EXPECT_TRUE(interiors_meet(PosedConvex{octant}, PosedConvex{over_the_edge}, common));
+  EXPECT_TRUE(interiors_meet(PosedConvex{octant}, PosedConvex{octant}, common));
+  EXPECT_FALSE(interiors_meet(PosedConvex{octant}, PosedConvex{opposite}, {}));
+}
+
+}  // namespace
+}  // namespace toccata
