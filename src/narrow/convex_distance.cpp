@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "narrow/closed_forms.hpp"
 #include "narrow/exact_distance.hpp"
 #include "narrow/exact_nearest.hpp"
 #include "narrow/gjk.hpp"
@@ -150,6 +151,10 @@ class PairQuestion {
 }  // namespace
 
 bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (const Nearness nearness = nearness_by_formula(a, b); nearness != Nearness::unknown) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return nearness == Nearness::meet;
+  }
   ConvexWorkspace alone;
   return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).overlap();
 }

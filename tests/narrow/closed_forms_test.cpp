@@ -1,0 +1,239 @@
+#include "narrow/closed_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "oracle/convex.hpp"
+#include "support/convex_cases.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/capsule.hpp"
+#include "toccata/narrow/sphere.hpp"
+
+namespace toccata {
+namespace {
+
+using test::ConvexCase;
+
+const std::vector<std::string> simple_kinds = {"point", "segment", "triangle", "sphere", "box", "capsule"};
+
+Triangle world(const Triangle& t, const Pose& pose) {
+  return {{transform(pose, t[0]), transform(pose, t[1]), transform(pose, t[2])}};
+}
+
+Segment world(const Segment& s, const Pose& pose) {
+  return Segment(transform(pose, s.start()), transform(pose, s.end()));
+}
+
+/// What a typed overload says, where there is one.
+std::optional<bool> typed_answer(const test::PlacedConvex& a, const test::PlacedConvex& b) {
+  if (const auto* sphere = std::get_if<Sphere>(&a.shape)) {
+    const PosedSphere s(*sphere, a.pose);
+    if (const auto* other = std::get_if<Sphere>(&b.shape)) return overlap(s, PosedSphere(*other, b.pose));
+    if (const auto* box = std::get_if<Box>(&b.shape)) return overlap(s, PosedBox(*box, b.pose));
+    if (const auto* capsule = std::get_if<Capsule>(&b.shape)) return overlap(s, PosedCapsule(*capsule, b.pose));
+    if (const auto* triangle = std::get_if<Triangle>(&b.shape)) return overlap(s, world(*triangle, b.pose));
+  }
+  if (const auto* capsule = std::get_if<Capsule>(&a.shape)) {
+    const PosedCapsule c(*capsule, a.pose);
+    if (const auto* other = std::get_if<Capsule>(&b.shape)) return overlap(c, PosedCapsule(*other, b.pose));
+    if (const auto* box = std::get_if<Box>(&b.shape)) return overlap(c, PosedBox(*box, b.pose));
+    if (const auto* triangle = std::get_if<Triangle>(&b.shape)) return overlap(c, world(*triangle, b.pose));
+    if (const auto* segment = std::get_if<Segment>(&b.shape)) return overlap(c, world(*segment, b.pose));
+  }
+  return {};
+}
+
+TEST(ClosedForms, AreRightOrSilentInEveryRegime) {
+  std::uint64_t number = 0, silent = 0, asked = 0;
+  for (const std::string& kind_a : simple_kinds)
+    for (const std::string& kind_b : simple_kinds)
+      for (const std::string& regime : test::convex_regimes())
+        for (int round = 0; round < 10; ++round) {
+          Random random(++number);
+          const ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
+          SCOPED_TRACE(kind_a + " and " + kind_b + ", " + regime + ", seed " + std::to_string(number));
+          const bool meet = oracle::overlap(test::set_of(pair.a), test::set_of(pair.b));
+          const Nearness found = nearness_by_formula(test::posed(pair.a), test::posed(pair.b));
+          if (found != Nearness::unknown) {
+            ASSERT_EQ(found == Nearness::meet, meet) << to_text(pair);
+          }
+          const auto typed = typed_answer(pair.a, pair.b);
+          if (typed) {
+            ASSERT_EQ(*typed, meet) << to_text(pair);
+          }
+          const bool common = regime == "far" || regime == "near" || regime == "deep";
+          if (common && typed && kind_a == "sphere") asked += 1, silent += found == Nearness::unknown ? 1 : 0;
+        }
+  EXPECT_LT(silent * 50, asked) << silent << " of " << asked;
+}
+
+// --- sphere and triangle, each of the lecture's ways
+
+using SphereTriangleTest = bool (*)(const PosedSphere&, const Triangle&);
+constexpr std::array<SphereTriangleTest, 4> ways = {overlap_by_plane_projection, overlap_by_features,
+                                                    overlap_by_minimisation, overlap_by_voronoi_regions};
+
+struct SphereTriangleCase {
+  PosedSphere sphere;
+  Triangle triangle;
+};
+
+Vec3 random_vector(Random& random, bool coarse) {
+  const auto coordinate = [&] { return coarse ? static_cast<double>(random.below(7)) - 3 : random.between(-1, 1); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+/// Coarse ones touch often; of the fine ones many nearly touch, and some are needles, huge, tiny or far away.
+SphereTriangleCase random_sphere_triangle(Random& random) {
+  const bool coarse = random.below(3) == 0;
+  SphereTriangleCase result;
+  for (Vec3& v : result.triangle.vertex) v = random_vector(random, coarse);
+  if (random.below(8) == 0) result.triangle[2] = result.triangle[random.below(2) == 0 ? 0 : 1];
+  if (random.below(8) == 0) result.triangle[2] = result.triangle[0] + 1e-9 * result.triangle[2];
+  const Vec3 centre = (coarse ? 1.0 : 2.0) * random_vector(random, coarse);
+  double radius = coarse ? static_cast<double>(1 + random.below(4)) : random.between(0.1, 2);
+  if (!coarse && random.below(2) == 0) {
+    const PosedSphere point(centre, 1e-300);
+    radius = distance(point, result.triangle).upper;
+    if (!(radius > 0)) radius = 1;
+    if (random.below(2) == 0) radius = std::nextafter(radius, 0);
+  }
+  const double scale = random.below(4) == 0 ? std::ldexp(1.0, static_cast<int>(random.below(1200)) - 600) : 1;
+  const Vec3 offset = random.below(4) == 0 ? 1e6 * random_vector(random, coarse) : Vec3{};
+  for (Vec3& v : result.triangle.vertex) v = scale * (v + offset);
+  result.sphere = PosedSphere(scale * (centre + offset), scale * radius);
+  return result;
+}
+
+TEST(SphereTriangle, EveryWayAgreesWithTheOracle) {
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto [sphere, triangle] = random_sphere_triangle(random);
+    const bool meet = oracle::overlap(oracle::sphere_set(sphere.centre, sphere.radius),
+                                      oracle::triangle_set(triangle[0], triangle[1], triangle[2]));
+    ASSERT_EQ(overlap(sphere, triangle), meet);
+    for (const SphereTriangleTest way : ways) ASSERT_EQ(way(sphere, triangle), meet) << (&way - ways.data());
+    ASSERT_FALSE(meet && plane_rejects(sphere, triangle));
+  }
+}
+
+const Triangle in_the_floor{{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}}};
+
+TEST(SphereTriangle, ThePlaneEliminatesSpheresThatDoNotReachItAndNoOthers) {
+  EXPECT_TRUE(plane_rejects({{1, 1, 2.5}, 2}, in_the_floor));
+  EXPECT_FALSE(plane_rejects({{1, 1, 2}, 2}, in_the_floor));  // touches it
+  const PosedSphere beside({9, 9, 0}, 2);                     // reaches the plane and not the triangle
+  EXPECT_FALSE(plane_rejects(beside, in_the_floor));
+  EXPECT_FALSE(overlap(beside, in_the_floor));
+}
+
+TEST(SphereTriangle, TestingTheEdgesIsNotEnough) {
+  // Above the middle of the face, nearer than any edge: the face has to be tested.
+  const PosedSphere above({1, 1, 0.5}, 0.6);
+  for (const SphereTriangleTest way : ways) EXPECT_TRUE(way(above, in_the_floor));
+  for (int i = 0; i < 3; ++i) {
+    const Segment edge(in_the_floor[i], in_the_floor[(i + 1) % 3]);
+    EXPECT_FALSE(overlap(PosedConvex(Sphere(above.radius, above.centre)), PosedConvex(edge)));
+  }
+  // Before a vertex, beside the lines of both edges: the feet on these are outside the edges, so the vertex counts.
+  const PosedSphere at_vertex({-1, -1, 0}, 1.5);
+  for (const SphereTriangleTest way : ways) EXPECT_TRUE(way(at_vertex, in_the_floor));
+}
+
+// --- sphere and box
+
+TEST(SphereBox, BothWaysAgreeWithTheOracle) {
+  std::array<int, 64> seen{};
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const bool coarse = seed % 2 == 0;
+    const double scale = random.below(4) == 0 ? std::ldexp(1.0, static_cast<int>(random.below(1200)) - 600) : 1;
+    const Vec3 size = random_vector(random, coarse), centre = scale * random_vector(random, coarse);
+    const Vec3 upper = 0.5 * scale * Vec3{std::fabs(size.x), std::fabs(size.y), std::fabs(size.z)}, lower = -upper;
+    const double radius = scale * (coarse ? static_cast<double>(1 + random.below(5)) / 2 : random.between(0.1, 1.5));
+    const PosedSphere sphere(centre, radius);
+    std::vector<Vec3> corners;
+    for (unsigned i = 0; i < 8; ++i)
+      corners.push_back({i & 1U ? upper.x : lower.x, i & 2U ? upper.y : lower.y, i & 4U ? upper.z : lower.z});
+    const bool meet = oracle::overlap(oracle::sphere_set(centre, radius), oracle::box_set(corners));
+    ASSERT_EQ(overlap_by_regions(sphere, lower, upper), meet);
+    ASSERT_EQ(overlap_by_clamping(sphere, lower, upper), meet);
+    ++seen[box_region(centre, lower, upper)];
+  }
+  EXPECT_EQ(std::ranges::count_if(seen, [](int count) { return count > 0; }), 27);
+}
+
+TEST(SphereBox, OneBitOfTheSixImpliesAnother) {
+  const Vec3 lower{-1, -1, -1}, upper{1, 1, 1};
+  EXPECT_EQ(box_region({0, 0, 0}, lower, upper), 0U);
+  EXPECT_EQ(box_region({-1, 1, 1}, lower, upper), 0U);  // on a face is inside
+  EXPECT_EQ(box_region({-2, 0, 0}, lower, upper), 1U);
+  EXPECT_EQ(box_region({2, -2, 0}, lower, upper), 2U | 4U);
+  EXPECT_EQ(box_region({2, -2, 5}, lower, upper), 2U | 4U | 32U);
+}
+
+// --- spheres, planes, capsules
+
+TEST(SphereSphere, SquaresDecideWhereRootsCannot) {
+  // 3-4-5 and its neighbours: the root of the rounded square is 5 for one that is apart.
+  const PosedSphere a({0, 0, 0}, 2), touching({3, 4, 0}, 3);
+  const PosedSphere apart({std::nextafter(3, 4), 4, 0}, 3), deep({std::nextafter(3, 2), 4, 0}, 3);
+  EXPECT_TRUE(overlap(a, touching));
+  EXPECT_FALSE(overlap(a, apart));
+  EXPECT_TRUE(overlap(a, deep));
+  EXPECT_EQ(std::sqrt(apart.centre.x * apart.centre.x + 16), 5);
+}
+
+TEST(SphereSphere, TheNearestPointsLieOnTheLineOfTheCentres) {
+  const Distance d = distance(PosedSphere({0, 0, 0}, 1), PosedSphere({6, 8, 0}, 4));
+  EXPECT_EQ(d.lower, 5);
+  EXPECT_EQ(d.upper, 5);
+  EXPECT_EQ(d.on_a, (Vec3{0.6, 0.8, 0}));
+  EXPECT_EQ(d.on_b, (Vec3{3.6, 4.8, 0}));
+}
+
+TEST(SpherePlane, TouchesExactlyAndFromBothSides) {
+  const Plane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(overlap(PosedSphere({5, 5, side * 3}, 3), plane));
+    EXPECT_FALSE(overlap(PosedSphere({5, 5, side * std::nextafter(3, 4)}, 3), plane));
+  }
+  // A plane whose normal's length is no double: x + y + z = 0, and a sphere at distance √3 of radius √3, rounded.
+  const Plane slanted({1, -1, 0}, {0, 1, -1}, {-1, 0, 1});
+  const double root = std::sqrt(3);  // is less than √3
+  EXPECT_FALSE(overlap(PosedSphere({1, 1, 1}, root), slanted));
+  EXPECT_TRUE(overlap(PosedSphere({1, 1, 1}, std::nextafter(root, 2)), slanted));
+}
+
+TEST(TrianglePlane, IsCutWhenItsVerticesLieOnBothSides) {
+  const Plane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  EXPECT_TRUE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, -1e-300}, Vec3{0, 1, 1}}}), plane));
+  EXPECT_FALSE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 1e-300}, Vec3{0, 1, 1}}}), plane));
+  EXPECT_TRUE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 1}}}), plane));
+}
+
+TEST(CapsuleCapsule, ParallelCrossedAndPointLike) {
+  const PosedCapsule along_x({-1, 0, 0}, {1, 0, 0}, 0.5);
+  EXPECT_TRUE(overlap(along_x, PosedCapsule({-3, 1, 0}, {3, 1, 0}, 0.5)));
+  EXPECT_FALSE(overlap(along_x, PosedCapsule({-3, std::nextafter(1, 2), 0}, {3, std::nextafter(1, 2), 0}, 0.5)));
+  EXPECT_TRUE(overlap(along_x, PosedCapsule({0, -1, 1}, {0, 1, 1}, 0.5)));
+  EXPECT_TRUE(overlap(along_x, PosedCapsule({2, 0, 0}, {2, 0, 0}, 0.5)));
+  EXPECT_FALSE(overlap(along_x, PosedCapsule({2, 1e-7, 0}, {2, 1e-7, 0}, 0.5)));
+  EXPECT_TRUE(overlap(PosedCapsule({5, 5, 5}, {5, 5, 5}, 1), PosedCapsule({5, 5, 7}, {5, 5, 7}, 1)));
+}
+
+TEST(PosedShapes, BadOnesAreRefused) {
+  const Pose stretching{Mat3{{Vec3{2, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}};
+  EXPECT_THROW(PosedSphere(Sphere(1), stretching), Error);
+  EXPECT_THROW(PosedCapsule(Capsule({0, 0, 0}, {1, 0, 0}, 1), stretching), Error);
+  EXPECT_NO_THROW(PosedBox(Box({1, 1, 1}), stretching));
+  EXPECT_THROW(PosedBox(Box({1, 1, 1}), Pose{Mat3{{Vec3{}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}}), Error);
+  EXPECT_THROW(PosedBox(Box({1e308, 1, 1}), stretching), Error);
+  EXPECT_THROW(PosedSphere(Sphere(1), Pose::translation(HUGE_VAL, 0, 0)), Error);
+}
+
+}  // namespace
+}  // namespace toccata
