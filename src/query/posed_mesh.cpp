@@ -63,4 +63,11 @@ PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who)
   box_ = world_box(pose, model.wide_tree().box);
 }
 
+std::vector<Triangle> PosedMesh::triangles() const {
+  std::vector<Triangle> triangles;
+  triangles.reserve(model_.mesh().triangle_count());
+  for (Index i = 0; i < model_.mesh().triangle_count(); ++i) triangles.push_back(triangle(i));
+  return triangles;
+}
+
 }  // namespace toccata

@@ -31,6 +31,8 @@ class PosedMesh {
     return {{vertex(corner[0]), vertex(corner[1]), vertex(corner[2])}};
   }
 
+  [[nodiscard]] std::vector<Triangle> triangles() const;
+
   /// Contains all world triangles; in the world. Empty for a mesh without any.
   [[nodiscard]] const Aabb& box() const { return box_; }
 

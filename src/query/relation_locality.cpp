@@ -1,9 +1,9 @@
 #include "query/relation_locality.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
+#include <utility>
 
+#include "query/index_set.hpp"
 #include "query/inside_winding.hpp"
 #include "query/relation_sheets.hpp"
 #include "query/world_search.hpp"
@@ -22,17 +22,17 @@ void append(std::vector<Triangle>& to, const std::vector<Triangle>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// The triangles of the mesh whose boxes meet that of one of these.
+/// The triangles of the mesh whose boxes meet that of one of these, and maybe others.
 std::vector<Triangle> triangles_near(const PosedMesh& mesh, std::span<const Triangle> triangles) {
-  std::vector<Index> found;
+  // To look near so many takes longer than to look at all.
+  if (triangles.size() >= mesh.model().mesh().triangle_count()) return mesh.triangles();
+  IndexSet found(mesh.model().mesh().triangle_count());
   for (const Triangle& t : triangles)
     visit_triangles_near(mesh, box_of(t), [&](Index number) {
-      found.push_back(number);
+      found.add(number);
       return true;
     });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return world_triangles(mesh, found);
+  return world_triangles(mesh, std::move(found).ascending());
 }
 
 /// What can border on what hangs on the vertices of triangles without area, which have no sides to look at.

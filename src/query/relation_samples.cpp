@@ -1,5 +1,6 @@
 #include "query/relation_samples.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "query/inside_winding.hpp"
@@ -21,13 +22,6 @@ RegionsSeen glance_at_cells(const SolidPair& pair, const Triangle& t, std::span<
     return seen.all() ? CellVisit::stop : CellVisit::next;
   });
   return seen;
-}
-
-std::vector<Triangle> triangles_of(const SolidPair& pair) {
-  std::vector<Triangle> triangles;
-  for (const PosedMesh* mesh : {&pair.a, &pair.b})
-    for (Index i = 0; i < mesh->model().mesh().triangle_count(); ++i) triangles.push_back(mesh->triangle(i));
-  return triangles;
 }
 
 }  // namespace
@@ -60,7 +54,10 @@ RegionsSeen glance(const SolidPair& pair, const Triangle& t, const Triangle& cut
 
 RegionsSeen all_regions(const SolidPair& pair, const RegionsSeen& seen) {
   RegionsSeen result = seen;
-  const Sheets sheets(triangles_of(pair));
+  std::vector<Triangle> triangles = pair.a.triangles();
+  const std::vector<Triangle> of_b = pair.b.triangles();
+  triangles.insert(triangles.end(), of_b.begin(), of_b.end());
+  const Sheets sheets(std::move(triangles));
   sheets.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
     const SidesOfPoint sides = sides_of(pair, p, sheet);
     if (sides.on_another_plane) return CellVisit::another;

@@ -1,8 +1,10 @@
 #include "query/relation_solids.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "query/index_set.hpp"
 #include "query/relation_locality.hpp"
 #include "query/relation_samples.hpp"
 #include "query/world_search.hpp"
@@ -31,26 +33,21 @@ struct FirstLook {
   ContactTriangles contacts;
 };
 
-void keep_different(std::vector<Index>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
 /// Beside a pair of triangles that cross one usually sees all kinds of region at once.
 FirstLook look_at_contacts(const SolidPair& pair, const VisitContacts& visit) {
   FirstLook look;
+  IndexSet of_a(pair.a.model().mesh().triangle_count()), of_b(pair.b.model().mesh().triangle_count());
   int glances = 0;
   visit([&](const Contact& contact) {
-    look.contacts.of_a.push_back(contact.triangle_a);
-    look.contacts.of_b.push_back(contact.triangle_b);
+    of_a.add(contact.triangle_a);
+    of_b.add(contact.triangle_b);
     if (!contact.meeting.crossing || ++glances > most_glances) return true;
     const Triangle a = pair.a.triangle(contact.triangle_a), b = pair.b.triangle(contact.triangle_b);
     look.seen = look.seen | glance(pair, a, b);
     if (!look.seen.all()) look.seen = look.seen | glance(pair, b, a);
     return !look.seen.all();
   });
-  keep_different(look.contacts.of_a);
-  keep_different(look.contacts.of_b);
+  look.contacts = {std::move(of_a).ascending(), std::move(of_b).ascending()};
   return look;
 }
 
