@@ -109,19 +109,19 @@ enum class Boundary { allowed, excluded };
 
 /// For every facet of B: the vertex of A that is highest above it lies behind it, and if r > s by at least r − s.
 Decided is_behind_facets(Side& a, Side& b, Boundary boundary) {
-  const HullTopology t = b.core().topology();
-  Index highest = 0;
+  const ConvexHull &hull_a = a.core(), &hull_b = b.core();
+  const HullTopology t = hull_b.topology();
+  std::vector<Index> highest(t.face_count(), 0);
   bool by_exact = false;
-  for (Index f = 0; f < t.face_count(); ++f) {
-    const Index first = t.face_start[f];
-    const PlanePoints plane{b.core().vertex(t.origin[first]), b.core().vertex(t.origin[first + 1]),
-                            b.core().vertex(t.origin[first + 2])};
-    highest = highest_vertex(a.core(), plane[0], plane[1], plane[2], highest);
-    const Vec3 vertex = a.core().vertex(highest);
-    const Sign side = orient3d(plane[0], plane[1], plane[2], vertex);
+  for (const FaceVisit& visit : faces_by_neighbours(t)) {
+    const auto corner = [&](Index i) { return hull_b.vertex(t.origin[t.face_start[visit.face] + i]); };
+    const PlanePoints plane{corner(0), corner(1), corner(2)};
+    const Index vertex = highest_vertex(hull_a, plane[0], plane[1], plane[2], highest[visit.before]);
+    highest[visit.face] = vertex;
+    const Sign side = orient3d(plane[0], plane[1], plane[2], hull_a.vertex(vertex));
     if (side == Sign::positive || (side == Sign::zero && boundary == Boundary::excluded)) return {false, by_exact};
     if (!(a.radius() > b.radius())) continue;
-    const Decided deep = is_that_deep(plane, vertex, a.radius(), b.radius());
+    const Decided deep = is_that_deep(plane, hull_a.vertex(vertex), a.radius(), b.radius());
     by_exact = by_exact || deep.by_exact;
     if (!deep.yes) return {false, by_exact};
   }
