@@ -40,7 +40,7 @@ class Search {
   enum class Step { onwards, done, stuck };
 
   [[nodiscard]] Step step(Index f);
-  [[nodiscard]] Step exact_step(Index f);
+  [[nodiscard]] Step precise_step(Index f);
   [[nodiscard]] Step expand(Index f, const DifferencePoint& p) {
     return polytope_.add(p, f) ? Step::onwards : Step::stuck;
   }
@@ -63,28 +63,36 @@ class Search {
 
 void Search::offer(Index f, double upper) {
   upper_ = upper;
-  direction_ = polytope_.facet(f).normal;
+  direction_ = polytope_.unit_normal(f);
   facet_ = f;
+  polytope_.set_upper(upper);
 }
 
 Search::Step Search::step(Index f) {
-  const Vec3& n = polytope_.facet(f).normal;
+  const Vec3 n = polytope_.unit_normal(f);
   const DifferencePoint farthest = body_.support(n);
   const double upper = dot(n, farthest.value) + 0x1p-48 * body_.extent();
   const bool narrow = is_narrow(f, upper);
   if (narrow || upper < upper_) offer(f, upper);
   if (narrow) return Step::done;
   if (polytope_.height(f, farthest) > polytope_.facet(f).error) return expand(f, farthest);
-  if (polytope_.is_exact(f)) return exact_step(f);
-  polytope_.make_exact(f);
+  if (polytope_.facet(f).precise) return precise_step(f);
+  polytope_.make_precise(f);
   return Step::onwards;
 }
 
-Search::Step Search::exact_step(Index f) {
+/// Rounding hides whether anything lies above the facet.
+Search::Step Search::precise_step(Index f) {
+  if (!polytope_.is_exact(f)) {
+    if (polytope_.is_certainly_of_body(f) && is_narrow(f, polytope_.facet(f).upper)) {
+      offer(f, polytope_.facet(f).upper);
+      return Step::done;
+    }
+    polytope_.make_exact(f);
+  }
   const auto [farthest, height] = polytope_.exact_support(f);
   if (height == Sign::positive) return expand(f, farthest);
-  const double distance = polytope_.facet(f).distance;
-  offer(f, distance + 0x1p-51 * std::fabs(distance));
+  offer(f, polytope_.facet(f).upper);
   return Step::done;
 }
 
@@ -110,8 +118,8 @@ CoreParting Search::run() {
 /// angles they would be twice as badly conditioned in a needle).
 std::array<double, 3> Search::weights_of_foot(Index f) const {
   const Vec3 &p = polytope_.corner(f, 0).value, &q = polytope_.corner(f, 1).value, &r = polytope_.corner(f, 2).value;
-  const Vec3& n = polytope_.facet(f).normal;
-  const Vec3 to_foot = polytope_.facet(f).distance * n - p;
+  const Vec3 n = polytope_.unit_normal(f);
+  const Vec3 to_foot = dot(n, p) * n - p;
   const double area = dot(n, cross(q - p, r - p));
   if (!(area > 0)) return {1, 0, 0};
   const double of_q = dot(n, cross(to_foot, r - p)) / area, of_r = dot(n, cross(q - p, to_foot)) / area;
@@ -126,7 +134,7 @@ Index Search::facet_of_foot() const {
     const auto least = static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
     if (weights[least] >= 0) return f;
     const Index next = polytope_.facet(f).neighbour[(least + 1) % 3];
-    if (!(dot(polytope_.facet(next).normal, direction_) >= 1 - 0x1p-30)) return f;
+    if (!(dot(polytope_.unit_normal(next), direction_) >= 1 - 0x1p-30)) return f;
     f = next;
   }
   return f;
@@ -146,7 +154,7 @@ void Search::find_points(CoreParting& parting) const {
   }
   // The weights of a needle are rough. What the point on the smaller core is off by is small all the same; it leads to
   // the other.
-  const Vec3 way = body_.unscaled(polytope_.facet(f).distance) * direction_;
+  const Vec3 way = body_.unscaled(upper_) * direction_;
   if (squared_size(body_.a()) <= squared_size(body_.b()))
     parting.on_b = parting.on_a - way;
   else

@@ -3,38 +3,44 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <span>
 
+#include "math/double_word.hpp"
 #include "math/wide_integer.hpp"
+#include "narrow/support_scan.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 
 // The Minkowski difference D = A − B of two cores, the convex hull of all a − b: what penetration is measured in. B
 // moved by t meets A exactly when t lies in D; so the shortest way out of D's interior parts the two.
 namespace toccata {
 
-/// The world vertices of a core: as they are, and for the search for supports once more along each axis, relative to
-/// the first and scaled.
+/// The world vertices of a core: as they are, and for the search for supports once more, relative to the first and
+/// scaled.
 class CoreVertices {
  public:
   explicit CoreVertices(const PosedConvex& shape);
+  CoreVertices(const CoreVertices&) = delete;
+  CoreVertices& operator=(const CoreVertices&) = delete;
 
   /// Fills the coordinates for the supports. The factors are powers of two.
   void scale(double first, double second);
 
   [[nodiscard]] Index count() const { return count_; }
-  [[nodiscard]] const Vec3& operator[](Index i) const { return world_[i]; }
-  [[nodiscard]] std::span<const Vec3> world() const { return {world_, count_}; }
+  [[nodiscard]] Vec3 operator[](Index i) const { return {world_[0][i], world_[1][i], world_[2][i]}; }
   [[nodiscard]] const Vec3& least() const { return least_; }
   [[nodiscard]] const Vec3& greatest() const { return greatest_; }
+  /// Of all coordinates (wide_integer.hpp).
+  [[nodiscard]] int least_exponent() const;
 
   /// Height of vertex i along n, above the first vertex, scaled. Off by at most 2^-50 of the shape's scaled extent, for
   /// a unit vector n.
   [[nodiscard]] double height(Index i, const Vec3& n) const {
-    return (along_[0][i] * n.x + along_[1][i] * n.y) + along_[2][i] * n.z;
+    return (relative_[0][i] * n.x + relative_[1][i] * n.y) + relative_[2][i] * n.z;
   }
 
-  /// The vertex of the greatest height; of several that compute to the same, the first.
-  [[nodiscard]] Index farthest(const Vec3& n) const;
+  /// For the vertex of the least height along a direction; repeats the last vertex up to a multiple of eight.
+  [[nodiscard]] SupportScan scan(const Vec3& direction) const {
+    return {relative_[0], relative_[1], relative_[2], padded_, direction, {}};
+  }
 
  private:
   static constexpr Index few = 64;
@@ -42,12 +48,10 @@ class CoreVertices {
   Index padded_;
   Vec3 least_;
   Vec3 greatest_;
-  Vec3* world_;
-  std::array<double*, 3> along_;
-  std::array<Vec3, few> few_world_;
-  alignas(64) std::array<std::array<double, few>, 3> few_along_;
-  std::unique_ptr<Vec3[]> many_world_;
-  std::unique_ptr<double[]> many_along_;
+  std::array<double*, 3> world_;
+  std::array<double*, 3> relative_;
+  alignas(64) std::array<std::array<double, few>, 6> few_;
+  std::unique_ptr<double[]> many_;
 };
 
 /// A vertex pair of the difference, a − b, scaled. Each coordinate is rounded once: off by at most 2^-53 of itself.
@@ -56,6 +60,19 @@ struct DifferencePoint {
   Index on_a = 0;
   Index on_b = 0;
 };
+
+/// The same with about twice the digits.
+struct PrecisePoint {
+  DoubleWord x, y, z;
+};
+
+inline PrecisePoint operator-(const PrecisePoint& p, const PrecisePoint& q) {
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+inline DoubleWord dot(const PrecisePoint& p, const PrecisePoint& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+inline PrecisePoint cross(const PrecisePoint& p, const PrecisePoint& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
 
 class DifferenceBody {
  public:
@@ -79,6 +96,8 @@ class DifferenceBody {
   /// Roughly from the middle of A to that of B, scaled.
   [[nodiscard]] Vec3 from_a_to_b() const;
 
+  /// a − b, scaled, without rounding.
+  [[nodiscard]] PrecisePoint precise_point(Index on_a, Index on_b) const;
   /// a − b without rounding, in units of 2^exact_exponent().
   [[nodiscard]] IntegerVector exact_point(Index on_a, Index on_b) const;
   [[nodiscard]] int exact_exponent() const;
@@ -89,6 +108,7 @@ class DifferenceBody {
   double first_ = 1;
   double second_ = 1;
   double extent_ = 0;
+  SupportKernels kernels_ = support_kernels();
   mutable std::optional<int> exact_exponent_;
 };
 

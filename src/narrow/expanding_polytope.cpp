@@ -6,15 +6,20 @@
 
 // How far a rounded facet may be off. Let u = 2^-53 and V = extent(), the greatest magnitude of a coordinate of D. A
 // corner's coordinates are off by at most uV each, an edge's by 4uV, so an edge vector e, of length E ≤ 2√3 V, by 7uV.
-// The cross product n of two edges is off by 7uV(E1 + E2) for that, and by at most 6u E1 E2 ≤ 11uV(E1 + E2) for its own
-// rounding. So the direction of n is off by an angle of at most θ = 18uV(E1 + E2) / |n| and a little more, as long as
-// that is small. A height n · e / |n| is then off by at most θE + 7uV + 14uV (the last for the product and for making n
-// a unit vector) ≤ 63uV · V(E1 + E2) / |n| + 21uV, and so is the distance of the plane from the origin.
-// `error` is twice that; and infinite where θ is not small. An exact facet's normal is off by its last rounding only.
+// The cross product n of two edges is off by 7uV(E1 + E2) for that (and a little more that is of second order), and by
+// at most 6u E1 E2 ≤ 11uV(E1 + E2) for its own rounding: by 18uV(E1 + E2). The height n · e above the facet is then off
+// by 18uV(E1 + E2) E ≤ 63uV²(E1 + E2), and by 21uV|n| ≤ 37uV²(E1 + E2) for e and for the product. For the offset the
+// same holds with a corner in place of e, of length √3 V at most; in place of what that leaves, the error of |n| makes
+// the distance offset / |n| wrong by 18uV(E1 + E2) √3 V / |n| ≤ 32uV²(E1 + E2) / |n|. All together stay below `error` =
+// 128uV²(E1 + E2), along n. The second order needs edges that are longer than V / 2^40. An exact facet's normal is off
+// by its last rounding only.
 namespace toccata {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// At least the length, at most √3 times that.
+double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 /// numerator / √squared · 2^exponent, right to 2^-52 of itself where it is a normal double. The square of the quotient,
 /// scaled to an integer of at least 130 bits, has a root of at least 65.
@@ -50,53 +55,43 @@ ExpandingPolytope::ExpandingPolytope(const DifferenceBody& body)
   walk_.reserve(64);
 }
 
+// The queue is short: what lies beyond the upper bound never enters it. What is out of date leaves it here.
 Index ExpandingPolytope::nearest() {
-  const auto later = [](const QueueEntry& p, const QueueEntry& q) {
-    return p.lower != q.lower ? p.lower > q.lower : p.facet > q.facet;
-  };
-  // A facet that was made exact is in the queue twice.
-  while (!facets_[queue_.front().facet].alive || facets_[queue_.front().facet].lower != queue_.front().lower) {
-    std::pop_heap(queue_.begin(), queue_.end(), later);
-    queue_.pop_back();
+  std::size_t kept = 0;
+  QueueEntry first{infinity, 0};
+  for (const QueueEntry& entry : queue_) {
+    const PolytopeFacet& facet = facets_[entry.facet];
+    // A facet that was made exact has come in twice.
+    if (!facet.alive || facet.lower != entry.lower || entry.lower > upper_) continue;
+    queue_[kept++] = entry;
+    if (entry.lower < first.lower || (entry.lower == first.lower && entry.facet < first.facet)) first = entry;
   }
-  return queue_.front().facet;
+  queue_.resize(kept);
+  return first.facet;
 }
 
 void ExpandingPolytope::enqueue(Index f) {
-  const auto later = [](const QueueEntry& p, const QueueEntry& q) {
-    return p.lower != q.lower ? p.lower > q.lower : p.facet > q.facet;
-  };
-  queue_.push_back({facets_[f].lower, f});
-  std::push_heap(queue_.begin(), queue_.end(), later);
+  if (facets_[f].lower <= upper_) queue_.push_back({facets_[f].lower, f});
 }
 
 void ExpandingPolytope::measure(PolytopeFacet& facet) const {
   const Vec3 &p = points_[facet.corner[0]].value, &q = points_[facet.corner[1]].value,
              &r = points_[facet.corner[2]].value;
   const Vec3 to_q = q - p, to_r = r - p;
-  const Vec3 n = cross(to_q, to_r);
-  const double squared = dot(n, n);
-  const double length = std::sqrt(squared);
-  const double extent = body_.extent();
-  const double edges = std::sqrt(dot(to_q, to_q)) + std::sqrt(dot(to_r, to_r));
-  const double angle = 0x1p-46 * extent * edges / length;
-  // Not "angle ≥": NaN is not small.
-  if (!(squared > 0x1p-900) || !(angle < 0x1p-10)) {
-    facet.error = infinity;
-    return;
-  }
-  facet.normal = (1 / length) * n;
-  facet.distance = dot(facet.normal, p);
-  facet.error = extent * (angle + 0x1p-46);
-  facet.lower = facet.distance - facet.error;
+  const double extent = body_.extent(), size_q = size(to_q), size_r = size(to_r);
+  facet.normal = cross(to_q, to_r);
+  facet.offset = dot(facet.normal, p);
+  facet.error = 0x1p-46 * extent * extent * (size_q + size_r);
+  const double squared = dot(facet.normal, facet.normal);
+  if (squared < 0x1p-900 || std::min(size_q, size_r) < 0x1p-40 * extent) facet.error = infinity;
+  facet.lower = (facet.offset - facet.error) / std::sqrt(squared);
 }
 
 Index ExpandingPolytope::add_facet(Index p, Index q, Index r) {
   const auto f = static_cast<Index>(facets_.size());
-  PolytopeFacet facet;
+  PolytopeFacet& facet = facets_.emplace_back();
   facet.corner = {p, q, r};
   measure(facet);
-  facets_.push_back(facet);
   if (facet.error < infinity)
     enqueue(f);
   else
@@ -104,26 +99,60 @@ Index ExpandingPolytope::add_facet(Index p, Index q, Index r) {
   return f;
 }
 
-void ExpandingPolytope::make_exact(Index f) {
+void ExpandingPolytope::settle(Index f, const Vec3& unit_normal, double distance, double distance_error) {
   PolytopeFacet& facet = facets_[f];
-  const auto exact = [&](std::size_t k) {
-    const DifferencePoint& p = points_[facet.corner[k]];
-    return body_.exact_point(p.on_a, p.on_b);
-  };
-  const IntegerVector p = exact(0);
-  ExactPlane plane{cross(exact(1) - p, exact(2) - p), 0};
-  plane.offset = dot(plane.normal, p);
-  facet.normal = unit_vector(plane.normal);
-  const WideInteger squared = dot(plane.normal, plane.normal);
-  facet.distance = body_.scaled_length(quotient_by_root(plane.offset, squared, body_.exact_exponent()));
+  facet.precise = true;
+  facet.normal = unit_normal;
+  facet.offset = distance;
   facet.error = 0x1p-47 * body_.extent();
-  facet.lower = facet.distance - 0x1p-51 * std::fabs(facet.distance);
-  facet.exact = static_cast<Index>(planes_.size());
-  planes_.push_back(std::move(plane));
+  facet.lower = distance - distance_error;
+  facet.upper = distance + distance_error;
   enqueue(f);
 }
 
-Sign ExpandingPolytope::exact_distance_sign(Index f) const { return sign_of(planes_[facets_[f].exact].offset); }
+// With W = 2^-102 for each operation (double_word.hpp): corners are exact, and edges off by W of themselves, which
+// makes the normal off by less than 8W E1 E2, and its product with a corner by less than 32W E1 E2 V.
+void ExpandingPolytope::make_precise(Index f) {
+  const auto precise = [&](std::size_t k) { return body_.precise_point(corner(f, k).on_a, corner(f, k).on_b); };
+  const PrecisePoint p = precise(0), to_q = precise(1) - p, to_r = precise(2) - p;
+  const PrecisePoint n = cross(to_q, to_r);
+  const Vec3 rounded{n.x.high, n.y.high, n.z.high};
+  const double length = std::sqrt(dot(rounded, rounded));
+  const double edges = size({to_q.x.high, to_q.y.high, to_q.z.high}) * size({to_r.x.high, to_r.y.high, to_r.z.high});
+  if (!(length > 0x1p-40 * edges) || !(length > 0x1p-450)) return make_exact(f);
+  const double distance = dot(n, p).high / length;
+  const double error = 0x1p-97 * edges * body_.extent() / length + 0x1p-50 * std::fabs(distance);
+  settle(f, (1 / length) * rounded, distance, error);
+}
+
+void ExpandingPolytope::make_exact(Index f) {
+  const auto exact = [&](std::size_t k) { return body_.exact_point(corner(f, k).on_a, corner(f, k).on_b); };
+  const IntegerVector p = exact(0);
+  ExactPlane plane{cross(exact(1) - p, exact(2) - p), 0};
+  plane.offset = dot(plane.normal, p);
+  const WideInteger squared = dot(plane.normal, plane.normal);
+  const double distance = body_.scaled_length(quotient_by_root(plane.offset, squared, body_.exact_exponent()));
+  facets_[f].exact = static_cast<Index>(planes_.size());
+  settle(f, unit_vector(plane.normal), distance, 0x1p-51 * std::fabs(distance));
+  planes_.push_back(std::move(plane));
+}
+
+// Of a face of one and a vertex of the other, or of an edge of each, the corners' vertices make no other points of D
+// than such as lie in the plane.
+bool ExpandingPolytope::is_certainly_of_body(Index f) const {
+  const Vec3& n = facets_[f].normal;
+  const DifferencePoint &p = corner(f, 0), &q = corner(f, 1), &r = corner(f, 2);
+  const bool one_on_a = p.on_a == q.on_a && q.on_a == r.on_a, one_on_b = p.on_b == q.on_b && q.on_b == r.on_b;
+  const auto two = [](Index i, Index j, Index k) { return i == j || j == k || k == i; };
+  if (!one_on_a && !one_on_b && !(two(p.on_a, q.on_a, r.on_a) && two(p.on_b, q.on_b, r.on_b))) return false;
+  const double top = body_.a().height(p.on_a, n) - facets_[f].error,
+               bottom = body_.b().height(p.on_b, n) + facets_[f].error;
+  for (Index i = 0; i < body_.a().count(); ++i)
+    if (body_.a().height(i, n) >= top && i != p.on_a && i != q.on_a && i != r.on_a) return false;
+  for (Index i = 0; i < body_.b().count(); ++i)
+    if (body_.b().height(i, n) <= bottom && i != p.on_b && i != q.on_b && i != r.on_b) return false;
+  return true;
+}
 
 ExpandingPolytope::ExactSupport ExpandingPolytope::exact_support(Index f) const {
   const ExactPlane& plane = planes_[facets_[f].exact];
@@ -147,10 +176,21 @@ ExpandingPolytope::ExactSupport ExpandingPolytope::exact_support(Index f) const 
   return {body_.point(best.on_a, best.on_b), sign_of(WideInteger(greatest - plane.offset))};
 }
 
+// Of two edges, one of A and one of B, the four differences lie in one plane.
+bool ExpandingPolytope::completes_parallelogram(Index f, const DifferencePoint& p) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DifferencePoint &opposite = corner(f, k), &q = corner(f, (k + 1) % 3), &r = corner(f, (k + 2) % 3);
+    if (q.on_a == p.on_a && r.on_b == p.on_b && opposite.on_a == r.on_a && opposite.on_b == q.on_b) return true;
+    if (r.on_a == p.on_a && q.on_b == p.on_b && opposite.on_a == q.on_a && opposite.on_b == r.on_b) return true;
+  }
+  return false;
+}
+
 Sign ExpandingPolytope::height_sign(Index f, const DifferencePoint& p) {
   const double rounded = height(f, p);
   if (rounded > facets_[f].error) return Sign::positive;
   if (rounded < -facets_[f].error) return Sign::negative;
+  if (completes_parallelogram(f, p)) return Sign::zero;
   if (!is_exact(f)) make_exact(f);
   const ExactPlane& plane = planes_[facets_[f].exact];
   return sign_of(WideInteger(dot(plane.normal, body_.exact_point(p.on_a, p.on_b)) - plane.offset));
