@@ -22,8 +22,11 @@ void write_interrupted(const TemporaryFolder& folder, std::chrono::microseconds 
   if (child == 0) {
     // A group of its own, so that the interruption reaches the command and not the tests.
     setpgid(0, 0);
-    // This process waits on; the command gets the default action back when it starts.
-    signal(SIGINT, [](int) {});
+    // This process waits on, also when it is interrupted; the command gets the default action back when it starts.
+    struct sigaction wait_on = {};
+    wait_on.sa_handler = [](int) {};
+    wait_on.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &wait_on, nullptr);
     const bool finished = run_command({"demo", "--write", "scenes"}, folder.path()).exit_code == 0;
     _exit(finished ? 0 : 1);
   }
