@@ -71,4 +71,13 @@ PosedConvex& PosedConvex::operator=(const PosedConvex& other) {
   return *this;
 }
 
+PosedConvex PosedConvex::moved(const Vec3& by) const {
+  PosedConvex result = *this;
+  result.pose_.offset = pose_.offset + by;
+  if (!in_world_) return result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double& coordinate : result.few_[axis]) coordinate += by[static_cast<int>(axis)];
+  return result;
+}
+
 }  // namespace toccata

@@ -32,6 +32,10 @@ class PosedConvex {
   PosedConvex& operator=(const PosedConvex& other);
   ~PosedConvex() = default;
 
+  /// A copy with every vertex moved, and rounded anew where the vector is not a step of its last place: for searches,
+  /// not for exact answers about the moved shape.
+  [[nodiscard]] PosedConvex moved(const Vec3& by) const;
+
   [[nodiscard]] Index vertex_count() const { return count_; }
 
   /// In the world.

@@ -1,0 +1,167 @@
+#include "toccata/narrow/casts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle/convex.hpp"
+#include "support/convex_cases.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
+
+namespace toccata {
+namespace {
+
+using oracle::Rational;
+
+/// The oracle's sets of A at the start, and of A swept until a time.
+oracle::ConvexSet swept(const oracle::ConvexSet& a, const Vec3& motion, double until) {
+  oracle::ConvexSet result = a;
+  for (const oracle::RationalPoint& v : a.vertices)
+    result.vertices.push_back(v + oracle::exact(until) * oracle::exact(motion));
+  return result;
+}
+
+/// Empty when the oracle finds the same: free all the way, or free until `lower` and met by `upper`.
+std::string cast_fault(const Cast& cast, const oracle::ConvexSet& a, const Vec3& motion, const oracle::ConvexSet& b) {
+  if (oracle::overlap(swept(a, motion, 1), b) != cast.hit) return cast.hit ? "it is free" : "it is not free";
+  if (!cast.hit) return "";
+  if (oracle::overlap(a, b)) return cast.lower == 0 && cast.upper == 0 ? "" : "they meet at the start";
+  if (!(cast.lower >= 0 && cast.lower <= cast.upper && cast.upper <= 1)) return "no interval of times";
+  if (cast.upper - cast.lower > 1e-12) return "the interval is too wide";
+  if (cast.lower < cast.upper && oracle::overlap(swept(a, motion, cast.lower), b)) return "lower is too late";
+  if (!oracle::overlap(swept(a, motion, cast.upper), b)) return "upper is too early";
+  if (std::fabs(dot(cast.normal, cast.normal) - 1) > 1e-12) return "the normal is not unit";
+  return is_finite(cast.point) ? "" : "the point is not finite";
+}
+
+/// Towards the other shape, past it, or anywhere.
+Vec3 random_motion(const test::ConvexCase& pair, Random& random) {
+  const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+  const Vec3 towards = b.vertex(0) - a.vertex(0);
+  const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+  const double size = std::sqrt(dot(towards, towards)) + 1;
+  switch (random.below(4)) {
+    case 0:
+      return towards;
+    case 1:
+      return 2 * towards;
+    case 2:
+      return towards + (0.3 * size) * Vec3{x, y, z};
+    default:
+      return size * Vec3{x, y, z};
+  }
+}
+
+TEST(Cast, AgreesWithTheOracleForEveryKindAndRegime) {
+  std::uint64_t number = 0;
+  int hits = 0;
+  for (const std::string& kind_a : test::convex_kinds())
+    for (const std::string& kind_b : test::convex_kinds())
+      for (const std::string regime : {"far", "near", "ulp", "parallel", "ratio", "small", "large", "distant"}) {
+        Random random(++number);
+        if (number % 4 != 0) continue;
+        const test::ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
+        const Vec3 motion = random_motion(pair, random);
+        const Cast cast = cast_shape(test::posed(pair.a), motion, test::posed(pair.b));
+        hits += cast.hit ? 1 : 0;
+        ASSERT_EQ(cast_fault(cast, test::set_of(pair.a), motion, test::set_of(pair.b)), "")
+            << kind_a << " and " << kind_b << ", " << regime << ", seed " << number << ": " << to_text(pair);
+      }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(Cast, AgainstAHalfSpaceAgreesWithTheOracle) {
+  std::uint64_t number = 0;
+  for (const std::string& kind : test::convex_kinds())
+    for (const std::string& regime : test::convex_regimes()) {
+      Random random(++number);
+      const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
+      const PosedConvex a = test::posed(pair.a);
+      const PosedHalfSpace b = test::posed(pair.b);
+      const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+      const Vec3 motion = 3.0 * Vec3{x, y, z} - random.between(0, 1) * (a.vertex(0) - b.point);
+      const Cast cast = cast_shape(a, motion, b);
+      const oracle::ConvexSet set = test::set_of(pair.a);
+      const oracle::HalfSpace half_space = test::set_of(pair.b);
+      const auto meets = [&](double until) { return oracle::overlap(swept(set, motion, until), half_space); };
+      ASSERT_EQ(cast.hit, meets(1)) << kind << ", " << regime << ", seed " << number;
+      if (!cast.hit || cast.upper == 0) continue;
+      ASSERT_TRUE(meets(cast.upper));
+      ASSERT_TRUE(cast.lower == cast.upper || !meets(cast.lower));
+      ASSERT_TRUE(cast.upper <= std::nextafter(cast.lower, 2));
+    }
+}
+
+TEST(Cast, RaysAtTheRimOfATriangle) {
+  // The museum: rays through vertices, along edges, and a last place beside them.
+  const Triangle triangle{{Vec3{0, 0, 0}, Vec3{3, 0, 0}, Vec3{0, 3, 0}}};
+  const PosedConvex target(triangle);
+  const Vec3 down{0, 0, -2};
+  EXPECT_TRUE(cast_ray({0, 0, 1}, down, target).hit);
+  EXPECT_TRUE(cast_ray({1, 2, 1}, down, target).hit);
+  EXPECT_FALSE(cast_ray({1, std::nextafter(2, 3), 1}, down, target).hit);
+  EXPECT_FALSE(cast_ray({-5e-324, 1, 1}, down, target).hit);
+  EXPECT_TRUE(cast_ray({5e-324, 1, 1}, down, target).hit);
+  const Cast along = cast_ray({-1, 0, 0}, {2, 0, 0}, target);  // in the plane, onto an edge's line
+  EXPECT_TRUE(along.hit);
+  EXPECT_NEAR(along.lower, 0.5, 1e-12);
+  EXPECT_FALSE(cast_ray({-1, 0, 5e-324}, {2, 0, 0}, target).hit);
+  const Cast straight = cast_ray({1, 1, 1}, down, target);
+  EXPECT_NEAR(straight.upper, 0.5, 1e-12);
+  EXPECT_NEAR(straight.normal.z, 1, 1e-12);
+  EXPECT_NEAR(straight.point.x, 1, 1e-12);
+}
+
+TEST(Cast, NoRaySlipsThroughASharedEdge) {
+  // Two triangles that share an edge make a wall: each ray through the wall meets at least one of them.
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto point = [&](double z) {
+      const double x = random.between(-1, 1), y = random.between(-1, 1);
+      return Vec3{x, y, z * random.between(0.5, 1)};
+    };
+    const Vec3 p = 0.1 * point(1), q = 0.1 * point(-1);
+    const Triangle left{{p, q, Vec3{-30, -30, 0}}}, right{{q, p, Vec3{30, 30, 0}}};
+    const Vec3 on_edge = p + random.unit() * (q - p);
+    const Vec3 from{on_edge.x + 5, on_edge.y - 5, on_edge.z};
+    const Vec3 motion = 2.0 * (on_edge - from);
+    EXPECT_TRUE(cast_ray(from, motion, PosedConvex(left)).hit || cast_ray(from, motion, PosedConvex(right)).hit);
+  }
+}
+
+TEST(Cast, EndsCount) {
+  const PosedConvex box(Box({1, 1, 1}));
+  EXPECT_TRUE(cast_ray({3, 0, 0}, {-2, 0, 0}, box).hit);  // arrives at the last moment
+  EXPECT_EQ(cast_ray({3, 0, 0}, {-2, 0, 0}, box).upper, 1);
+  EXPECT_FALSE(cast_ray({3, 0, 0}, {std::nextafter(-2, 0), 0, 0}, box).hit);
+  EXPECT_EQ(cast_ray({1, 0, 0}, {5, 0, 0}, box).upper, 0);  // touches at the start
+  EXPECT_FALSE(cast_ray({std::nextafter(1, 2), 0, 0}, {5, 0, 0}, box).hit);
+  EXPECT_EQ(cast_ray({0, 0, 0}, {5, 0, 0}, box).upper, 0);  // starts inside
+}
+
+TEST(Cast, SpheresThatPassAtTheSumOfTheirRadiiTouch) {
+  const PosedConvex moving(Sphere(1, {-10, 3, 0})), standing(Sphere(2));
+  const Cast grazing = cast_shape(moving, {20, 0, 0}, standing);
+  EXPECT_TRUE(grazing.hit);
+  EXPECT_LE(grazing.lower, 0.5);
+  EXPECT_GE(grazing.upper, 0.5);
+  EXPECT_LE(grazing.upper - grazing.lower, 1e-12);
+  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {-10, std::nextafter(3, 4), 0})), {20, 0, 0}, standing).hit);
+  const Cast square = cast_shape(PosedConvex(Sphere(1, {-10, 0, 0})), {20, 0, 0}, standing);
+  EXPECT_NEAR(square.lower, 7.0 / 20, 1e-12);
+  EXPECT_NEAR(square.normal.x, -1, 1e-12);
+  EXPECT_NEAR(square.point.x, -2, 1e-9);
+}
+
+TEST(Cast, BadInputIsRefused) {
+  const PosedConvex box(Box({1, 1, 1}));
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, box)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({NAN, 0, 0}, {1, 0, 0}, box)), Error);
+  EXPECT_THROW(static_cast<void>(cast_shape(box, {HUGE_VAL, 0, 0}, box)), Error);
+  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {9, 0, 0})), {}, box).hit);
+}
+
+}  // namespace
+}  // namespace toccata
