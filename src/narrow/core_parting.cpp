@@ -148,6 +148,8 @@ void Search::find_points(CoreParting& parting) const {
   parting.on_a = body_.a()[polytope_.corner(f, 0).on_a];
   parting.on_b = body_.b()[polytope_.corner(f, 0).on_b];
   const Vec3 a = parting.on_a, b = parting.on_b;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (weights[k] > 0) parting.pairs.append(polytope_.corner(f, k).on_a, polytope_.corner(f, k).on_b);
   for (std::size_t k = 1; k < 3; ++k) {
     parting.on_a = parting.on_a + (weights[k] / sum) * (body_.a()[polytope_.corner(f, k).on_a] - a);
     parting.on_b = parting.on_b + (weights[k] / sum) * (body_.b()[polytope_.corner(f, k).on_b] - b);

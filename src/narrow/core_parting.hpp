@@ -1,5 +1,6 @@
 #pragma once
 
+#include "narrow/vertex_pairs.hpp"
 #include "toccata/core/status.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 
@@ -18,6 +19,7 @@ struct CoreParting {
   Vec3 direction{};  ///< unit, from A to B; apart: along it the cores do not overlap, as far as rounding can tell
   Vec3 on_a{};       ///< deep or touching: the deepest points, on_a − on_b along the direction
   Vec3 on_b{};
+  VertexPairs pairs;  ///< whose hulls hold the points
   Status status = Status::exact;
 };
 

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "narrow/canonical_order.hpp"
+#include "narrow/convex_parting.hpp"
+#include "narrow/face_clipping.hpp"
+
+// Where shapes meet with a face, the contact is a region: the incident face as far as it lies over the reference face.
+// The reference face is the one that turns most to the other shape, at most about two degrees beside the direction in
+// which the shapes are parted; the incident one is the other shape's. Everything else is a single point.
+namespace toccata {
+namespace {
+
+constexpr double cosine_of_face_contact = 0.9995;
+
+/// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
+constexpr double gap_of_resting = 0x1p-10;
+
+using Points = std::pmr::vector<ManifoldPoint>;
+
+/// The two faces, and which of them is the reference.
+struct FacePair {
+  ContactFace a;
+  ContactFace b;
+  bool b_is_reference;
+  [[nodiscard]] const ContactFace& reference() const { return b_is_reference ? b : a; }
+  [[nodiscard]] const ContactFace& incident() const { return b_is_reference ? a : b; }
+};
+
+bool is_segment(const ContactFace& face) { return face.face != ContactFace::none && face.last() - face.first() == 2; }
+
+Vec3 unit_along(const ContactFace& segment) {
+  const HullTopology topology = segment.shape->topology();
+  const Vec3 along =
+      segment.shape->vertex(topology.target(segment.first())) - segment.shape->vertex(topology.origin[segment.first()]);
+  return (1 / std::sqrt(dot(along, along))) * along;
+}
+
+/// Two cores that are parallel segments, as those of two lying capsules: the normal takes the place of a face's.
+void make_face_of_parallel_segments(FacePair& faces, const Vec3& normal) {
+  if (!is_segment(faces.a) || !is_segment(faces.b)) return;
+  const Vec3 along_a = unit_along(faces.a), along_b = unit_along(faces.b);
+  if (!(std::fabs(dot(along_a, along_b)) >= cosine_of_face_contact)) return;
+  if (!(std::fabs(dot(along_a, normal)) <= 0.01)) return;
+  faces.a.normal = normal;
+  faces.a.facing = 1;
+}
+
+ManifoldPoint single_point(const PosedConvex& a, const PosedConvex& b, const ConvexParting& parting) {
+  const Penetration& p = parting.penetration;
+  return {p.on_a + 0.5 * (p.on_b - p.on_a), dot(p.on_a - p.on_b, p.direction),
+          feature_of(a, parting.pairs.a, parting.pairs.size), feature_of(b, parting.pairs.b, parting.pairs.size)};
+}
+
+/// The features of a polygon's corner, between the side that comes in and the one that leaves.
+struct CornerFeatures {
+  ConvexFeature on_reference;
+  ConvexFeature on_incident;
+};
+
+CornerFeatures features_of(const FacePair& faces, const PolygonSide& in, const PolygonSide& out) {
+  using Kind = ConvexFeature::Kind;
+  const HullTopology reference = faces.reference().shape->topology(), incident = faces.incident().shape->topology();
+  if (faces.incident().face == ContactFace::none)
+    return {{Kind::face, faces.reference().face}, {Kind::vertex, faces.incident().vertex}};
+  if (!in.of_reference && !out.of_reference)
+    return {{Kind::face, faces.reference().face}, {Kind::vertex, incident.origin[out.half_edge]}};
+  if (in.of_reference && out.of_reference) {
+    const bool follows = reference.next(in.half_edge) == out.half_edge;
+    return {{Kind::vertex, reference.origin[follows ? out.half_edge : in.half_edge]},
+            {Kind::face, faces.incident().face}};
+  }
+  const PolygonSide &side = in.of_reference ? in : out, &edge = in.of_reference ? out : in;
+  return {{Kind::edge, edge_number(reference, side.half_edge)}, {Kind::edge, edge_number(incident, edge.half_edge)}};
+}
+
+/// A point of the incident face, seen along the normal against the reference face.
+ManifoldPoint point_over_face(const FacePair& faces, const Vec3& normal, const Vec3& position) {
+  const ContactFace& reference = faces.reference();
+  const Vec3 origin = reference.shape->vertex(reference.shape->topology().origin[reference.first()]);
+  const double gap = dot(reference.normal, position - origin) / std::fabs(dot(reference.normal, normal));
+  const double radius_a = faces.a.shape->radius(), radius_b = faces.b.shape->radius();
+  // Half way from the reference surface to the incident one, along the normal.
+  const double back = faces.b_is_reference ? 0.5 * ((gap + radius_a) - radius_b) : 0.5 * ((radius_a - radius_b) - gap);
+  return {position + back * normal, (radius_a + radius_b) - gap, {}, {}};
+}
+
+bool are_the_same(const ManifoldPoint& p, const ManifoldPoint& q) {
+  return p.position == q.position || (p.on_a == q.on_a && p.on_b == q.on_b);
+}
+
+Points face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_resource& memory) {
+  const Vec3 outwards = faces.b_is_reference ? -normal : normal;
+  const ContactPolygon polygon = clipped_incident(faces.reference(), faces.incident(), outwards, memory);
+  Points points(&memory);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PolygonSide& in = polygon[(i + polygon.size() - 1) % polygon.size()].side;
+    const CornerFeatures features = features_of(faces, in, polygon[i].side);
+    ManifoldPoint point = point_over_face(faces, normal, polygon[i].position);
+    point.on_a = faces.b_is_reference ? features.on_incident : features.on_reference;
+    point.on_b = faces.b_is_reference ? features.on_reference : features.on_incident;
+    if (std::none_of(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); }))
+      points.push_back(point);
+  }
+  return points;
+}
+
+double greatest_span_squared(const Points& points) {
+  double span = 0;
+  for (const ManifoldPoint& p : points) {
+    const Vec3 way = p.position - points.front().position;
+    span = std::max(span, dot(way, way));
+  }
+  return span;
+}
+
+void drop_gaps(Points& points) {
+  if (points.empty()) return;
+  const double gap = gap_of_resting * std::sqrt(greatest_span_squared(points));
+  std::erase_if(points, [&](const ManifoldPoint& p) { return p.depth < -gap; });
+}
+
+/// The deepest, the farthest from it, and the farthest to both sides of the line through these.
+void take_four(Manifold& result, Points& points) {
+  const auto take_greatest = [&](const auto& measure) {
+    const auto less = [&](const ManifoldPoint& p, const ManifoldPoint& q) { return measure(p) < measure(q); };
+    const auto best = std::max_element(points.begin(), points.end(), less);
+    result.points[static_cast<std::size_t>(result.count++)] = *best;
+    points.erase(best);
+  };
+  take_greatest([](const ManifoldPoint& p) { return p.depth; });
+  if (points.empty()) return;
+  const Vec3 origin = result.points[0].position;
+  take_greatest([&](const ManifoldPoint& p) { return dot(p.position - origin, p.position - origin); });
+  if (points.empty()) return;
+  const Vec3 aside = cross(result.normal, result.points[1].position - origin);
+  take_greatest([&](const ManifoldPoint& p) { return dot(aside, p.position - origin); });
+  if (points.empty()) return;
+  const double third = dot(aside, result.points[2].position - origin);
+  // To the other side of the line, or beyond the third.
+  take_greatest([&](const ManifoldPoint& p) { return (third > 0 ? -1 : 1) * dot(aside, p.position - origin); });
+}
+
+Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b) {
+  const ConvexParting parting = part_by_expansion(a, b);
+  Manifold result;
+  result.normal = parting.penetration.direction;
+  FacePair faces{facing_face(a, result.normal), facing_face(b, -result.normal), false};
+  make_face_of_parallel_segments(faces, result.normal);
+  faces.b_is_reference = faces.b.facing > faces.a.facing;
+  std::array<std::byte, 8192> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  Points points(&memory);
+  if (faces.reference().facing >= cosine_of_face_contact) {
+    points = face_points(faces, result.normal, memory);
+    drop_gaps(points);
+  }
+  if (points.empty()) points.push_back(single_point(a, b, parting));
+  take_four(result, points);
+  return result;
+}
+
+}  // namespace
+
+Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (!overlap(a, b, workspace)) return {};
+  return is_canonical_order(a, b) ? in_canonical_order(a, b) : flipped(in_canonical_order(b, a));
+}
+
+}  // namespace toccata

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
+
+namespace toccata {
+namespace {
+
+Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
+
+std::vector<Vec3> positions(const Manifold& m) {
+  std::vector<Vec3> result;
+  for (int i = 0; i < m.count; ++i) result.push_back(m.points[static_cast<std::size_t>(i)].position);
+  std::sort(result.begin(), result.end(), lexicographically_less);
+  return result;
+}
+
+TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
+  const PosedConvex floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), at(0.25, 0, 1.5));
+  const Manifold m = manifold(floor, cube);
+  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.25, -0.5, 1}, {-0.25, 0.5, 1}, {0.75, -0.5, 1}, {0.75, 0.5, 1}}));
+  for (const ManifoldPoint& p : m.points) {
+    EXPECT_EQ(p.depth, 0);
+    EXPECT_EQ(p.on_a, (ConvexFeature{ConvexFeature::Kind::face, 5}));
+    EXPECT_EQ(p.on_b.kind, ConvexFeature::Kind::vertex);
+  }
+}
+
+TEST(ConvexManifold, IsEmptyExactlyWhenTheShapesAreApart) {
+  const PosedConvex cube(Box({1, 1, 1}));
+  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), at(2, 0, 0))).count, 4);
+  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), at(std::nextafter(2, 3), 0, 0))).count, 0);
+}
+
+TEST(ConvexManifold, OfCrossedBarsHasThePointsWhereEdgesCross) {
+  const PosedConvex below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), at(0, 0, 0.75));
+  const Manifold m = manifold(below, above);
+  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(positions(m),
+            (std::vector<Vec3>{{-0.5, -0.5, 0.375}, {-0.5, 0.5, 0.375}, {0.5, -0.5, 0.375}, {0.5, 0.5, 0.375}}));
+  for (const ManifoldPoint& p : m.points) {
+    EXPECT_EQ(p.depth, 0.25);
+    EXPECT_EQ(p.on_a.kind, ConvexFeature::Kind::edge);
+    EXPECT_EQ(p.on_b.kind, ConvexFeature::Kind::edge);
+  }
+}
+
+TEST(ConvexManifold, OfAVertexOnAFaceIsOnePoint) {
+  const PosedConvex floor(Box({2, 2, 1}));
+  const Mat3 tip = rotation_about({1, -1, 0}, 54.735610317245346);
+  const PosedConvex cube(Box({0.5, 0.5, 0.5}), {tip, {0, 0, 1 + 0.5 * std::numbers::sqrt3 - 0.01}});
+  const Manifold m = manifold(floor, cube);
+  ASSERT_EQ(m.count, 1);
+  EXPECT_NEAR(m.points[0].depth, 0.01, 1e-12);
+  EXPECT_EQ(m.points[0].on_a, (ConvexFeature{ConvexFeature::Kind::face, 5}));
+  EXPECT_EQ(m.points[0].on_b.kind, ConvexFeature::Kind::vertex);
+}
+
+TEST(ConvexManifold, OfTwoEdgesIsOnePoint) {
+  const PosedConvex below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
+  const double height = std::numbers::sqrt2 - 0.01;
+  const PosedConvex above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, height}});
+  const Manifold m = manifold(below, above);
+  ASSERT_EQ(m.count, 1);
+  EXPECT_NEAR(m.points[0].depth, 0.01, 1e-12);
+  EXPECT_NEAR(m.normal.z, 1, 1e-12);
+  EXPECT_EQ(m.points[0].on_a.kind, ConvexFeature::Kind::edge);
+  EXPECT_EQ(m.points[0].on_b.kind, ConvexFeature::Kind::edge);
+}
+
+TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
+  const PosedConvex a{Sphere(1)}, b(Sphere(1), at(1.5, 0, 0));
+  const Manifold m = manifold(a, b);
+  ASSERT_EQ(m.count, 1);
+  EXPECT_EQ(m.normal, Vec3(1, 0, 0));
+  EXPECT_EQ(m.points[0].position, Vec3(0.75, 0, 0));
+  EXPECT_EQ(m.points[0].depth, 0.5);
+}
+
+TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
+  const PosedConvex floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), at(0, 0, 1.5));
+  const Manifold m = manifold(floor, capsule);
+  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(positions(m), (std::vector<Vec3>{{-1, 0, 1}, {1, 0, 1}}));
+}
+
+TEST(ConvexManifold, OfParallelCapsulesAreTheEndsOfTheirCommonPart) {
+  const Capsule capsule({-1, 0, 0}, {1, 0, 0}, 0.5);
+  const Manifold m = manifold(PosedConvex(capsule), PosedConvex(capsule, at(0.5, 0, 0.75)));
+  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.5, 0, 0.375}, {1, 0, 0.375}}));
+  for (int i = 0; i < m.count; ++i) EXPECT_EQ(m.points[static_cast<std::size_t>(i)].depth, 0.25);
+}
+
+TEST(ConvexManifold, OfFlatShapesIsDefined) {
+  const PosedConvex floor(Triangle{{{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}}});
+  const PosedConvex lying(Triangle{{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}});
+  const Manifold flat = manifold(floor, lying);
+  EXPECT_EQ(flat.count, 3);
+  EXPECT_EQ(std::fabs(flat.normal.z), 1);
+  const PosedConvex fin(Triangle{{{{-1, 0, -0.125}, {1, 0, -0.125}, {0, 0, 2}}}});
+  const Manifold crossing = manifold(floor, fin);
+  EXPECT_EQ(crossing.count, 2);
+  EXPECT_EQ(crossing.normal, Vec3(0, 0, 1));
+  const PosedConvex needle(Segment({0, 0, -1}, {0, 0, 0.25}));
+  EXPECT_EQ(manifold(floor, needle).count, 1);
+  EXPECT_EQ(manifold(needle, PosedConvex(Segment({-1, 0, 0}, {1, 0, 0}))).count, 1);
+  EXPECT_EQ(manifold(PosedConvex(Point{}), PosedConvex(Point{})).count, 1);
+}
+
+TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = i * std::numbers::pi / 6;
+    points.push_back({std::cos(angle), std::sin(angle), 0});
+    points.push_back({std::cos(angle), std::sin(angle), 1});
+  }
+  const ConvexHull coin(points);
+  const Manifold m = manifold(PosedConvex(Box({4, 4, 1})), PosedConvex(coin, at(0, 0, 1)));
+  ASSERT_EQ(m.count, 4);
+  const std::vector<Vec3> at_points = positions(m);
+  // The two points farthest apart are a diameter, and the others lie on both sides of it.
+  EXPECT_NEAR(at_points[3].x - at_points[0].x, 2, 0.3);
+}
+
+TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
+  const PosedConvex floor(Box({2, 2, 1}));
+  const Manifold first = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), at(0.25, 0, 1.49)));
+  const Manifold next = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), at(0.2501, 0.0001, 1.4899)));
+  ASSERT_EQ(first.count, 4);
+  ASSERT_EQ(next.count, 4);
+  for (const ManifoldPoint& p : first.points)
+    EXPECT_EQ(std::count_if(next.points.begin(), next.points.end(),
+                            [&](const ManifoldPoint& q) { return p.on_a == q.on_a && p.on_b == q.on_b; }),
+              1);
+}
+
+}  // namespace
+}  // namespace toccata
