@@ -81,8 +81,11 @@ class PairQuestion {
   /// there the search starts anew.
   Distance distance() {
     const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
-    if (kept.size > 0)
+    if (kept.size > 0) {
+      // Shapes that moved little often have the same nearest features.
+      if (const auto distance = distance_on(kept)) return *distance;
       if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
+    }
     const GjkEnd end = search({}, no_goal);
     if (const auto distance = distance_by(end, Cores::any)) return *distance;
     ++workspace_.counts.exact;
@@ -113,15 +116,18 @@ class PairQuestion {
   }
 
   std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
-    std::optional<Distance> distance;
-    if (!end.inside) {
-      if (const auto found = certain_nearest(a_, b_, end.simplex.pairs)) {
-        keep(workspace_, found->pairs, high_parts(found->difference));
-        distance = grown_distance(*found);
-      }
-    } else if (cores == Cores::any && contains_origin(a_.shape(), b_.shape(), end.simplex.pairs)) {
-      distance = at_common_point(common_point(a_.shape(), b_.shape(), end.simplex.pairs));
-    }
+    const VertexPairs& simplex = end.simplex.pairs;
+    if (!end.inside) return distance_on(simplex);
+    if (cores != Cores::any || !contains_origin(a_.shape(), b_.shape(), simplex)) return {};
+    const std::optional<Distance> distance = at_common_point(common_point(a_.shape(), b_.shape(), simplex));
+    return distance ? certified(distance) : distance;
+  }
+
+  std::optional<Distance> distance_on(const VertexPairs& simplex) {
+    const std::optional<CertainNearest> found = certain_nearest(a_, b_, simplex);
+    if (!found) return {};
+    keep(workspace_, found->pairs, high_parts(found->difference));
+    const std::optional<Distance> distance = grown_distance(*found);
     return distance ? certified(distance) : distance;
   }
 

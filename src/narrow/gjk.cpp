@@ -9,10 +9,9 @@ namespace {
 /// More than any search that gets somewhere was seen to need.
 constexpr int most_steps = 64;
 
-/// Rᵀ · v: heights of vertices in their own frame.
-Vec3 transposed_times(const Mat3& m, const Vec3& v) {
-  return {dot(m.column(0), v), dot(m.column(1), v), dot(m.column(2), v)};
-}
+Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
 
 Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
@@ -117,13 +116,23 @@ bool in_certain_range(const Vec3& direction) {
   return size >= 0x1p-300 && size <= 0x1p300;
 }
 
+SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& kernels)
+    : shape_(&shape),
+      kernels_(&kernels),
+      plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}},
+      world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)) {}
+
+Index SupportSearch::least(const Vec3& direction) const {
+  SupportScan scan = plain_;
+  scan.direction = times(world_in_local_, direction);
+  return kernels_->least(scan);
+}
+
 SupportScan SupportSearch::scan(const Vec3& direction, const Vec3& slack) const {
-  const PosedConvex& s = *shape_;
-  SupportScan scan{s.along(0), s.along(1), s.along(2), s.padded_count(), direction, slack};
-  if (s.in_world()) return scan;
-  scan.direction = transposed_times(s.pose().linear, direction);
-  scan.spread = transposed_times(magnitudes(s.pose().linear), slack) +
-                Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
+  SupportScan scan = plain_;
+  scan.direction = times(world_in_local_, direction);
+  scan.spread =
+      times(magnitudes(world_in_local_), slack) + Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
   return scan;
 }
 

@@ -12,12 +12,12 @@ namespace toccata {
 /// Vertices of one shape by direction.
 class SupportSearch {
  public:
-  SupportSearch(const PosedConvex& shape, const SupportKernels& kernels) : shape_(&shape), kernels_(&kernels) {}
+  SupportSearch(const PosedConvex& shape, const SupportKernels& kernels);
 
   [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
 
   /// The vertex of least height along a world direction, but for rounding.
-  [[nodiscard]] Index least(const Vec3& direction) const { return kernels_->least(scan(direction, {})); }
+  [[nodiscard]] Index least(const Vec3& direction) const;
 
   /// Heights along a direction that is known to within `slack`: |exact − direction| ≤ slack, along each axis. Both
   /// include what rounding of world vertices and of heights adds, if the direction's greatest coordinate lies within
@@ -35,6 +35,8 @@ class SupportSearch {
 
   const PosedConvex* shape_;
   const SupportKernels* kernels_;
+  SupportScan plain_;    // without direction
+  Mat3 world_in_local_;  // the transpose of the pose's R; of world coordinates the identity
 };
 
 /// Directions for which the bounds of SupportSearch hold.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/filter.hpp"
+
 namespace toccata {
 namespace {
 
@@ -41,6 +43,29 @@ VertexPairs pairs_of(const NearestFeatures& f) {
 
 bool certainly_below(const BoundedNumber& a, const BoundedNumber& b) { return (b - a).is_positive(); }
 
+/// What decides whether the foot of the origin on the plane first + span(u, w) lies within the triangle or the
+/// parallelogram: its shares of u and w, and the square of the normal, which stands for a share of 1.
+struct PlaneShares {
+  Filtered u, w, whole;
+};
+
+/// A product of cross products: each term meets four differences, two products, two of their differences, a product and
+/// two sums, eleven roundings, for which 16 · 2^-53 is enough. Underflow is within the floors of `FilteredCross`.
+Filtered filtered_dot(const FilteredCross& p, const FilteredCross& q) {
+  return {dot(p.value, q.value), 0x1p-49 * (dot(p.magnitude, q.magnitude) + filter::floor)};
+}
+
+PlaneShares plane_shares(const Vec3& first, const Vec3& u, const Vec3& w) {
+  const FilteredCross normal = filtered_cross(u, w);
+  return {filtered_dot(filtered_cross(w, first), normal), filtered_dot(filtered_cross(first, u), normal),
+          filtered_dot(normal, normal)};
+}
+
+Filtered less(const Filtered& a, const Filtered& b) {
+  // Twice what the numbers are off by is enough for the rounding of their difference, too.
+  return {a.value - b.value, 2 * (a.error + b.error)};
+}
+
 /// Two features with their nearest points. The edges that spread them start at the first vertex of each; as vectors of
 /// the Minkowski difference, those of B are turned round.
 class FeaturePair {
@@ -69,13 +94,12 @@ class FeaturePair {
   [[nodiscard]] BoundedVector on_a() const {
     if (features_.count_a == 1) return exactly(first_a_);
     if (features_.count_b == 1) return exactly(first_b_) + difference_;
-    return exactly(first_a_) + share_[0] * along(0);
+    return exactly(first_a_) + share_ * along(0);
   }
 
   [[nodiscard]] BoundedVector on_b() const {
     if (features_.count_b == 1) return exactly(first_b_);
-    if (features_.count_a == 1) return exactly(first_a_) - difference_;
-    return exactly(first_b_) - share_[1] * along(1);
+    return (features_.count_a == 1 ? exactly(first_a_) : on_a()) - difference_;
   }
 
   /// Of a plane: the exact sign of the height, along on_a − on_b, of a vector over the plane.
@@ -98,27 +122,44 @@ class FeaturePair {
     const BoundedVector edge = along(0);
     const BoundedNumber squared = dot(edge, edge), forth = -dot(first, edge);
     if (!forth.is_positive() || !certainly_below(forth, squared)) return false;
-    share_[0] = forth / squared;
-    difference_ = first + share_[0] * edge;
+    share_ = forth / squared;
+    difference_ = first + share_ * edge;
     distance_ = square_root(dot(difference_, difference_));
     return distance_.is_positive();
   }
 
   bool on_plane(const BoundedVector& first) {
+    const Inside inside = likely_inside();
+    if (inside == Inside::no) return false;
     const BoundedVector u = along(0), w = along(1), normal = cross(u, w);
     const BoundedNumber squared = dot(normal, normal), height = dot(normal, first);
-    const BoundedNumber share_u = -dot(cross(first, w), normal), share_w = dot(cross(first, u), normal);
-    if (!is_inside(share_u, share_w, squared)) return false;
     if (!height.is_positive() && !height.is_negative()) return false;
+    if (inside == Inside::unknown && !certainly_inside(first, normal, squared)) return false;
     side_ = height.is_positive() ? Sign::positive : Sign::negative;
     difference_ = (height / squared) * normal;
     distance_ = (height.is_positive() ? height : -height) / square_root(squared);
-    if (features_.count_a == 2) share_ = {share_u / squared, share_w / squared};
+    if (features_.count_a == 2) share_ = dot(cross(w, first), normal) / squared;
     return distance_.is_positive();
   }
 
-  /// Within the triangle, or within both edges.
-  [[nodiscard]] bool is_inside(const BoundedNumber& u, const BoundedNumber& w, const BoundedNumber& whole) const {
+  enum class Inside { no, unknown, yes };
+
+  /// Whether the nearest points are within the triangle, or within both edges, as far as doubles can tell.
+  [[nodiscard]] Inside likely_inside() const {
+    const auto edge = [this](std::size_t i) { return edge_[i].head - edge_[i].tail; };
+    const PlaneShares share = plane_shares(first_a_ - first_b_, edge(0), edge(1));
+    const Filtered not_u = less(share.whole, share.u);
+    const bool edges = features_.count_a == 2;
+    const std::array<Filtered, 4> conditions = {share.u, share.w, edges ? not_u : less(not_u, share.w),
+                                                edges ? less(share.whole, share.w) : share.u};
+    if (std::ranges::all_of(conditions, &Filtered::is_positive)) return Inside::yes;
+    return std::ranges::any_of(conditions, &Filtered::is_negative) ? Inside::no : Inside::unknown;
+  }
+
+  /// The same with bounded numbers.
+  [[nodiscard]] bool certainly_inside(const BoundedVector& first, const BoundedVector& normal,
+                                      const BoundedNumber& whole) const {
+    const BoundedNumber u = dot(cross(along(1), first), normal), w = dot(cross(first, along(0)), normal);
     if (!u.is_positive() || !w.is_positive()) return false;
     if (features_.count_a == 2) return certainly_below(u, whole) && certainly_below(w, whole);
     return certainly_below(u + w, whole);
@@ -128,7 +169,7 @@ class FeaturePair {
   Vec3 first_a_, first_b_;
   std::array<Difference, 2> edge_;
   std::size_t edges_ = 0;
-  std::array<BoundedNumber, 2> share_;
+  BoundedNumber share_;  // of the first edge
   BoundedVector difference_;
   BoundedNumber distance_;
   Sign side_ = Sign::positive;
