@@ -90,10 +90,35 @@ inline BoundedVector cross(const BoundedVector& u, const BoundedVector& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
+inline bool is_exactly_zero(const BoundedNumber& a) { return a.value.high == 0 && a.error == 0; }
+
+/// The length of a vector; exact along an axis.
+inline BoundedNumber length(const BoundedVector& v) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (is_exactly_zero(v[(axis + 1) % 3]) && is_exactly_zero(v[(axis + 2) % 3]))
+      return v[axis].value.high < 0 ? -v[axis] : v[axis];
+  return square_root(dot(v, v));
+}
+
 inline Vec3 high_parts(const BoundedVector& v) { return {v[0].value.high, v[1].value.high, v[2].value.high}; }
 
 /// What the exact number may differ by from the high part of a bounded one; more than that by a little.
 inline double distance_from_high(const BoundedNumber& a) { return 1.0001 * std::fabs(a.value.low) + 4 * a.error; }
+
+/// The greatest double that is at most a number and the least that is at least; equal when the number is a double.
+struct DoubleBracket {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// That of the exact number, which is positive, if it is certain.
+inline std::optional<DoubleBracket> bracket(const BoundedNumber& a) {
+  const double high = a.value.high, low = a.value.low, off = 4 * a.error;
+  if (low > off) return DoubleBracket{high, std::nextafter(high, HUGE_VAL)};
+  if (low < -off) return DoubleBracket{std::nextafter(high, 0), high};
+  if (low == 0 && a.error == 0) return DoubleBracket{high, high};
+  return {};
+}
 
 /// The double nearest to the exact number, if that is certain; a tie never is.
 inline std::optional<double> nearest_double(const BoundedNumber& a) {

@@ -2,10 +2,12 @@
 #include <limits>
 #include <optional>
 
+#include "narrow/aligned_boxes.hpp"
 #include "narrow/closed_forms.hpp"
 #include "narrow/exact_distance.hpp"
 #include "narrow/exact_nearest.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/meeting_certificate.hpp"
 #include "narrow/nearest_certificate.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
@@ -38,14 +40,10 @@ std::optional<bool> certain_meeting(const BoundedNumber& gap) {
 }
 
 std::optional<Distance> rounded(const BoundedNumber& gap, const BoundedVector& on_a, const BoundedVector& on_b) {
-  const double high = gap.value.high, low = gap.value.low, off = 4 * gap.error;
-  const bool above = low > off, below = low < -off;
-  if (!above && !below) return {};
+  const auto neighbours = bracket(gap);
   const auto point_a = nearest_doubles(on_a), point_b = nearest_doubles(on_b);
-  if (!point_a || !point_b) return {};
-  const double infinity = std::numeric_limits<double>::infinity();
-  return Distance{above ? high : std::nextafter(high, 0), above ? std::nextafter(high, infinity) : high, *point_a,
-                  *point_b, Status::exact};
+  if (!neighbours || !point_a || !point_b) return {};
+  return Distance{neighbours->lower, neighbours->upper, *point_a, *point_b, Status::exact};
 }
 
 std::optional<Distance> at_common_point(const BoundedVector& point) {
@@ -80,10 +78,14 @@ class PairQuestion {
   /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
   /// there the search starts anew.
   Distance distance() {
+    if (const auto distance = aligned_box_distance(a_.shape(), b_.shape())) {
+      ++workspace_.counts.closed_forms;
+      return *distance;
+    }
     const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
     if (kept.size > 0) {
       // Shapes that moved little often have the same nearest features.
-      if (const auto distance = distance_on(kept)) return *distance;
+      if (const auto distance = distance_from(certain_nearest(a_, b_, kept))) return *distance;
       if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
     }
     const GjkEnd end = search({}, no_goal);
@@ -117,16 +119,19 @@ class PairQuestion {
 
   std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
     const VertexPairs& simplex = end.simplex.pairs;
-    if (!end.inside) return distance_on(simplex);
+    if (!end.inside) {
+      const std::optional<Distance> distance = distance_from(certain_nearest(a_, b_, simplex));
+      return distance ? distance : distance_from(certain_nearest_along(a_, b_, end.nearest));
+    }
     if (cores != Cores::any || !contains_origin(a_.shape(), b_.shape(), simplex)) return {};
     const std::optional<Distance> distance = at_common_point(common_point(a_.shape(), b_.shape(), simplex));
     return distance ? certified(distance) : distance;
   }
 
-  std::optional<Distance> distance_on(const VertexPairs& simplex) {
-    const std::optional<CertainNearest> found = certain_nearest(a_, b_, simplex);
+  std::optional<Distance> distance_from(const std::optional<CertainNearest>& found) {
     if (!found) return {};
     keep(workspace_, found->pairs, high_parts(found->difference));
+    if (!found->unique()) return exact_on_faces(*found);
     const std::optional<Distance> distance = grown_distance(*found);
     return distance ? certified(distance) : distance;
   }
@@ -140,6 +145,15 @@ class PairQuestion {
     if (*meet) return at_common_point(found.on_a - (radius_a / reach_) * found.difference);
     return rounded(gap, found.on_a - (radius_a / found.distance) * found.difference,
                    found.on_b + (radius_b / found.distance) * found.difference);
+  }
+
+  /// Which of the nearest points of two faces is meant is a matter of exact arithmetic.
+  Distance exact_on_faces(const CertainNearest& found) {
+    ++workspace_.counts.exact;
+    const std::span<const Index> face_a(found.face_a.vertex.data(), found.face_a.count);
+    const std::span<const Index> face_b(found.face_b.vertex.data(), found.face_b.count);
+    return rounded_distance(exact_nearest_of_faces(a_.shape(), b_.shape(), found.pairs, face_a, face_b),
+                            a_.shape().radius(), b_.shape().radius());
   }
 
   ExactNearest exact(const VertexPairs& start) {

@@ -69,9 +69,10 @@ ExactNearest meeting_of(const IntegerSimplex& simplex) {
   return nearest;
 }
 
-/// The nearest points of two parallel faces, whose vertices are given.
-ExactNearest apart(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs,
-                   const std::vector<Index>& face_a, const std::vector<Index>& face_b) {
+}  // namespace
+
+ExactNearest exact_nearest_of_faces(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs,
+                                    std::span<const Index> face_a, std::span<const Index> face_b) {
   std::vector<Vec3> vertices;
   for (const Index i : face_a) vertices.push_back(a.vertex(i));
   for (const Index i : face_b) vertices.push_back(b.vertex(i));
@@ -94,8 +95,6 @@ ExactNearest apart(const PosedConvex& a, const PosedConvex& b, const VertexPairs
   return nearest;
 }
 
-}  // namespace
-
 ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start) {
   VertexPairs simplex = independent_part(a, b, start);
   while (true) {
@@ -105,7 +104,7 @@ ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const Ver
     const std::vector<Index> face_b = least_vertices(b, -direction);
     VertexPairs more = simplex;
     more.append(face_a.front(), face_b.front());
-    if (!lies_before(a, b, more, direction)) return apart(a, b, simplex, face_a, face_b);
+    if (!lies_before(a, b, more, direction)) return exact_nearest_of_faces(a, b, simplex, face_a, face_b);
     simplex = needed_pairs(integer_simplex(a, b, more));
   }
 }

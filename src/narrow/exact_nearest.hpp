@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "math/homogeneous_vector.hpp"
 #include "narrow/vertex_pairs.hpp"
 #include "toccata/narrow/posed_convex.hpp"
@@ -26,5 +28,11 @@ struct ExactNearest {
 /// the nearest point of the simplex, so that simplices stay affinely independent and each is nearer than the one
 /// before; there are finitely many.
 [[nodiscard]] ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start);
+
+/// The same where it is known already which vertices lie in the planes across the direction of nearest points:
+/// `simplex` contains that direction's foot, `face_a` and `face_b` are all vertices in the two planes.
+[[nodiscard]] ExactNearest exact_nearest_of_faces(const PosedConvex& a, const PosedConvex& b,
+                                                  const VertexPairs& simplex, std::span<const Index> face_a,
+                                                  std::span<const Index> face_b);
 
 }  // namespace toccata

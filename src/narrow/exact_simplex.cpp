@@ -1,5 +1,7 @@
 #include "narrow/exact_simplex.hpp"
 
+#include "narrow/gjk_simplex.hpp"
+
 namespace toccata {
 namespace {
 
@@ -62,6 +64,17 @@ bool is_carrier(const IntegerSimplex& simplex, const IntegerSimplex& face) {
   return true;
 }
 
+/// What the search in doubles would keep, as bits.
+unsigned likely_face(const IntegerSimplex& simplex) {
+  GjkSimplex rounded;
+  for (std::size_t i = 0; i < simplex.pairs.size; ++i)  // numbered, to know them again
+    rounded.append(static_cast<Index>(i), 0, simplex.rounded_point[i]);
+  reduce(rounded);
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < rounded.pairs.size; ++i) bits |= 1U << rounded.pairs.a[i];
+  return bits;
+}
+
 }  // namespace
 
 IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs) {
@@ -80,6 +93,7 @@ IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const
   for (std::size_t i = 0; i < pairs.size; ++i) {
     simplex.a[i] = scaled_wide(a.vertex(pairs.a[i]), exponent);
     simplex.point[i] = simplex.a[i] - scaled_wide(b.vertex(pairs.b[i]), exponent);
+    simplex.rounded_point[i] = a.vertex(pairs.a[i]) - b.vertex(pairs.b[i]);
   }
   return simplex;
 }
@@ -100,7 +114,10 @@ SimplexNearest nearest_of(const IntegerSimplex& simplex) {
 
 VertexPairs needed_pairs(const IntegerSimplex& simplex) {
   const unsigned last = 1U << (simplex.pairs.size - 1);
+  const unsigned likely = likely_face(simplex);
+  if (const IntegerSimplex face = face_of(simplex, likely); is_carrier(simplex, face)) return face.pairs;
   for (unsigned others = 0; others < last - 1; ++others) {
+    if ((others | last) == likely) continue;
     const IntegerSimplex face = face_of(simplex, others | last);
     if (is_carrier(simplex, face)) return face.pairs;
   }

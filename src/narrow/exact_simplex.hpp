@@ -15,6 +15,7 @@ struct IntegerSimplex {
   VertexPairs pairs;
   std::array<IntegerVector, 4> a;
   std::array<IntegerVector, 4> point;  ///< of the difference
+  std::array<Vec3, 4> rounded_point;   ///< the same in doubles, not scaled
   int exponent = 0;
 };
 

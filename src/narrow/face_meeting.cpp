@@ -7,10 +7,11 @@
 namespace toccata {
 namespace {
 
-/// A point in the plane, over some denominator.
+/// A point of a plane as it is seen along an axis.
 struct PlanePoint {
   WideInteger x;
   WideInteger y;
+  std::size_t number = 0;  ///< among the vertices of its face
 };
 
 bool less(const PlanePoint& p, const PlanePoint& q) {
@@ -22,7 +23,7 @@ WideInteger turn(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) 
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
 
-/// Counter-clockwise, corners only: three or more, or the two ends of a segment, or one point.
+/// Counter-clockwise as seen, corners only: three or more, or the two ends of a segment, or one point.
 using Polygon = std::vector<PlanePoint>;
 
 /// The corners of a chain that turns left, the last one left out: it starts the next chain.
@@ -38,67 +39,14 @@ void append_chain(Polygon& hull, std::span<const PlanePoint> points) {
 /// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 Polygon hull_of(std::vector<PlanePoint> points) {
   std::sort(points.begin(), points.end(), [](const PlanePoint& p, const PlanePoint& q) { return less(p, q); });
+  const auto equal = [](const PlanePoint& p, const PlanePoint& q) { return p.x == q.x && p.y == q.y; };
+  points.erase(std::unique(points.begin(), points.end(), equal), points.end());
   Polygon hull;
   append_chain(hull, points);
   std::reverse(points.begin(), points.end());
   append_chain(hull, points);
   if (hull.empty()) hull.push_back(points.front());
   return hull;
-}
-
-bool contains(const Polygon& polygon, const PlanePoint& p) {
-  if (polygon.size() == 1) return polygon[0].x == p.x && polygon[0].y == p.y;
-  // The first corner of a hull is its least.
-  if (polygon.size() == 2) return turn(polygon[0], polygon[1], p) == 0 && !less(p, polygon[0]) && !less(polygon[1], p);
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (turn(polygon[i], polygon[(i + 1) % polygon.size()], p) < 0) return false;
-  return true;
-}
-
-/// point / weight, the weight positive.
-struct WeightedPoint {
-  PlanePoint point;
-  WideInteger weight{1};
-};
-
-bool less(const WeightedPoint& p, const WeightedPoint& q) {
-  return less(PlanePoint{p.point.x * q.weight, p.point.y * q.weight},
-              PlanePoint{q.point.x * p.weight, q.point.y * p.weight});
-}
-
-/// Where two segments pass through each other in inner points of both.
-std::optional<WeightedPoint> crossing(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r,
-                                      const PlanePoint& s) {
-  const WideInteger of_p = turn(r, s, p), of_q = turn(r, s, q);
-  if (of_p.sign() * of_q.sign() >= 0) return {};
-  if (turn(p, q, r).sign() * turn(p, q, s).sign() >= 0) return {};
-  const WideInteger weight = abs(of_p) + abs(of_q);
-  const WideInteger share_p = abs(of_q), share_q = abs(of_p);
-  return WeightedPoint{{share_p * p.x + share_q * q.x, share_p * p.y + share_q * q.y}, weight};
-}
-
-/// Keeps the least of what it is shown.
-struct Least {
-  std::optional<WeightedPoint> found;
-
-  void consider(const WeightedPoint& point) {
-    if (!found || less(point, *found)) found = point;
-  }
-  void consider_corners(const Polygon& of, const Polygon& within) {
-    for (const PlanePoint& corner : of)
-      if (contains(within, corner)) consider({corner, 1});
-  }
-};
-
-/// The least point of two polygons that meet: a corner of one in the other, or where edges cross.
-WeightedPoint least_common_point(const Polygon& p, const Polygon& q) {
-  Least least;
-  least.consider_corners(p, q);
-  least.consider_corners(q, p);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = 0; j < q.size(); ++j)
-      if (const auto cross = crossing(p[i], p[(i + 1) % p.size()], q[j], q[(j + 1) % q.size()])) least.consider(*cross);
-  return *least.found;
 }
 
 /// The plane of the faces, seen along an axis across it. The axis is the last possible one: then the order by the two
@@ -111,45 +59,94 @@ struct PlaneView {
     x = dropped == 0 ? 1 : 0;
     y = dropped == 2 ? 1 : 2;
   }
-
-  [[nodiscard]] PlanePoint operator()(const IntegerVector& v) const { return {v[x], v[y]}; }
 };
 
-std::vector<PlanePoint> seen(std::span<const IntegerVector> points, const PlaneView& view) {
-  std::vector<PlanePoint> in_plane;
-  for (const IntegerVector& point : points) in_plane.push_back(view(point));
-  return in_plane;
+/// Corners in space, in order: counter-clockwise across the common normal.
+using Face = std::vector<IntegerVector>;
+
+Face face_of(std::span<const IntegerVector> vertices, const IntegerVector& normal, const PlaneView& view) {
+  std::vector<PlanePoint> points;
+  for (const IntegerVector& v : vertices) points.push_back({v[view.x], v[view.y], points.size()});
+  Face face;
+  for (const PlanePoint& corner : hull_of(std::move(points))) face.push_back(vertices[corner.number]);
+  // Seen along +y the axes (x, z) turn the other way.
+  const bool mirrored = (normal[view.dropped] < 0) != (view.dropped == 1);
+  if (mirrored) std::reverse(face.begin(), face.end());
+  return face;
 }
 
-/// The point of the plane normal · p = normal · on_plane above a point of the view.
-HomogeneousVector lifted(const WeightedPoint& p, const IntegerVector& normal, const IntegerVector& on_plane,
-                         const PlaneView& view) {
-  HomogeneousVector lifted;
-  const WideInteger& steep = normal[view.dropped];
-  const WideInteger size = abs(steep), side = steep.sign();
-  lifted.numerator[view.x] = size * p.point.x;
-  lifted.numerator[view.y] = size * p.point.y;
-  lifted.numerator[view.dropped] =
-      side * (dot(normal, on_plane) * p.weight - normal[view.x] * p.point.x - normal[view.y] * p.point.y);
-  lifted.denominator = size * p.weight;
-  return lifted;
+/// Twice the area that three points span across the normal, times its length. A move along the normal does not change
+/// it: so points of the two parallel planes can be mixed, as if one had been moved onto the other.
+class Turn {
+ public:
+  explicit Turn(const IntegerVector& normal) : normal_(normal) {}
+
+  [[nodiscard]] WideInteger operator()(const IntegerVector& p, const IntegerVector& q, const IntegerVector& r) const {
+    return dot(cross(q - p, r - p), normal_);
+  }
+
+ private:
+  const IntegerVector& normal_;
+};
+
+/// The face is more than a vertex.
+bool contains(const Face& face, const IntegerVector& p, const Turn& turn) {
+  for (std::size_t i = 0; i < face.size(); ++i)
+    if (turn(face[i], face[(i + 1) % face.size()], p) < 0) return false;
+  if (face.size() > 2) return true;
+  const IntegerVector edge = face[1] - face[0];
+  return dot(p - face[0], edge) >= 0 && dot(face[1] - p, edge) >= 0;
 }
+
+/// Where the segment from p to q, in the plane of A, passes through the one from r to s, in that of B, in inner points
+/// of both.
+std::optional<HomogeneousVector> crossing(const IntegerVector& p, const IntegerVector& q, const IntegerVector& r,
+                                          const IntegerVector& s, const Turn& turn) {
+  const WideInteger of_p = turn(r, s, p), of_q = turn(r, s, q);
+  if (of_p.sign() * of_q.sign() >= 0) return {};
+  if (turn(p, q, r).sign() * turn(p, q, s).sign() >= 0) return {};
+  const WideInteger share_p = abs(of_q), share_q = abs(of_p);
+  return HomogeneousVector{share_p * p + share_q * q, share_p + share_q};
+}
+
+bool less(const HomogeneousVector& p, const HomogeneousVector& q) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const WideInteger own = p.numerator[axis] * q.denominator, other = q.numerator[axis] * p.denominator;
+    if (own != other) return own < other;
+  }
+  return false;
+}
+
+/// Keeps the least of what it is shown.
+struct Least {
+  std::optional<HomogeneousVector> found;
+
+  void consider(const HomogeneousVector& point) {
+    if (!found || less(point, *found)) found = point;
+  }
+};
 
 }  // namespace
 
+// The least common point is a corner of one face within the other, or lies where edges cross.
 HomogeneousVector least_meeting_point(const ParallelFaces& faces) {
   if (faces.a.size() == 1) return {faces.a[0], 1};
   if (faces.b.size() == 1) return faces.b[0] + faces.difference;
   const PlaneView view(faces.normal);
-  Polygon p = hull_of(seen(faces.a, view)), q = hull_of(seen(faces.b, view));
-  const PlanePoint move = view(faces.difference.numerator);
-  // A move along the dropped axis is not seen; to leave its denominator out keeps the numbers short.
-  const WideInteger scale = move.x == 0 && move.y == 0 ? WideInteger(1) : faces.difference.denominator;
-  for (PlanePoint& corner : p) corner = {corner.x * scale, corner.y * scale};
-  for (PlanePoint& corner : q) corner = {corner.x * scale + move.x, corner.y * scale + move.y};
-  WeightedPoint least = least_common_point(p, q);
-  least.weight *= scale;
-  return lifted(least, faces.normal, faces.a[0], view);
+  const Face a = face_of(faces.a, faces.normal, view), b = face_of(faces.b, faces.normal, view);
+  if (a.size() == 1) return {a[0], 1};
+  if (b.size() == 1) return b[0] + faces.difference;
+  const Turn turn(faces.normal);
+  Least least;
+  for (const IntegerVector& corner : a)
+    if (contains(b, corner, turn)) least.consider({corner, 1});
+  for (const IntegerVector& corner : b)
+    if (contains(a, corner, turn)) least.consider(corner + faces.difference);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (const auto cross = crossing(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()], turn))
+        least.consider(*cross);
+  return *least.found;
 }
 
 }  // namespace toccata

@@ -11,8 +11,8 @@ namespace toccata {
 struct ParallelFaces {
   std::vector<IntegerVector> a;
   std::vector<IntegerVector> b;
-  IntegerVector normal;  ///< of both planes; of some plane that contains a set, where that is less than a polygon
-  HomogeneousVector difference;
+  IntegerVector normal;          ///< of both planes
+  HomogeneousVector difference;  ///< along the normal
 };
 
 /// The least point, in lexicographic order, of A that is also in B + difference.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/filter.hpp"
+#include "narrow/feature_pair.hpp"
 
 namespace toccata {
 namespace {
@@ -41,142 +41,8 @@ VertexPairs pairs_of(const NearestFeatures& f) {
   return pairs;
 }
 
-bool certainly_below(const BoundedNumber& a, const BoundedNumber& b) { return (b - a).is_positive(); }
-
-/// What decides whether the foot of the origin on the plane first + span(u, w) lies within the triangle or the
-/// parallelogram: its shares of u and w, and the square of the normal, which stands for a share of 1.
-struct PlaneShares {
-  Filtered u, w, whole;
-};
-
-/// A product of cross products: each term meets four differences, two products, two of their differences, a product and
-/// two sums, eleven roundings, for which 16 · 2^-53 is enough. Underflow is within the floors of `FilteredCross`.
-Filtered filtered_dot(const FilteredCross& p, const FilteredCross& q) {
-  return {dot(p.value, q.value), 0x1p-49 * (dot(p.magnitude, q.magnitude) + filter::floor)};
-}
-
-PlaneShares plane_shares(const Vec3& first, const Vec3& u, const Vec3& w) {
-  const FilteredCross normal = filtered_cross(u, w);
-  return {filtered_dot(filtered_cross(w, first), normal), filtered_dot(filtered_cross(first, u), normal),
-          filtered_dot(normal, normal)};
-}
-
-Filtered less(const Filtered& a, const Filtered& b) {
-  // Twice what the numbers are off by is enough for the rounding of their difference, too.
-  return {a.value - b.value, 2 * (a.error + b.error)};
-}
-
-/// Two features with their nearest points. The edges that spread them start at the first vertex of each; as vectors of
-/// the Minkowski difference, those of B are turned round.
-class FeaturePair {
- public:
-  FeaturePair(const PosedConvex& a, const PosedConvex& b, const NearestFeatures& features)
-      : features_(features), first_a_(a.vertex(features.a[0])), first_b_(b.vertex(features.b[0])) {
-    for (std::size_t i = 1; i < features.count_a; ++i) edge_[edges_++] = {a.vertex(features.a[i]), first_a_};
-    for (std::size_t i = 1; i < features.count_b; ++i) edge_[edges_++] = {first_b_, b.vertex(features.b[i])};
-  }
-
-  [[nodiscard]] const NearestFeatures& features() const { return features_; }
-  [[nodiscard]] const Vec3& first_a() const { return first_a_; }
-  [[nodiscard]] const Vec3& first_b() const { return first_b_; }
-  [[nodiscard]] bool is_plane() const { return edges_ == 2; }
-
-  /// Finds the nearest points of the features' affine hulls; tells whether they certainly are inner points of both.
-  [[nodiscard]] bool solve() {
-    const BoundedVector first = bounded_difference(first_a_, first_b_);
-    if (edges_ == 0) return at_vertices(first);
-    return edges_ == 1 ? on_edge(first) : on_plane(first);
-  }
-
-  [[nodiscard]] const BoundedVector& difference() const { return difference_; }
-  [[nodiscard]] const BoundedNumber& distance() const { return distance_; }
-
-  [[nodiscard]] BoundedVector on_a() const {
-    if (features_.count_a == 1) return exactly(first_a_);
-    if (features_.count_b == 1) return exactly(first_b_) + difference_;
-    return exactly(first_a_) + share_ * along(0);
-  }
-
-  [[nodiscard]] BoundedVector on_b() const {
-    if (features_.count_b == 1) return exactly(first_b_);
-    return (features_.count_a == 1 ? exactly(first_a_) : on_a()) - difference_;
-  }
-
-  /// Of a plane: the exact sign of the height, along on_a − on_b, of a vector over the plane.
-  [[nodiscard]] Sign height_sign(const Difference& vector) const {
-    return side_ * triple_product_sign(edge_[0], edge_[1], vector);
-  }
-
- private:
-  [[nodiscard]] BoundedVector along(std::size_t edge) const {
-    return bounded_difference(edge_[edge].head, edge_[edge].tail);
-  }
-
-  bool at_vertices(const BoundedVector& first) {
-    difference_ = first;
-    distance_ = square_root(dot(first, first));
-    return distance_.is_positive();
-  }
-
-  bool on_edge(const BoundedVector& first) {
-    const BoundedVector edge = along(0);
-    const BoundedNumber squared = dot(edge, edge), forth = -dot(first, edge);
-    if (!forth.is_positive() || !certainly_below(forth, squared)) return false;
-    share_ = forth / squared;
-    difference_ = first + share_ * edge;
-    distance_ = square_root(dot(difference_, difference_));
-    return distance_.is_positive();
-  }
-
-  bool on_plane(const BoundedVector& first) {
-    const Inside inside = likely_inside();
-    if (inside == Inside::no) return false;
-    const BoundedVector u = along(0), w = along(1), normal = cross(u, w);
-    const BoundedNumber squared = dot(normal, normal), height = dot(normal, first);
-    if (!height.is_positive() && !height.is_negative()) return false;
-    if (inside == Inside::unknown && !certainly_inside(first, normal, squared)) return false;
-    side_ = height.is_positive() ? Sign::positive : Sign::negative;
-    difference_ = (height / squared) * normal;
-    distance_ = (height.is_positive() ? height : -height) / square_root(squared);
-    if (features_.count_a == 2) share_ = dot(cross(w, first), normal) / squared;
-    return distance_.is_positive();
-  }
-
-  enum class Inside { no, unknown, yes };
-
-  /// Whether the nearest points are within the triangle, or within both edges, as far as doubles can tell.
-  [[nodiscard]] Inside likely_inside() const {
-    const auto edge = [this](std::size_t i) { return edge_[i].head - edge_[i].tail; };
-    const PlaneShares share = plane_shares(first_a_ - first_b_, edge(0), edge(1));
-    const Filtered not_u = less(share.whole, share.u);
-    const bool edges = features_.count_a == 2;
-    const std::array<Filtered, 4> conditions = {share.u, share.w, edges ? not_u : less(not_u, share.w),
-                                                edges ? less(share.whole, share.w) : share.u};
-    if (std::ranges::all_of(conditions, &Filtered::is_positive)) return Inside::yes;
-    return std::ranges::any_of(conditions, &Filtered::is_negative) ? Inside::no : Inside::unknown;
-  }
-
-  /// The same with bounded numbers.
-  [[nodiscard]] bool certainly_inside(const BoundedVector& first, const BoundedVector& normal,
-                                      const BoundedNumber& whole) const {
-    const BoundedNumber u = dot(cross(along(1), first), normal), w = dot(cross(first, along(0)), normal);
-    if (!u.is_positive() || !w.is_positive()) return false;
-    if (features_.count_a == 2) return certainly_below(u, whole) && certainly_below(w, whole);
-    return certainly_below(u + w, whole);
-  }
-
-  NearestFeatures features_;
-  Vec3 first_a_, first_b_;
-  std::array<Difference, 2> edge_;
-  std::size_t edges_ = 0;
-  BoundedNumber share_;  // of the first edge
-  BoundedVector difference_;
-  BoundedNumber distance_;
-  Sign side_ = Sign::positive;
-};
-
 /// What is known of all other vertices.
-enum class Others { beyond, one_before, unknown };
+enum class Others { beyond, one_before, some_level, unknown };
 
 struct Verification {
   Others others = Others::unknown;
@@ -184,11 +50,9 @@ struct Verification {
   Index vertex = 0;
 };
 
-constexpr std::size_t most_close = 12;
-
 /// The vertices of one shape that may lie as near as the feature does.
 struct CloseVertices {
-  std::array<Index, most_close> vertex{};
+  std::array<Index, most_face_vertices> vertex{};
   Index count = 0;
 };
 
@@ -198,56 +62,149 @@ CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction,
   return close;
 }
 
-/// Looks at the close vertices of one shape that are not of the feature.
-Verification verify_others(const FeaturePair& pair, const PosedConvex& shape, const CloseVertices& close, bool of_a) {
-  if (close.count > most_close) return {};
+/// Looks at the close vertices of one shape that are not of the feature, and adds those in its plane to the face.
+Verification verify_others(const FeaturePair& pair, const PosedConvex& shape, const CloseVertices& close, bool of_a,
+                           FaceVertices& face) {
+  if (close.count > close.vertex.size()) return {};
   const NearestFeatures& f = pair.features();
   const std::span<const Index> own = of_a ? std::span(f.a).first(f.count_a) : std::span(f.b).first(f.count_b);
-  const bool alone = (of_a ? f.count_b : f.count_a) == 1;
+  for (const Index vertex : own) face.vertex[face.count++] = vertex;
   for (Index i = 0; i < close.count; ++i) {
-    const Index vertex = std::min(close.vertex[i], shape.vertex_count() - 1);
+    const Index vertex = close.vertex[i];
+    if (vertex >= shape.vertex_count()) break;  // padding
     if (std::find(own.begin(), own.end(), vertex) != own.end()) continue;
     if (!pair.is_plane()) return {};
-    const Vec3 place = shape.vertex(vertex);
-    const Sign height = pair.height_sign(of_a ? Difference{place, pair.first_a()} : Difference{pair.first_b(), place});
+    const Sign height = of_a ? pair.beyond_a(shape.vertex(vertex)) : pair.beyond_b(shape.vertex(vertex));
     if (height == Sign::negative) return {Others::one_before, of_a, vertex};
-    // In the plane: the face has more vertices. The nearest points stay what they are if one of them is a vertex.
-    if (height == Sign::zero && !(own.size() == 3 && alone)) return {};
+    if (height == Sign::zero && face.count == face.vertex.size()) return {};
+    if (height == Sign::zero) face.vertex[face.count++] = vertex;
   }
-  return {Others::beyond};
+  return {face.count == own.size() ? Others::beyond : Others::some_level};
 }
 
-Verification verify(const SupportSearch& a, const SupportSearch& b, const FeaturePair& pair) {
+/// All vertices of either shape in the planes through the features.
+struct LevelVertices {
+  FaceVertices a, b;
+};
+
+Verification verify(const SupportSearch& a, const SupportSearch& b, const FeaturePair& pair, LevelVertices& level) {
+  level = {};
   const Vec3 direction = high_parts(pair.difference());
   if (!in_certain_range(direction)) return {};
   Vec3 slack;
   for (int axis = 0; axis < 3; ++axis)
     slack[axis] = distance_from_high(pair.difference()[static_cast<std::size_t>(axis)]);
-  const Verification of_a = verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a()), true);
-  if (of_a.others != Others::beyond) return of_a;
-  return verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b()), false);
+  const Verification of_a =
+      verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a()), true, level.a);
+  if (of_a.others == Others::unknown || of_a.others == Others::one_before) return of_a;
+  const Verification of_b =
+      verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b()), false, level.b);
+  if (of_b.others != Others::beyond) return of_b;
+  return of_a;
 }
 
-CertainNearest certain(const FeaturePair& pair, const VertexPairs& pairs) {
-  return {pairs, pair.difference(), pair.distance(), pair.on_a(), pair.on_b()};
+/// A vertex is nearest to one point of a face, however many vertices the face has; all else that has more vertices in
+/// the two planes may have more nearest points.
+CertainNearest certain(const FeaturePair& pair, const LevelVertices& level, Others others) {
+  const bool unique = others == Others::beyond || level.a.count == 1 || level.b.count == 1;
+  const VertexPairs pairs = pairs_of(pair.features());
+  if (!unique) return {pairs, pair.difference(), pair.distance(), {}, {}, level.a, level.b};
+  return {pairs, pair.difference(), pair.distance(), pair.on_a(), pair.on_b(), {}, {}};
 }
 
-/// A face that rounding has bent: the other triangles with the vertex that lies before the plane of the first.
-std::optional<CertainNearest> across_bend(const SupportSearch& a, const SupportSearch& b, const FeaturePair& bent,
-                                          const Verification& found) {
-  const NearestFeatures& f = bent.features();
-  if ((found.of_a ? f.count_a : f.count_b) != 3) return {};
-  for (std::size_t i = 0; i < 3; ++i) {
-    NearestFeatures other = f;
-    (found.of_a ? other.a : other.b)[i] = found.vertex;
-    FeaturePair pair(a.shape(), b.shape(), other);
-    if (pair.solve() && verify(a, b, pair).others == Others::beyond) return certain(pair, pairs_of(other));
+/// The features without their vertex number i, those of A counted first, and with another vertex of A or of B.
+NearestFeatures exchanged(const NearestFeatures& features, std::size_t i, const Verification& added) {
+  NearestFeatures f = features;
+  if (i < f.count_a)
+    f.a[i] = f.a[--f.count_a];
+  else
+    f.b[i - f.count_a] = f.b[f.count_b - 1], --f.count_b;
+  if (added.of_a && f.count_a < 3) f.a[f.count_a++] = added.vertex;
+  if (!added.of_a && f.count_b < 3) f.b[f.count_b++] = added.vertex;
+  return f;
+}
+
+/// The pair of features with the vertex that lies before the plane of the present ones, in place of one of theirs,
+/// which must lie beyond the new plane: on faces that rounding has bent, the next nearest pair.
+std::optional<FeaturePair> nearer_pair(const PosedConvex& a, const PosedConvex& b, const NearestFeatures& present,
+                                       const Verification& before) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const NearestFeatures other = exchanged(present, i, before);
+    if (other.count_a == 0 || other.count_b == 0 || other.count_a + other.count_b != 4) continue;
+    FeaturePair pair(a, b, other);
+    if (!pair.solve()) continue;
+    const Sign left_out = i < present.count_a ? pair.beyond_a(a.vertex(present.a[i]))
+                                              : pair.beyond_b(b.vertex(present.b[i - present.count_a]));
+    if (left_out == Sign::positive) return pair;
   }
   return {};
 }
 
-BoundedNumber volume(const BoundedVector& p, const BoundedVector& q, const BoundedVector& r) {
-  return dot(cross(p, q), r);
+/// Exchanges are few where they help at all.
+constexpr int most_exchanges = 16;
+
+/// The pair is solved.
+std::optional<CertainNearest> certain_from(const SupportSearch& a, const SupportSearch& b, FeaturePair pair) {
+  for (int exchange = 0; exchange <= most_exchanges; ++exchange) {
+    LevelVertices level;
+    const Verification found = verify(a, b, pair, level);
+    if (found.others == Others::unknown) return {};
+    if (found.others != Others::one_before) return certain(pair, level, found.others);
+    const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), found);
+    if (!nearer) return {};
+    pair = *nearer;
+  }
+  return {};
+}
+
+/// Vertices nearly as near as can be; none when they are more than a few.
+class Pool {
+ public:
+  Pool(const SupportSearch& search, const Vec3& direction) {
+    if (!in_certain_range(direction)) return;
+    const double loose = 0x1p-44 * std::sqrt(dot(direction, direction));
+    const Vec3 nearest = search.shape().vertex(search.least(direction));
+    const Index close = search.close(direction, {loose, loose, loose}, nearest, vertex_);
+    if (close > vertex_.size()) return;
+    for (Index i = 0; i < close; ++i)
+      if (vertex_[i] < search.shape().vertex_count()) ++size_;
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] Index operator[](std::size_t i) const { return vertex_[i]; }
+
+ private:
+  std::array<Index, 6> vertex_{};
+  std::size_t size_ = 0;
+};
+
+/// Calls `visit` with all choices of `count` members until it returns true.
+template <class Visit>
+bool any_choice(const Pool& pool, std::size_t count, const Visit& visit) {
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    if (count == 1 && visit(std::array<Index, 3>{pool[i]})) return true;
+    for (std::size_t j = i + 1; count > 1 && j < pool.size(); ++j) {
+      if (count == 2 && visit(std::array<Index, 3>{pool[i], pool[j]})) return true;
+      for (std::size_t k = j + 1; count > 2 && k < pool.size(); ++k)
+        if (visit(std::array<Index, 3>{pool[i], pool[j], pool[k]})) return true;
+    }
+  }
+  return false;
+}
+
+/// A vertex and a face, or two edges, solved.
+std::optional<FeaturePair> any_plane_pair(const SupportSearch& a, const SupportSearch& b, const Vec3& direction) {
+  const Pool pool_a(a, direction), pool_b(b, -direction);
+  std::optional<FeaturePair> found;
+  for (std::size_t count = 1; count <= 3 && !found; ++count)
+    any_choice(pool_a, count, [&](const std::array<Index, 3>& of_a) {
+      return any_choice(pool_b, 4 - count, [&](const std::array<Index, 3>& of_b) {
+        FeaturePair pair(a.shape(), b.shape(), {of_a, of_b, count, 4 - count});
+        if (pair.solve()) found = pair;
+        return found.has_value();
+      });
+    });
+  return found;
 }
 
 }  // namespace
@@ -258,10 +215,14 @@ std::optional<CertainNearest> certain_nearest(const SupportSearch& a, const Supp
   if (!features) return {};
   FeaturePair pair(a.shape(), b.shape(), *features);
   if (!pair.solve()) return {};
-  const Verification found = verify(a, b, pair);
-  if (found.others == Others::beyond) return certain(pair, simplex);
-  if (found.others == Others::one_before) return across_bend(a, b, pair, found);
-  return {};
+  return certain_from(a, b, pair);
+}
+
+std::optional<CertainNearest> certain_nearest_along(const SupportSearch& a, const SupportSearch& b,
+                                                    const Vec3& direction) {
+  const std::optional<FeaturePair> pair = any_plane_pair(a, b, direction);
+  if (!pair) return {};
+  return certain_from(a, b, *pair);
 }
 
 bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec3& direction, double gap) {
@@ -269,31 +230,6 @@ bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec
   const double between = a.lower_bound(direction) + b.lower_bound(-direction);
   // The sign of a sum of two doubles is right; its size and the length are off by some last places.
   return between > gap * std::sqrt(dot(direction, direction)) * (1 + 0x1p-40);
-}
-
-bool contains_origin(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex) {
-  if (simplex.size != 4) return false;
-  std::array<Difference, 4> p;
-  for (std::size_t i = 0; i < 4; ++i) p[i] = {a.vertex(simplex.a[i]), b.vertex(simplex.b[i])};
-  const std::array<Sign, 4> weight = {triple_product_sign(p[1], p[2], p[3]), -triple_product_sign(p[0], p[2], p[3]),
-                                      triple_product_sign(p[0], p[1], p[3]), -triple_product_sign(p[0], p[1], p[2])};
-  const auto has = [&weight](Sign sign) { return std::find(weight.begin(), weight.end(), sign) != weight.end(); };
-  return has(Sign::positive) != has(Sign::negative);
-}
-
-BoundedVector common_point(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex) {
-  std::array<Vec3, 4> on_a;
-  std::array<BoundedVector, 4> p;
-  for (std::size_t i = 0; i < 4; ++i) {
-    on_a[i] = a.vertex(simplex.a[i]);
-    p[i] = bounded_difference(on_a[i], b.vertex(simplex.b[i]));
-  }
-  const std::array<BoundedNumber, 4> weight = {volume(p[1], p[2], p[3]), -volume(p[0], p[2], p[3]),
-                                               volume(p[0], p[1], p[3]), -volume(p[0], p[1], p[2])};
-  const BoundedNumber total = (weight[0] + weight[1]) + (weight[2] + weight[3]);
-  BoundedVector sum = weight[0] * exactly(on_a[0]);
-  for (std::size_t i = 1; i < 4; ++i) sum = sum + weight[i] * exactly(on_a[i]);
-  return {sum[0] / total, sum[1] / total, sum[2] / total};
 }
 
 }  // namespace toccata

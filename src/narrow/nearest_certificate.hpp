@@ -8,12 +8,11 @@
 // Proofs of what the search in doubles has found.
 namespace toccata {
 
-/// Vertices of a face of either shape: in all at most four, one and up to three, or two and two.
-struct NearestFeatures {
-  std::array<Index, 3> a{};
-  std::array<Index, 3> b{};
-  std::size_t count_a = 0;
-  std::size_t count_b = 0;
+inline constexpr std::size_t most_face_vertices = 12;
+
+struct FaceVertices {
+  std::array<Index, most_face_vertices> vertex{};
+  std::size_t count = 0;
 };
 
 /// The nearest points of two shapes, their radii left aside, as bounded numbers.
@@ -21,22 +20,26 @@ struct CertainNearest {
   VertexPairs pairs;         ///< a simplex of the features
   BoundedVector difference;  ///< on_a − on_b
   BoundedNumber distance;
+  /// Where the nearest points may not be unique these are empty, and all vertices of the two faces are told instead.
   BoundedVector on_a;
   BoundedVector on_b;
+  FaceVertices face_a;
+  FaceVertices face_b;
+
+  [[nodiscard]] bool unique() const { return face_a.count == 0; }
 };
 
-/// Proves that the nearest points are unique and lie on the features of the simplex, or of one close by. Nothing when
-/// there is no proof.
+/// Proves that nearest points lie on the features of the simplex, or on others that are reached by exchanging a few
+/// vertices, and that there are no others or in which faces they are. Nothing when there is no proof.
 [[nodiscard]] std::optional<CertainNearest> certain_nearest(const SupportSearch& a, const SupportSearch& b,
                                                             const VertexPairs& simplex);
 
-/// No plane across the direction has less than `gap` between the shapes, and more: proved.
+/// The same for features among the vertices that are the nearest along a direction, but for rounding: where faces are
+/// nearly parallel a simplex of the search tells little.
+[[nodiscard]] std::optional<CertainNearest> certain_nearest_along(const SupportSearch& a, const SupportSearch& b,
+                                                                  const Vec3& direction);
+
+/// The shapes' cores are farther apart along the direction, which need not have length 1, than `gap`: proved.
 [[nodiscard]] bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec3& direction, double gap);
-
-/// The origin is in the hull of four vertices of the Minkowski difference; the signs are exact.
-[[nodiscard]] bool contains_origin(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex);
-
-/// The point of A that has the same weights among its vertices as the origin among the simplex of four pairs.
-[[nodiscard]] BoundedVector common_point(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex);
 
 }  // namespace toccata

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "toccata/narrow/convex_convex.hpp"
+
+namespace toccata {
+
+/// The distance of two boxes whose edges are parallel to the axes, in closed form; nothing for anything else, nor where
+/// the rounding of a root is not certain.
+[[nodiscard]] std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b);
+
+}  // namespace toccata
