@@ -1,6 +1,8 @@
 #include "narrow/aligned_boxes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "math/bounded_number.hpp"
 
@@ -12,13 +14,20 @@ struct Interval {
   double upper = 0;
 };
 
-/// What the box is along an axis, if its corners, numbered as those of Box, have only two coordinates there.
-std::optional<Interval> extent(const PosedConvex& box, int axis) {
-  const double* along = box.along(axis);
-  const int bit = 1 << axis;
-  for (int corner = 0; corner < 8; ++corner)
-    if (along[corner] != along[corner & bit]) return {};
-  return Interval{std::min(along[0], along[bit]), std::max(along[0], along[bit])};
+using Extents = std::array<Interval, 3>;
+
+/// Of a box whose corners, numbered as those of Box, have only two coordinates along every axis.
+std::optional<Extents> extents(const PosedConvex& box) {
+  if (box.vertex_count() != 8 || !box.in_world() || box.radius() != 0) return {};
+  Extents extents;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double* along = box.along(axis);
+    const int bit = 1 << axis;
+    for (int corner = 0; corner < 8; ++corner)
+      if (along[corner] != along[corner & bit]) return {};
+    extents[static_cast<std::size_t>(axis)] = {std::min(along[0], along[bit]), std::max(along[0], along[bit])};
+  }
+  return extents;
 }
 
 /// The least points of two intervals that are as near as possible.
@@ -34,19 +43,17 @@ NearestOnAxis nearest(const Interval& a, const Interval& b) {
   return {common, common};
 }
 
-bool may_be_aligned(const PosedConvex& shape) {
-  return shape.vertex_count() == 8 && shape.in_world() && shape.radius() == 0;
-}
-
 }  // namespace
 
 std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b) {
-  if (!may_be_aligned(a) || !may_be_aligned(b)) return {};
+  const auto extents_a = extents(a);
+  if (!extents_a) return {};
+  const auto extents_b = extents(b);
+  if (!extents_b) return {};
   Distance result;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto extent_a = extent(a, axis), extent_b = extent(b, axis);
-    if (!extent_a || !extent_b) return {};
-    const NearestOnAxis points = nearest(*extent_a, *extent_b);
+    const auto at = static_cast<std::size_t>(axis);
+    const NearestOnAxis points = nearest((*extents_a)[at], (*extents_b)[at]);
     result.on_a[axis] = points.on_a + 0.0;  // never −0
     result.on_b[axis] = points.on_b + 0.0;
   }
@@ -57,6 +64,17 @@ std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedCo
   result.lower = rounded->lower;
   result.upper = rounded->upper;
   return result;
+}
+
+std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& b) {
+  const auto extents_a = extents(a);
+  if (!extents_a) return {};
+  const auto extents_b = extents(b);
+  if (!extents_b) return {};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((*extents_a)[axis].upper < (*extents_b)[axis].lower || (*extents_b)[axis].upper < (*extents_a)[axis].lower)
+      return false;
+  return true;
 }
 
 }  // namespace toccata

@@ -10,4 +10,7 @@ namespace toccata {
 /// the rounding of a root is not certain.
 [[nodiscard]] std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b);
 
+/// Whether two such boxes have a point in common; nothing for anything else.
+[[nodiscard]] std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& b);
+
 }  // namespace toccata

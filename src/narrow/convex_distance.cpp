@@ -63,6 +63,10 @@ class PairQuestion {
         workspace_(workspace) {}
 
   bool overlap() {
+    if (const auto meet = aligned_boxes_meet(a_.shape(), b_.shape())) {
+      ++workspace_.counts.closed_forms;
+      return *meet;
+    }
     const GjkEnd end = search(kept_simplex(workspace_, a_.shape(), b_.shape()), reach_.value.high);
     const bool stopped_early = !(end.separating == Vec3{});
     const Vec3& direction = stopped_early ? end.separating : end.nearest;
