@@ -7,23 +7,13 @@
 #include "narrow/exact_distance.hpp"
 #include "narrow/exact_nearest.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/kept_simplex.hpp"
 #include "narrow/meeting_certificate.hpp"
 #include "narrow/nearest_certificate.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {
-
-/// Where the last question with the workspace ended, if that makes sense for these shapes.
-VertexPairs kept_simplex(const ConvexWorkspace& workspace, const PosedConvex& a, const PosedConvex& b) {
-  VertexPairs simplex;
-  for (int i = 0; i < std::min(workspace.simplex_size, 4); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (workspace.vertex_a[at] >= a.vertex_count() || workspace.vertex_b[at] >= b.vertex_count()) return {};
-    simplex.append(workspace.vertex_a[at], workspace.vertex_b[at]);
-  }
-  return simplex;
-}
 
 void keep(ConvexWorkspace& workspace, const VertexPairs& simplex, const Vec3& difference) {
   workspace.vertex_a = simplex.a;
@@ -63,10 +53,6 @@ class PairQuestion {
         workspace_(workspace) {}
 
   bool overlap() {
-    if (const auto meet = aligned_boxes_meet(a_.shape(), b_.shape())) {
-      ++workspace_.counts.closed_forms;
-      return *meet;
-    }
     const GjkEnd end = search(kept_simplex(workspace_, a_.shape(), b_.shape()), reach_.value.high);
     const bool stopped_early = !(end.separating == Vec3{});
     const Vec3& direction = stopped_early ? end.separating : end.nearest;
@@ -75,6 +61,10 @@ class PairQuestion {
     if (reach_.value.high > 0 && !end.inside)
       if (const auto found = certain_nearest(a_, b_, end.simplex.pairs))
         if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
+    if (const auto meet = aligned_boxes_meet(a_.shape(), b_.shape())) {  // those that touch
+      ++workspace_.counts.closed_forms;
+      return *meet;
+    }
     ++workspace_.counts.exact;
     return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
   }

@@ -1,17 +1,11 @@
 #include "narrow/convex_containment.hpp"
 #include "narrow/core_distance.hpp"
 #include "narrow/exact_interior.hpp"
+#include "narrow/kept_simplex.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {
-
-VertexPairs known_simplex(const ConvexWorkspace& workspace) {
-  VertexPairs pairs;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(workspace.simplex_size); ++i)
-    pairs.append(workspace.vertex_a[i], workspace.vertex_b[i]);
-  return pairs;
-}
 
 /// A solid whose interior is looked for must have one: a pose may have flattened it by rounding.
 bool may_be_entered(const PosedConvex& shape) { return !shape.solid() || has_interior(shape); }
@@ -53,7 +47,7 @@ class RelationQuestion {
   /// sum.
   bool meet_deeply() {
     if (!may_be_entered(a_) || !may_be_entered(b_)) return false;
-    const VertexPairs simplex = known_simplex(workspace_);
+    const VertexPairs simplex = kept_simplex(workspace_, a_, b_);
     if (a_.radius() > 0 || b_.radius() > 0) {
       const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);
       by_exact_ = by_exact_ || order.by_exact;

@@ -9,6 +9,7 @@
 #include "narrow/exact_distance.hpp"
 #include "narrow/exact_nearest.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/meeting_certificate.hpp"
 #include "narrow/nearest_certificate.hpp"
 
 namespace toccata {
@@ -56,6 +57,7 @@ bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPa
 std::optional<Sign> certain_order(const PosedConvex& a, const PosedConvex& b, double x, double y,
                                   const VertexPairs& simplex) {
   const double length = x + y;
+  if (simplex.size == 0) return std::nullopt;
   if (simplex.size == 4) {
     if (!contains_origin(a, b, simplex)) return std::nullopt;
     return length > 0 ? Sign::negative : Sign::zero;  // a rounded sum has the sign of the sum
