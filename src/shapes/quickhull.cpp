@@ -26,13 +26,16 @@ namespace {
 
 constexpr Index none = std::numeric_limits<Index>::max();
 
+constexpr std::size_t refinement = 8;
+
 struct Face {
   HullTriangle triangle;
   FilteredCross normal;
   Index first_above = none;  // of the points that wait above this face, linked by Hull::next_above_
   Index farthest = none;     // of them
-  double height = 0;         // of the farthest, in units that belong to the face
-  Index round = 0;           // in which `seen` was determined
+  Index count_above = 0;
+  double height = 0;  // of the farthest, in units that belong to the face
+  Index round = 0;    // in which `seen` was determined
   bool seen = false;
   bool alive = true;
 };
@@ -54,10 +57,9 @@ class Hull {
     build_simplex(simplex);
     for (Index p = 0; p < points.size(); ++p) wait_above_one_of(p, fresh_);
     hold_waiting();
-    while (!waiting_.empty()) {
-      const Index face = waiting_.back();
-      waiting_.pop_back();
-      if (faces_[face].alive && faces_[face].first_above != none) add(faces_[face].farthest, face);
+    for (std::size_t crowd = points.size();; crowd /= refinement) {
+      add_to_crowded(crowd);
+      if (crowd == 0) return;
     }
   }
 
@@ -101,6 +103,24 @@ class Hull {
     return index;
   }
 
+  /// Adds points to the faces that have more of them than `crowd` above. So all sides are refined alike: of a prism
+  /// done one end first, the vertices of the other end would be seen to have long fans, replaced by fans again and
+  /// again.
+  void add_to_crowded(std::size_t crowd) {
+    std::vector<Index> later;
+    while (!waiting_.empty()) {
+      const Index index = waiting_.back();
+      waiting_.pop_back();
+      const Face& face = faces_[index];
+      if (!face.alive || face.count_above == 0) continue;
+      if (face.count_above > crowd)
+        add(face.farthest, index);
+      else
+        later.push_back(index);
+    }
+    waiting_ = std::move(later);
+  }
+
   struct Height {
     bool above = false;
     double value = 0;  // rounded; only a preference is made of it
@@ -125,6 +145,7 @@ class Hull {
         face.farthest = point;
         face.height = h.value;
       }
+      ++face.count_above;
       next_above_[point] = std::exchange(face.first_above, point);
       return;
     }

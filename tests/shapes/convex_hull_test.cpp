@@ -143,6 +143,19 @@ TEST(ConvexHullSlow, OfManyPoints) {
   }
 }
 
+/// Two polygons of so many corners that one that is done before the other makes it slow.
+TEST(ConvexHullSlow, OfALongPrism) {
+  std::vector<Vec3> points;
+  constexpr int corners = 10'000;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 6.283185307179586 * i / corners;
+    for (const double z : {0.0, 1.0}) points.push_back({std::cos(angle), std::sin(angle), z});
+  }
+  const ConvexHull hull(points);
+  EXPECT_EQ(hull_failure(hull, points, 50), "");
+  EXPECT_EQ(hull.vertex_count(), points.size());
+}
+
 std::string message_of_convex_mesh(const TriangleMesh& mesh) {
   try {
     (void)hull_of_convex_mesh(mesh);
