@@ -23,14 +23,6 @@ Vec3 along_columns(const Vec3& direction, const Mat3& linear) {
   return {dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
 }
 
-/// pad(L) of docs/design/culling.md.
-double pad_of(const Vec3& direction, const PosedMesh& a, const PosedMesh& b) {
-  const Vec3 size = absolute(direction);
-  const double rounded = dot(size, world_sizes(a) + world_sizes(b));
-  const double underflowed = 1 + sum_of(size) + sum_of(largest_coordinates(a)) + sum_of(largest_coordinates(b));
-  return 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
-}
-
 /// The square of the largest entry: areas grow about as much.
 double area_scale(const Mat3& linear) {
   const double size = std::max({largest_of(linear[0]), largest_of(linear[1]), largest_of(linear[2])});
@@ -52,7 +44,11 @@ bool is_usable(const CullDirection& d) {
 }  // namespace
 
 PairCull::PairCull(const PosedMesh& a, const PosedMesh& b, double pad_scale)
-    : pad_scale_(pad_scale), area_scale_a_(area_scale(a.pose().linear)), area_scale_b_(area_scale(b.pose().linear)) {
+    : pad_scale_(pad_scale),
+      world_sizes_(world_sizes(a) + world_sizes(b)),
+      coordinates_(sum_of(largest_coordinates(a)) + sum_of(largest_coordinates(b))),
+      area_scale_a_(area_scale(a.pose().linear)),
+      area_scale_b_(area_scale(b.pose().linear)) {
   add_box_normals(a, a, b);
   add_box_normals(b, a, b);
   // The normals of rigidly posed boxes are enough; those of a flattened or strongly sheared one may all be alike.
@@ -71,13 +67,20 @@ void PairCull::add_box_normals(const PosedMesh& of, const PosedMesh& a, const Po
   }
 }
 
+/// pad(L) of docs/design/culling.md.
+double PairCull::pad_of(const Vec3& world) const {
+  const Vec3 size = absolute(world);
+  const double underflowed = 1 + sum_of(size) + coordinates_;
+  return pad_scale_ * (16 * unit_roundoff * dot(size, world_sizes_) + 8 * smallest_double * underflowed);
+}
+
 void PairCull::add(const Vec3& world, const PosedMesh& a, const PosedMesh& b) {
   CullDirection direction;
   direction.world = world;
   direction.on_a = along_columns(world, a.pose().linear);
   direction.on_b = along_columns(world, b.pose().linear);
   direction.offset = dot(world, a.pose().offset - b.pose().offset);
-  direction.pad = pad_scale_ * pad_of(world, a, b);
+  direction.pad = pad_of(world);
   const auto known = directions();
   const bool is_known = std::any_of(known.begin(), known.end(), [&](const CullDirection& other) {
     return other.world == world || other.world == -world;

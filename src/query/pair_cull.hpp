@@ -48,11 +48,14 @@ class PairCull {
   }
 
   void add_box_normals(const PosedMesh& of, const PosedMesh& a, const PosedMesh& b);
+  [[nodiscard]] double pad_of(const Vec3& world) const;
   void add(const Vec3& world, const PosedMesh& a, const PosedMesh& b);
 
   std::array<CullDirection, 9> directions_{};
   std::size_t count_ = 0;
   double pad_scale_ = 1;
+  Vec3 world_sizes_;        ///< of both meshes together
+  double coordinates_ = 0;  ///< the largest of each mesh and axis, added up
   double area_scale_a_ = 1;
   double area_scale_b_ = 1;
 };

@@ -44,23 +44,28 @@ constexpr unsigned part_mask = (1U << lanes) - 1U;
 using Doubles = hn::CappedTag<double, WideBlock::width>;
 constexpr std::size_t double_lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(double));
 
+/// One box of a block, each of its numbers in all lanes.
 struct Box {
-  std::array<float, 3> centre;
-  std::array<float, 3> extent;
+  Box(const WideBlock& block, std::size_t lane)
+      : cx(in_all(block.centre[0][lane])),
+        cy(in_all(block.centre[1][lane])),
+        cz(in_all(block.centre[2][lane])),
+        ex(in_all(block.extent[0][lane])),
+        ey(in_all(block.extent[1][lane])),
+        ez(in_all(block.extent[2][lane])) {}
+  static HWY_INLINE hn::Vec<Floats> in_all(float x) { return hn::Set(Floats(), x); }
+  hn::Vec<Floats> cx, cy, cz, ex, ey, ez;
 };
 
 /// A box of the other tree, seen along the axes of the own one: it lies within at ± reach.
 struct Seen {
   alignas(64) std::array<float, WideAxes::most> at;
   alignas(64) std::array<float, WideAxes::most> reach;
+  float size;  ///< in the own tree's units, roughly
 };
 
 // The walk's own rounding, docs/design/fast-core.md: 2^-24 is the unit roundoff of floats.
 constexpr float slack = 0x1p-20F;
-
-HWY_INLINE float size_of(const std::array<float, 3>& v) {
-  return (std::fabs(v[0]) + std::fabs(v[1])) + std::fabs(v[2]);
-}
 
 /// What every step needs, by tree: its blocks, and its axes.
 struct Sides {
@@ -70,18 +75,46 @@ struct Sides {
   const WideAxes* axes[2];
 };
 
+/// A block of one tree and a box of the other, that are to be compared.
+struct Entry {
+  Entry() = default;
+  HWY_INLINE Entry(const Sides& sides, std::uint32_t block_of_side, std::uint32_t lane_of_other)
+      : side(block_of_side & 1U),
+        block_number(block_of_side >> 1),
+        box_number(lane_of_other),
+        block(sides.blocks[side] + block_number),
+        other(sides.blocks[side ^ 1U] + (lane_of_other >> 3)),
+        axes(sides.axes[side]) {}
+  [[nodiscard]] std::size_t lane() const { return box_number & 7U; }
+
+  std::uint32_t side;
+  std::uint32_t block_number;
+  std::uint32_t box_number;  ///< block · 8 + lane, of the other tree
+  const WideBlock* block;
+  const WideBlock* other;
+  const WideAxes* axes;
+};
+
 /// Two rigidly posed meshes have three slanted axes; the other number stands for any.
 constexpr std::size_t usual_count = 6;
 constexpr std::size_t any_count = WideAxes::most;
 
+/// The first lanes, as many as doubles fit into a vector.
+HWY_INLINE hn::Vec<Doubles> as_doubles(hn::Vec<Floats> values) {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_AVX3
+  return hn::PromoteTo(Doubles(), values);
+#else
+  return hn::PromoteTo(Doubles(), hn::LowerHalf(values));
+#endif
+}
+
 /// The middle of the box along the axes first, first + 1 …, as many as doubles fit into a vector.
 HWY_INLINE auto some_middles(const WideAxes& axes, const Box& box, std::size_t first) {
   const Doubles d;
-  const auto product = [&](std::size_t i) HWY_ATTR {
-    return hn::Mul(hn::Load(d, axes.other[i].data() + first), hn::Set(d, static_cast<double>(box.centre[i])));
-  };
-  const auto at =
-      hn::Add(hn::Add(hn::Add(product(0), product(1)), product(2)), hn::Load(d, axes.offset.data() + first));
+  const auto product = [&](std::size_t i, hn::Vec<Floats> centre)
+                           HWY_ATTR { return hn::Mul(hn::Load(d, axes.other[i].data() + first), as_doubles(centre)); };
+  const auto at = hn::Add(hn::Add(hn::Add(product(0, box.cx), product(1, box.cy)), product(2, box.cz)),
+                          hn::Load(d, axes.offset.data() + first));
   return hn::DemoteTo(hn::CappedTag<float, double_lanes>(), at);
 }
 
@@ -97,10 +130,9 @@ HWY_INLINE hn::Vec<Floats> middles(const WideAxes& axes, const Box& box, std::si
 /// How far from its middle the box reaches along them.
 HWY_INLINE hn::Vec<Floats> reaches(const WideAxes& axes, const Box& box, std::size_t first, hn::Vec<Floats> middle) {
   const Floats d;
-  const auto product = [&](std::size_t i) HWY_ATTR {
-    return hn::Mul(hn::Load(d, axes.other_size[i].data() + first), hn::Set(d, box.extent[i]));
-  };
-  const auto reach = hn::Add(hn::Add(product(0), product(1)), product(2));
+  const auto product = [&](std::size_t i, hn::Vec<Floats> extent)
+                           HWY_ATTR { return hn::Mul(hn::Load(d, axes.other_size[i].data() + first), extent); };
+  const auto reach = hn::Add(hn::Add(product(0, box.ex), product(1, box.ey)), product(2, box.ez));
   const auto magnitude = hn::Add(hn::Add(hn::Load(d, axes.own_size.data() + first), hn::Abs(middle)), reach);
   const auto padded = hn::Add(reach, hn::Load(d, axes.pad.data() + first));
   return hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude));
@@ -111,15 +143,18 @@ HWY_INLINE std::size_t count_of(const WideAxes& axes) {
   return axis_count == any_count ? axes.count : axis_count;
 }
 
+/// Writes how an entry's box is seen.
 template <std::size_t axis_count>
-HWY_INLINE Seen seen_along(const WideAxes& axes, const Box& box) {
-  Seen seen;
+HWY_INLINE void look(const Entry& entry, Seen& seen) {
+  const WideAxes& axes = *entry.axes;
+  const Box box(*entry.other, entry.lane());
   for (std::size_t first = 0; first < count_of<axis_count>(axes); first += lanes) {
     const auto middle = middles(axes, box, first);
     hn::Store(middle, Floats(), seen.at.data() + first);
     hn::Store(reaches(axes, box, first, middle), Floats(), seen.reach.data() + first);
   }
-  return seen;
+  const auto size = hn::Add(hn::Add(box.ex, box.ey), box.ez);
+  seen.size = hn::GetLane(hn::Mul(size, hn::Set(Floats(), axes.other_is_larger_by)));
 }
 
 template <class V>
@@ -165,7 +200,9 @@ HWY_INLINE hn::Mask<Floats> is_beyond_along(const SlantedForm& form, const Lanes
 
 /// One box against the eight of a block.
 template <std::size_t axis_count>
-HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const Seen& box, float size) {
+HWY_INLINE Compared compare(const Entry& entry, const Seen& box) {
+  const WideBlock& block = *entry.block;
+  const WideAxes& axes = *entry.axes;
   Compared result{0, 0, 0};
   for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t first = part * lanes;
@@ -184,23 +221,18 @@ HWY_INLINE Compared compare(const WideBlock& block, const WideAxes& axes, const 
     const hn::RebindToSigned<Words> whole;
     const auto children = hn::Load(whole, block.child.data() + first);
     result.items |= bits_of(hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
-    result.larger |= bits_of(hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), size))) << first;
+    result.larger |= bits_of(hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), box.size))) << first;
   }
   return result;
 }
 
 /// The chosen lanes first, in order; what comes after them means nothing. Highway's own way for AVX2 and SSE4 copies
-/// its table to the stack at every call when g++ compiles it.
+/// its table to the stack at every call when g++ compiles it; the instruction of AVX-512 is not faster than this.
 HWY_INLINE hn::Vec<Words> compressed(hn::Vec<Words> values, unsigned chosen) {
   const Words d;
-#if HWY_TARGET == HWY_AVX3
-  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(chosen)};
-  return hn::Compress(values, hn::LoadMaskBits(d, bits));
-#else
   const hn::CappedTag<std::uint8_t, lanes> bytes;
   const auto order = hn::PromoteTo(d, hn::LoadU(bytes, lane_orders[chosen].data()));
   return hn::TableLookupLanes(values, hn::IndicesFromVec(d, order));
-#endif
 }
 
 /// Writes the chosen ones of eight values, and up to eight more words that mean nothing. Without branches: which lanes
@@ -229,21 +261,11 @@ struct Ends {
   std::size_t tests;
 };
 
-/// Compares one box with the lanes of a block that `wanted` names, and files what meets: a pair of items, or a pair of
-/// which the larger is to be opened.
-template <std::size_t axis_count>
-HWY_INLINE void step(const Sides& sides, std::uint32_t block_number, std::uint32_t box_number, unsigned wanted,
-                     Ends& f) {
-  const std::uint32_t side = block_number & 1U, other_side = side ^ 1U;
-  const WideBlock& block = sides.blocks[side][block_number >> 1];
-  const WideBlock& other = sides.blocks[other_side][box_number >> 3];
-  const std::size_t lane = box_number & 7U;
-  const Box box{{other.centre[0][lane], other.centre[1][lane], other.centre[2][lane]},
-                {other.extent[0][lane], other.extent[1][lane], other.extent[2][lane]}};
-  const auto other_child = static_cast<std::uint32_t>(other.child[lane]);
-  const WideAxes& axes = *sides.axes[side];
-  const Compared compared = compare<axis_count>(block, axes, seen_along<axis_count>(axes, box),
-                                                size_of(box.extent) * axes.other_is_larger_by);
+/// Files what meets, of the lanes that `wanted` names: a pair of items, or a pair of which the larger is to be opened.
+HWY_INLINE void file(const Entry& entry, const Compared& compared, unsigned wanted, Ends& f) {
+  const WideBlock& block = *entry.block;
+  const std::uint32_t side = entry.side, other_side = side ^ 1U;
+  const auto other_child = static_cast<std::uint32_t>(entry.other->child[entry.lane()]);
 
   const Words d;
   const auto child = [&](std::size_t first) HWY_ATTR {
@@ -261,10 +283,10 @@ HWY_INLINE void step(const Sides& sides, std::uint32_t block_number, std::uint32
   const int own_count = std::popcount(opens_own), other_count = std::popcount(opens_other);
   append([&](std::size_t first) HWY_ATTR { return hn::Or(hn::ShiftLeft<1>(child(first)), hn::Set(d, side)); },
          opens_own, blocks_end);
-  append_same(box_number, boxes_end);
+  append_same(entry.box_number, boxes_end);
   append_same(other_child << 1 | other_side, blocks_end + own_count);
   append([&](std::size_t first)
-             HWY_ATTR { return hn::Iota(d, (block_number >> 1 << 3) + static_cast<std::uint32_t>(first)); },
+             HWY_ATTR { return hn::Iota(d, (entry.block_number << 3) + static_cast<std::uint32_t>(first)); },
          opens_other, boxes_end + own_count);
   f.size += static_cast<std::size_t>(own_count + other_count);
   append([&](std::size_t first) HWY_ATTR { return hn::Not(child(first)); }, found, f.places[side] + f.pair_count);
@@ -273,8 +295,15 @@ HWY_INLINE void step(const Sides& sides, std::uint32_t block_number, std::uint32
   f.tests += static_cast<std::size_t>(std::popcount(lanes_in_use));
 }
 
+template <std::size_t axis_count>
+HWY_INLINE void step(const Entry& entry, unsigned wanted, Ends& f) {
+  Seen seen;
+  look<axis_count>(entry, seen);
+  file(entry, compare<axis_count>(entry, seen), wanted, f);
+}
+
+/// So many entries are taken off the frontier's end at once.
 constexpr std::size_t block_size = 8;
-constexpr std::size_t ahead = 4;
 
 /// Room for what so many steps may add, and for the words that `append` writes beyond.
 Ends room_for(WideFrontier& f, std::size_t steps) {
@@ -308,28 +337,45 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
   if (!visitor.visit(f.pairs)) f.ended = true;
 }
 
-/// Asks for the memory of a step before its turn comes.
-HWY_INLINE void prefetch(const Sides& sides, std::uint32_t block_number) {
-  const auto* bytes = reinterpret_cast<const char*>(sides.blocks[block_number & 1U] + (block_number >> 1));
+/// Asks for the memory of a block before its turn comes.
+HWY_INLINE void prefetch(const WideBlock* block) {
+  const auto* bytes = reinterpret_cast<const char*>(block);
   for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
 }
+
+/// The entries of a block, step by step. One stage after another for all: within a stage nothing waits for anything, so
+/// the processor works on many entries at once, while it could not see beyond the end of one whole step. All are read
+/// before the first is filed, which may be where they were.
+template <std::size_t axis_count>
+class Stages {
+ public:
+  HWY_INLINE void run(const Sides& sides, const std::uint32_t* blocks, const std::uint32_t* boxes, std::size_t count,
+                      Ends& ends) {
+    for (std::size_t i = 0; i < count; ++i) {
+      entries_[i] = Entry(sides, blocks[i], boxes[i]);
+      prefetch(entries_[i].block);
+      look<axis_count>(entries_[i], seen_[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) compared_[i] = compare<axis_count>(entries_[i], seen_[i]);
+    for (std::size_t i = 0; i < count; ++i) file(entries_[i], compared_[i], 0xFF, ends);
+  }
+
+ private:
+  std::array<Entry, block_size> entries_;
+  std::array<Seen, block_size> seen_;
+  std::array<Compared, block_size> compared_;
+};
 
 /// Walks until the frontier is empty; a last batch that is not full stays.
 template <std::size_t axis_count>
 void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   const Sides sides(walk);
-  std::array<std::uint32_t, block_size> blocks, boxes;
+  Stages<axis_count> stages;
   while (f.size > 0 && !f.ended) {
     const std::size_t count = std::min(f.size, block_size);
     f.size -= count;
     Ends ends = room_for(f, block_size);
-    // There is room for more than a whole block, and its size is known to the compiler.
-    std::copy_n(ends.blocks + f.size, block_size, blocks.data());
-    std::copy_n(ends.boxes + f.size, block_size, boxes.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i + ahead < count) prefetch(sides, blocks[i + ahead]);
-      step<axis_count>(sides, blocks[i], boxes[i], 0xFF, ends);
-    }
+    stages.run(sides, ends.blocks + f.size, ends.boxes + f.size, count, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
@@ -354,7 +400,7 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   f.size = 0;
   for (std::size_t i = 0; i < blocks.size() && !f.ended; ++i) {
     Ends ends = room_for(f, 1);
-    step<any_count>(Sides(walk), blocks[i], boxes[i], 0xFF, ends);
+    step<any_count>(Entry(Sides(walk), blocks[i], boxes[i]), 0xFF, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
@@ -367,7 +413,7 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   for (std::uint32_t block = 0; block < blocks.size() && !f.ended; ++block) {
     Ends ends = room_for(f, WideBlock::width);
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
-      step<any_count>(Sides(walk), block << 1, (block << 3) + lane, 0xFFU << (lane + 1) & 0xFFU, ends);
+      step<any_count>(Entry(Sides(walk), block << 1, (block << 3) + lane), 0xFFU << (lane + 1) & 0xFFU, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
     if (f.size >= block_size && !f.ended) drain(walk, f, visitor);
