@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "query/ask.hpp"
 #include "query/pair_search.hpp"
+#include "query/part_contacts.hpp"
 #include "query/posed_pair.hpp"
 
 namespace toccata {
@@ -14,8 +16,12 @@ std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& q
 }
 
 std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedPair pair(a, b, query);
-  return surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
+  if (a.has_mesh() && b.has_mesh()) {
+    const PosedPair pair(a, b, query);
+    return surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
+  }
+  const PosedModels models(a, b, query);
+  return contacts_of(models.a, models.b, workspace.scratch(), query.threads);
 }
 
 std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query) {
@@ -24,8 +30,13 @@ std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQ
 }
 
 std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedPair pair(a, b, query);
-  return first_surface_contact(pair.a, pair.b, workspace.scratch());
+  if (a.has_mesh() && b.has_mesh()) {
+    const PosedPair pair(a, b, query);
+    return first_surface_contact(pair.a, pair.b, workspace.scratch());
+  }
+  const auto all = contacts(a, b, query, workspace);
+  if (all.empty()) return std::nullopt;
+  return all.front();
 }
 
 Triangle world_triangle(const Model& model, const Pose& pose, Index triangle) {

@@ -1,8 +1,12 @@
 #include "toccata/query/model.hpp"
 
+#include <algorithm>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "query/posed_mesh.hpp"
 #include "toccata/core/error.hpp"
@@ -29,14 +33,21 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
 }  // namespace
 
 struct Model::Parts {
-  Parts(std::shared_ptr<const TriangleMesh> given, int threads)
-      : mesh(std::move(given)),
+  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
+      : shape(std::move(given)),
+        mesh(std::move(given_mesh)),
         wide_tree(build_wide_tree(boxes_of(*mesh), {.threads = threads})),
         vertex_box(fit_aabb(mesh->vertices())) {}
 
-  std::shared_ptr<const TriangleMesh> mesh;
+  Parts(Compound given, int threads) : shape(given) {
+    for (const CompoundPart& part : given.parts()) models.push_back(Model(part.shape, threads));
+  }
+
+  Shape shape;
+  std::shared_ptr<const TriangleMesh> mesh;  ///< not of a compound
   WideTree wide_tree;
   Aabb vertex_box;
+  std::vector<Model> models;  ///< of a compound
 
   // What not every question needs, made by the first that does.
   mutable std::once_flag tree_made, parts_found, closed_known;
@@ -48,9 +59,50 @@ struct Model::Parts {
 Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const TriangleMesh>(std::move(mesh)), threads) {}
 
 Model::Model(std::shared_ptr<const TriangleMesh> mesh, int threads)
-    : parts_(std::make_shared<const Parts>(require_mesh(std::move(mesh)), threads)) {}
+    : parts_(std::make_shared<const Parts>(Shape(mesh), require_mesh(mesh), threads)) {}
 
-const TriangleMesh& Model::mesh() const { return *parts_->mesh; }
+Model::Model(HeightField field, int threads)
+    : parts_(std::make_shared<const Parts>(Shape(field), field.mesh(), threads)) {}
+
+Model::Model(Compound compound, int threads) : parts_(std::make_shared<const Parts>(std::move(compound), threads)) {}
+
+Model Model::of_any(const Shape& shape, int threads) {
+  return std::visit(
+      [threads](const auto& given) {
+        if constexpr (PlainShape<std::remove_cvref_t<decltype(given)>>)
+          return Model(given);
+        else
+          return Model(given, threads);
+      },
+      shape);
+}
+
+const Shape& Model::shape() const { return parts_ ? parts_->shape : plain_; }
+
+bool Model::has_mesh() const { return parts_ && parts_->mesh; }
+
+std::span<const Model> Model::parts() const {
+  return parts_ ? std::span<const Model>(parts_->models) : std::span<const Model>();
+}
+
+Index Model::element_count() const {
+  if (has_mesh()) return mesh().triangle_count();
+  Index count = parts().empty() ? 1 : 0;
+  for (const Model& part : parts()) count += part.element_count();
+  return count;
+}
+
+Index Model::face_count() const {
+  if (has_mesh()) return mesh().face_count();
+  Index count = parts().empty() ? 1 : 0;
+  for (const Model& part : parts()) count += part.face_count();
+  return count;
+}
+
+const TriangleMesh& Model::mesh() const {
+  if (!has_mesh()) throw Error(fmt::format("this is asked of a mesh, and the model is a {}", name_of(shape())));
+  return *parts_->mesh;
+}
 
 const WideTree& Model::wide_tree() const { return parts_->wide_tree; }
 
@@ -70,5 +122,33 @@ bool Model::closed() const {
   std::call_once(parts_->closed_known, [this] { parts_->closed = is_closed(mesh()); });
   return parts_->closed;
 }
+
+namespace {
+
+struct TakenAsSolid {
+  bool operator()(const Point&) const { return false; }
+  bool operator()(const Segment&) const { return false; }
+  bool operator()(const Triangle&) const { return false; }
+  bool operator()(const HeightField&) const { return false; }
+  bool operator()(const ConvexHull& hull) const { return hull.dimension() == 3; }
+  bool operator()(const std::shared_ptr<const TriangleMesh>&) const {
+    return solid == Solid::all || (solid == Solid::automatic && model.closed());
+  }
+  bool operator()(const Compound&) const {
+    const auto parts = model.parts();
+    return std::all_of(parts.begin(), parts.end(), [&](const Model& part) { return taken_as_solid(part, solid); });
+  }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return true;
+  }
+
+  const Model& model;
+  Solid solid;
+};
+
+}  // namespace
+
+bool taken_as_solid(const Model& model, Solid solid) { return std::visit(TakenAsSolid{model, solid}, model.shape()); }
 
 }  // namespace toccata

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "query/ask.hpp"
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
 #include "query/relation_locality.hpp"
+#include "query/triangles_shape.hpp"
 
 namespace toccata {
 namespace {
@@ -17,6 +19,33 @@ bool has_part_inside(const PosedMesh& mesh, const PosedMesh& solid) {
                      [&](Index triangle) { return is_interior(mesh.triangle(triangle)[0], solid); });
 }
 
+bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b_solid, SearchScratch& scratch) {
+  return overlap(a.box(), b.box()) &&
+         (surfaces_meet(a, b, scratch) || (b_solid && has_part_inside(a, b)) || (a_solid && has_part_inside(b, a)));
+}
+
+struct AskOverlap {
+  static constexpr ShapeQuestion question = ShapeQuestion::overlap;
+
+  bool operator()(const PosedConvex& a, const PosedConvex& b) const { return overlap(a, b, &scratch.convex); }
+  bool operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return overlap(a, b); }
+  bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedConvex& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedTriangles& b) const {
+    return meshes_overlap(a.mesh, a.solid, b.mesh, b.solid, scratch);
+  }
+
+  SearchScratch& scratch;
+};
+
+bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
+  const PosedModels models(a, b, query);
+  bool found = false;
+  models.visit([&](const PosedPart& x, const PosedPart& y) { return !(found = ask(AskOverlap{scratch}, x, y)); });
+  return found;
+}
+
 }  // namespace
 
 bool overlap(const Model& a, const Model& b, const PairQuery& query) {
@@ -25,11 +54,10 @@ bool overlap(const Model& a, const Model& b, const PairQuery& query) {
 }
 
 bool overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedPair pair(a, b, query);
   workspace.scratch().counts = {};
-  return overlap(pair.a.box(), pair.b.box()) &&
-         (surfaces_meet(pair.a, pair.b, workspace.scratch()) || (pair.b_solid && has_part_inside(pair.a, pair.b)) ||
-          (pair.a_solid && has_part_inside(pair.b, pair.a)));
+  if (!a.has_mesh() || !b.has_mesh()) return shapes_overlap(a, b, query, workspace.scratch());
+  const PosedPair pair(a, b, query);
+  return meshes_overlap(pair.a, pair.a_solid, pair.b, pair.b_solid, workspace.scratch());
 }
 
 }  // namespace toccata

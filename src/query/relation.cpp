@@ -4,21 +4,17 @@
 #include <functional>
 #include <utility>
 
+#include "query/ask.hpp"
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
 #include "query/relation_posed.hpp"
 #include "query/relation_solids.hpp"
+#include "query/relation_unions.hpp"
+#include "query/triangles_shape.hpp"
+#include "toccata/query/flipped.hpp"
 
 namespace toccata {
 namespace {
-
-Containment flipped(Containment containment) {
-  if (containment == Containment::a_in_b) return Containment::b_in_a;
-  if (containment == Containment::b_in_a) return Containment::a_in_b;
-  return containment;
-}
-
-Contact flipped(const Contact& c) { return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.meeting)}; }
 
 VisitContacts flipped(const VisitContacts& visit) {
   return [&visit](const std::function<bool(const Contact&)>& see) {
@@ -65,9 +61,38 @@ Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Con
   });
 }
 
+namespace {
+
+struct AskRelation {
+  static constexpr ShapeQuestion question = ShapeQuestion::relation;
+
+  Relation operator()(const PosedConvex& a, const PosedConvex& b) const { return relation(a, b); }
+  Relation operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedConvex& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedTriangles& b) const {
+    return relation_of({a.mesh, a.solid}, {b.mesh, b.solid});
+  }
+};
+
+}  // namespace
+
+Relation relation_of(const PosedModel& a, const PosedModel& b) {
+  if (a.parts.size() == 1 && b.parts.size() == 1) return ask(AskRelation{}, a.parts[0], b.parts[0]);
+  RelationOfUnions all(a, b);
+  for (const PosedPart& part_a : a.parts)
+    for (const PosedPart& part_b : b.parts) all.add(ask(AskRelation{}, part_a, part_b));
+  return all.relation();
+}
+
 Relation relation(const Model& a, const Model& b, const PairQuery& query) {
-  const PosedPair pair(a, b, query);
-  return relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid});
+  if (a.has_mesh() && b.has_mesh()) {
+    const PosedPair pair(a, b, query);
+    return relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid});
+  }
+  const PosedModels models(a, b, query);
+  return relation_of(models.a, models.b);
 }
 
 }  // namespace toccata

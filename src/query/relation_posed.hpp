@@ -4,6 +4,7 @@
 #include <span>
 
 #include "query/posed_mesh.hpp"
+#include "query/posed_shape.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/relation.hpp"
 
@@ -20,6 +21,9 @@ struct TakenMesh {
 
 /// The same where all contacts of the two are known: their trees are not walked again.
 [[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts);
+
+/// `relation` of any two models that are posed already.
+[[nodiscard]] Relation relation_of(const PosedModel& a, const PosedModel& b);
 
 /// Calls `see` with all contacts of two meshes, in any order; ends early when it returns false.
 using VisitContacts = std::function<void(const std::function<bool(const Contact&)>& see)>;

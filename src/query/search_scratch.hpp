@@ -6,6 +6,7 @@
 
 #include "narrow/triangle_pair_block.hpp"
 #include "query/found_pairs.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -31,6 +32,7 @@ struct SearchScratch {
   std::vector<PairRange> ranges;
   std::vector<Contact> contacts;
   WalkCounts counts;
+  ConvexWorkspace convex;  ///< of the last pair of convex shapes
 };
 
 }  // namespace toccata

@@ -9,6 +9,11 @@ namespace toccata {
 
 bool taken_as_solid(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
   if (solid == Solid::none) return false;
+  if (std::holds_alternative<HeightField>(model.shape())) {
+    if (solid == Solid::automatic) return false;
+    throw Error(
+        fmt::format("{}: a height field is a surface; it cannot be asked about as a solid (use solid = auto)", who));
+  }
   if (!model.closed()) {
     if (solid == Solid::automatic) return false;
     throw Error(

@@ -34,11 +34,13 @@ Compound::Compound(std::span<const CompoundPart> parts)
 
 std::span<const CompoundPart> Compound::parts() const { return parts_->all; }
 
-std::string_view name_of(const Shape& shape) {
-  constexpr std::array<std::string_view, std::variant_size_v<Shape>> names = {
+std::string_view name_of(ShapeKind kind) {
+  constexpr std::array<std::string_view, shape_kind_count> names = {
       "point",   "segment",     "triangle",      "half-space",   "sphere", "box",
       "capsule", "convex hull", "rounded shape", "height field", "mesh",   "compound"};
-  return names[shape.index()];
+  return names[static_cast<std::size_t>(kind)];
 }
+
+std::string_view name_of(const Shape& shape) { return name_of(kind_of(shape)); }
 
 }  // namespace toccata

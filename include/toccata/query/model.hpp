@@ -1,25 +1,60 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
+#include <span>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/scene.hpp"
+#include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/wide_tree.hpp"
 
 namespace toccata {
 
+/// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
+template <class S>
+concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::same_as<S, Triangle> ||
+    std::same_as<S, HalfSpace> || std::same_as<S, Sphere> || std::same_as<S, Box> || std::same_as<S, Capsule> ||
+    std::same_as<S, ConvexHull> || std::same_as<S, Rounded>;
+
 /// A shape made ready for questions: the shape, shared and immutable, and the trees over it. Copies share all. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.
+///
+/// Answers count its elements from 0: the triangles of a mesh or height field; of a compound those of its parts, one
+/// part after the other; any other shape is one element, of number 0. Faces are counted likewise.
 class Model {
  public:
   /// The tree is built on up to `threads` threads (0: as many as the machine has); it does not depend on them. Throws
   /// Error when the mesh has more triangles than a tree holds (2²⁸).
   explicit Model(TriangleMesh mesh, int threads = 1);
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = 1);
+  explicit Model(HeightField field, int threads = 1);
+  explicit Model(Compound compound, int threads = 1);
+  template <std::same_as<Shape> S>
+  explicit Model(const S& shape, int threads = 1) : Model(of_any(shape, threads)) {}
 
+  /// Implicit: there is nothing to build.
+  template <PlainShape S>
+  Model(const S& shape) : plain_(shape) {}
+
+  [[nodiscard]] const Shape& shape() const;
+
+  /// It is a mesh or a height field.
+  [[nodiscard]] bool has_mesh() const;
+
+  /// Of a compound, in its order; else none.
+  [[nodiscard]] std::span<const Model> parts() const;
+
+  /// How many elements and faces it has.
+  [[nodiscard]] Index element_count() const;
+  [[nodiscard]] Index face_count() const;
+
+  // What follows is asked of meshes and height fields only.
+
+  /// Throws Error for other shapes.
   [[nodiscard]] const TriangleMesh& mesh() const;
 
   /// Over the triangles: the tree that questions use.
@@ -34,17 +69,19 @@ class Model {
   /// The connected parts of the mesh; found out when first asked for.
   [[nodiscard]] const MeshParts& mesh_parts() const;
 
-  /// Closed: may be taken as a solid. Found out when first asked for.
+  /// Closed: a mesh may be taken as a solid. Found out when first asked for.
   [[nodiscard]] bool closed() const;
 
  private:
   struct Parts;
-  std::shared_ptr<const Parts> parts_;
+  static Model of_any(const Shape& shape, int threads);
+
+  std::shared_ptr<const Parts> parts_;  ///< none for plain shapes
+  Shape plain_ = Point{};
 };
 
-/// What a question takes the model for: `all` means solid, `none` surface, `automatic` solid when the mesh is closed.
-[[nodiscard]] inline bool taken_as_solid(const Model& model, Solid solid) {
-  return solid == Solid::all || (solid == Solid::automatic && model.closed());
-}
+/// What a question takes the model for: solid or surface. `all` means solid and `none` surface for meshes, `automatic`
+/// solid when the mesh is closed; of other shapes it depends on the shape alone. A compound is solid if all parts are.
+[[nodiscard]] bool taken_as_solid(const Model& model, Solid solid);
 
 }  // namespace toccata

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -44,8 +46,29 @@ struct CompoundPart {
   Pose pose{};
 };
 
+/// In the order of Shape's alternatives.
+enum class ShapeKind : std::uint8_t {
+  point,
+  segment,
+  triangle,
+  half_space,
+  sphere,
+  box,
+  capsule,
+  convex_hull,
+  rounded,
+  height_field,
+  mesh,
+  compound,
+};
+
+inline constexpr std::size_t shape_kind_count = std::variant_size_v<Shape>;
+
+[[nodiscard]] inline ShapeKind kind_of(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
+
 /// "point", "segment", "triangle", "half-space", "sphere", "box", "capsule", "convex hull", "rounded shape",
 /// "height field", "mesh", "compound": for messages and reports.
+[[nodiscard]] std::string_view name_of(ShapeKind kind);
 [[nodiscard]] std::string_view name_of(const Shape& shape);
 
 }  // namespace toccata

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "query/posed_shape.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/flipped.hpp"
+#include "toccata/query/pairs.hpp"
+
+// A question is an object with overloads for two shapes at their places, each pair of types in one order only. Here it
+// is asked of any two: as it is, else the other way round, else the table of pairs.hpp has to say why not.
+namespace toccata {
+
+template <class>
+inline constexpr ShapeClass posed_class = ShapeClass::convex;
+template <>
+inline constexpr ShapeClass posed_class<PosedHalfSpace> = ShapeClass::half_space;
+template <>
+inline constexpr ShapeClass posed_class<PosedTriangles> = ShapeClass::triangles;
+
+/// Some pair of kinds of these classes has a defined answer.
+constexpr bool table_defines(ShapeQuestion question, ShapeClass a, ShapeClass b) {
+  for (std::size_t i = 0; i < shape_kind_count; ++i)
+    for (std::size_t j = 0; j < shape_kind_count; ++j) {
+      const auto kind_a = static_cast<ShapeKind>(i), kind_b = static_cast<ShapeKind>(j);
+      if (class_of(kind_a) == a && class_of(kind_b) == b &&
+          pair_cell(question, kind_a, kind_b).state == PairState::defined)
+        return true;
+    }
+  return false;
+}
+
+/// Throws Error, with the reason, unless the table defines the question for the two kinds.
+inline void require_answered(ShapeQuestion question, ShapeKind a, ShapeKind b) {
+  const PairCell cell = pair_cell(question, a, b);
+  if (cell.state != PairState::defined)
+    throw Error(fmt::format("{} of a {} and a {} is not {}: {}", name_of(question), name_of(a), name_of(b),
+                            cell.state == PairState::later ? "answered" : "defined", cell.text));
+}
+
+template <class Asked, class A, class B>
+auto ask(const Asked& question, const A& a, const B& b) {
+  constexpr bool defined = table_defines(Asked::question, posed_class<A>, posed_class<B>);
+  if constexpr (std::invocable<const Asked&, const A&, const B&>) {
+    static_assert(defined, "an algorithm of which the table does not know");
+    return question(a, b);
+  } else if constexpr (std::invocable<const Asked&, const B&, const A&>) {
+    static_assert(defined, "an algorithm of which the table does not know");
+    return flipped(question(b, a));
+  } else {
+    static_assert(!defined, "no algorithm for this pair");
+    using Answer = decltype(question(std::declval<const PosedConvex&>(), std::declval<const PosedConvex&>()));
+    // The table was asked before.
+    return Answer{};
+  }
+}
+
+/// Of two posed shapes, whichever they are. Throws Error for what the table does not define.
+template <class Asked>
+auto ask(const Asked& question, const PosedPart& a, const PosedPart& b) {
+  require_answered(Asked::question, a.kind, b.kind);
+  return std::visit([&](const auto& x, const auto& y) { return ask(question, x, y); }, a.shape, b.shape);
+}
+
+/// Two models at their places, each the union of its parts.
+struct PosedModels {
+  PosedModels(const Model& model_a, const Model& model_b, const PairQuery& query)
+      : a(pose_model(model_a, query.pose_a, query.solid_a, "model a")),
+        b(pose_model(model_b, query.pose_b, query.solid_b, "model b")) {}
+
+  /// Calls `see(part of a, part of b)` for all pairs, ascending, until it returns false.
+  template <class See>
+  void visit(const See& see) const {
+    for (const PosedPart& part_a : a.parts)
+      for (const PosedPart& part_b : b.parts)
+        if (!see(part_a, part_b)) return;
+  }
+
+  PosedModel a;
+  PosedModel b;
+};
+
+}  // namespace toccata

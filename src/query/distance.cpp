@@ -1,0 +1,40 @@
+#include "toccata/query/distance.hpp"
+
+#include <optional>
+
+#include "query/ask.hpp"
+#include "query/search_scratch.hpp"
+
+namespace toccata {
+namespace {
+
+struct AskDistance {
+  static constexpr ShapeQuestion question = ShapeQuestion::distance;
+
+  Distance operator()(const PosedConvex& a, const PosedConvex& b) const { return distance(a, b, &scratch.convex); }
+  Distance operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
+
+  SearchScratch& scratch;
+};
+
+}  // namespace
+
+Distance distance(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return distance(a, b, query, workspace);
+}
+
+Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  const PosedModels models(a, b, query);
+  std::optional<Distance> least;
+  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+    const Distance found = ask(AskDistance{workspace.scratch()}, part_a, part_b);
+    // The first counts among those of one upper end; parts come in their order.
+    if (!least || found.upper < least->upper) least = found;
+    return true;
+  });
+  return *least;
+}
+
+}  // namespace toccata

@@ -1,0 +1,38 @@
+#include "toccata/query/manifold.hpp"
+
+#include "query/ask.hpp"
+#include "query/part_contacts.hpp"
+
+namespace toccata {
+namespace {
+
+struct AskManifold {
+  static constexpr ShapeQuestion question = ShapeQuestion::manifold;
+
+  Manifold operator()(const PosedConvex& a, const PosedConvex& b) const { return manifold(a, b, &scratch.convex); }
+  Manifold operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return manifold(a, b); }
+
+  SearchScratch& scratch;
+};
+
+}  // namespace
+
+Manifold manifold(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return manifold(a, b, query, workspace);
+}
+
+Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  require_answered(ShapeQuestion::manifold, kind_of(a.shape()), kind_of(b.shape()));
+  const PosedModels models(a, b, query);
+  return ask(AskManifold{workspace.scratch()}, models.a.parts[0], models.b.parts[0]);
+}
+
+Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query) {
+  const PosedModels models(a, b, query);
+  SearchScratch scratch;
+  return ask(AskManifold{scratch}, posed_element(models.a, contact.triangle_a),
+             posed_element(models.b, contact.triangle_b));
+}
+
+}  // namespace toccata

@@ -1,0 +1,119 @@
+#include "query/posed_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "query/semantics.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double most = std::numeric_limits<double>::max();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Makes the posed shape in place; none is copied.
+struct Place {
+  PosedShape operator()(const HalfSpace& shape) const {
+    return PosedShape(std::in_place_type<PosedHalfSpace>, shape, pose);
+  }
+  PosedShape operator()(const Compound&) const {
+    throw Error(fmt::format("{}: a compound is asked about through its parts", who));
+  }
+  PosedShape operator()(const HeightField&) const { return triangles(); }
+  PosedShape operator()(const std::shared_ptr<const TriangleMesh>&) const { return triangles(); }
+  template <PlainShape S>
+  PosedShape operator()(const S& shape) const {
+    return PosedShape(std::in_place_type<PosedConvex>, shape, pose);
+  }
+
+  PosedShape triangles() const {
+    const bool as_solid = taken_as_solid(model, pose, solid, who);
+    return PosedShape(std::in_place_type<PosedTriangles>, PosedTriangles{PosedMesh(model, pose, who), as_solid});
+  }
+
+  const Model& model;
+  const Pose& pose;
+  Solid solid;
+  std::string_view who;
+};
+
+void require_taken(const PosedShape& shape, const Model& model, Solid solid, std::string_view who) {
+  if (solid == Solid::all && !is_solid(shape))
+    throw Error(
+        fmt::format("{}: a {} without an interior is a surface; it cannot be asked about as a solid "
+                    "(use solid = auto)",
+                    who, name_of(model.shape())));
+}
+
+void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_view who, PosedModel& posed) {
+  const auto* compound = std::get_if<Compound>(&model.shape());
+  if (compound == nullptr) {
+    PosedPart part{pose_shape(model, pose, solid, who), kind_of(model.shape())};
+    if (!posed.parts.empty()) {
+      const PosedPart& last = posed.parts.back();
+      const auto* triangles = std::get_if<PosedTriangles>(&last.shape);
+      part.first_element = last.first_element + (triangles ? triangles->mesh.model().element_count() : 1);
+      part.first_face = last.first_face + (triangles ? triangles->mesh.model().face_count() : 1);
+    }
+    posed.parts.push_back(std::move(part));
+    return;
+  }
+  for (std::size_t i = 0; i < model.parts().size(); ++i)
+    add_parts(model.parts()[i], compose(pose, compound->parts()[i].pose), solid, fmt::format("{}, part {}", who, i),
+              posed);
+}
+
+}  // namespace
+
+bool is_solid(const PosedShape& shape) {
+  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->solid();
+  if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->solid;
+  return true;
+}
+
+PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
+  if (model.has_mesh()) return std::visit(Place{model, pose, solid, who}, model.shape());
+  try {
+    PosedShape shape = std::visit(Place{model, pose, solid, who}, model.shape());
+    require_taken(shape, model, solid, who);
+    return shape;
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    if (message.starts_with(who)) throw;
+    throw Error(fmt::format("{}: {}", who, message));
+  }
+}
+
+PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
+  PosedModel posed{};
+  add_parts(model, pose, solid, who, posed);
+  posed.solid =
+      std::all_of(posed.parts.begin(), posed.parts.end(), [](const PosedPart& part) { return is_solid(part.shape); });
+  return posed;
+}
+
+Aabb world_box(const PosedConvex& shape) {
+  Aabb box;
+  for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
+  if (shape.radius() == 0) return box;
+  for (int axis = 0; axis < 3; ++axis) {
+    // One step farther, for the rounding; what overflows ends at the greatest double, as all coordinates do.
+    box.lower[axis] = std::max(-most, std::nextafter(box.lower[axis] - shape.radius(), -infinity));
+    box.upper[axis] = std::min(most, std::nextafter(box.upper[axis] + shape.radius(), infinity));
+  }
+  return box;
+}
+
+Aabb world_box(const PosedShape& shape) {
+  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return world_box(*convex);
+  if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.box();
+  return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+}
+
+}  // namespace toccata

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "query/posed_mesh.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/query/pairs.hpp"
+
+namespace toccata {
+
+/// A mesh or height field at its place, and what it is taken for.
+struct PosedTriangles {
+  PosedMesh mesh;
+  bool solid;
+};
+
+/// A shape at its place, as the pair questions see it: everything but a compound.
+using PosedShape = std::variant<PosedConvex, PosedHalfSpace, PosedTriangles>;
+
+/// A shape within a posed model, and where its elements and faces begin to be counted.
+struct PosedPart {
+  PosedShape shape;
+  ShapeKind kind;
+  Index first_element = 0;
+  Index first_face = 0;
+};
+
+/// A posed model as the shapes that it is the union of: one, or the parts of a compound and of those in it.
+struct PosedModel {
+  std::vector<PosedPart> parts;
+  bool solid;
+};
+
+/// What must not be a compound. It refers to the model, which has to outlive it. Throws Error, naming `who`, for a pose
+/// that the shape may not have, and where Solid::all is asked of a surface.
+[[nodiscard]] PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who);
+
+/// The pose of a part is composed after the compound's, once (docs/truth.md). Throws as `pose_shape` does.
+[[nodiscard]] PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who);
+
+/// Contains the shape; of a half-space all space. Finite otherwise.
+[[nodiscard]] Aabb world_box(const PosedShape& shape);
+[[nodiscard]] Aabb world_box(const PosedConvex& shape);
+
+[[nodiscard]] bool is_solid(const PosedShape& shape);
+
+}  // namespace toccata

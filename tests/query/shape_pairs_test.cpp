@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "oracle/convex.hpp"
+#include "query/hull_mesh.hpp"
+#include "support/convex_cases.hpp"
+#include "support/mesh_soups.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/casts.hpp"
+#include "toccata/query/distance.hpp"
+#include "toccata/query/flipped.hpp"
+#include "toccata/query/manifold.hpp"
+#include "toccata/query/overlap.hpp"
+#include "toccata/query/penetration.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata {
+namespace {
+
+Model model_of(const test::ConvexShape& shape) {
+  return std::visit([](const auto& given) { return Model(given); }, shape);
+}
+
+PairQuery exchanged(const PairQuery& q) { return {q.pose_b, q.pose_a, q.solid_b, q.solid_a}; }
+
+RelationKind kind_of(oracle::RelationKind kind) { return static_cast<RelationKind>(kind); }
+Containment containment_of(oracle::Containment c) { return static_cast<Containment>(c); }
+
+/// What is wrong with the answers about the models, compared with the oracle's relation; empty when nothing is.
+std::string fault_of(const Model& a, const Model& b, const PairQuery& query, const oracle::Relation& truth) {
+  const Relation found = relation(a, b, query);
+  if (found.kind != kind_of(truth.kind)) return "relation";
+  if (found.containment != containment_of(truth.containment)) return "containment";
+  if (found.side_unresolved != truth.side_unresolved) return "side_unresolved";
+  if (found.status != Status::exact) return "status";
+  if (!(relation(b, a, exchanged(query)) == flipped(found))) return "relation, exchanged";
+  const bool meets = truth.kind != oracle::RelationKind::apart;
+  if (overlap(a, b, query) != meets || overlap(b, a, exchanged(query)) != meets) return "overlap";
+  const std::vector<Contact> list = contacts(a, b, query);
+  if (!list.empty() && !meets) return "contacts";
+  if (meets && list.empty() && truth.containment == oracle::Containment::none) return "no contacts";
+  return "";
+}
+
+/// The shape as the mesh of its hull, in the world; nothing where that is not the same set or not taken the same way.
+std::optional<Model> as_mesh(const test::PlacedConvex& placed) {
+  const PosedConvex shape = test::posed(placed);
+  if (shape.radius() > 0) return std::nullopt;
+  const HullMesh hull = hull_mesh(shape);
+  const bool one_face = hull.mesh->triangle_count() == 1;
+  if (shape.solid() ? hull.dimension != 3 : !one_face) return std::nullopt;
+  return Model(hull.mesh);
+}
+
+class MeshOfAConvexShape : public testing::TestWithParam<std::string> {};
+
+TEST_P(MeshOfAConvexShape, LiesToOtherShapesAsTheShapeDoes) {
+  const std::uint64_t seed = 20261121;
+  Random random(seed);
+  int asked = 0;
+  for (std::uint64_t number = 0; number < 210; ++number) {
+    const test::ConvexCase pair = test::numbered_case(GetParam(), number, random);
+    const std::optional<Model> a = as_mesh(pair.a);
+    if (!a) continue;
+    ++asked;
+    const oracle::Relation truth =
+        oracle::relation(test::set_of(pair.a), test::is_solid(pair.a), test::set_of(pair.b), test::is_solid(pair.b));
+    // A triangle that is a segment is closed, and not meant as a solid here.
+    const PairQuery query{.pose_b = pair.b.pose, .solid_a = test::is_solid(pair.a) ? Solid::all : Solid::none};
+    EXPECT_EQ(fault_of(*a, model_of(pair.b.shape), query, truth), "") << "seed " << seed << ", case " << number << "\n"
+                                                                      << test::to_text(pair);
+  }
+  EXPECT_GT(asked, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, MeshOfAConvexShape, testing::Values("point", "segment", "triangle", "box", "hull"));
+
+TEST(MeshAndHalfSpace, LieAsTheHullDoes) {
+  const std::uint64_t seed = 20261121;
+  Random random(seed);
+  for (const char* kind : {"triangle", "box", "hull"})
+    for (const std::string& regime : test::convex_regimes())
+      for (int repeat = 0; repeat < 3; ++repeat) {
+        const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
+        const std::optional<Model> a = as_mesh(pair.a);
+        if (!a) continue;
+        const oracle::Relation truth = oracle::relation(test::set_of(pair.a), test::set_of(pair.b));
+        const Solid taken = test::is_solid(pair.a) ? Solid::all : Solid::none;
+        EXPECT_EQ(fault_of(*a, Model(pair.b.shape), {.pose_b = pair.b.pose, .solid_a = taken}, truth), "")
+            << "seed " << seed << "\n"
+            << test::to_text(pair);
+      }
+}
+
+TEST(ShapeQuestions, FirstCallsOfTheGuideWork) {
+  const Model wall(Box{{1, 1, 0.1}});
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  EXPECT_TRUE(overlap(cube, wall));
+  EXPECT_TRUE(overlap(cube, Box{{1, 1, 0.1}}, {.pose_b = Pose::translation(0, 0, 1.1)}));
+  EXPECT_FALSE(overlap(cube, Box{{1, 1, 0.1}}, {.pose_b = Pose::translation(0, 0, 1.2)}));
+  EXPECT_TRUE(overlap(Sphere{1}, Sphere{1}, {.pose_b = Pose::translation(2, 0, 0)}));
+  const Distance gap = distance(Sphere{1}, Box{{1, 1, 1}}, {.pose_b = Pose::translation(0, 3, 0)});
+  EXPECT_EQ(gap.upper, 1);
+  EXPECT_EQ(gap.on_b, (Vec3{0, 2, 0}));
+  EXPECT_EQ(relation(Sphere{1}, HalfSpace{{}, {0, 0, 1}}).kind, RelationKind::overlapping);
+}
+
+TEST(ShapeQuestions, ContactsOfAShapeAreTheTrianglesThatMeetIt) {
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const PairQuery above{.pose_b = Pose::translation(0, 0, 1.5)};
+  const std::vector<Contact> hits = contacts(cube, Sphere{0.5}, above);
+  ASSERT_FALSE(hits.empty());
+  for (const Contact& hit : hits) {
+    EXPECT_EQ(hit.triangle_b, 0U);
+    EXPECT_EQ(hit.meeting.kind, MeetingKind::none);
+    EXPECT_TRUE(
+        overlap(PosedConvex(cube.mesh().vertices().empty() ? Triangle{} : world_triangle(cube, {}, hit.triangle_a)),
+                PosedConvex(Sphere{0.5}, above.pose_b)));
+  }
+  // Triangles have a meeting of their own.
+  const Triangle across{{Vec3{-3, 0, 0}, {3, 0.1, 0}, {0, 0, 3}}};
+  for (const Contact& hit : contacts(across, cube)) EXPECT_NE(hit.meeting.kind, MeetingKind::none);
+}
+
+TEST(ShapeQuestions, AHeightFieldIsTheSurfaceOfItsTriangles) {
+  const std::vector<double> heights = {0, 0, 0, 0, 1, 0, 0, 0, 0};
+  const Model hill(HeightField(3, 3, 1, 1, heights));
+  EXPECT_EQ(relation(hill, Sphere{0.5, {1, 1, 1.5}}).kind, RelationKind::touching);
+  EXPECT_EQ(relation(hill, Sphere{0.5, {1, 1, 1.25}}).kind, RelationKind::crossing);
+  EXPECT_EQ(relation(hill, Sphere{0.5, {1, 1, 1.75}}).kind, RelationKind::apart);
+  const Relation all_inside = relation(hill, Sphere{10});
+  EXPECT_EQ(all_inside.containment, Containment::a_in_b);
+  EXPECT_FALSE(all_inside.a_solid);
+  EXPECT_THROW(static_cast<void>(relation(hill, Sphere{1}, {.solid_a = Solid::all})), Error);
+}
+
+TEST(Compounds, AreTheUnionOfTheirParts) {
+  const std::array<CompoundPart, 2> halves = {CompoundPart{Box{{1, 1, 1}}, Pose::translation(-2, 0, 0)},
+                                              CompoundPart{Sphere{1}, Pose::translation(2, 0, 0)}};
+  const Model dumbbell(Compound{halves});
+  EXPECT_EQ(dumbbell.element_count(), 2U);
+  EXPECT_FALSE(overlap(dumbbell, Sphere{0.5}));
+  EXPECT_EQ(relation(dumbbell, Sphere{1}).kind, RelationKind::touching);
+  EXPECT_EQ(relation(dumbbell, Sphere{1.5}).kind, RelationKind::overlapping);
+  EXPECT_EQ(relation(dumbbell, Sphere{9}).containment, Containment::a_in_b);
+  EXPECT_EQ(relation(dumbbell, Sphere{0.25, {2, 0, 0}}).containment, Containment::b_in_a);
+  EXPECT_EQ(distance(dumbbell, Sphere{0.5}).upper, 0.5);
+  const std::vector<Contact> hits = contacts(Sphere{1}, dumbbell);
+  ASSERT_EQ(hits.size(), 2U);
+  EXPECT_EQ(hits[1].triangle_b, 1U);
+}
+
+TEST(Compounds, CountTheElementsOfTheirMeshes) {
+  const auto cube = std::make_shared<const TriangleMesh>(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const std::array<CompoundPart, 2> parts = {CompoundPart{cube, {}},
+                                             CompoundPart{Sphere{1}, Pose::translation(2, 0, 0)}};
+  const Model model(Compound{parts});
+  EXPECT_EQ(model.element_count(), 13U);
+  const std::vector<Contact> hits = contacts(model, Sphere{0.5, {3.25, 0, 0}});
+  ASSERT_EQ(hits.size(), 1U);
+  EXPECT_EQ(hits[0].triangle_a, 12U);
+  EXPECT_THROW(static_cast<void>(distance(model, Sphere{1})), Error);
+  EXPECT_TRUE(taken_as_solid(model, Solid::automatic));
+}
+
+TEST(SolidMeshAndBall, SeesHollowsAndSheets) {
+  // A cube with a hollow in which a ball floats, touches and cuts.
+  const TriangleMesh outer = test::box_mesh({-3, -3, -3}, {3, 3, 3}), inner = test::box_mesh({-2, -2, -2}, {2, 2, 2});
+  std::vector<Vec3> vertices(outer.vertices().begin(), outer.vertices().end());
+  vertices.insert(vertices.end(), inner.vertices().begin(), inner.vertices().end());
+  std::vector<std::array<Index, 3>> triangles(outer.triangles().begin(), outer.triangles().end());
+  for (const auto& [i, j, k] : inner.triangles()) triangles.push_back({i + 8, k + 8, j + 8});
+  const Model hollow(TriangleMesh(vertices, triangles));
+  ASSERT_TRUE(hollow.closed());
+  EXPECT_EQ(relation(hollow, Sphere{1}).kind, RelationKind::apart);
+  EXPECT_EQ(relation(hollow, Sphere{2}).kind, RelationKind::touching);
+  const Relation cut = relation(hollow, Sphere{2.5});
+  EXPECT_EQ(cut.kind, RelationKind::overlapping);
+  EXPECT_EQ(cut.containment, Containment::none);
+  EXPECT_EQ(relation(hollow, Sphere{6}).containment, Containment::a_in_b);
+  EXPECT_EQ(relation(hollow, Sphere{0.25, {2.5, 0, 0}}).containment, Containment::b_in_a);
+  EXPECT_EQ(relation(hollow, Capsule{{}, {9, 0, 0}, 0.5}).kind, RelationKind::overlapping);
+
+  // A doubled sheet has no interior, so a ball through it only touches.
+  const Model sheet(TriangleMesh({{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}, {0, 2, 1}}));
+  ASSERT_TRUE(sheet.closed());
+  EXPECT_EQ(relation(sheet, Sphere{1}).kind, RelationKind::touching);
+  EXPECT_EQ(relation(sheet, HalfSpace{{}, {1, 0, 0}}).kind, RelationKind::touching);
+}
+
+TEST(ShapeQuestions, WhatIsNotDefinedIsAnErrorWithTheReason) {
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1})), point(Point{}), ball(Sphere{1});
+  const Model ground(HalfSpace{{}, {0, 0, 1}});
+  const auto expect_refused = [](const std::string& words, const std::function<void()>& ask) {
+    try {
+      ask();
+      ADD_FAILURE() << "nothing was refused with \"" << words << "\"";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  expect_refused("convex shapes and half-spaces", [&] { static_cast<void>(distance(cube, ball)); });
+  expect_refused("convex shapes and half-spaces", [&] { static_cast<void>(penetration(cube, ball)); });
+  expect_refused("no interior", [&] { static_cast<void>(penetration(point, ball)); });
+  expect_refused("normals are opposite", [&] { static_cast<void>(penetration(ground, ground)); });
+  expect_refused("model a", [&] { static_cast<void>(overlap(point, ball, {.solid_a = Solid::all})); });
+  Pose stretched;
+  stretched.linear[0][0] = 2;
+  expect_refused("model b: the sphere", [&] { static_cast<void>(overlap(cube, ball, {.pose_b = stretched})); });
+}
+
+// A pair that is not defined does not compile.
+template <class A, class B>
+concept HasPenetration = requires(const A& a, const B& b) {
+  penetration(a, b);
+};
+static_assert(HasPenetration<Sphere, Box>);
+static_assert(HasPenetration<HalfSpace, ConvexHull>);
+static_assert(!HasPenetration<Point, Box>);
+static_assert(!HasPenetration<Box, Triangle>);
+static_assert(!HasPenetration<HalfSpace, HalfSpace>);
+
+}  // namespace
+}  // namespace toccata
