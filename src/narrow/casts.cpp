@@ -1,9 +1,13 @@
 #include "toccata/narrow/casts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
+#include "math/bounded_number.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/nearest_certificate.hpp"
 #include "narrow/swept_meeting.hpp"
 #include "toccata/core/error.hpp"
 
@@ -11,13 +15,21 @@ namespace toccata {
 namespace {
 
 /// The interval's width, of the whole way.
-constexpr double time_width = 0x1p-41;
+constexpr double time_width = 0x1p-42;
 constexpr int most_steps = 40;
 
 /// A plane across `direction` that keeps the shapes apart until `time`; both proved.
 struct Separation {
   double time = 0;
   bool for_ever = false;  ///< and after
+};
+
+double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
+
+/// A time by which the shapes have met, and where.
+struct Meeting {
+  double time = 0;
+  Vec3 point;
 };
 
 /// One cast: A is moved, B stands.
@@ -32,9 +44,11 @@ class ShapeCast {
 
   /// For shapes that are apart at the start.
   Cast answer() {
-    if (advance() || !reaches(1)) return {};
-    narrow();
-    return met();
+    if (advance()) return {};
+    if (const auto meeting = certain_meeting()) return met(*meeting);
+    if (!reaches(1)) return {};
+    const double late = narrow();
+    return met({late, distance(a_.moved(free_until_ * motion_), b_).on_b});
   }
 
  private:
@@ -81,32 +95,94 @@ class ShapeCast {
     return {gap > 0 ? (1 - 0x1p-50) * (gap / speed) : 0, false};
   }
 
-  [[nodiscard]] bool reaches(double time) const { return swept_meets(a_, motion_, time, b_); }
-
-  /// The first meeting lies between the time that is known to be free and one that is known to be late enough.
-  void narrow() {
-    double free = free_until_, late = 1;
-    for (double width = time_width; free + width < late; width *= 64) {
-      if (reaches(free + width)) {
-        late = free + width;
-      } else {
-        free = free + width;
-      }
-    }
-    while (late - free > time_width) {
-      const double middle = free + (late - free) / 2;
-      (reaches(middle) ? late : free) = middle;
-    }
-    free_until_ = free;
-    late_ = late;
+  /// A time by which the shapes have certainly met, soon enough after the one until which they are free.
+  [[nodiscard]] std::optional<Meeting> certain_meeting() const {
+    const auto met = a_.radius() + b_.radius() > 0 ? met_by_nearness() : met_by_triangles();
+    return met && met->time <= 1 && met->time - free_until_ <= 2 * time_width ? met : std::nullopt;
   }
 
-  [[nodiscard]] Cast met() const {
+  /// The cores are nearer than the radii reach, a little later. Moved vertices are rounded twice, so they are off by
+  /// less than 2^-52 of the coordinates that meet.
+  [[nodiscard]] std::optional<Meeting> met_by_nearness() const {
+    if (!a_.in_world()) return {};
+    const double late = std::fmin(1, free_until_ + time_width);
+    const PosedConvex moved = a_.moved(late * motion_);
+    const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
+    if (!nearest || !nearest->unique()) return {};
+    double greatest = 0;
+    for (Index i = 0; i < a_.vertex_count(); ++i) greatest = std::fmax(greatest, sum_of_magnitudes(a_.vertex(i)));
+    const double error = 0x1p-50 * ((greatest + sum_of_magnitudes(motion_)) + reach_) + 0x1p-1000;
+    const double distance = nearest->distance.value.high + 4 * nearest->distance.error;
+    if (!(distance + error < (1 - 0x1p-50) * reach_)) return {};
+    const Vec3 grown = (b_.radius() / distance) * high_parts(nearest->difference);
+    return Meeting{late, high_parts(nearest->on_b) + grown};
+  }
+
+  /// The way passes through a triangle of the Minkowski difference: three exact signs. When, is enclosed.
+  [[nodiscard]] std::optional<Meeting> met_by_triangles() const {
+    for (std::size_t without = 0; without < 4 && last_.size >= 3; ++without) {
+      VertexPairs triangle;
+      for (std::size_t i = 0; i < last_.size; ++i)
+        if (i != without && triangle.size < 3) triangle.append(last_.a[i], last_.b[i]);
+      if (last_.size == 3 && without > 0) break;
+      if (last_.size == 3) triangle = last_;
+      if (const auto late = met_by_triangle(triangle)) return late;
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::optional<Meeting> met_by_triangle(const VertexPairs& pairs) const {
+    std::array<Difference, 3> corner;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = {b_.vertex(pairs.b[i]), a_.vertex(pairs.a[i])};
+    int left = 0, right = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Sign turn = triple_product_sign(corner[i], corner[(i + 1) % 3], {motion_, {}});
+      left += turn == Sign::positive ? 1 : 0;
+      right += turn == Sign::negative ? 1 : 0;
+    }
+    if ((left > 0) == (right > 0)) return {};
+    std::array<BoundedVector, 3> c;
+    for (std::size_t i = 0; i < 3; ++i) c[i] = bounded_difference(corner[i].head, corner[i].tail);
+    const BoundedVector normal = cross(c[1] - c[0], c[2] - c[0]);
+    const BoundedNumber time = dot(normal, c[0]) / dot(normal, exactly(motion_));
+    if (!time.is_positive()) return {};  // the triangle lies behind
+    const double late = time.value.high + distance_from_high(time);
+    if (!std::isfinite(late)) return {};
+    return Meeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c)};
+  }
+
+  /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.
+  [[nodiscard]] Vec3 point_of_b(const VertexPairs& pairs, const std::array<BoundedVector, 3>& corner) const {
+    std::array<double, 3> weight;
+    for (std::size_t i = 0; i < 3; ++i)
+      weight[i] = dot(cross(high_parts(corner[(i + 1) % 3]), high_parts(corner[(i + 2) % 3])), motion_);
+    const double total = (weight[0] + weight[1]) + weight[2];
+    Vec3 point;
+    for (std::size_t i = 0; i < 3; ++i) point = point + (weight[i] / total) * b_.vertex(pairs.b[i]);
+    return point;
+  }
+
+  [[nodiscard]] bool reaches(double time) const { return swept_meets(a_, motion_, time, b_); }
+
+  /// The first meeting lies between the time that is known to be free and one that is known to be late enough: makes
+  /// the first of them later until they are near each other, and returns the second.
+  double narrow() {
+    double late = 1;
+    for (double width = time_width; free_until_ + width < late; width *= 64)
+      (reaches(free_until_ + width) ? late : free_until_) = free_until_ + width;
+    while (late - free_until_ > time_width) {
+      const double middle = free_until_ + (late - free_until_) / 2;
+      (reaches(middle) ? late : free_until_) = middle;
+    }
+    return late;
+  }
+
+  [[nodiscard]] Cast met(const Meeting& meeting) const {
     Cast cast;
     cast.hit = true;
     cast.lower = free_until_;
-    cast.upper = late_;
-    cast.point = distance(a_.moved(free_until_ * motion_), b_).on_b;
+    cast.upper = meeting.time;
+    cast.point = meeting.point;
     const Vec3 against = normal_ == Vec3{} ? scaled_direction(-motion_) : normal_;
     cast.normal = (1 / std::sqrt(dot(against, against))) * against;
     return cast;
@@ -119,7 +195,6 @@ class ShapeCast {
   double reach_;
   VertexPairs last_;
   double free_until_ = 0;
-  double late_ = 1;
   Vec3 normal_{};
 };
 

@@ -32,7 +32,11 @@ std::string cast_fault(const Cast& cast, const oracle::ConvexSet& a, const Vec3&
   if (cast.lower < cast.upper && oracle::overlap(swept(a, motion, cast.lower), b)) return "lower is too late";
   if (!oracle::overlap(swept(a, motion, cast.upper), b)) return "upper is too early";
   if (std::fabs(dot(cast.normal, cast.normal) - 1) > 1e-12) return "the normal is not unit";
-  return is_finite(cast.point) ? "" : "the point is not finite";
+  if (!is_finite(cast.point)) return "the point is not finite";
+  double size = 0;
+  for (int axis = 0; axis < 3; ++axis) size += std::fabs(cast.point[axis]) + std::fabs(motion[axis]);
+  const Rational slack = oracle::exact(size) * oracle::exact(1e-9);
+  return oracle::compare_distance(oracle::point_set(cast.point), b, slack) <= 0 ? "" : "the point is not on B";
 }
 
 /// Towards the other shape, past it, or anywhere.
