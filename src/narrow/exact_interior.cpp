@@ -31,7 +31,7 @@ IntegerVector cross_of(const Difference& u, const Difference& v) {
 /// A vector that is not 0 and at a right angle to the difference.
 IntegerVector perpendicular_to(const Difference& d) {
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    const IntegerVector normal = cross_of(d, {axis, {}});
+    IntegerVector normal = cross_of(d, {axis, {}});
     if (!is_zero(normal)) return normal;
   }
   return scaled_wide(Vec3{1, 0, 0}, 0);

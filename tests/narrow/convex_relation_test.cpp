@@ -123,6 +123,13 @@ TEST(ConvexRelation, OfASurfaceAndASolid) {
          Containment::a_in_b);
 }
 
+TEST(ConvexRelation, ASurfaceThatReachesTheBoundaryFromInside) {
+  const Segment to_the_boundary({0, 0, 0}, {3, 4, 0});
+  expect(PosedConvex{to_the_boundary}, ball_at({}, 5), RelationKind::crossing);
+  expect(PosedConvex{to_the_boundary}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
+         Containment::a_in_b);
+}
+
 TEST(ConvexRelation, ASolidThatRoundingFlattensOnlyTouches) {
   Pose far;
   far.offset = {0, 0, 0x1p60};
