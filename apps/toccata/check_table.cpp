@@ -37,7 +37,8 @@ std::string pair_lines(const Scene& scene, const CheckReport& report) {
 
 std::size_t triangle_count(const Scene& scene) {
   std::size_t count = 0;
-  for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
+  for (const SceneObject& object : scene.objects)
+    if (const auto mesh = object.mesh()) count += mesh->triangle_count();
   return count;
 }
 

@@ -28,7 +28,8 @@ void add_finding(std::vector<std::vector<std::string>>& rows, std::size_t count,
 }
 
 std::vector<std::vector<std::string>> rows_of(const InspectedObject& object, const std::string& unit) {
-  const MeshHealth& h = object.health;
+  if (!object.health) return {{"from", printable(object.source)}, {"shape", object.shape}};
+  const MeshHealth& h = *object.health;
   std::vector<std::vector<std::string>> rows = {
       {"from", printable(object.source)},
       {"triangles", grouped(h.triangles) + (h.faces == h.triangles ? "" : " of " + counted(h.faces, "face"))},

@@ -58,6 +58,7 @@
 #include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/point.hpp"
 #include "toccata/shapes/rounded.hpp"
+#include "toccata/shapes/scaled_shape.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/segment.hpp"
 #include "toccata/shapes/shape.hpp"

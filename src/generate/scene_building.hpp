@@ -16,7 +16,7 @@ inline SharedMesh shared(TriangleMesh mesh) { return std::make_shared<const Tria
 inline SceneObject& add(Scene& scene, std::string name, SharedMesh mesh, const Pose& pose = {}) {
   SceneObject object;
   object.name = std::move(name);
-  object.mesh = std::move(mesh);
+  object.shape = std::move(mesh);
   object.pose = pose;
   object.source = "generated: " + object.name;
   scene.objects.push_back(std::move(object));

@@ -249,7 +249,7 @@ class SceneReader {
     if (*read_meshes_[index] == nullptr) return;
     SceneObject object;
     object.name = names_.make(json.text_or("name", meshes_[index].text_or("name", scene_.nodes[node].name)));
-    object.mesh = *read_meshes_[index];
+    object.shape = *read_meshes_[index];
     object.pose = world_[node];
     object.node = node;
     if (!is_finite(object.pose))

@@ -64,7 +64,7 @@ Scene read_shapes(const std::filesystem::path& path) {
   scene.unit = "unit";
   SceneObject object;
   object.name = as_utf8(path.stem().string());
-  object.mesh = std::make_shared<const TriangleMesh>(read_mesh(path));
+  object.shape = std::make_shared<const TriangleMesh>(read_mesh(path));
   object.source = path.string();
   scene.objects.push_back(std::move(object));
   return scene;
@@ -85,7 +85,7 @@ Scene generated_scene(const std::string& text) {
   scene.unit = "unit";
   SceneObject object;
   object.name = specification.name;
-  object.mesh = std::make_shared<const TriangleMesh>(generate_mesh(specification.name, specification.parameters));
+  object.shape = std::make_shared<const TriangleMesh>(generate_mesh(specification.name, specification.parameters));
   object.source = "generated: " + text;
   scene.objects.push_back(std::move(object));
   return scene;
@@ -114,7 +114,12 @@ void scale_scene(Scene& scene, double factor) {
   for (SceneNode& node : scene.nodes)
     if (!node.parent) node.pose = compose(larger, node.pose);
   for (SceneObject& object : scene.objects) {
-    const Pose before = std::exchange(object.pose, compose(larger, object.pose));
+    const Pose before = object.pose;
+    object.pose = compose(larger, before);
+    if (keeps_its_form(object.shape)) {
+      object.shape = scaled_in_itself(object.shape, factor);
+      object.pose.linear = before.linear;
+    }
     if (io::is_collapsed(before, object.pose))
       throw Error(
           fmt::format("{}: the object '{}' shrinks to nothing when it is scaled by {}; use a larger unit or scale",

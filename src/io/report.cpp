@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/report_parts.hpp"
+#include "io/scene_shape.hpp"
 #include "io/utf8.hpp"
 #include "toccata/core/version.hpp"
 
@@ -142,11 +143,15 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
 }
 
 InspectedObject inspect(const SceneObject& object) {
-  InspectedObject result{object.name, object.source, object.pose, false, inspect(*object.mesh), {}};
-  result.solid = object.solid != Solid::none && result.health.closed;
-  for (const auto& corners : object.mesh->triangles())
+  InspectedObject result{object.name, object.source, io::type_of(object.shape), object.pose, {}, false, {}};
+  const auto mesh = object.mesh();
+  if (!mesh) return result;
+  result.health = inspect(*mesh);
+  const bool may_be_solid = !std::holds_alternative<HeightField>(object.shape);
+  result.solid = may_be_solid && object.solid != Solid::none && result.health->closed;
+  for (const auto& corners : mesh->triangles())
     for (const Index corner : corners)
-      result.world_box = merge(result.world_box, transform(object.pose, object.mesh->vertices()[corner]));
+      result.world_box = merge(result.world_box, transform(object.pose, mesh->vertices()[corner]));
   return result;
 }
 
@@ -196,10 +201,13 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
   Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
   Json& list = json["objects"] = Json::array();
   for (const InspectedObject& object : objects) {
-    Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}, {"solid", object.solid}};
+    Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}, {"shape", object.shape}};
     item["pose"] = object.pose.numbers();
-    item.update(json_of(object.health));
-    item["world_box"] = {{"lower", json_of(object.world_box.lower)}, {"upper", json_of(object.world_box.upper)}};
+    if (object.health) {
+      item["solid"] = object.solid;
+      item.update(json_of(*object.health));
+      item["world_box"] = {{"lower", json_of(object.world_box.lower)}, {"upper", json_of(object.world_box.upper)}};
+    }
     list.push_back(std::move(item));
   }
   return document(json);

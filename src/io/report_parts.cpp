@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "io/scene_shape.hpp"
 #include "io/utf8.hpp"
 #include "toccata/core/version.hpp"
 
@@ -21,11 +22,13 @@ ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& 
 Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json json_of(const SceneObject& object, const Posed& posed) {
+  const auto mesh = object.mesh();
   return {{"name", as_utf8(object.name)},
           {"source", as_utf8(object.source)},
-          {"triangles", object.mesh->triangle_count()},
-          {"faces", object.mesh->face_count()},
-          {"closed", posed.model.closed()},
+          {"shape", type_of(object.shape)},
+          {"triangles", mesh ? mesh->triangle_count() : 0},
+          {"faces", mesh ? mesh->face_count() : 0},
+          {"closed", mesh && posed.model.closed()},
           {"solid", taken_as_solid(posed.model, object.solid)},
           {"group", object.group},
           {"pose", object.pose.numbers()}};

@@ -21,13 +21,21 @@ double diagonal_of(const Aabb& box, const Pose& pose) {
   return std::hypot(size.x, size.y, size.z);
 }
 
-std::vector<double> diagonals_of(const Scene& scene) {
+struct Diagonal {
+  const std::string* name;
+  double length;
+};
+
+/// Of all meshes.
+std::vector<Diagonal> diagonals_of(const Scene& scene) {
   std::map<const TriangleMesh*, Aabb> boxes;
-  std::vector<double> diagonals;
+  std::vector<Diagonal> diagonals;
   for (const SceneObject& object : scene.objects) {
-    const auto [found, is_new] = boxes.try_emplace(object.mesh.get());
-    if (is_new) found->second = fit_aabb(object.mesh->vertices());
-    diagonals.push_back(diagonal_of(found->second, object.pose));
+    const auto mesh = object.mesh();
+    if (!mesh) continue;
+    const auto [found, is_new] = boxes.try_emplace(mesh.get());
+    if (is_new) found->second = fit_aabb(mesh->vertices());
+    diagonals.push_back({&object.name, diagonal_of(found->second, object.pose)});
   }
   return diagonals;
 }
@@ -36,17 +44,18 @@ std::vector<double> diagonals_of(const Scene& scene) {
 
 std::vector<std::string> scale_warnings(const Scene& scene) {
   constexpr double absurd = 500;  // millimetres among metres are a factor of 1000
-  const std::vector<double> diagonals = diagonals_of(scene);
-  std::vector<double> sorted = diagonals;
+  const std::vector<Diagonal> diagonals = diagonals_of(scene);
+  std::vector<double> sorted;
+  for (const Diagonal& diagonal : diagonals) sorted.push_back(diagonal.length);
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < diagonals.size(); ++i) {
+  for (const auto& [name, length] : diagonals) {
     const double typical = sorted[(sorted.size() - 1) / 2];
-    const double ratio = diagonals[i] / typical;
-    if (!(diagonals[i] > 0) || !(typical > 0) || (ratio < absurd && ratio > 1 / absurd)) continue;
+    const double ratio = length / typical;
+    if (!(length > 0) || !(typical > 0) || (ratio < absurd && ratio > 1 / absurd)) continue;
     warnings.push_back(fmt::format(
         "'{}' is {:.3g} times as large as the other objects ({:.3g} against {:.3g} {} across): is a unit missing?",
-        scene.objects[i].name, ratio, diagonals[i], typical, scene.unit));
+        *name, ratio, length, typical, scene.unit));
   }
   return warnings;
 }

@@ -8,11 +8,11 @@
 #include "io/file_bytes.hpp"
 #include "io/json_value.hpp"
 #include "io/scene_parts.hpp"
+#include "io/scene_shape.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/math/rotation.hpp"
 
 namespace toccata::io {
 namespace {
@@ -20,48 +20,10 @@ namespace {
 constexpr const char* format_name = "toccata-scene";
 constexpr std::size_t format_version = 1;
 
-/// Runs `action`; an Error in it is said to be at `place`.
-template <class Action>
-auto located(const JsonValue& place, const Action& action) {
-  try {
-    return action();
-  } catch (const Error& error) {
-    place.fail(error.what(), "correct it");
-  }
-}
-
 double unit_of(const JsonValue& value) {
   if (!value.is_number()) return located(value, [&] { return metres_per_unit(value.text()); });
   if (!(value.number() > 0)) value.fail("a unit must be positive", "write the metres per unit, or \"mm\"");
   return value.number();
-}
-
-Mat3 rotation_of(const JsonValue& value) {
-  value.expect_keys({"axis", "degrees", "quaternion"});
-  if (!value.has("quaternion"))
-    return located(value, [&] { return rotation_about(value.at("axis").vector(), value.at("degrees").number()); });
-  if (value.has("axis") || value.has("degrees"))
-    value.fail("there is a quaternion and an axis or an angle", "keep one of the two");
-  const std::vector<double> q = value.at("quaternion").numbers(4);
-  return located(value, [&] { return toccata::rotation_of(Quaternion{q[0], q[1], q[2], q[3]}); });
-}
-
-Vec3 scale_of(const JsonValue& value) {
-  if (!value.is_number()) return value.vector();
-  return {value.number(), value.number(), value.number()};
-}
-
-Pose pose_of(const JsonValue& value) {
-  if (value.is_array()) {
-    const std::vector<double> numbers = value.numbers(12);
-    std::array<double, 12> twelve{};
-    std::copy(numbers.begin(), numbers.end(), twelve.begin());
-    return Pose::from_numbers(twelve);
-  }
-  value.expect_keys({"translation", "rotation", "scale"});
-  return toccata::pose_of(value.has("translation") ? value.at("translation").vector() : Vec3{},
-                          value.has("rotation") ? rotation_of(value.at("rotation")) : Mat3{},
-                          value.has("scale") ? scale_of(value.at("scale")) : Vec3{1, 1, 1});
 }
 
 Solid solid_of(const JsonValue& value) {
@@ -84,8 +46,8 @@ std::vector<Entry> entries_of(const JsonValue& top) {
   for (const char* list : {"frames", "objects"})
     for (const JsonValue& value : top.elements(list)) {
       const bool is_object = std::string_view(list) == "objects";
-      value.expect_keys(is_object ? std::vector<std::string>{"name", "file", "generate", "parameters", "parent", "pose",
-                                                             "solid", "group", "unit", "comment"}
+      value.expect_keys(is_object ? std::vector<std::string>{"name", "file", "generate", "parameters", "shape",
+                                                             "parent", "pose", "solid", "group", "unit", "comment"}
                                   : std::vector<std::string>{"name", "parent", "pose", "comment"});
       Entry entry{value, value.at("name").text(), is_object};
       if (entry.name.empty()) value.at("name").fail("the name is empty", "give it a name");
@@ -107,7 +69,7 @@ class NodeTree {
   [[nodiscard]] const std::vector<SceneNode>& nodes() const { return nodes_; }
   [[nodiscard]] Index node_of(std::size_t entry) const { return *node_of_[entry]; }
   /// In the world, composed from the root down.
-  [[nodiscard]] const Pose& world_of(std::size_t entry) const { return world_[*node_of_[entry]]; }
+  [[nodiscard]] const ScaledPose& world_of(std::size_t entry) const { return world_[*node_of_[entry]]; }
 
  private:
   /// Places the entry after all its ancestors. A loop, as chains may be long.
@@ -136,11 +98,17 @@ class NodeTree {
     return found->second;
   }
 
+  static ScaledPose composed(const ScaledPose& outer, const ScaledPose& inner) {
+    return {compose(outer.pose, inner.pose), compose({outer.unscaled, {}}, {inner.unscaled, {}}).linear,
+            outer.scale * inner.scale};
+  }
+
   void add_node(std::size_t entry) {
     const JsonValue& value = entries_[entry].value;
-    SceneNode node{entries_[entry].name, std::nullopt, value.has("pose") ? pose_of(value.at("pose")) : Pose{}};
+    const ScaledPose own = value.has("pose") ? pose_of(value.at("pose")) : ScaledPose{};
+    SceneNode node{entries_[entry].name, std::nullopt, own.pose};
     if (const auto parent = parent_of(entry)) node.parent = *node_of_[*parent];
-    world_.push_back(node.parent ? compose(world_[*node.parent], node.pose) : node.pose);
+    world_.push_back(node.parent ? composed(world_[*node.parent], own) : own);
     node_of_[entry] = static_cast<Index>(nodes_.size());
     nodes_.push_back(std::move(node));
   }
@@ -149,7 +117,7 @@ class NodeTree {
   std::map<std::string, std::size_t> index_;
   std::vector<std::optional<Index>> node_of_;
   std::vector<SceneNode> nodes_;
-  std::vector<Pose> world_;
+  std::vector<ScaledPose> world_;
 };
 
 /// Reads every file once and makes every generated mesh once.
@@ -158,12 +126,14 @@ class ShapeSource {
   explicit ShapeSource(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   const Scene& shapes_of(const JsonValue& object) {
-    if (object.has("file") == object.has("generate"))
-      object.fail("an object needs one shape", "write either \"file\" or \"generate\"");
+    if (object.has("file") + object.has("generate") + object.has("shape") != 1)
+      object.fail("an object needs one shape", "write one of \"file\", \"generate\" and \"shape\"");
     if (object.has("generate")) return generated(object);
     if (object.has("parameters"))
-      object.at("parameters").fail("a file takes no parameters", "remove them, or write \"generate\"");
-    return from_file(object.at("file"));
+      object.at("parameters")
+          .fail(object.has("file") ? "a file takes no parameters" : "a shape takes no parameters",
+                "remove them, or write \"generate\"");
+    return object.has("shape") ? written(object.at("shape")) : from_file(object.at("file"));
   }
 
  private:
@@ -173,6 +143,21 @@ class ShapeSource {
     const auto [found, is_new] = known_.try_emplace(path.string());
     if (is_new) found->second = located(file, [&] { return read_shapes(path); });
     return found->second;
+  }
+
+  const Scene& written(const JsonValue& shape) {
+    written_.unit = "unit";
+    written_.objects.assign(1, {});
+    written_.objects[0].shape = shape_of(shape, [this](const JsonValue& file) { return mesh_from(file); });
+    written_.objects[0].source = "written: " + type_of(written_.objects[0].shape);
+    return written_;
+  }
+
+  std::shared_ptr<const TriangleMesh> mesh_from(const JsonValue& file) {
+    const Scene& shapes = from_file(file);
+    if (shapes.objects.size() != 1 || !(shapes.objects[0].pose == Pose{}))
+      file.fail("a shape is made of one mesh, and the file holds posed objects", "name a mesh file");
+    return shapes.objects[0].mesh();
   }
 
   const Scene& generated(const JsonValue& object) {
@@ -190,7 +175,7 @@ class ShapeSource {
     const auto [found, is_new] = known_.try_emplace(key);
     if (!is_new) return found->second;
     SceneObject made;
-    made.mesh = located(object, [&] { return std::make_shared<const TriangleMesh>(generate_mesh(name, parameters)); });
+    made.shape = located(object, [&] { return std::make_shared<const TriangleMesh>(generate_mesh(name, parameters)); });
     made.source = "generated: " + key;
     found->second.unit = "unit";
     found->second.objects.push_back(std::move(made));
@@ -199,6 +184,7 @@ class ShapeSource {
 
   std::filesystem::path folder_;
   std::map<std::string, Scene> known_;
+  Scene written_;  ///< the shape that the file itself wrote last
 };
 
 /// World units per unit of the object's shape.
@@ -213,21 +199,35 @@ double unit_factor(const JsonValue& object, const Scene& shapes, double scene_me
   return factor;
 }
 
-/// The pose in the world of a shape that is `factor` times as large.
-Pose world_pose(const Entry& entry, const Pose& world, double factor) {
-  const Pose pose = scaled(world, factor);
+/// Where an object is, and how many times as large its shape: by its unit, and by the uniform scales above it.
+struct Place {
+  ScaledPose world;
+  double unit_factor = 1;
+};
+
+/// Puts the shape at its place. What a pose may not deform takes the unit and the uniform scales into its own numbers,
+/// everything else into the nine numbers of R.
+void put(SceneObject& object, const SceneObject& part, const Place& place, const Entry& entry) {
+  const Pose& world = place.world.pose;
+  if (keeps_its_form(part.shape)) {
+    object.shape =
+        located(entry.value, [&] { return scaled_in_itself(part.shape, place.world.scale * place.unit_factor); });
+    object.pose = {place.world.unscaled, world.offset};
+    return;
+  }
+  const Pose pose = scaled(world, place.unit_factor);
   if (is_collapsed(world, pose))
     entry.value.fail("the scale of its pose times its unit leaves no shape", "change \"pose\" or \"unit\"");
-  return pose;
+  object.shape = part.shape;
+  object.pose = compose(pose, part.pose);
 }
 
-void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common) {
+void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common, const Place& place) {
   for (const SceneObject& part : shapes.objects) {
     SceneObject object = common;
     object.name = shapes.objects.size() == 1 ? entry.name : entry.name + "/" + part.name;
-    object.mesh = part.mesh;
     object.source = part.source;
-    object.pose = compose(common.pose, part.pose);
+    put(object, part, place, entry);
     if (!is_finite(object.pose))
       entry.value.fail(fmt::format("the pose of '{}' is not finite once its parents and unit are applied", object.name),
                        "use smaller numbers");
@@ -268,11 +268,10 @@ Scene parse_scene_file(const SceneBytes& bytes) {
     if (!entries[i].is_object) continue;
     const Scene& shapes = source.shapes_of(value);
     SceneObject common;
-    common.pose = world_pose(entries[i], tree.world_of(i), unit_factor(value, shapes, metres));
     common.solid = value.has("solid") ? solid_of(value.at("solid")) : Solid::automatic;
     common.group = value.text_or("group", "");
     common.node = tree.node_of(i);
-    add_objects(scene, entries[i], shapes, common);
+    add_objects(scene, entries[i], shapes, common, {tree.world_of(i), unit_factor(value, shapes, metres)});
   }
   if (scene.objects.empty()) top.fail("the scene has no objects", "add one to \"objects\"");
   return scene;

@@ -9,6 +9,7 @@
 #include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
 #include "io/scene_parts.hpp"
+#include "io/scene_shape.hpp"
 #include "io/utf8.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/mesh_file.hpp"
@@ -83,13 +84,14 @@ class MeshFiles {
  public:
   explicit MeshFiles(const fs::path& folder) : folder_(folder) {}
 
-  const std::string& file_of(const SceneObject& object) {
-    const auto [found, is_new] = file_of_.try_emplace(object.mesh.get());
+  /// `owner`: the name of the object that has it.
+  const std::string& file_of(const TriangleMesh& mesh, const std::string& owner) {
+    const auto [found, is_new] = file_of_.try_emplace(&mesh);
     if (is_new) {
-      std::string name = file_stem(object.name) + ".obj";
+      std::string name = file_stem(owner) + ".obj";
       for (int number = 2; !taken_.insert(lower_case(name)).second; ++number)
-        name = fmt::format("{}-{}.obj", file_stem(object.name), number);
-      write_mesh(*object.mesh, folder_ / name);
+        name = fmt::format("{}-{}.obj", file_stem(owner), number);
+      write_mesh(mesh, folder_ / name);
       found->second = name;
     }
     return found->second;
@@ -102,7 +104,12 @@ class MeshFiles {
 };
 
 Json json_of(const SceneObject& object, MeshFiles& files) {
-  Json json = {{"name", object.name}, {"file", files.file_of(object)}};
+  Json json = {{"name", object.name}};
+  const Json shape = io::json_of(object.shape, [&](const auto& mesh) { return files.file_of(*mesh, object.name); });
+  if (shape.contains("type"))
+    json["shape"] = shape;
+  else
+    json.update(shape);
   if (!(object.pose == Pose{})) json["pose"] = object.pose.numbers();
   if (object.solid != Solid::automatic) json["solid"] = object.solid == Solid::all ? "all" : "none";
   if (!object.group.empty()) json["group"] = object.group;

@@ -2,25 +2,35 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
 
 std::vector<Posed> scene_models(const Scene& scene, int threads) {
-  std::map<const TriangleMesh*, std::size_t> slot_of_mesh;
-  std::vector<std::shared_ptr<const TriangleMesh>> meshes;
-  for (const SceneObject& object : scene.objects)
-    if (slot_of_mesh.emplace(object.mesh.get(), meshes.size()).second) meshes.push_back(object.mesh);
+  // Objects that share a mesh share its model and its trees.
+  std::map<std::pair<const TriangleMesh*, std::size_t>, std::size_t> slot_of;
+  std::vector<std::size_t> slots;
+  std::vector<const Shape*> shapes;
+  for (const SceneObject& object : scene.objects) {
+    const auto mesh = object.mesh();
+    const std::size_t slot =
+        mesh ? slot_of.emplace(std::pair(mesh.get(), object.shape.index()), shapes.size()).first->second
+             : shapes.size();
+    if (slot == shapes.size()) shapes.push_back(&object.shape);
+    slots.push_back(slot);
+  }
 
-  std::vector<std::optional<Model>> models(meshes.size());
-  parallel_for(meshes.size(), threads, [&](std::size_t i) { models[i].emplace(meshes[i]); });
+  std::vector<std::optional<Model>> models(shapes.size());
+  parallel_for(shapes.size(), threads, [&](std::size_t i) { models[i].emplace(*shapes[i]); });
 
   std::vector<Posed> posed;
   posed.reserve(scene.objects.size());
-  for (const SceneObject& object : scene.objects)
-    posed.push_back(
-        {*models[slot_of_mesh.at(object.mesh.get())], object.pose, object.solid, object.name, object.group});
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    posed.push_back({*models[slots[i]], object.pose, object.solid, object.name, object.group});
+  }
   return posed;
 }
 

@@ -93,6 +93,8 @@ HeightField::HeightField(Index columns, Index rows, double spacing_x, double spa
 
 Index HeightField::columns() const { return parts_->columns; }
 Index HeightField::rows() const { return parts_->rows; }
+double HeightField::spacing_x() const { return vertex(1, 0).x; }
+double HeightField::spacing_y() const { return vertex(0, 1).y; }
 Vec3 HeightField::vertex(Index column, Index row) const {
   return parts_->mesh->vertices()[std::size_t{row} * parts_->columns + column];
 }

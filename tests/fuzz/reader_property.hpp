@@ -39,14 +39,14 @@ inline void require_valid(const TriangleMesh& mesh) {
   require(again.corners.size() == 3 * mesh.triangles().size(), "triangles change when written and read");
 }
 
-/// Every object has a name of its own, a mesh, and a finite pose.
+/// Every object has a name of its own and a finite pose, and its mesh is valid.
 inline void require_valid(const Scene& scene) {
   std::set<std::string> names;
   require(!scene.objects.empty(), "there is no object");
   for (const SceneObject& object : scene.objects) {
     require(names.insert(object.name).second, "two objects have the same name");
-    require(object.mesh != nullptr && is_finite(object.pose), "an object is nowhere");
-    require_valid(*object.mesh);
+    require(is_finite(object.pose), "an object is nowhere");
+    if (const auto mesh = object.mesh()) require_valid(*mesh);
   }
 }
 

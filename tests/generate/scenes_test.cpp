@@ -99,7 +99,7 @@ TEST(Scenes, NamesAreUniqueAndSolidsClosed) {
     std::set<std::string> names;
     for (const SceneObject& object : scene.objects) {
       EXPECT_TRUE(names.insert(object.name).second) << object.name;
-      EXPECT_TRUE(is_closed(*object.mesh)) << object.name;
+      EXPECT_TRUE(is_closed(*object.mesh())) << object.name;
       EXPECT_TRUE(is_finite(object.pose)) << object.name;
     }
   }
@@ -109,7 +109,7 @@ TEST(Scenes, NamesAreUniqueAndSolidsClosed) {
 TEST(Scenes, OfManyShareFewMeshesAndCollideInPart) {
   const Scene scene = many_parts(500, 1);
   std::set<const TriangleMesh*> meshes;
-  for (const SceneObject& object : scene.objects) meshes.insert(object.mesh.get());
+  for (const SceneObject& object : scene.objects) meshes.insert(object.mesh().get());
   EXPECT_EQ(scene.objects.size(), 500U);
   EXPECT_EQ(meshes.size(), 8U);
   const std::size_t pairs = relations_of(scene).size();

@@ -67,7 +67,7 @@ void expect_error(const std::string& text, const std::string& part) {
 }
 
 std::vector<std::array<Index, 3>> triangles_of(const Scene& scene) {
-  const auto triangles = scene.objects[0].mesh->triangles();
+  const auto triangles = scene.objects[0].mesh()->triangles();
   return {triangles.begin(), triangles.end()};
 }
 
@@ -77,12 +77,12 @@ TEST(Gltf, NodesPoseSharedMeshes) {
   EXPECT_EQ(scene.unit, "m");
   EXPECT_EQ(scene.objects[0].name, "part");
   EXPECT_EQ(scene.objects[1].name, "part #2");
-  EXPECT_EQ(scene.objects[0].mesh, scene.objects[1].mesh);
+  EXPECT_EQ(scene.objects[0].mesh(), scene.objects[1].mesh());
   const Pose root = pose_of({1, 2, 3}, rotation_of({0, 0, 1, 1}), {1, 1, 1});
   EXPECT_EQ(scene.objects[0].pose, compose(root, scaled(Pose{}, 2)));
   EXPECT_EQ(scene.objects[1].pose, compose(root, Pose::from_numbers({0, -1, 0, 1, 0, 0, 0, 0, 1, 7, 8, 9})));
   EXPECT_EQ(scene.nodes[1].parent, 0U);
-  EXPECT_EQ(scene.objects[0].mesh->vertices()[3].y, static_cast<double>(0.1F));
+  EXPECT_EQ(scene.objects[0].mesh()->vertices()[3].y, static_cast<double>(0.1F));
   EXPECT_EQ(triangles_of(scene), (std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}}));
 }
 
@@ -106,10 +106,10 @@ TEST(Gltf, SparseAccessorsReplaceElements) {
                               "values": {"bufferView": 0, "byteOffset": 24}}, )";
   const Scene scene =
       parse(with(file, R"({"bufferView": 0, "componentType")", "{" + sparse + R"("bufferView": 0, "componentType")"));
-  EXPECT_EQ(scene.objects[0].mesh->vertices()[1], (Vec3{1, 1, 0}));
+  EXPECT_EQ(scene.objects[0].mesh()->vertices()[1], (Vec3{1, 1, 0}));
   const Scene zeros = parse(with(file, R"({"bufferView": 0, "componentType")", "{" + sparse + R"("componentType")"));
-  EXPECT_EQ(zeros.objects[0].mesh->vertices()[1], (Vec3{1, 1, 0}));
-  EXPECT_EQ(zeros.objects[0].mesh->vertices()[2], (Vec3{0, 0, 0}));
+  EXPECT_EQ(zeros.objects[0].mesh()->vertices()[1], (Vec3{1, 1, 0}));
+  EXPECT_EQ(zeros.objects[0].mesh()->vertices()[2], (Vec3{0, 0, 0}));
   expect_error(with(file, R"({"bufferView": 0, "componentType")",
                     "{" + with(sparse, R"("count": 1)", R"("count": 4)") + R"("componentType")"),
                "its 4 elements need");
@@ -223,7 +223,7 @@ TEST(Gltf, BuffersOfOneFileLoadItOnce) {
   const std::size_t list = text.find(R"("buffers": [)");
   text = text.substr(0, list) + R"("buffers": [)" + buffers + "]}";
   folder.file("a.gltf", text);
-  EXPECT_EQ(read_scene(folder / "a.gltf").objects[0].mesh->triangles().size(), 26U);
+  EXPECT_EQ(read_scene(folder / "a.gltf").objects[0].mesh()->triangles().size(), 26U);
   const std::string greedy = R"(, {"componentType": 5126, "count": 20000000, "type": "VEC3"}])";
   const std::size_t after = text.find("],", text.find(R"("accessors")"));
   text = text.substr(0, after) + greedy + text.substr(after + 1);

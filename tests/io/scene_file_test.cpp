@@ -72,9 +72,9 @@ TEST_F(SceneFile, ObjectsWithFilesAndGenerators) {
   EXPECT_EQ(scene.objects[0].solid, Solid::none);
   EXPECT_EQ(scene.objects[0].group, "g");
   EXPECT_EQ(scene.objects[0].pose, Pose{});
-  EXPECT_EQ(scene.objects[0].mesh, scene.objects[1].mesh);
-  EXPECT_EQ(scene.objects[2].mesh, scene.objects[3].mesh);
-  EXPECT_EQ(scene.objects[2].mesh->triangle_count(), 80U);
+  EXPECT_EQ(scene.objects[0].mesh(), scene.objects[1].mesh());
+  EXPECT_EQ(scene.objects[2].mesh(), scene.objects[3].mesh());
+  EXPECT_EQ(scene.objects[2].mesh()->triangle_count(), 80U);
   EXPECT_NE(scene.objects[2].source.find("icosphere"), std::string::npos);
 }
 
@@ -243,14 +243,109 @@ TEST_F(SceneFile, WrittenSceneIsReadBackTheSame) {
       EXPECT_EQ(a.pose, b.pose);
       EXPECT_EQ(a.solid, b.solid);
       EXPECT_EQ(a.group, b.group);
-      EXPECT_TRUE(std::ranges::equal(a.mesh->vertices(), b.mesh->vertices())) << a.name;
-      EXPECT_TRUE(std::ranges::equal(a.mesh->triangles(), b.mesh->triangles())) << a.name;
-      before.insert(a.mesh.get());
-      after.insert(b.mesh.get());
+      EXPECT_TRUE(std::ranges::equal(a.mesh()->vertices(), b.mesh()->vertices())) << a.name;
+      EXPECT_TRUE(std::ranges::equal(a.mesh()->triangles(), b.mesh()->triangles())) << a.name;
+      before.insert(a.mesh().get());
+      after.insert(b.mesh().get());
     }
     EXPECT_EQ(before.size(), after.size());
     fs::remove_all(target);
   }
+}
+
+/// One of every type, and one within another.
+constexpr const char* every_shape = R"("objects": [
+    {"name": "point", "shape": {"type": "point", "position": [1, 2, 3]}},
+    {"name": "segment", "shape": {"type": "segment", "start": [0, 0, 0], "end": [1, 0, 0]}},
+    {"name": "triangle", "shape": {"type": "triangle", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}},
+    {"name": "floor", "shape": {"type": "half-space", "normal": [0, 0, 2]}},
+    {"name": "ball", "shape": {"type": "sphere", "radius": 0.1, "centre": [0.1, 0.2, 0.3]}},
+    {"name": "box", "shape": {"type": "box", "half_extents": [1, 2, 3]}},
+    {"name": "capsule", "shape": {"type": "capsule", "start": [0, 0, 0], "end": [0, 0, 1], "radius": 0.3}},
+    {"name": "hull", "shape": {"type": "convex-hull", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}},
+    {"name": "of file", "shape": {"type": "convex-hull", "file": "parts/plate.obj"}},
+    {"name": "rounded", "shape": {"type": "rounded", "core": {"type": "box", "half_extents": [1, 1, 1]}, "radius": 0.7}},
+    {"name": "ground", "shape": {"type": "height-field", "columns": 2, "rows": 3, "spacing": [0.1, 3],
+                                 "heights": [0, 1, 2, 3, 4, 5]}},
+    {"name": "several", "shape": {"type": "compound", "parts": [
+        {"shape": {"type": "sphere", "radius": 2}, "pose": [1, 0, 0, 0, 1, 0, 0, 0, 1, 5, 6, 7]},
+        {"file": "parts/plate.obj"}]}}])";
+
+TEST_F(SceneFile, EveryShapeIsReadWrittenAndReadBackTheSame) {
+  const Scene scene = read_members(every_shape);
+  ASSERT_EQ(scene.objects.size(), std::variant_size_v<Shape>);
+  EXPECT_EQ(std::get<Point>(scene.objects[0].shape).position(), (Vec3{1, 2, 3}));
+  EXPECT_EQ(std::get<HalfSpace>(scene.objects[3].shape).normal(), (Vec3{0, 0, 2}));
+  EXPECT_EQ(std::get<Sphere>(scene.objects[4].shape).radius(), 0.1);
+  EXPECT_EQ(std::get<Box>(scene.objects[5].shape).half_extents(), (Vec3{1, 2, 3}));
+  EXPECT_EQ(std::get<ConvexHull>(scene.objects[8].shape).vertex_count(), 3U);
+  EXPECT_EQ(std::get<Rounded>(scene.objects[9].shape).radius(), 0.7);
+  EXPECT_EQ(std::get<HeightField>(scene.objects[10].shape).vertex(1, 2), (Vec3{0.1, 6, 5}));
+  const auto parts = std::get<Compound>(scene.objects[11].shape).parts();
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].pose, Pose::translation(5, 6, 7));
+  EXPECT_EQ(mesh_of(parts[1].shape)->triangle_count(), 1U);
+
+  write_scene(scene, folder_ / "first");
+  write_scene(read_scene(folder_ / "first" / "scene.json"), folder_ / "second");
+  const auto text_of = [this](const char* folder) {
+    std::ifstream file(folder_ / folder / "scene.json");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_EQ(text_of("first"), text_of("second"));
+  EXPECT_NE(text_of("first").find("height-field"), std::string::npos);
+}
+
+TEST_F(SceneFile, UnitsAndUniformScalesGoIntoTheNumbersOfWhatMustKeepItsForm) {
+  const Scene scene = read_members(R"("unit": "m",
+    "frames": [{"name": "arm", "pose": {"translation": [1, 0, 0], "scale": 2,
+                                        "rotation": {"axis": [0, 0, 1], "degrees": 90}}}],
+    "objects": [
+    {"name": "ball", "parent": "arm", "unit": "mm", "pose": {"translation": [0, 3, 0], "scale": 4},
+     "shape": {"type": "sphere", "radius": 1000, "centre": [1000, 0, 0]}},
+    {"name": "box", "parent": "arm", "unit": "mm", "shape": {"type": "box", "half_extents": [1000, 1000, 1000]}},
+    {"name": "both", "unit": "mm", "shape": {"type": "compound", "parts": [
+        {"shape": {"type": "sphere", "radius": 1000}, "pose": {"translation": [500, 0, 0], "scale": 3}},
+        {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": {"scale": 5}}]}}])");
+  const Mat3 turned = rotation_about({0, 0, 1}, 90);
+  const Sphere ball = std::get<Sphere>(scene.objects[0].shape);
+  EXPECT_EQ(ball.radius(), 8);
+  EXPECT_EQ(ball.centre(), (Vec3{8, 0, 0}));
+  EXPECT_EQ(scene.objects[0].pose, (Pose{turned, {-5, 0, 0}}));
+  EXPECT_EQ(std::get<Box>(scene.objects[1].shape).half_extents(), (Vec3{1000, 1000, 1000}));
+  EXPECT_EQ(scene.objects[1].pose, (Pose{scaled({turned, {}}, 2 * 0.001).linear, {1, 0, 0}}));
+  const auto parts = std::get<Compound>(scene.objects[2].shape).parts();
+  EXPECT_EQ(std::get<Sphere>(parts[0].shape).radius(), 3);
+  EXPECT_EQ(parts[0].pose, Pose::translation(0.5, 0, 0));
+  EXPECT_EQ(parts[1].pose.linear, scaled(Pose{}, 5 * 0.001).linear);
+  EXPECT_EQ(scene.objects[2].pose, Pose{});
+
+  write("ball.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "ball", "pose": {"translation": [1, 0, 0]}, "shape": {"type": "sphere", "radius": 1}}]})");
+  const Scene larger = read_scene(folder_ / "ball.json", {.scale = 3});
+  EXPECT_EQ(std::get<Sphere>(larger.objects[0].shape).radius(), 3);
+  EXPECT_EQ(larger.objects[0].pose, Pose::translation(3, 0, 0));
+}
+
+TEST_F(SceneFile, WrongShapesAreSaidWhere) {
+  const auto expect = [this](const std::string& shape, const std::string& part) {
+    expect_error(R"("objects": [{"name": "a", "shape": )" + shape + "}]", part);
+  };
+  expect(R"({"type": "spere", "radius": 1})", "did you mean 'sphere'?");
+  expect(R"({"type": "sphere", "radius": 0})", "/objects/0/shape");
+  expect(R"({"type": "sphere"})", "radius");
+  expect(R"({"type": "box", "half_extents": [1, -1, 1]})", "/objects/0/shape");
+  expect(R"({"type": "triangle", "vertices": [[0, 0, 0]]})", "three vertices");
+  expect(R"({"type": "half-space", "normal": [0, 0, 0]})", "/objects/0/shape");
+  expect(R"({"type": "convex-hull", "points": []})", "/objects/0/shape");
+  expect(R"({"type": "convex-hull"})", "\"points\" or \"file\"");
+  expect(R"({"type": "rounded", "core": {"type": "sphere", "radius": 1}, "radius": 1})", "cannot be the core");
+  expect(R"({"type": "height-field", "columns": 2, "rows": 2, "spacing": [1, 1], "heights": [0]})", "/objects/0/shape");
+  expect(R"({"type": "compound", "parts": []})", "/objects/0/shape");
+  std::string deep = R"({"type": "point"})";
+  for (int i = 0; i < 40; ++i) deep = R"({"type": "compound", "parts": [{"shape": )" + deep + "}]}";
+  expect(deep, "more than 32 deep");
+  expect_error(R"("objects": [{"name": "a", "file": "parts/plate.obj", "shape": {"type": "point"}}])", "one shape");
 }
 
 TEST_F(SceneFile, WritingDoesNotTouchWhatIsThere) {

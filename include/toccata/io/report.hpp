@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -67,13 +68,15 @@ struct NamedReport {
 /// Comma-separated values with a header line: a line per pair, or per pair of faces when the report has them.
 [[nodiscard]] std::string check_report_csv(const Scene& scene, const CheckReport& report);
 
-/// A mesh and how it is, for `inspect`.
+/// An object and how it is, for `inspect`.
 struct InspectedObject {
   std::string name;
   std::string source;
+  std::string shape;  ///< "mesh", "sphere", "convex-hull" …, as in scene files
   Pose pose;
+  /// What follows is told of meshes and height fields only.
+  std::optional<MeshHealth> health;
   bool solid = false;
-  MeshHealth health;
   Aabb world_box;  ///< around the posed triangles, exact
 };
 

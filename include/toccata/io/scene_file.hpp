@@ -33,8 +33,8 @@ struct ReadOptions {
 /// exist or be empty.
 void write_scene(const Scene& scene, const std::filesystem::path& folder);
 
-/// One sentence for every object whose box diagonal in the world is 500 times the median of the scene's or more, or as
-/// much less: a unit is probably missing.
+/// One sentence for every mesh whose box diagonal in the world is 500 times the median of the scene's meshes or more,
+/// or as much less: a unit is probably missing.
 [[nodiscard]] std::vector<std::string> scale_warnings(const Scene& scene);
 
 /// Metres per unit of "mm", "cm", "m", "km", "in", "ft", or of a positive number written out. Throws Error otherwise.

@@ -21,6 +21,8 @@ class HeightField {
 
   [[nodiscard]] Index columns() const;
   [[nodiscard]] Index rows() const;
+  [[nodiscard]] double spacing_x() const;
+  [[nodiscard]] double spacing_y() const;
   [[nodiscard]] Vec3 vertex(Index column, Index row) const;
 
   /// Its triangles as a mesh; the surface that questions are answered about. Face c is the cell c.

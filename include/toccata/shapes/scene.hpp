@@ -7,6 +7,8 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/shapes/scaled_shape.hpp"
+#include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
@@ -18,15 +20,18 @@ enum class Solid {
   none,       ///< a surface
 };
 
-/// A named, posed mesh. Objects may share one mesh. World units are the scene's.
+/// A named, posed shape. Objects may share one mesh, hull, height field or compound. World units are the scene's.
 struct SceneObject {
   std::string name;  ///< unique in its scene
-  std::shared_ptr<const TriangleMesh> mesh;
+  Shape shape;
   Pose pose;  ///< the 12 numbers of the query: node chain and unit composed once (docs/reference/scene-file.md)
   Solid solid = Solid::automatic;
   std::string group;          ///< objects of one non-empty group are not checked against each other
   std::optional<Index> node;  ///< the node of the tree that carries it
-  std::string source;         ///< where the mesh came from, for messages: a file, or "generated: …"
+  std::string source;         ///< where the shape came from, for messages: a file, or "generated: …"
+
+  /// Its triangles, when it is a mesh or a height field; else null.
+  [[nodiscard]] std::shared_ptr<const TriangleMesh> mesh() const { return mesh_of(shape); }
 };
 
 /// A node of the tree the scene came from; its pose is relative to its parent.

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/json_value.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/shape.hpp"
+
+namespace toccata::io {
+
+/// Reads the mesh of a "file" within a shape.
+using MeshReading = std::function<std::shared_ptr<const TriangleMesh>(const JsonValue& file)>;
+
+/// Writes a mesh and gives its file name.
+using MeshWriting = std::function<std::string(const std::shared_ptr<const TriangleMesh>& mesh)>;
+
+/// Runs `action`; an Error in it is said to be at `place`.
+template <class Action>
+auto located(const JsonValue& place, const Action& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    place.fail(error.what(), "correct it");
+  }
+}
+
+/// A pose of a scene file, and the uniform scale that is in it.
+struct ScaledPose {
+  Pose pose;         ///< as docs/reference/scene-file.md says, the scale included
+  Mat3 unscaled;     ///< its linear part without the uniform scale
+  double scale = 1;  ///< the uniform scale
+};
+[[nodiscard]] ScaledPose pose_of(const JsonValue& value);
+
+/// The "shape" of an object or of a part of a compound.
+[[nodiscard]] Shape shape_of(const JsonValue& value, const MeshReading& read_mesh);
+
+/// What `shape_of` reads as the same shape; not for a mesh, which is a "file".
+[[nodiscard]] nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh);
+
+/// "sphere", "convex-hull" …: the "type" of a shape, and "mesh".
+[[nodiscard]] std::string type_of(const Shape& shape);
+
+}  // namespace toccata::io
