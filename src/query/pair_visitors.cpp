@@ -16,12 +16,25 @@ void put_local(const TriangleMesh& mesh, Index triangle, std::size_t lane, Trian
 
 }  // namespace
 
+void PairVisitor::ask_for_triangles(std::span<const ItemPair> pairs) const {
+  for (const ItemPair& pair : pairs) {
+    __builtin_prefetch(&mesh_a_.triangles()[pair.first]);
+    __builtin_prefetch(&mesh_b_.triangles()[pair.second]);
+  }
+}
+
+void PairVisitor::ask_for_vertices(std::span<const ItemPair> pairs) const {
+  for (const ItemPair& pair : pairs) {
+    for (const Index corner : mesh_a_.triangles()[pair.first]) __builtin_prefetch(&mesh_a_.vertices()[corner]);
+    for (const Index corner : mesh_b_.triangles()[pair.second]) __builtin_prefetch(&mesh_b_.vertices()[corner]);
+  }
+}
+
 std::span<const TrianglePairBlock> PairVisitor::classified(std::span<const ItemPair> pairs) {
   constexpr std::size_t lanes = TrianglePairBlock::lanes;
-  const TriangleMesh &mesh_a = a_.model().mesh(), &mesh_b = b_.model().mesh();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    put_local(mesh_a, pairs[i].first, i % lanes, blocks_[i / lanes].a);
-    put_local(mesh_b, pairs[i].second, i % lanes, blocks_[i / lanes].b);
+    put_local(mesh_a_, pairs[i].first, i % lanes, blocks_[i / lanes].a);
+    put_local(mesh_b_, pairs[i].second, i % lanes, blocks_[i / lanes].b);
   }
   const auto used = blocks_.first((pairs.size() + lanes - 1) / lanes);
   for (TrianglePairBlock& block : used) block.count = lanes;

@@ -46,7 +46,8 @@ bool lane_meets(const TrianglePairBlock& block, std::size_t lane) {
 /// What the visitors below share.
 class PairVisitor : public WideVisitor {
  public:
-  PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchPart& part) : a_(a), b_(b), blocks_(part.blocks) {}
+  PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
+      : a_(a), b_(b), mesh_a_(a.model().mesh()), mesh_b_(b.model().mesh()), blocks_(part.blocks) {}
 
  protected:
   ~PairVisitor() = default;
@@ -58,8 +59,12 @@ class PairVisitor : public WideVisitor {
   template <class Look>
   bool decide(std::span<const ItemPair> pairs, const Look& look) {
     constexpr std::size_t at_once = TrianglePairBlock::lanes * std::tuple_size_v<decltype(SearchPart::blocks)>;
-    for (; !pairs.empty(); pairs = pairs.subspan(std::min(at_once, pairs.size()))) {
+    // Triangles and vertices lie anywhere in memory: where there are many, all are asked for before their turn comes.
+    if (pairs.size() > at_once) ask_for_triangles(pairs);
+    while (!pairs.empty()) {
       const auto part = pairs.first(std::min(at_once, pairs.size()));
+      pairs = pairs.subspan(part.size());
+      ask_for_vertices(pairs.first(std::min(at_once, pairs.size())));
       if (!look(classified(part), part)) return false;
     }
     return true;
@@ -84,8 +89,14 @@ class PairVisitor : public WideVisitor {
   const PosedMesh& b_;
 
  private:
+  void ask_for_triangles(std::span<const ItemPair> pairs) const;
+  void ask_for_vertices(std::span<const ItemPair> pairs) const;
+
   /// Writes the pairs into the blocks and decides them.
   Blocks classified(std::span<const ItemPair> pairs);
+
+  const TriangleMesh& mesh_a_;
+  const TriangleMesh& mesh_b_;
 
   std::span<TrianglePairBlock> blocks_;
 };
