@@ -1,5 +1,7 @@
 #include <cmath>
+#include <optional>
 
+#include "math/bounded_number.hpp"
 #include "math/double_search.hpp"
 #include "math/exact.hpp"
 #include "narrow/half_space_gap.hpp"
@@ -21,7 +23,47 @@ Neighbours neighbours_of(const Compare& compare, double guess) {
   return {lower, is_double ? lower : of_rank(rank_of(lower) + 1)};
 }
 
-Distance apart_by(const HalfSpaceGap& gap) {
+/// What HalfSpaceGap finds exactly, where 106 bits are enough.
+struct LikelyGap {
+  BoundedNumber gap;
+  std::optional<Vec3> on_ball;
+  std::optional<Vec3> foot;
+};
+
+/// The point moved along the normal; a coordinate along which the normal does not point stays.
+std::optional<Vec3> moved_along(const Vec3& point, const BoundedNumber& share, const Vec3& normal) {
+  Vec3 result = point + Vec3{};  // no −0
+  for (int axis = 0; axis < 3; ++axis) {
+    if (normal[axis] == 0) continue;
+    const auto rounded = nearest_double(exactly(point[axis]) - share * exactly(normal[axis]));
+    if (!rounded) return {};
+    result[axis] = *rounded;
+  }
+  return result;
+}
+
+LikelyGap likely_gap(const Vec3& centre, double radius, const PosedHalfSpace& h) {
+  const BoundedVector normal = exactly(h.normal);
+  const BoundedNumber height = dot(bounded_difference(centre, h.point), normal), squared = dot(normal, normal);
+  const BoundedNumber length = square_root(squared);
+  return {height / length - exactly(radius), moved_along(centre, exactly(radius) / length, h.normal),
+          moved_along(centre, height / squared, h.normal)};
+}
+
+/// The doubles around a positive number that certainly is none.
+std::optional<Neighbours> certain_neighbours(const BoundedNumber& number) {
+  const double high = number.value.high, low = number.value.low, off = 4 * number.error;
+  if (!(high > 0)) return {};
+  if (low > off) return Neighbours{high, std::nextafter(high, HUGE_VAL)};
+  if (low < -off) return Neighbours{std::nextafter(high, 0), high};
+  return {};
+}
+
+Distance apart_by(const Vec3& centre, double radius, const PosedHalfSpace& h) {
+  const LikelyGap likely = likely_gap(centre, radius, h);
+  if (const auto near = certain_neighbours(likely.gap); near && likely.on_ball && likely.foot)
+    return {near->lower, near->upper, *likely.on_ball, *likely.foot, Status::exact};
+  const HalfSpaceGap gap(centre, radius, h);
   const auto compare = [&](double x, double y) { return gap.compare(x, y); };
   const auto [lower, upper] = neighbours_of(compare, gap.approximate());
   return {lower, upper, gap.on_ball(), gap.foot(), Status::exact};
@@ -55,13 +97,13 @@ double depth_that_parts(double upper) { return std::nextafter(upper * (1 + 0x1p-
 Distance distance(const PosedConvex& a, const PosedHalfSpace& b) {
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
   if (height_sign(b, lowest) != Sign::positive) return meeting_in(lowest);
-  const HalfSpaceGap gap(lowest, a.radius(), b);
-  if (reach_sign(lowest, a.radius(), b, Reach::below) != Sign::negative) return meeting_in(gap.foot());
-  return apart_by(gap);
+  if (reach_sign(lowest, a.radius(), b, Reach::below) == Sign::negative) return apart_by(lowest, a.radius(), b);
+  const auto foot = likely_gap(lowest, a.radius(), b).foot;
+  return meeting_in(foot ? *foot : HalfSpaceGap(lowest, a.radius(), b).foot());
 }
 
 Distance distance(const PosedHalfSpace& a, const PosedHalfSpace& b) {
-  if (relation(a, b).kind == RelationKind::apart) return apart_by(HalfSpaceGap(a.point, 0, b));
+  if (relation(a, b).kind == RelationKind::apart) return apart_by(a.point, 0, b);
   return meeting_in(common_point(a, b));
 }
 
@@ -69,6 +111,9 @@ Penetration penetration(const PosedConvex& a, const PosedHalfSpace& b) {
   if (!a.solid()) throw Error("penetration: a surface has no interior that a half-space could leave; ask for distance");
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
   if (reach_sign(lowest, a.radius(), b, Reach::below) != Sign::positive) return {};
+  const LikelyGap likely = likely_gap(lowest, a.radius(), b);
+  if (const auto near = certain_neighbours(-likely.gap); near && likely.on_ball && likely.foot)
+    return {near->lower, depth_that_parts(near->upper), -unit_normal(b), *likely.on_ball, *likely.foot, Status::exact};
   const HalfSpaceGap gap(lowest, a.radius(), b);
   const auto compare_depth = [&](double x, double y) { return -gap.compare(-x, -y); };
   const auto [lower, upper] = neighbours_of(compare_depth, -gap.approximate());

@@ -18,12 +18,13 @@ constexpr double deformation_limit = 0x1p-40;
 constexpr double filter_margin = 0x1p-46;
 constexpr double largest_of_filter = 1.01;
 
-/// A row sum of |RᵀR − I|, rounded.
-double deformation(const Mat3& linear, int row) {
-  double sum = 0;
-  for (int other = 0; other < 3; ++other)
-    sum += std::fabs(dot(linear.column(row), linear.column(other)) - (row == other ? 1 : 0));
-  return sum;
+/// The largest row sum of |RᵀR − I|, rounded.
+double deformation(const Mat3& m) {
+  const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
+  const double xy = std::fabs(dot(x, y)), yz = std::fabs(dot(y, z)), zx = std::fabs(dot(z, x));
+  const double of_x = (std::fabs(dot(x, x) - 1) + xy) + zx, of_y = (std::fabs(dot(y, y) - 1) + xy) + yz,
+               of_z = (std::fabs(dot(z, z) - 1) + yz) + zx;
+  return std::fmax(std::fmax(of_x, of_y), of_z);
 }
 
 bool deforms_exactly(const Mat3& linear) {
@@ -41,13 +42,10 @@ bool deforms_exactly(const Mat3& linear) {
 }  // namespace
 
 bool deforms(const Mat3& linear) {
-  double largest_sum = 0;
-  for (int row = 0; row < 3; ++row) {
-    const Vec3& r = linear[row];
-    // A column with such a number has a squared length of more than 1.02.
+  // A column with a number above this has a squared length of more than 1.02.
+  for (const Vec3& r : linear.row)
     if (std::fmax(std::fmax(std::fabs(r.x), std::fabs(r.y)), std::fabs(r.z)) > largest_of_filter) return true;
-    largest_sum = std::fmax(largest_sum, deformation(linear, row));
-  }
+  const double largest_sum = deformation(linear);
   if (largest_sum < deformation_limit - filter_margin) return false;
   if (largest_sum > deformation_limit + filter_margin) return true;
   return deforms_exactly(linear);
