@@ -1,0 +1,69 @@
+#include "toccata/narrow/pair_arrays.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "narrow/pair_kernels.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+template <std::size_t Width>
+std::array<const double*, Width> columns_of(const Columns<Width>& array) {
+  std::array<const double*, Width> result;
+  for (std::size_t i = 0; i < Width; ++i) result[i] = array.column(i);
+  return result;
+}
+
+/// The kernel's answers; what it leaves open or did not reach is asked one by one.
+template <std::size_t WidthA, std::size_t WidthB, class OneByOne>
+std::vector<std::uint8_t> answers(PairKernel kernel, const Columns<WidthA>& a, const Columns<WidthB>& b,
+                                  const OneByOne& one_by_one) {
+  if (a.size() != b.size())
+    throw Error(fmt::format("pairs need two arrays of one length; these have {} and {} shapes", a.size(), b.size()));
+  std::vector<std::uint8_t> result(a.size(), pair_unknown);
+  const auto columns_a = columns_of(a);
+  const auto columns_b = columns_of(b);
+  kernel({columns_a.data(), columns_b.data(), a.size()}, result.data());
+  const auto end = result.end();
+  for (auto open = std::find(result.begin(), end, pair_unknown); open != end; open = std::find(open, end, pair_unknown))
+    *open = one_by_one(static_cast<std::size_t>(open - result.begin())) ? pair_meets : pair_apart;
+  return result;
+}
+
+}  // namespace
+
+void BoxArray::append(const PosedBox& box) {
+  const auto& [x, y, z] = box.half_axis;
+  append_row({box.centre.x, box.centre.y, box.centre.z, x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z,
+              box.inverse_squared.x, box.inverse_squared.y, box.inverse_squared.z, box.size, box.corner_slack});
+  box_.push_back(box);
+}
+
+std::vector<std::uint8_t> overlap_each(const SphereArray& a, const SphereArray& b) {
+  return answers(pair_kernels().sphere_sphere, a, b, [&](std::size_t i) { return overlap(a[i], b[i]); });
+}
+
+std::vector<std::uint8_t> overlap_each(const SphereArray& a, const TriangleArray& b) {
+  return answers(pair_kernels().sphere_triangle, a, b, [&](std::size_t i) { return overlap(a[i], b[i]); });
+}
+
+std::vector<std::uint8_t> overlap_each(const SphereArray& a, const BoxArray& b) {
+  return answers(pair_kernels().sphere_box, a, b, [&](std::size_t i) { return overlap(a[i], b[i]); });
+}
+
+std::vector<std::uint8_t> overlap_each(const CapsuleArray& a, const CapsuleArray& b) {
+  return answers(pair_kernels().capsule_capsule, a, b, [&](std::size_t i) { return overlap(a[i], b[i]); });
+}
+
+std::vector<std::uint8_t> overlap_each(const AlignedBoxArray& a, const AlignedBoxArray& b) {
+  return answers(pair_kernels().box_box, a, b, [&](std::size_t i) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (a.column(axis)[i] > b.column(axis + 3)[i] || b.column(axis)[i] > a.column(axis + 3)[i]) return false;
+    return true;
+  });
+}
+
+}  // namespace toccata
