@@ -154,8 +154,8 @@ class ShapeCast {
   /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.
   [[nodiscard]] Vec3 point_of_b(const VertexPairs& pairs, const std::array<BoundedVector, 3>& corner) const {
     std::array<double, 3> weight;
-    for (std::size_t i = 0; i < 3; ++i)
-      weight[i] = dot(cross(high_parts(corner[(i + 1) % 3]), high_parts(corner[(i + 2) % 3])), motion_);
+    for (std::size_t i = 0; i < 3; ++i)  // of one sign, but for rounding
+      weight[i] = std::fabs(dot(cross(corner[(i + 1) % 3], corner[(i + 2) % 3]), exactly(motion_)).value.high);
     const double total = (weight[0] + weight[1]) + weight[2];
     Vec3 point;
     for (std::size_t i = 0; i < 3; ++i) point = point + (weight[i] / total) * b_.vertex(pairs.b[i]);

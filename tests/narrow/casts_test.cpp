@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "narrow/casts_checks.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
@@ -11,51 +12,6 @@
 
 namespace toccata {
 namespace {
-
-using oracle::Rational;
-
-/// The oracle's sets of A at the start, and of A swept until a time.
-oracle::ConvexSet swept(const oracle::ConvexSet& a, const Vec3& motion, double until) {
-  oracle::ConvexSet result = a;
-  for (const oracle::RationalPoint& v : a.vertices)
-    result.vertices.push_back(v + oracle::exact(until) * oracle::exact(motion));
-  return result;
-}
-
-/// Empty when the oracle finds the same: free all the way, or free until `lower` and met by `upper`.
-std::string cast_fault(const Cast& cast, const oracle::ConvexSet& a, const Vec3& motion, const oracle::ConvexSet& b) {
-  if (oracle::overlap(swept(a, motion, 1), b) != cast.hit) return cast.hit ? "it is free" : "it is not free";
-  if (!cast.hit) return "";
-  if (oracle::overlap(a, b)) return cast.lower == 0 && cast.upper == 0 ? "" : "they meet at the start";
-  if (!(cast.lower >= 0 && cast.lower <= cast.upper && cast.upper <= 1)) return "no interval of times";
-  if (cast.upper - cast.lower > 1e-12) return "the interval is too wide";
-  if (cast.lower < cast.upper && oracle::overlap(swept(a, motion, cast.lower), b)) return "lower is too late";
-  if (!oracle::overlap(swept(a, motion, cast.upper), b)) return "upper is too early";
-  if (std::fabs(dot(cast.normal, cast.normal) - 1) > 1e-12) return "the normal is not unit";
-  if (!is_finite(cast.point)) return "the point is not finite";
-  double size = 0;
-  for (int axis = 0; axis < 3; ++axis) size += std::fabs(cast.point[axis]) + std::fabs(motion[axis]);
-  const Rational slack = oracle::exact(size) * oracle::exact(1e-9);
-  return oracle::compare_distance(oracle::point_set(cast.point), b, slack) <= 0 ? "" : "the point is not on B";
-}
-
-/// Towards the other shape, past it, or anywhere.
-Vec3 random_motion(const test::ConvexCase& pair, Random& random) {
-  const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
-  const Vec3 towards = b.vertex(0) - a.vertex(0);
-  const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
-  const double size = std::sqrt(dot(towards, towards)) + 1;
-  switch (random.below(4)) {
-    case 0:
-      return towards;
-    case 1:
-      return 2 * towards;
-    case 2:
-      return towards + (0.3 * size) * Vec3{x, y, z};
-    default:
-      return size * Vec3{x, y, z};
-  }
-}
 
 TEST(Cast, AgreesWithTheOracleForEveryKindAndRegime) {
   std::uint64_t number = 0;
@@ -66,10 +22,10 @@ TEST(Cast, AgreesWithTheOracleForEveryKindAndRegime) {
         Random random(++number);
         if (number % 4 != 0) continue;
         const test::ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
-        const Vec3 motion = random_motion(pair, random);
+        const Vec3 motion = test::random_motion(pair, random);
         const Cast cast = cast_shape(test::posed(pair.a), motion, test::posed(pair.b));
         hits += cast.hit ? 1 : 0;
-        ASSERT_EQ(cast_fault(cast, test::set_of(pair.a), motion, test::set_of(pair.b)), "")
+        ASSERT_EQ(test::cast_fault(cast, test::set_of(pair.a), motion, test::set_of(pair.b)), "")
             << kind_a << " and " << kind_b << ", " << regime << ", seed " << number << ": " << to_text(pair);
       }
   EXPECT_GT(hits, 100);
@@ -88,7 +44,7 @@ TEST(Cast, AgainstAHalfSpaceAgreesWithTheOracle) {
       const Cast cast = cast_shape(a, motion, b);
       const oracle::ConvexSet set = test::set_of(pair.a);
       const oracle::HalfSpace half_space = test::set_of(pair.b);
-      const auto meets = [&](double until) { return oracle::overlap(swept(set, motion, until), half_space); };
+      const auto meets = [&](double until) { return oracle::overlap(test::swept(set, motion, until), half_space); };
       ASSERT_EQ(cast.hit, meets(1)) << kind << ", " << regime << ", seed " << number;
       if (!cast.hit || cast.upper == 0) continue;
       ASSERT_TRUE(meets(cast.upper));
