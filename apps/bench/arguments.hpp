@@ -35,6 +35,19 @@ struct TriangleArguments {
   bool json = false;
 };
 
+struct ConvexArguments {
+  std::string pair = "hull";
+  std::size_t vertices = 32;  ///< of each hull
+  std::string task = "distance";
+  std::string regime = "near";
+  std::vector<std::string> peers;
+  std::size_t count = 2000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -55,6 +68,7 @@ struct WalkerArguments {
 // Exit codes: 0, or 1 when Toccata was wrong somewhere. Trouble is thrown.
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
+int run_convex(const ConvexArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

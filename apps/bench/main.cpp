@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "arguments.hpp"
+#include "convex_library.hpp"
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
 
@@ -15,6 +16,7 @@ constexpr int trouble = 2;
 struct Options {
   MeshArguments mesh;
   TriangleArguments triangle;
+  ConvexArguments convex;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -78,6 +80,28 @@ void add_triangle(CLI::App& app, TriangleArguments& arguments) {
   triangle->footer("Example:\n  ./toccata bench triangle --peer cgal,fcl --family shared");
 }
 
+void add_convex(CLI::App& app, ConvexArguments& arguments) {
+  CLI::App* convex = app.add_subcommand("convex", "questions about two posed convex shapes of about size 1");
+  convex->add_option("--pair", arguments.pair, "which shapes")
+      ->check(CLI::IsMember(convex_pairs()))
+      ->capture_default_str();
+  convex->add_option("--vertices", arguments.vertices, "of each hull")
+      ->check(CLI::Range(4, 100000))
+      ->capture_default_str();
+  convex->add_option("--task", arguments.task, "what to ask")
+      ->check(CLI::IsMember({"overlap", "distance", "penetration", "manifold"}))
+      ->capture_default_str();
+  convex
+      ->add_option("--regime", arguments.regime,
+                   "far; near: a gap of 1 %; deep; coherent: near, in steps of 1 %, with a warm start")
+      ->check(CLI::IsMember({"far", "near", "deep", "coherent"}))
+      ->capture_default_str();
+  convex->add_option("--count", arguments.count, "questions")->check(CLI::PositiveNumber)->capture_default_str();
+  add_peers(*convex, arguments.peers, convex_peers());
+  add_common(*convex, arguments);
+  convex->footer("Example:\n  ./toccata bench convex --pair hull --vertices 32 --task distance --peer bullet,fcl");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -119,6 +143,7 @@ int main_of(int argc, char** argv) {
   app.footer("Exit code: 0, 1 when an answer of Toccata is wrong, 2 trouble.");
   add_mesh(app, options.mesh);
   add_triangle(app, options.triangle);
+  add_convex(app, options.convex);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -130,6 +155,7 @@ int main_of(int argc, char** argv) {
   }
   if (app.got_subcommand("mesh")) return run_mesh(options.mesh);
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
+  if (app.got_subcommand("convex")) return run_convex(options.convex);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

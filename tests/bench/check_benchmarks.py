@@ -16,6 +16,13 @@ RESULT = {
     "median_us": float, "mean_us": float, "p99_us": float, "build_ms": float, "bytes_per_triangle": float,
     "disagreements": int, "wrong": int,
 }
+CONVEX_RESULT = {
+    "library": str, "variant": str, "task": str, "queries": int, "median_ns": float, "mean_ns": float, "p99_ns": float,
+    "bytes_per_vertex": float, "disagreements": int, "wrong": int, "worst_error": float,
+}
+CONVEX_RATIO = {
+    "library": str, "variant": str, "task": str, "median": float, "mean": float, "p99": float, "best": bool,
+}
 RATIO = {
     "library": str, "variant": str, "task": str, "threads": int, "median": float, "mean": float, "p99": float,
     "best": bool,
@@ -29,6 +36,8 @@ PEER_VARIANTS = {
     "ode": {"trimesh, OPCODE's AABB tree"},
     "bullet": {"GImpact of doubles, quantised AABB tree"},
 }
+CONVEX_PEERS = ["fcl", "bullet", "ode"]
+CONVEX_TASKS = ["overlap", "distance", "penetration", "manifold"]
 TRIANGLE_PEERS = ["fcl", "cgal"]
 # Who cannot be asked: peers on several threads, and ODE for the triangles that meet.
 ONE_THREAD = {"embree", "ode"}
@@ -143,6 +152,35 @@ def check_triangles(peers):
         check(200, "triangle", "--count", "200", "--verify", "--family", family, *named)
 
 
+def check_convex(peers):
+    """Every pair, task and regime, each once; every answer of Toccata is compared with rational arithmetic."""
+    named = ["--peer", ",".join(p for p in peers if p in CONVEX_PEERS)] if set(peers) & set(CONVEX_PEERS) else []
+    pairs = ["hull", "box", "sphere", "sphere-box", "sphere-triangle", "sphere-capsule", "capsule", "capsule-box"]
+    for i, pair in enumerate(pairs):
+        for j, task in enumerate(CONVEX_TASKS):
+            regime = ["far", "near", "deep", "coherent"][(i + j) % 4]
+            words = ["convex", "--pair", pair, "--task", task, "--regime", regime, "--count", "30", "--rounds", "1"]
+            if (pair, task) == ("sphere-triangle", "penetration"):
+                assert run(*words).returncode == 2
+                continue
+            check_convex_report(report(*words, "--vertices", "12", "--verify", *named), pair)
+
+
+def check_convex_report(made, pair):
+    assert made["format"] == "toccata-bench-1" and made["benchmark"] == "convex"
+    for row in made["results"]:
+        row["worst_error"] = row["worst_error"] or 0.0  # null: not a number
+    check_shape(made["results"], CONVEX_RESULT)
+    check_shape(made["ratios"], CONVEX_RATIO)
+    check_shape(made["libraries"], LIBRARY)
+    assert sum(row["best"] for row in made["ratios"]) == (1 if any(r["library"] != "toccata" for r in made["ratios"]) else 0)
+    for row in made["results"]:
+        assert row["queries"] == 30 and 0 < row["median_ns"] <= row["p99_ns"], row
+        assert row["library"] != "toccata" or row["wrong"] == 0, row
+        if row["library"] == "toccata" and pair == "hull":
+            assert 0 < row["bytes_per_vertex"] <= 128 + 1000 / 12, row
+
+
 def check_process():
     made = report("process", "--mesh", "gen:icosphere", "--objects", "20", "--repeat", "1")
     assert [r["task"] for r in made["results"]] == ["process"] * 2
@@ -168,6 +206,7 @@ def main():
     check_meshes(peers)
     check_levels()
     check_triangles(peers)
+    check_convex(peers)
     check_process()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:

@@ -52,7 +52,7 @@ std::string check_penetration(const SeenHalfSpace& seen) {
   const Penetration p = penetration(seen.a, seen.b);
   if (oracle::compare_penetration(seen.set_a, seen.set_b, oracle::exact(p.lower)) < 0) return "penetration is less";
   if (oracle::compare_penetration(seen.set_a, seen.set_b, oracle::exact(p.upper)) > 0) return "penetration is more";
-  if (!(p.upper - p.lower <= 1e-12 * p.upper)) return "the bracket of the penetration is wide";
+  if (!is_narrow(p)) return "the bracket of the penetration is wide";
   return p.upper == 0 || is_unit(p.direction) ? "" : "the direction is not of length 1";
 }
 

@@ -65,6 +65,11 @@ inline double largest_coordinate(const SeenCase& seen) {
 
 inline bool is_unit(const Vec3& v) { return std::abs(dot(v, v) - 1) <= 1e-15; }
 
+/// The bracket is 10⁻¹² of the depth wide, or some of the least doubles there are.
+inline bool is_narrow(const Penetration& p) {
+  return p.lower <= p.upper && p.upper - p.lower <= std::max(1e-12 * p.upper, 0x1p-1070);
+}
+
 /// The point is no farther from the set.
 inline bool is_within(const Vec3& point, const oracle::ConvexSet& set, double distance) {
   return is_finite(point) && oracle::compare_distance(oracle::point_set(point), set, oracle::exact(distance)) <= 0;

@@ -1,7 +1,8 @@
-#include "library.hpp"
+#include "convex_library.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries bullet_mesh_libraries() { peer_is_missing("bullet"); }
+ConvexOffer bullet_convex(const ConvexWork&) { peer_is_missing("bullet"); }
 
 }  // namespace toccata::bench

@@ -1,8 +1,9 @@
-#include "library.hpp"
+#include "convex_library.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries fcl_mesh_libraries() { peer_is_missing("fcl"); }
 TriangleLibraries fcl_triangle_libraries() { peer_is_missing("fcl"); }
+ConvexOffer fcl_convex(const ConvexWork&) { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench

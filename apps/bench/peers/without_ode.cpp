@@ -1,7 +1,8 @@
-#include "library.hpp"
+#include "convex_library.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries ode_mesh_libraries() { peer_is_missing("ode"); }
+ConvexOffer ode_convex(const ConvexWork&) { peer_is_missing("ode"); }
 
 }  // namespace toccata::bench

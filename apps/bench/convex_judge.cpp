@@ -1,0 +1,100 @@
+#include "convex_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "convex_questions.hpp"
+#include "oracle/penetration.hpp"
+
+namespace toccata::bench {
+namespace {
+
+oracle::ConvexSet set_of(const PosedConvex& shape) {
+  oracle::ConvexSet set;
+  for (Index i = 0; i < shape.vertex_count(); ++i) set.vertices.push_back(oracle::exact(shape.vertex(i)));
+  set.radius = oracle::exact(shape.radius());
+  return set;
+}
+
+double error_of(const ConvexAnswer& answer, const ConvexAnswer& ours) {
+  const double error = std::max({0.0, ours.lower - answer.upper, answer.lower - ours.upper});
+  return std::isnan(answer.upper) ? INFINITY : error;
+}
+
+bool has_number(ConvexTask task) { return task == ConvexTask::distance || task == ConvexTask::penetration; }
+
+bool differ(ConvexTask task, const ConvexAnswer& x, const ConvexAnswer& ours) {
+  return x.overlap != ours.overlap || (has_number(task) && error_of(x, ours) > convex_tolerance);
+}
+
+/// The two shapes of a question, exactly.
+class Truth {
+ public:
+  Truth(const ConvexWork& work, const ConvexQuestion& question)
+      : task_(work.task),
+        a_(set_of(posed(work.pairs[question.pair].a, question.a))),
+        b_(set_of(posed(work.pairs[question.pair].b, question.b))) {}
+
+  bool is_right(const ConvexAnswer& answer, double tolerance) const {
+    if (std::isnan(answer.lower) || std::isnan(answer.upper)) return false;
+    // A depth of 0 does not tell whether shapes touch, so penetration is right or not as a number.
+    if (task_ != ConvexTask::penetration && answer.overlap != oracle::overlap(a_, b_)) return false;
+    if (!has_number(task_)) return true;
+    const double low = answer.lower - tolerance;
+    if (low > 0 && compare(low) < 0) return false;
+    if (compare(answer.upper + tolerance) > 0) return false;
+    return task_ == ConvexTask::distance || answer.upper <= tolerance || parts(answer, tolerance);
+  }
+
+ private:
+  int compare(double number) const {
+    return task_ == ConvexTask::distance ? oracle::compare_distance(a_, b_, oracle::exact(number))
+                                         : oracle::compare_penetration(a_, b_, oracle::exact(number));
+  }
+
+  /// B moved by the depth along the direction is behind A, but for the tolerance.
+  bool parts(const ConvexAnswer& answer, double tolerance) const {
+    const Vec3& n = answer.direction;
+    double of_a = -INFINITY, of_b = INFINITY;
+    for (const auto& v : a_.vertices) of_a = std::max(of_a, along(n, v));
+    for (const auto& v : b_.vertices) of_b = std::min(of_b, along(n, v));
+    const double radii = static_cast<double>(a_.radius) + static_cast<double>(b_.radius);
+    return of_a - of_b + radii <= answer.upper + tolerance + 1e-13;
+  }
+
+  static double along(const Vec3& n, const oracle::RationalPoint& v) {
+    return dot(n, Vec3{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)});
+  }
+
+  ConvexTask task_;
+  oracle::ConvexSet a_;
+  oracle::ConvexSet b_;
+};
+
+void judge_one(const ConvexWork& work, std::size_t query, std::vector<ConvexResult>& results) {
+  const Truth truth(work, work.questions[query]);
+  for (ConvexResult& result : results) {
+    const double tolerance = result.who.library == results.front().who.library ? 0 : convex_tolerance;
+    if (!truth.is_right(result.answers[query], tolerance)) ++result.wrong;
+  }
+}
+
+}  // namespace
+
+void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& results) {
+  for (std::size_t query = 0; query < work.questions.size(); ++query) {
+    const ConvexAnswer& ours = results.front().answers[query];
+    bool any = false;
+    for (ConvexResult& result : results) {
+      if (has_number(work.task))
+        result.worst_error = std::max(result.worst_error, error_of(result.answers[query], ours));
+      if (!differ(work.task, result.answers[query], ours)) continue;
+      any = true;
+      ++result.disagreements;
+    }
+    if (any) ++results.front().disagreements;
+    if (any || judged == Judged::all) judge_one(work, query, results);
+  }
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,39 @@
+#include "convex_library.hpp"
+
+#include <iterator>
+#include <map>
+
+namespace toccata::bench {
+namespace {
+
+using Maker = ConvexOffer (*)(const ConvexWork&);
+
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> all{{"fcl", fcl_convex}, {"bullet", bullet_convex}, {"ode", ode_convex}};
+  return all;
+}
+
+void append(ConvexOffer more, ConvexOffer& offer) {
+  std::move(more.libraries.begin(), more.libraries.end(), std::back_inserter(offer.libraries));
+  std::move(more.unasked.begin(), more.unasked.end(), std::back_inserter(offer.unasked));
+}
+
+}  // namespace
+
+std::vector<std::string> convex_pairs() {
+  return {"hull", "box", "sphere", "sphere-box", "sphere-triangle", "sphere-capsule", "capsule", "capsule-box"};
+}
+
+std::vector<std::string> convex_peers() {
+  std::vector<std::string> names;
+  for (const auto& [name, maker] : makers()) names.push_back(name);
+  return names;
+}
+
+ConvexOffer convex_libraries(const std::vector<std::string>& peers, const ConvexWork& work) {
+  ConvexOffer offer = toccata_convex(work);
+  for (const std::string& name : peers) append(makers().at(name)(work), offer);
+  return offer;
+}
+
+}  // namespace toccata::bench

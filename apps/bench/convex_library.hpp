@@ -1,0 +1,100 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "library.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+
+// Questions about pairs of convex shapes, and who answers them.
+namespace toccata::bench {
+
+enum class ConvexTask { overlap, distance, penetration, manifold };
+
+/// Around the origin of its own frame; capsules along z.
+using ConvexBody = std::variant<Sphere, Box, Capsule, Triangle, ConvexHull>;
+
+struct ConvexPair {
+  ConvexBody a;
+  ConvexBody b;
+};
+
+struct ConvexQuestion {
+  std::size_t pair = 0;
+  Pose a{};
+  Pose b{};
+  bool follows = false;  ///< the question before is about the same pair, a small step earlier
+};
+
+struct ConvexWork {
+  std::string pair;  ///< "hull", "box", "sphere-box", …: of all pairs
+  ConvexTask task = ConvexTask::overlap;
+  bool coherent = false;
+  std::vector<ConvexPair> pairs{};
+  std::vector<ConvexQuestion> questions{};
+};
+
+/// What a library said; what the task does not ask for stays as it is here.
+struct ConvexAnswer {
+  bool overlap = false;
+  double lower = 0;  ///< of the distance or the depth; of one who gives a single number, that
+  double upper = 0;
+  Vec3 direction{};  ///< in which B is to be moved to part them
+  int points = 0;    ///< of the manifold
+};
+
+/// A library that answers questions about two convex shapes.
+class ConvexLibrary {
+ public:
+  virtual ~ConvexLibrary() = default;
+  [[nodiscard]] virtual Description description() const = 0;
+  /// Takes shapes and poses over in the library's own types; not measured. Called once.
+  virtual void prepare(const ConvexWork& work) = 0;
+  /// Of a hull, what it keeps for each vertex; 0 where that is not known, or there is no hull.
+  [[nodiscard]] virtual double bytes_per_vertex() const { return 0; }
+  /// Answers the questions from `first` on, one for each element of `answers`.
+  virtual void answer(std::size_t first, std::span<ConvexAnswer> answers) = 0;
+};
+
+using ConvexLibraries = std::vector<std::unique_ptr<ConvexLibrary>>;
+
+/// A library that cannot be asked this, and why.
+struct Unasked {
+  Description who;
+  std::string reason;
+};
+
+struct ConvexOffer {
+  ConvexLibraries libraries;
+  std::vector<Unasked> unasked;
+};
+
+/// The pairs that --pair takes.
+std::vector<std::string> convex_pairs();
+
+ConvexOffer toccata_convex(const ConvexWork& work);
+ConvexOffer fcl_convex(const ConvexWork& work);
+ConvexOffer bullet_convex(const ConvexWork& work);
+ConvexOffer ode_convex(const ConvexWork& work);
+
+/// Toccata first, then the named peers.
+ConvexOffer convex_libraries(const std::vector<std::string>& peers, const ConvexWork& work);
+std::vector<std::string> convex_peers();
+
+/// Calls `function` with the two types of shape of a pair as template arguments.
+template <class Function>
+auto with_types(const std::string& pair, Function function) {
+  if (pair == "box") return function.template operator()<Box, Box>();
+  if (pair == "sphere") return function.template operator()<Sphere, Sphere>();
+  if (pair == "sphere-box") return function.template operator()<Sphere, Box>();
+  if (pair == "sphere-triangle") return function.template operator()<Sphere, Triangle>();
+  if (pair == "sphere-capsule") return function.template operator()<Sphere, Capsule>();
+  if (pair == "capsule") return function.template operator()<Capsule, Capsule>();
+  if (pair == "capsule-box") return function.template operator()<Capsule, Box>();
+  return function.template operator()<ConvexHull, ConvexHull>();
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "arguments.hpp"
+#include "convex_library.hpp"
+
+namespace toccata::bench {
+
+/// Pairs and poses for a benchmark of convex shapes; sizes are about 1. Deterministic by the seed.
+ConvexWork convex_work(const ConvexArguments& arguments);
+
+/// The shape in the world.
+PosedConvex posed(const ConvexBody& body, const Pose& pose);
+
+}  // namespace toccata::bench
