@@ -2,7 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
+#include "narrow/box_axes.hpp"
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/face_clipping.hpp"
@@ -18,6 +20,9 @@ constexpr double cosine_of_face_contact = 0.9995;
 /// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
 constexpr double gap_of_resting = 0x1p-10;
 
+/// Of two boxes, an edge pair has to be this much less deep than the best face: faces give more points.
+constexpr double edge_share = 0.98;
+
 using Points = std::pmr::vector<ManifoldPoint>;
 
 /// The two faces, and which of them is the reference.
@@ -28,6 +33,13 @@ struct FacePair {
   [[nodiscard]] const ContactFace& reference() const { return b_is_reference ? b : a; }
   [[nodiscard]] const ContactFace& incident() const { return b_is_reference ? a : b; }
 };
+
+Index farthest_corner(const PosedConvex& box, const Vec3& direction) {
+  Index corner = 0;
+  for (const Index bit : {1U, 2U, 4U})
+    if (dot(box.vertex(bit) - box.vertex(0), direction) > 0) corner |= bit;
+  return corner;
+}
 
 bool is_segment(const ContactFace& face) { return face.face != ContactFace::none && face.last() - face.first() == 2; }
 
@@ -143,30 +155,70 @@ void take_four(Manifold& result, Points& points) {
   take_greatest([&](const ManifoldPoint& p) { return (third > 0 ? -1 : 1) * dot(aside, p.position - origin); });
 }
 
-Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b) {
-  const ConvexParting parting = part_by_expansion(a, b);
-  Manifold result;
-  result.normal = parting.penetration.direction;
-  FacePair faces{facing_face(a, result.normal), facing_face(b, -result.normal), false};
-  make_face_of_parallel_segments(faces, result.normal);
+/// The points of the contact of two faces; none when the normal is not that of a face.
+Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal,
+                       std::pmr::memory_resource& memory) {
+  FacePair faces{facing_face(a, normal), facing_face(b, -normal), false};
+  make_face_of_parallel_segments(faces, normal);
   faces.b_is_reference = faces.b.facing > faces.a.facing;
-  std::array<std::byte, 8192> buffer;
-  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  Points points(&memory);
-  if (faces.reference().facing >= cosine_of_face_contact) {
-    points = face_points(faces, result.normal, memory);
-    drop_gaps(points);
-  }
-  if (points.empty()) points.push_back(single_point(a, b, parting));
+  if (faces.reference().facing < cosine_of_face_contact) return Points(&memory);
+  Points points = face_points(faces, normal, memory);
+  drop_gaps(points);
+  return points;
+}
+
+/// Of the edges between two box corners each that are nearest along a direction.
+ManifoldPoint point_of_edges(const PosedConvex& a, const PosedConvex& b, const BoxAxis& axis) {
+  const Index low_a = farthest_corner(a, axis.direction) & ~(1U << axis.edge_a), high_a = low_a | 1U << axis.edge_a;
+  const Index low_b = farthest_corner(b, -axis.direction) & ~(1U << axis.edge_b), high_b = low_b | 1U << axis.edge_b;
+  const Vec3 p = a.vertex(low_a), u = a.vertex(high_a) - p, q = b.vertex(low_b), v = b.vertex(high_b) - q, w = q - p;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+  const double determinant = uu * vv - uv * uv;
+  const double s = determinant > 0 ? std::clamp((vv * uw - uv * vw) / determinant, 0.0, 1.0) : 0.5;
+  const Vec3 on_a = p + s * u;
+  const Vec3 on_b = q + std::clamp(dot(v, on_a - q) / vv, 0.0, 1.0) * v;
+  return {on_a + 0.5 * (on_b - on_a), axis.depth, feature_of(a, {low_a, high_a}, 2), feature_of(b, {low_b, high_b}, 2)};
+}
+
+Manifold made_of(const Vec3& normal, Points& points) {
+  Manifold result;
+  result.normal = normal;
   take_four(result, points);
   return result;
+}
+
+Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axes) {
+  std::array<std::byte, 4096> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const BoxAxis axis = axes.least(edge_share);
+  Points points = points_of_faces(a, b, axis.direction, memory);
+  if (points.empty() && axis.edge_a < 3 && axis.edge_b < 3) points.push_back(point_of_edges(a, b, axis));
+  if (points.empty()) points.push_back(single_point(a, b, part_by_expansion(a, b)));
+  return made_of(axis.direction, points);
+}
+
+Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
+  std::array<std::byte, 8192> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const ConvexParting parting = part_by_expansion(a, b);
+  Points points = points_of_faces(a, b, parting.penetration.direction, memory);
+  if (points.empty()) points.push_back(single_point(a, b, parting));
+  return made_of(parting.penetration.direction, points);
+}
+
+Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0)
+    return overlap(a, b, workspace) ? of_any(a, b) : Manifold{};
+  const BoxAxes axes(a, b);
+  const std::optional<bool> meet = axes.meet();
+  return (meet.has_value() ? *meet : overlap(a, b, workspace)) ? of_boxes(a, b, axes) : Manifold{};
 }
 
 }  // namespace
 
 Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  if (!overlap(a, b, workspace)) return {};
-  return is_canonical_order(a, b) ? in_canonical_order(a, b) : flipped(in_canonical_order(b, a));
+  if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);
+  return flipped(in_canonical_order(b, a, workspace));
 }
 
 }  // namespace toccata

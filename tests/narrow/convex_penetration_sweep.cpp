@@ -10,20 +10,9 @@ const std::vector<std::string> solid_kinds{"sphere",      "box",           "caps
                                            "needle-hull", "rounded-point", "rounded-segment", "rounded-triangle",
                                            "rounded-box", "rounded-hull"};
 
-double size_of(const oracle::ConvexSet& set) {
-  double size = set.radius.convert_to<double>();
-  for (const oracle::RationalPoint& p : set.vertices)
-    for (const oracle::Rational& c : {p.x, p.y, p.z}) size = std::max(size, std::fabs(c.convert_to<double>()));
-  return size;
-}
-
 bool same_but_flipped(const Penetration& p, const Penetration& q) {
   return p.lower == q.lower && p.upper == q.upper && p.direction == -q.direction && p.on_a == q.on_b &&
          p.on_b == q.on_a;
-}
-
-bool same_shapes(const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
-  return a.vertices == b.vertices && a.radius == b.radius;
 }
 
 std::string check(const ConvexCase& pair) {

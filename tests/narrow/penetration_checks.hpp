@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,6 +10,18 @@
 
 // What every answer about penetration has to be, compared with rational arithmetic.
 namespace toccata::test {
+
+/// The greatest magnitude of a coordinate, or the radius.
+inline double size_of(const oracle::ConvexSet& set) {
+  double size = set.radius.convert_to<double>();
+  for (const oracle::RationalPoint& p : set.vertices)
+    for (const oracle::Rational& c : {p.x, p.y, p.z}) size = std::max(size, std::fabs(c.convert_to<double>()));
+  return size;
+}
+
+inline bool same_shapes(const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
+  return a.vertices == b.vertices && a.radius == b.radius;
+}
 
 inline bool is_unit(const Vec3& v) { return std::fabs(dot(v, v) - 1) <= 0x1p-48; }
 

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "narrow/penetration_checks.hpp"
+#include "support/sweep.hpp"
+#include "toccata/narrow/convex_separating_axes.hpp"
+
+// Manifolds, and overlap by separating axes, of every kind of shape with every other, in every regime.
+namespace toccata::test {
+namespace {
+
+bool same_but_flipped(const Manifold& m, const Manifold& other) {
+  if (m.count != other.count || (m.count > 0 && m.normal != -other.normal)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+    const ManifoldPoint &p = m.points[i], &q = other.points[i];
+    if (p.position != q.position || p.depth != q.depth || p.on_a != q.on_b || p.on_b != q.on_a) return false;
+  }
+  return true;
+}
+
+bool is_feature_of(const ConvexFeature& feature, const PosedConvex& shape) {
+  const HullTopology topology = shape.topology();
+  if (feature.kind == ConvexFeature::Kind::vertex) return feature.index < shape.vertex_count();
+  if (feature.kind == ConvexFeature::Kind::edge) return feature.index < topology.origin.size();
+  return feature.index < topology.face_count();
+}
+
+/// Every point lies between the shapes: nearly on both, grown by half its depth.
+bool lies_between(const ManifoldPoint& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b, double size) {
+  const oracle::ConvexSet point = oracle::point_set(p.position);
+  const oracle::Rational near = oracle::exact(0.51 * std::fabs(p.depth) + 1e-7 * size);
+  return oracle::compare_distance(point, a, near) <= 0 && oracle::compare_distance(point, b, near) <= 0;
+}
+
+std::string check(const ConvexCase& pair) {
+  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
+  const bool meet = oracle::overlap(set_a, set_b);
+  if (overlap_by_separating_axes(a, b) != meet) return "overlap by separating axes";
+  const Manifold m = manifold(a, b);
+  if ((m.count > 0) != meet) return "count";
+  if (!same_shapes(set_a, set_b) && !same_but_flipped(m, manifold(b, a))) return "exchanged";
+  if (!meet) return "";
+  if (m.count > 4 || !is_unit(m.normal)) return "normal";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+    const ManifoldPoint& p = m.points[i];
+    if (!is_finite(p.position) || !std::isfinite(p.depth)) return "not finite";
+    if (!is_feature_of(p.on_a, a) || !is_feature_of(p.on_b, b)) return "features";
+    if (!lies_between(p, set_a, set_b, size_of(set_a) + size_of(set_b))) return "position";
+  }
+  return "";
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  for (; result.cases < cases; ++result.cases) {
+    const ConvexCase pair = numbered_case(family, result.cases, random);
+    const std::string wrong = check(pair);
+    if (wrong.empty()) continue;
+    if (result.wrong++ == 0)
+      result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + to_text(pair);
+  }
+  return result;
+}
+
+const bool known = register_sweep({"convex-manifold", convex_kinds(), 100'000, 250, run, 2000});
+
+}  // namespace
+}  // namespace toccata::test
