@@ -15,7 +15,8 @@ VertexPairs first_vertices() {
   return pairs;
 }
 
-/// The cores' interiors meet: the radii add to their depth.
+}  // namespace
+
 Penetration grown(const CoreParting& core, double radius_a, double radius_b) {
   Penetration result{core.lower, core.upper, core.direction, core.on_a, core.on_b, core.status};
   if (radius_a == 0 && radius_b == 0) return result;
@@ -27,8 +28,6 @@ Penetration grown(const CoreParting& core, double radius_a, double radius_b) {
   result.upper = std::nextafter(upper + 0x1p-49 * upper, std::numeric_limits<double>::infinity());
   return result;
 }
-
-}  // namespace
 
 ConvexParting part_by_expansion(const PosedConvex& a, const PosedConvex& b) {
   const CoreParting core = part_cores_by_expansion(a, b, a.radius() + b.radius());

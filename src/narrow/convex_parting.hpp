@@ -1,5 +1,6 @@
 #pragma once
 
+#include "narrow/core_parting.hpp"
 #include "narrow/vertex_pairs.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
@@ -12,6 +13,9 @@ struct ConvexParting {
   Penetration penetration;
   VertexPairs pairs;
 };
+
+/// The penetration of shapes whose cores' interiors meet: the radii add to the cores' depth.
+[[nodiscard]] Penetration grown(const CoreParting& core, double radius_a, double radius_b);
 
 /// By expansion. The answer for (B, A) may have other bits: ask in canonical order.
 [[nodiscard]] ConvexParting part_by_expansion(const PosedConvex& a, const PosedConvex& b);

@@ -4,6 +4,7 @@
 
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
+#include "narrow/solid_check.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -18,9 +19,13 @@ void require_solid(const PosedConvex& shape, const char* which) {
 
 }  // namespace
 
-Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b) {
+void require_solids(const PosedConvex& a, const PosedConvex& b) {
   require_solid(a, "first");
   require_solid(b, "second");
+}
+
+Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b) {
+  require_solids(a, b);
   if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
   return flipped(part_by_expansion(b, a).penetration);
 }

@@ -37,6 +37,9 @@ class CoreVertices {
     return (relative_[0][i] * n.x + relative_[1][i] * n.y) + relative_[2][i] * n.z;
   }
 
+  /// Vertex i from the first one, scaled.
+  [[nodiscard]] Vec3 relative(Index i) const { return {relative_[0][i], relative_[1][i], relative_[2][i]}; }
+
   /// For the vertex of the least height along a direction; repeats the last vertex up to a multiple of eight.
   [[nodiscard]] SupportScan scan(const Vec3& direction) const {
     return {relative_[0], relative_[1], relative_[2], padded_, direction, {}};

@@ -1,5 +1,10 @@
 #include "narrow/face_clipping.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 namespace toccata {
 namespace {
 
@@ -63,6 +68,28 @@ ContactPolygon clipped_incident(const ContactFace& reference, const ContactFace&
     clip(polygon, other, {from, mirrored * cross(along, direction), h});
   }
   return polygon;
+}
+
+std::optional<Vec3> deepest_of_incident(const ContactFace& reference, const ContactFace& incident,
+                                        const Vec3& direction) {
+  std::array<std::byte, 4096> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const ContactPolygon polygon = clipped_incident(reference, incident, direction, memory);
+  if (polygon.empty()) return {};
+  const Vec3 origin = polygon.front().position;
+  double least = 0, size = 0;
+  for (const PolygonCorner& corner : polygon) {
+    least = std::min(least, dot(corner.position - origin, direction));
+    size = std::max(size, std::fabs(dot(corner.position - origin, corner.position - origin)));
+  }
+  Vec3 sum;
+  double count = 0;
+  for (const PolygonCorner& corner : polygon) {
+    if (dot(corner.position - origin, direction) > least + 0x1p-44 * std::sqrt(size)) continue;
+    sum = sum + (corner.position - origin);
+    ++count;
+  }
+  return origin + (1 / count) * sum;
 }
 
 }  // namespace toccata

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory_resource>
+#include <optional>
 #include <vector>
 
 #include "narrow/contact_faces.hpp"
@@ -26,5 +27,10 @@ using ContactPolygon = std::pmr::vector<PolygonCorner>;
 /// "Reentrant polygon clipping", 1974).
 [[nodiscard]] ContactPolygon clipped_incident(const ContactFace& reference, const ContactFace& incident,
                                               const Vec3& direction, std::pmr::memory_resource& memory);
+
+/// A point of the incident face that lies over the reference face as deep as any: the middle of those, but for
+/// rounding. Nothing when they do not lie over each other.
+[[nodiscard]] std::optional<Vec3> deepest_of_incident(const ContactFace& reference, const ContactFace& incident,
+                                                      const Vec3& direction);
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
 #include "narrow/penetration_checks.hpp"
 #include "support/sweep.hpp"
+#include "toccata/narrow/convex_separating_axes.hpp"
 
 // Penetration of every kind of solid with every other, in every regime, compared with rational arithmetic and with
 // itself under exchange.
@@ -26,6 +27,11 @@ std::string check(const ConvexCase& pair) {
   if (!wrong.empty()) return "by expansion: " + wrong;
   if (!same_shapes(set_a, set_b) && !same_but_flipped(by_expansion, penetration_by_expansion(b, a)))
     return "by expansion: exchanged";
+  const Penetration by_axes = penetration_by_separating_axes(a, b);
+  const std::string wrong_by_axes = wrong_with(by_axes, set_a, set_b, size);
+  if (!wrong_by_axes.empty()) return "by separating axes: " + wrong_by_axes;
+  if (!same_shapes(set_a, set_b) && !same_but_flipped(by_axes, penetration_by_separating_axes(b, a)))
+    return "by separating axes: exchanged";
   return "";
 }
 
