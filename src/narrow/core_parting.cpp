@@ -45,8 +45,10 @@ class Search {
     return polytope_.add(p, f) ? Step::onwards : Step::stuck;
   }
   void offer(Index f, double upper);
+  /// While the least lower bound is negative the origin may be outside of D, be the bounds ever so near.
   [[nodiscard]] bool is_narrow(Index f, double upper) const {
-    return upper <= 0 || upper - polytope_.facet(f).lower <= relative_width_of_depth * (upper + reach_);
+    const double lower = polytope_.facet(f).lower;
+    return upper <= 0 || (lower >= 0 && upper - lower <= relative_width_of_depth * (upper + reach_));
   }
   [[nodiscard]] CoreParting answer(double lower, Status status) const;
   void find_points(CoreParting& parting) const;
