@@ -38,6 +38,15 @@ struct InspectArguments {
   Format format = Format::table;
 };
 
+struct DistanceArguments {
+  InputArguments input;
+  Format format = Format::table;
+};
+
+struct PairsArguments {
+  Format format = Format::table;
+};
+
 struct DemoArguments {
   std::string write_folder;  ///< empty: run the demo
   Format format = Format::table;
@@ -49,6 +58,8 @@ int run_check(const CheckArguments& arguments);
 int run_check_poses(const CheckArguments& arguments);
 int run_check_self(const CheckArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
+int run_distance(const DistanceArguments& arguments);
+int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 
 }  // namespace toccata::command

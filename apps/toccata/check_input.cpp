@@ -32,6 +32,9 @@ void apply_solid(Scene& scene, std::optional<Solid> solid) {
   for (SceneObject& object : scene.objects) object.solid = *solid;
 }
 
+/// Not a height field, which everybody knows to be open.
+bool is_mesh(const Model& model) { return kind_of(model.shape()) == ShapeKind::mesh; }
+
 }  // namespace
 
 CheckInput read_check_input(const CheckArguments& arguments) {
@@ -46,7 +49,7 @@ void warn_of_open_meshes(CheckInput& input) {
   constexpr std::size_t most_names = 5;
   std::vector<std::string> open;
   for (const Posed& posed : input.models)
-    if (posed.solid == Solid::automatic && !posed.model.closed()) open.push_back(posed.name);
+    if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) open.push_back(posed.name);
   if (open.empty()) return;
   const std::size_t shown = std::min(open.size(), most_names);
   input.loaded.warnings.push_back(fmt::format(

@@ -20,6 +20,7 @@ constexpr int trouble = 2;
 /// What the options say before they become arguments.
 struct Options {
   CheckArguments check;
+  DistanceArguments distance;
   InspectArguments inspect;
   DemoArguments demo;
   bool json = false;
@@ -99,6 +100,22 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 
+void add_distance(CLI::App& app, Options& options) {
+  CLI::App* distance = app.add_subcommand("distance", "how far apart shapes are, certified");
+  add_input(*distance, options.distance.input,
+            "one scene file (all pairs of its objects) or two (pairs of one of each)");
+  distance->add_flag("--json", options.json, "write JSON (docs/reference/distance-report.md)");
+  distance->footer(
+      with_name("Convex shapes, half-spaces and compounds of them; meshes are refused by this version.\n\n"
+                "Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance scene.json"));
+}
+
+void add_pairs(CLI::App& app, Options& options) {
+  CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
+  pairs->add_flag("--json", options.json, "write JSON (docs/reference/pairs.md)");
+  pairs->footer(with_name("Example:\n  {0} pairs"));
+}
+
 void add_inspect(CLI::App& app, Options& options) {
   CLI::App* inspect = app.add_subcommand("inspect", "what a mesh is: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
@@ -134,6 +151,11 @@ int run(const CLI::App& app, Options& options) {
     options.check.touching = options.touching == "ignore" ? Touching::ignore : Touching::count;
     return run_check(options.check);
   }
+  if (app.got_subcommand("distance")) {
+    options.distance.format = format_of(options);
+    return run_distance(options.distance);
+  }
+  if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
     return run_inspect(options.inspect);
@@ -181,6 +203,8 @@ int main_of(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(with_name("Example:\n  {0} demo\n  {0} check a.stl b.obj\n\n`{0} SUBCOMMAND --help` tells more."));
   add_check(app, options);
+  add_distance(app, options);
+  add_pairs(app, options);
   add_inspect(app, options);
   add_demo(app, options);
   if (const std::string message = mistyped_subcommand(app, argc, argv); !message.empty())

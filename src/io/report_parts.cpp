@@ -42,6 +42,7 @@ std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b
     pair.face_a = contact.face_a;
     pair.face_b = contact.face_b;
     pair.crossing = pair.crossing || contact.meeting.crossing;
+    if (contact.meeting.kind == MeetingKind::none) continue;  // one of the two is not made of triangles
     // The triangles that a larger face was cut into often meet the other in the same point or edge.
     ReportedMeeting meeting = reported_meeting(a, b, contact);
     if (std::find(pair.meetings.begin(), pair.meetings.end(), meeting) == pair.meetings.end())

@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "query/pair_search.hpp"
-#include "query/posed_pair.hpp"
 #include "query/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
@@ -46,10 +44,9 @@ std::vector<Answer> ask_each(std::span<const PairQuery> queries, const BatchOpti
   return answers;
 }
 
-ContactCount count_contacts(const PosedPair& pair, Workspace& workspace) {
+ContactCount count_of(std::span<const Contact> contacts) {
   std::vector<std::pair<Index, Index>> faces;
-  for (const Contact& contact : surface_contacts(pair.a, pair.b, workspace.scratch()))
-    faces.emplace_back(contact.face_a, contact.face_b);
+  for (const Contact& contact : contacts) faces.emplace_back(contact.face_a, contact.face_b);
   const std::size_t triangle_pairs = faces.size();
   std::sort(faces.begin(), faces.end());
   const auto last = std::unique(faces.begin(), faces.end());
@@ -84,7 +81,7 @@ std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b, 
 std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                               const BatchOptions& options) {
   return ask_each<ContactCount>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
-    return count_contacts(PosedPair(a, b, query), workspace);
+    return count_of(contacts(a, b, query, workspace));
   });
 }
 

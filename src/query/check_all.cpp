@@ -1,5 +1,6 @@
 #include "toccata/query/check_all.hpp"
 
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -8,10 +9,9 @@
 #include <vector>
 
 #include "query/pair_search.hpp"
-#include "query/posed_mesh.hpp"
+#include "query/part_contacts.hpp"
 #include "query/posed_name.hpp"
 #include "query/relation_posed.hpp"
-#include "query/semantics.hpp"
 #include "query/task_reporter.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/parallel.hpp"
@@ -21,6 +21,14 @@ namespace {
 
 // Pairs are looked at so many at once: memory follows the objects and the answer, not the pairs whose boxes overlap.
 constexpr std::size_t pairs_at_once = 4096;
+
+Aabb world_box(const PosedModel& model) {
+  Aabb box;
+  for (const PosedPart& part : model.parts) box = merge(box, world_box(part.shape));
+  return box;
+}
+
+bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
 class Check {
  public:
@@ -42,24 +50,14 @@ class Check {
   }
 
  private:
-  struct Candidate {
-    PosedMesh mesh;
-    bool solid;
-  };
-
   /// Looks at every model alone, wherever it is: what is asked wrongly is an error, also far from everything else.
-  [[nodiscard]] std::vector<Candidate> posed_models() const {
-    std::vector<std::optional<Candidate>> made(models_.size());
+  [[nodiscard]] std::vector<PosedModel> posed_models() const {
+    std::vector<PosedModel> made(models_.size());
     parallel_for(models_.size(), options_.threads, [&](std::size_t i) {
       const Posed& model = models_[i];
-      const std::string name = name_for_messages(model, i);
-      const bool solid = taken_as_solid(model.model, model.pose, model.solid, name);
-      made[i].emplace(Candidate{PosedMesh(model.model, model.pose, name), solid});
+      made[i] = pose_model(model.model, model.pose, model.solid, name_for_messages(model, i));
     });
-    std::vector<Candidate> posed;
-    posed.reserve(made.size());
-    for (std::optional<Candidate>& candidate : made) posed.push_back(std::move(*candidate));
-    return posed;
+    return made;
   }
 
   /// Equal for models of one group, and 0 for those of none.
@@ -72,10 +70,16 @@ class Check {
     return numbers;
   }
 
+  /// Half-spaces have no end; what of one lies where the others are is all that matters.
   [[nodiscard]] BoxIndex world_boxes() const {
     std::vector<Aabb> boxes;
     boxes.reserve(posed_.size());
-    for (const Candidate& candidate : posed_) boxes.push_back(candidate.mesh.box());
+    for (const PosedModel& model : posed_) boxes.push_back(world_box(model));
+    Aabb all{{0, 0, 0}, {0, 0, 0}};
+    for (const Aabb& box : boxes)
+      if (is_bounded(box)) all = merge(all, box);
+    for (Aabb& box : boxes)
+      if (!is_bounded(box)) box = all;
     return BoxIndex(boxes);
   }
 
@@ -115,18 +119,39 @@ class Check {
 
   /// Nothing where the two are apart.
   [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair) const {
-    const TakenMesh a{posed_[pair.first].mesh, posed_[pair.first].solid};
-    const TakenMesh b{posed_[pair.second].mesh, posed_[pair.second].solid};
+    const PosedModel& a = posed_[pair.first];
+    const PosedModel& b = posed_[pair.second];
     PairAnswer answer{pair.first, pair.second, {}, {}};
-    if (options_.contacts) answer.contacts = surface_contacts(a.mesh, b.mesh);
-    answer.relation = options_.contacts ? relation_of(a, b, answer.contacts) : relation_of(a, b);
+    const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
+    if (mesh_a != nullptr && mesh_b != nullptr)
+      answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, answer);
+    else
+      answer_of_shapes(a, b, answer);
     if (answer.relation.kind == RelationKind::apart) return std::nullopt;
     return answer;
   }
 
+  /// The mesh that a model is, if it is one.
+  static const PosedTriangles* only_mesh(const PosedModel& model) {
+    return model.parts.size() == 1 ? std::get_if<PosedTriangles>(&model.parts[0].shape) : nullptr;
+  }
+
+  void answer_of_meshes(const TakenMesh& a, const TakenMesh& b, PairAnswer& answer) const {
+    if (options_.contacts) answer.contacts = surface_contacts(a.mesh, b.mesh);
+    answer.relation = options_.contacts ? relation_of(a, b, answer.contacts) : relation_of(a, b);
+  }
+
+  void answer_of_shapes(const PosedModel& a, const PosedModel& b, PairAnswer& answer) const {
+    answer.relation = relation_of(a, b);
+    if (!options_.contacts || answer.relation.kind == RelationKind::apart) return;
+    SearchScratch scratch;
+    const auto found = contacts_of(a, b, scratch, 1);
+    answer.contacts.assign(found.begin(), found.end());
+  }
+
   std::span<const Posed> models_;
   const CheckOptions& options_;
-  std::vector<Candidate> posed_;
+  std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
   BoxIndex boxes_;
 };

@@ -40,6 +40,16 @@ std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQ
 }
 
 Triangle world_triangle(const Model& model, const Pose& pose, Index triangle) {
+  if (const auto* single = std::get_if<Triangle>(&model.shape()); single != nullptr && triangle == 0)
+    return {{transform(pose, (*single)[0]), transform(pose, (*single)[1]), transform(pose, (*single)[2])}};
+  Index first = 0;
+  for (std::size_t i = 0; i < model.parts().size(); ++i) {
+    const Model& part = model.parts()[i];
+    const Index count = part.element_count();
+    if (triangle - first < count)
+      return world_triangle(part, compose(pose, std::get<Compound>(model.shape()).parts()[i].pose), triangle - first);
+    first += count;
+  }
   const auto vertices = model.mesh().vertices();
   const auto& corner = model.mesh().triangles()[triangle];
   return {{transform(pose, vertices[corner[0]]), transform(pose, vertices[corner[1]]),

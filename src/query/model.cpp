@@ -104,22 +104,31 @@ const TriangleMesh& Model::mesh() const {
   return *parts_->mesh;
 }
 
-const WideTree& Model::wide_tree() const { return parts_->wide_tree; }
+const WideTree& Model::wide_tree() const {
+  static_cast<void>(mesh());
+  return parts_->wide_tree;
+}
 
-const Aabb& Model::vertex_box() const { return parts_->vertex_box; }
+const Aabb& Model::vertex_box() const {
+  static_cast<void>(mesh());
+  return parts_->vertex_box;
+}
 
 const Tree<Aabb>& Model::tree() const {
-  std::call_once(parts_->tree_made, [this] { parts_->tree = build_tree(boxes_of(mesh())); });
+  const TriangleMesh& triangles = mesh();
+  std::call_once(parts_->tree_made, [&] { parts_->tree = build_tree(boxes_of(triangles)); });
   return parts_->tree;
 }
 
 const MeshParts& Model::mesh_parts() const {
-  std::call_once(parts_->parts_found, [this] { parts_->mesh_parts = toccata::mesh_parts(mesh()); });
+  const TriangleMesh& triangles = mesh();
+  std::call_once(parts_->parts_found, [&] { parts_->mesh_parts = toccata::mesh_parts(triangles); });
   return parts_->mesh_parts;
 }
 
 bool Model::closed() const {
-  std::call_once(parts_->closed_known, [this] { parts_->closed = is_closed(mesh()); });
+  const TriangleMesh& triangles = mesh();
+  std::call_once(parts_->closed_known, [&] { parts_->closed = is_closed(triangles); });
   return parts_->closed;
 }
 

@@ -5,26 +5,13 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "narrow/pose_checks.hpp"
 #include "query/cull_bounds.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
-
-void require_finite(const Pose& pose, std::string_view who) {
-  if (is_finite(pose)) return;
-  throw Error(fmt::format("{}: the pose ({}) has a number that is not finite", who, fmt::join(pose.numbers(), ", ")));
-}
-
-[[noreturn]] void refuse_vertex(const PosedMesh& mesh, std::size_t number, std::string_view who) {
-  const Vec3& local = mesh.model().mesh().vertices()[number];
-  throw Error(
-      fmt::format("{}: vertex {} ({}, {}, {}) is not finite in the world under the pose ({}); use smaller "
-                  "coordinates or a smaller scale",
-                  who, number, local.x, local.y, local.z, fmt::join(mesh.pose().numbers(), ", ")));
-}
 
 /// No world vertex can be infinite where these sums are far from it.
 bool may_overflow(const Pose& pose, const Aabb& vertices) {
@@ -36,7 +23,8 @@ bool may_overflow(const Pose& pose, const Aabb& vertices) {
 void require_finite_vertices(const PosedMesh& mesh, std::string_view who) {
   const std::size_t count = mesh.model().mesh().vertices().size();
   for (std::size_t i = 0; i < count; ++i)
-    if (!is_finite(mesh.vertex(static_cast<Index>(i)))) refuse_vertex(mesh, i, who);
+    if (!is_finite(mesh.vertex(static_cast<Index>(i))))
+      refuse_vertex(i, mesh.model().mesh().vertices()[i], mesh.pose(), who);
 }
 
 /// Around the world vertices of what lies in a box of the local frame (docs/design/culling.md, the region search).
@@ -58,6 +46,8 @@ Aabb world_box(const Pose& pose, const Aabb& local) {
 }  // namespace
 
 PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who) : model_(model), pose_(pose) {
+  if (!model.has_mesh())
+    throw Error(fmt::format("{}: this is asked of meshes, and it is a {}", who, name_of(model.shape())));
   require_finite(pose, who);
   if (may_overflow(pose, model.vertex_box())) require_finite_vertices(*this, who);
   box_ = world_box(pose, model.wide_tree().box);

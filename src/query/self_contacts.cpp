@@ -31,7 +31,8 @@ std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> mode
   TaskReporter reporter(options.progress, models.size());
   parallel_for(models.size(), options.threads, [&](std::size_t i) {
     if (reporter.cancelled()) return;
-    found[i] = contacts_in(PosedMesh(models[i].model, models[i].pose, name_for_messages(models[i], i)));
+    if (models[i].model.has_mesh())
+      found[i] = contacts_in(PosedMesh(models[i].model, models[i].pose, name_for_messages(models[i], i)));
     reporter.finished_one();
   });
   return found;

@@ -12,17 +12,19 @@
 
 namespace toccata {
 
-/// Two triangles, one of each model, that have a point in common, and what they have in common.
+/// Two triangles, one of each model, that have a point in common, and what they have in common. Of models that are not
+/// made of triangles, the elements (see Model) instead.
 struct Contact {
   Index triangle_a = 0;
   Index triangle_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
-  Meeting meeting;
+  Meeting meeting;  ///< of two triangles; else of kind none, and `manifold` tells points
 };
 
-/// All pairs of triangles that meet, ascending by (triangle_a, triangle_b). Exact; nothing is left out. A model inside
-/// a solid without touching its surface has no contacts: ask `relation`.
+/// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact; nothing is left out. A model inside
+/// a solid mesh without touching its surface has no contacts: ask `relation`. (A triangle inside a box or another
+/// solid that is one element meets it.)
 [[nodiscard]] std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often. The contacts lie in the workspace until it is used again.
@@ -36,7 +38,8 @@ struct Contact {
 [[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query,
                                                    Workspace& workspace);
 
-/// A world triangle of a contact, for coordinates(contact.meeting, …). `triangle` is less than the mesh's count.
+/// A world triangle of a contact, for coordinates(contact.meeting, …). `triangle` is less than the model's count of
+/// elements. Throws Error when the element is no triangle.
 [[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);
 
 }  // namespace toccata

@@ -85,7 +85,7 @@ inline constexpr PairCell least_part{PairState::defined, "the least of its parts
 inline constexpr PairCell earliest_part{PairState::defined, "the earliest of its parts"};
 inline constexpr PairCell half_spaces{PairState::defined, "exact signs"};
 inline constexpr PairCell by_gjk{PairState::defined, "GJK, certified, else exact arithmetic"};
-inline constexpr PairCell by_sat{PairState::defined, "separating axes, verified"};
+inline constexpr PairCell by_expansion{PairState::defined, "expanding polytope, certified bracket"};
 inline constexpr PairCell by_features{PairState::defined, "clipped features"};
 inline constexpr PairCell by_normals{PairState::defined, "exact signs of separating normals"};
 inline constexpr PairCell by_tree{PairState::defined, "tree, exact pairs, winding numbers"};
@@ -108,8 +108,8 @@ constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
 }
 
 constexpr PairCell distance(ShapeClass a, ShapeClass b) {
-  if (has(ShapeClass::compound, a, b)) return least_part;
   if (has(ShapeClass::triangles, a, b)) return mesh_later;
+  if (has(ShapeClass::compound, a, b)) return least_part;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_gjk;
 }
 
@@ -118,7 +118,7 @@ constexpr PairCell penetration(ShapeKind kind_a, ShapeKind kind_b, ShapeClass a,
   if (has(ShapeClass::compound, a, b)) return compound_later;
   if (has(ShapeClass::triangles, a, b)) return mesh_later;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return endless;
-  return has(ShapeClass::half_space, a, b) ? half_spaces : by_sat;
+  return has(ShapeClass::half_space, a, b) ? half_spaces : by_expansion;
 }
 
 constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
@@ -128,8 +128,8 @@ constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
 }
 
 constexpr PairCell cast(ShapeClass a, ShapeClass b) {
-  if (has(ShapeClass::compound, a, b)) return earliest_part;
   if (has(ShapeClass::triangles, a, b)) return mesh_later;
+  if (has(ShapeClass::compound, a, b)) return earliest_part;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return always_met;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_advance;
 }

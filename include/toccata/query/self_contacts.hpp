@@ -13,7 +13,7 @@ namespace toccata {
 // Where a mesh meets itself: two of its world triangles that have more in common than the hull of the world vertices
 // that they share, or that have the same vertices (docs/truth.md). Sharing is told by coordinates: numbers of vertices
 // do not matter, so a soup of triangles is answered like a welded mesh. Exact. The mesh may be open or closed, a solid
-// or not. Throws Error when the pose or a world vertex is not finite.
+// or not. Throws Error when the pose or a world vertex is not finite, and for a model that is no mesh.
 
 /// All pairs of triangles in which the posed model meets itself, ascending by (triangle_a, triangle_b); triangle_a is
 /// the lesser. The meeting is all that the two have in common, also what they share.
@@ -22,7 +22,7 @@ namespace toccata {
 /// Whether there is any.
 [[nodiscard]] bool self_overlap(const Model& model, const Pose& pose = {});
 
-/// `self_contacts` of each of the posed models. An Error names the model.
+/// `self_contacts` of each of the posed models; none for those that are no meshes. An Error names the model.
 [[nodiscard]] std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> models,
                                                                    const BatchOptions& options = {});
 

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "arguments.hpp"
+#include "load.hpp"
+#include "output.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/distance_report.hpp"
+#include "toccata/query/scene_models.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+bool in_one_group(const Posed& a, const Posed& b) { return !a.group.empty() && a.group == b.group; }
+
+Distance distance_of(const Posed& a, const Posed& b, Workspace& workspace) {
+  try {
+    return distance(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
+  } catch (const Error& error) {
+    throw Error(fmt::format("'{}' (a) and '{}' (b): {}", a.name, b.name, error.what()));
+  }
+}
+
+/// Of two files, the pairs of one object of each; of one, all pairs. Objects of one group are no pair.
+std::vector<ReportedDistance> distances_in(const LoadedScene& loaded, const std::vector<Posed>& models) {
+  const bool two_files = loaded.first_object.size() == 3;
+  const std::size_t first_end = two_files ? loaded.first_object[1] : models.size();
+  std::vector<ReportedDistance> distances;
+  Workspace workspace;
+  for (std::size_t i = 0; i < first_end; ++i)
+    for (std::size_t j = two_files ? first_end : i + 1; j < models.size(); ++j)
+      if (!in_one_group(models[i], models[j]))
+        distances.push_back(
+            {static_cast<Index>(i), static_cast<Index>(j), distance_of(models[i], models[j], workspace)});
+  return distances;
+}
+
+std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
+std::string distance_table(const Scene& scene, const std::vector<ReportedDistance>& distances) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ReportedDistance& pair : distances) {
+    const Distance& d = pair.distance;
+    rows.push_back({printable(scene.objects[pair.a].name), printable(scene.objects[pair.b].name),
+                    d.upper == 0 ? "meet" : fmt::format("{} apart", d.upper),
+                    fmt::format("{} to {}", point_text(d.on_a), point_text(d.on_b))});
+  }
+  return columns(rows, 2);
+}
+
+}  // namespace
+
+int run_distance(const DistanceArguments& arguments) {
+  const LoadedScene loaded = load(arguments.input);
+  if (loaded.scene.objects.size() < 2)
+    throw Error(fmt::format("{} holds one object; a distance is between two: name another file or a scene with more",
+                            arguments.input.files.front()));
+  const std::vector<Posed> models = scene_models(loaded.scene, 1);
+  const std::vector<ReportedDistance> distances = distances_in(loaded, models);
+  const std::string text = arguments.format == Format::json
+                               ? distance_report_json(loaded.scene, models, distances, loaded.warnings)
+                               : distance_table(loaded.scene, distances);
+  print_warnings(loaded.warnings);
+  print_answer(text);
+  return std::any_of(distances.begin(), distances.end(),
+                     [](const ReportedDistance& pair) { return pair.distance.upper == 0; })
+             ? 1
+             : 0;
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "support/mesh_soups.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/batch.hpp"
+#include "toccata/query/check_all.hpp"
+#include "toccata/query/self_contacts.hpp"
+
+namespace toccata {
+namespace {
+
+Posed at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
+
+std::vector<Posed> playground() {
+  const std::array<CompoundPart, 2> parts = {CompoundPart{Sphere{0.5}}, CompoundPart{Box{{0.25, 0.25, 0.25}}}};
+  return {at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                        // 0: the ground, z ≤ 0
+          at(Sphere{1}, 0, 0, 1),                                       // 1: lies on it
+          at(Model(test::box_mesh({-1, -1, -1}, {1, 1, 1})), 5, 0, 0),  // 2: half in it
+          at(Box{{1, 1, 1}}, 7, 0, 2),                                  // 3: touches 2 along an edge, above the ground
+          at(Model(Compound{parts}), 100, 0, 0),                        // 4: half in the ground
+          at(Point{}, 0, 0, 1)};                                        // 5: in the ball
+}
+
+TEST(CheckShapes, FindsEveryPairOfShapesThatMeets) {
+  const CheckAnswer answer = check_all(playground(), {.contacts = true});
+  const auto found = [&](std::size_t i) { return std::pair(answer.pairs[i].a, answer.pairs[i].b); };
+  ASSERT_EQ(answer.pairs.size(), 5U);
+  EXPECT_EQ(found(0), std::pair(Index{0}, Index{1}));
+  EXPECT_EQ(answer.pairs[0].relation.kind, RelationKind::touching);
+  EXPECT_EQ(answer.pairs[0].contacts.size(), 1U);
+  EXPECT_EQ(found(1), std::pair(Index{0}, Index{2}));
+  EXPECT_EQ(answer.pairs[1].relation.kind, RelationKind::overlapping);
+  EXPECT_EQ(answer.pairs[1].contacts.size(), 10U);  // all triangles but the two of the top
+  EXPECT_EQ(found(2), std::pair(Index{0}, Index{4}));
+  EXPECT_EQ(answer.pairs[2].contacts.size(), 2U);
+  EXPECT_EQ(found(3), std::pair(Index{1}, Index{5}));
+  EXPECT_EQ(answer.pairs[3].relation.containment, Containment::b_in_a);
+  EXPECT_EQ(found(4), std::pair(Index{2}, Index{3}));
+  EXPECT_EQ(answer.pairs[4].relation.kind, RelationKind::touching);
+}
+
+TEST(CheckShapes, ErrorsNameTheModel) {
+  std::vector<Posed> models = playground();
+  models[1].pose.linear[0][0] = 2;
+  models[1].name = "ball";
+  try {
+    static_cast<void>(check_all(models));
+    FAIL() << "a deformed ball is no ball";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("object \"ball\""), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("ellipsoid"), std::string::npos) << error.what();
+  }
+}
+
+TEST(CheckShapes, OnlyHalfSpacesHaveNoBoxesAndAreStillCompared) {
+  const std::vector<Posed> two = {at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0), at(HalfSpace{{}, {0, 0, -1}}, 0, 0, 0)};
+  const CheckAnswer answer = check_all(two);
+  ASSERT_EQ(answer.pairs.size(), 1U);
+  EXPECT_EQ(answer.pairs[0].relation.kind, RelationKind::touching);
+}
+
+TEST(CheckShapes, ManyPosesOfAShapeAndAMesh) {
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const std::vector<PairQuery> queries = {{.pose_b = Pose::translation(0, 0, 1.5)},
+                                          {.pose_b = Pose::translation(0, 0, 2)},
+                                          {.pose_b = Pose::translation(0, 0, 2.5)}};
+  EXPECT_EQ(overlap_each(cube, Sphere{1}, queries), (std::vector<bool>{true, true, false}));
+  const std::vector<ContactCount> counts = count_contacts_each(cube, Sphere{1}, queries);
+  EXPECT_GT(counts[0].triangle_pairs, 0U);
+  EXPECT_EQ(counts[2], ContactCount{});
+}
+
+TEST(CheckShapes, WhatIsAskedOfMeshesIsAnErrorForOthers) {
+  EXPECT_THROW(static_cast<void>(self_contacts(Sphere{1})), Error);
+  EXPECT_THROW(static_cast<void>(Model(Sphere{1}).mesh()), Error);
+  EXPECT_THROW(static_cast<void>(Model(Sphere{1}).wide_tree()), Error);
+  EXPECT_TRUE(self_contacts_each(playground())[1].empty());
+}
+
+}  // namespace
+}  // namespace toccata
