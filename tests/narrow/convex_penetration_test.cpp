@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
+#include "toccata/narrow/convex_separating_axes.hpp"
+
+// Named cases: the lectures' questions, and where other libraries are known to fail.
+namespace toccata {
+namespace {
+
+Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
+
+bool contains(const Penetration& p, double depth) { return p.lower <= depth && depth <= p.upper; }
+
+void expect_depth(const PosedConvex& a, const PosedConvex& b, double depth) {
+  for (const Penetration& p :
+       {penetration(a, b), penetration_by_expansion(a, b), penetration_by_separating_axes(a, b)}) {
+    EXPECT_TRUE(contains(p, depth)) << p.lower << ' ' << depth << ' ' << p.upper;
+    EXPECT_LE(p.upper - p.lower, 0x1p-39 * p.upper);
+    EXPECT_NEAR(dot(p.direction, p.direction), 1, 1e-14);
+    EXPECT_EQ(p.status, Status::exact);
+  }
+}
+
+TEST(ConvexPenetration, OfIdenticalCubesIsTheirEdge) {
+  const PosedConvex cube(Box({0.5, 0.5, 0.5}));
+  expect_depth(cube, cube, 1);
+}
+
+// danfis/libccd#25: the direction of two stacked cubes is NaN.
+TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
+  const PosedConvex below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), at(0, 0, 1));
+  expect_depth(below, above, 0);
+  EXPECT_EQ(penetration(below, above).direction, Vec3(0, 0, 1));
+}
+
+// Jolt drops contacts that are 1e-6 deep, and what is tiny in what is huge.
+TEST(ConvexPenetration, OfShallowContactsIsRelativelyRight) {
+  for (const double depth : {0x1p-20, 0x1p-30, 0x1p-40, 0x1p-50})
+    expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), at(2 - depth, 0.25, 0.5)), depth);
+}
+
+TEST(ConvexPenetration, OfATinyShapeDeepInAHugeOneIsTheWayToTheNearestFace) {
+  expect_depth(PosedConvex(Box({0x1p20, 0x1p20, 0x1p20})), PosedConvex(Box({0x1p-20, 0x1p-20, 0x1p-20})),
+               0x1p20 + 0x1p-20);
+}
+
+TEST(ConvexPenetration, OfConcentricSpheresIsTheSumOfTheirRadii) {
+  const PosedConvex a{Sphere(1)}, b{Sphere(0.25)};
+  expect_depth(a, b, 1.25);
+  expect_depth(a, a, 2);
+}
+
+TEST(ConvexPenetration, OfCrossingCapsulesIsAlongTheirCommonNormal) {
+  const PosedConvex a(Capsule({-1, 0, 0}, {1, 0, 0}, 0.25)), b(Capsule({0, -1, 0}, {0, 1, 0}, 0.5));
+  expect_depth(a, b, 0.75);
+  EXPECT_EQ(std::fabs(penetration(a, b).direction.z), 1);
+}
+
+TEST(ConvexPenetration, OfASphereWithItsCentreInABoxIsTheWayOutAndTheRadius) {
+  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Sphere(0.5), at(0.75, 0.5, 1)), 0.75);
+}
+
+TEST(ConvexPenetration, OfACapsuleInABoxIsDefinedForItsFlatCore) {
+  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Capsule({0, -1, 0}, {0, 1, 0}, 0.5)), 1.5);
+}
+
+TEST(ConvexPenetration, OfShapesApartIsZero) {
+  expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), at(5, 5, 5)), 0);
+  expect_depth(PosedConvex(Sphere(1)), PosedConvex(Sphere(1), at(5, 5, 5)), 0);
+}
+
+TEST(ConvexPenetration, DoesNotDependOnWhereAndHowLargeTheShapesAre) {
+  for (const double scale : {0x1p-20, 0x1p-300, 0x1p300})
+    expect_depth(PosedConvex(Box({scale, scale, scale})),
+                 PosedConvex(Box({scale, scale, scale}), at(1.5 * scale, 0, 0)), 0.5 * scale);
+  const double far = 0x1p30;
+  expect_depth(PosedConvex(Box({1, 1, 1}), at(far, far, far)), PosedConvex(Box({1, 1, 1}), at(far + 1.5, far, far)),
+               0.5);
+}
+
+TEST(ConvexPenetration, OfSurfacesIsAnError) {
+  const PosedConvex solid(Box({1, 1, 1})), flat(Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  EXPECT_THROW(static_cast<void>(penetration(solid, flat)), Error);
+  EXPECT_THROW(static_cast<void>(penetration_by_separating_axes(flat, solid)), Error);
+}
+
+/// Points on a sphere: a hull of which every point is a vertex.
+ConvexHull ball_hull(Random& random, int count) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+    points.push_back((1 / std::sqrt(x * x + y * y + z * z + 1e-9)) * Vec3{x, y, z});
+  }
+  return ConvexHull(points);
+}
+
+TEST(ConvexPenetration, OfBothMethodsIsTheSame) {
+  Random random(7);
+  for (int i = 0; i < 40; ++i) {
+    const ConvexHull hull_a = ball_hull(random, 20), hull_b = ball_hull(random, 40);
+    const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+    const PosedConvex a(hull_a), b(hull_b, at(x, y, z));
+    const Penetration p = penetration_by_expansion(a, b), q = penetration_by_separating_axes(a, b);
+    EXPECT_LE(std::max(p.lower, q.lower), std::min(p.upper, q.upper));
+    EXPECT_EQ(p.status, Status::exact);
+    EXPECT_TRUE(overlap_by_separating_axes(a, b));
+  }
+}
+
+TEST(SeparatingAxes, KeepTheAxisThatSeparatedLast) {
+  Random random(8);
+  const ConvexHull hull = ball_hull(random, 32);
+  const PosedConvex a(hull), b(hull, at(2.5, 0, 0));
+  ConvexWorkspace workspace;
+  EXPECT_FALSE(overlap_by_separating_axes(a, b, &workspace));
+  EXPECT_NE(workspace.direction, Vec3{});
+  EXPECT_FALSE(overlap_by_separating_axes(a, PosedConvex(hull, at(2.51, 0, 0)), &workspace));
+}
+
+TEST(SeparatingAxes, OfBoxesTellTouchingFromALastPlace) {
+  const PosedConvex cube(Box({1, 1, 1}));
+  EXPECT_TRUE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), at(2, 2, 2))));
+  EXPECT_FALSE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), at(2, 2, std::nextafter(2, 3)))));
+}
+
+TEST(SeparatingAxes, OfBoxesNeedTheEdgePairs) {
+  // Two bars, each turned about its own length by an eighth: only the cross product of two edges separates them.
+  const PosedConvex below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
+  const PosedConvex above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, 1.42}});
+  EXPECT_FALSE(overlap_by_separating_axes(below, above));
+}
+
+}  // namespace
+}  // namespace toccata
