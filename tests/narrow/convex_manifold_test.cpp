@@ -21,7 +21,7 @@ std::vector<Vec3> positions(const Manifold& m) {
 TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
   const PosedConvex floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), at(0.25, 0, 1.5));
   const Manifold m = manifold(floor, cube);
-  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.25, -0.5, 1}, {-0.25, 0.5, 1}, {0.75, -0.5, 1}, {0.75, 0.5, 1}}));
   for (const ManifoldPoint& p : m.points) {
     EXPECT_EQ(p.depth, 0);
@@ -39,7 +39,7 @@ TEST(ConvexManifold, IsEmptyExactlyWhenTheShapesAreApart) {
 TEST(ConvexManifold, OfCrossedBarsHasThePointsWhereEdgesCross) {
   const PosedConvex below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), at(0, 0, 0.75));
   const Manifold m = manifold(below, above);
-  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m),
             (std::vector<Vec3>{{-0.5, -0.5, 0.375}, {-0.5, 0.5, 0.375}, {0.5, -0.5, 0.375}, {0.5, 0.5, 0.375}}));
   for (const ManifoldPoint& p : m.points) {
@@ -76,22 +76,22 @@ TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
   const PosedConvex a{Sphere(1)}, b(Sphere(1), at(1.5, 0, 0));
   const Manifold m = manifold(a, b);
   ASSERT_EQ(m.count, 1);
-  EXPECT_EQ(m.normal, Vec3(1, 0, 0));
-  EXPECT_EQ(m.points[0].position, Vec3(0.75, 0, 0));
+  EXPECT_EQ(m.normal, (Vec3{1, 0, 0}));
+  EXPECT_EQ(m.points[0].position, (Vec3{0.75, 0, 0}));
   EXPECT_EQ(m.points[0].depth, 0.5);
 }
 
 TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
   const PosedConvex floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), at(0, 0, 1.5));
   const Manifold m = manifold(floor, capsule);
-  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-1, 0, 1}, {1, 0, 1}}));
 }
 
 TEST(ConvexManifold, OfParallelCapsulesAreTheEndsOfTheirCommonPart) {
   const Capsule capsule({-1, 0, 0}, {1, 0, 0}, 0.5);
   const Manifold m = manifold(PosedConvex(capsule), PosedConvex(capsule, at(0.5, 0, 0.75)));
-  EXPECT_EQ(m.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.5, 0, 0.375}, {1, 0, 0.375}}));
   for (int i = 0; i < m.count; ++i) EXPECT_EQ(m.points[static_cast<std::size_t>(i)].depth, 0.25);
 }
@@ -105,7 +105,7 @@ TEST(ConvexManifold, OfFlatShapesIsDefined) {
   const PosedConvex fin(Triangle{{{{-1, 0, -0.125}, {1, 0, -0.125}, {0, 0, 2}}}});
   const Manifold crossing = manifold(floor, fin);
   EXPECT_EQ(crossing.count, 2);
-  EXPECT_EQ(crossing.normal, Vec3(0, 0, 1));
+  EXPECT_EQ(crossing.normal, (Vec3{0, 0, 1}));
   const PosedConvex needle(Segment({0, 0, -1}, {0, 0, 0.25}));
   EXPECT_EQ(manifold(floor, needle).count, 1);
   EXPECT_EQ(manifold(needle, PosedConvex(Segment({-1, 0, 0}, {1, 0, 0}))).count, 1);

@@ -36,7 +36,7 @@ TEST(ConvexPenetration, OfIdenticalCubesIsTheirEdge) {
 TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
   const PosedConvex below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), at(0, 0, 1));
   expect_depth(below, above, 0);
-  EXPECT_EQ(penetration(below, above).direction, Vec3(0, 0, 1));
+  EXPECT_EQ(penetration(below, above).direction, (Vec3{0, 0, 1}));
 }
 
 // Jolt drops contacts that are 1e-6 deep, and what is tiny in what is huge.
