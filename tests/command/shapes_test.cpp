@@ -37,7 +37,7 @@ TEST_F(ShapeCommands, DistanceTellsAllPairsOfAScene) {
 }
 
 TEST_F(ShapeCommands, DistanceRefusesMeshesWithTheReason) {
-  const auto run = run_command({"distance", "gen:box", "gen:sphere"});
+  const auto run = run_command({"distance", "gen:box", "gen:icosphere"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("convex shapes and half-spaces"), std::string::npos) << run.err;
