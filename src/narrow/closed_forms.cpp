@@ -1,6 +1,9 @@
 #include "narrow/closed_forms.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "narrow/box_axes.hpp"
 
 namespace toccata {
 namespace {
@@ -28,11 +31,6 @@ SegmentWeights nearest_weights_of_segments(const Vec3& difference, const Vec3& u
     s = clamped((uv * t - along_u) / uu, 0, 1);
   }
   return {s, t};
-}
-
-bool is_box(const PosedConvex& shape) {
-  return shape.vertex_count() == 8 && shape.in_world() && shape.topology().face_count() == 6 &&
-         shape.topology().origin.size() == 24;
 }
 
 Triangle triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
@@ -139,12 +137,19 @@ Nearness nearness_of_point_corners(const Vec3& p, const std::array<const double*
   return judge(gap, dot(d, d), reach, 2 * magnitude, bend);
 }
 
+Nearness nearness_of_boxes(const PosedConvex& a, const PosedConvex& b) {
+  const std::optional<bool> meet = BoxAxes(a, b).meet();
+  if (!meet) return Nearness::unknown;
+  return *meet ? Nearness::meet : Nearness::apart;
+}
+
 Nearness nearness_by_formula(const PosedConvex& a, const PosedConvex& b) {
   const double reach = a.radius() + b.radius();
   if (a.vertex_count() == 1) return nearness_of_point_shape(a.vertex(0), b, reach);
   if (b.vertex_count() == 1) return nearness_of_point_shape(b.vertex(0), a, reach);
   if (a.vertex_count() == 2 && b.vertex_count() == 2)
     return nearness_of_segments(a.vertex(0), a.vertex(1), b.vertex(0), b.vertex(1), reach);
+  if (reach == 0 && is_box(a) && is_box(b)) return nearness_of_boxes(a, b);
   return Nearness::unknown;
 }
 
