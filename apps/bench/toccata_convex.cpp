@@ -4,7 +4,9 @@
 
 #include "convex_library.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/sphere.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -79,13 +81,66 @@ class ToccataConvex : public ConvexLibrary {
   double bytes_per_vertex_ = 0;
 };
 
+PosedSphere placed(const Sphere& shape, const Pose& pose) { return PosedSphere(shape, pose); }
+PosedCapsule placed(const Capsule& shape, const Pose& pose) { return PosedCapsule(shape, pose); }
+PosedBox placed(const Box& shape, const Pose& pose) { return PosedBox(shape, pose); }
+Triangle placed(const Triangle& shape, const Pose& pose) {
+  return {{transform(pose, shape[0]), transform(pose, shape[1]), transform(pose, shape[2])}};
+}
+
+template <class A, class B>
+concept HasOwnForms = requires(const A& a, const B& b, const Pose& pose) {
+  distance(placed(a, pose), placed(b, pose));
+  overlap(placed(a, pose), placed(b, pose));
+};
+
+/// The functions for just this pair of kinds of shape.
+template <class A, class B>
+class ToccataOwnForms : public ConvexLibrary {
+ public:
+  Description description() const override {
+    return {"toccata", "the pair's own, posed for each", version,
+            fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+  }
+
+  void prepare(const ConvexWork& work) override {
+    work_ = &work;
+    for (const ConvexPair& pair : work.pairs) {
+      a_.push_back(std::get<A>(pair.a));
+      b_.push_back(std::get<B>(pair.b));
+    }
+  }
+
+  void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const ConvexQuestion& question = work_->questions[first + i];
+      const auto a = placed(a_[question.pair], question.a);
+      const auto b = placed(b_[question.pair], question.b);
+      if (work_->task == ConvexTask::overlap) {
+        answers[i] = {overlap(a, b)};
+        continue;
+      }
+      const Distance d = distance(a, b);
+      answers[i] = {d.upper == 0, d.lower, d.upper};
+    }
+  }
+
+ private:
+  const ConvexWork* work_ = nullptr;
+  std::vector<A> a_;
+  std::vector<B> b_;
+};
+
 }  // namespace
 
 ConvexOffer toccata_convex(const ConvexWork& work) {
-  return with_types(work.pair, []<class A, class B>() {
+  return with_types(work.pair, [&]<class A, class B>() {
     ConvexOffer offer;
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::for_each_question));
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::before));
+    if constexpr (HasOwnForms<A, B>)
+      if (work.task == ConvexTask::overlap || work.task == ConvexTask::distance)
+        offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>());
     return offer;
   });
 }
