@@ -1,6 +1,8 @@
 #include "narrow/swept_meeting.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <limits>
 
 #include "narrow/exact_simplex.hpp"
 #include "narrow/exact_support.hpp"
@@ -8,15 +10,21 @@
 namespace toccata {
 namespace {
 
+/// A unit that all of them are whole multiples of; of zeros any is.
+int unit_of(std::initializer_list<double> values) {
+  const int exponent = common_exponent(values);
+  return exponent == std::numeric_limits<int>::max() ? 0 : exponent;
+}
+
 /// Vertices of A are numbered twice: 2 i where it starts, 2 i + 1 where it ends.
 class SweptPair {
  public:
   SweptPair(const PosedConvex& a, const Vec3& motion, double until, const PosedConvex& b) : a_(a), b_(b) {
     const BinaryFraction time = binary_fraction(until);
-    const int unit = common_exponent({motion.x, motion.y, motion.z});
+    const int unit = unit_of({motion.x, motion.y, motion.z});
     shift_ = WideInteger(time.mantissa) * scaled_wide(motion, unit);
     shift_exponent_ = time.exponent + unit;
-    radius_exponent_ = common_exponent({a.radius(), b.radius()});
+    radius_exponent_ = unit_of({a.radius(), b.radius()});
     reach_ = scaled_wide(a.radius(), radius_exponent_) + scaled_wide(b.radius(), radius_exponent_);
   }
 

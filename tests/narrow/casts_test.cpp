@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "narrow/casts_checks.hpp"
 #include "oracle/convex.hpp"
@@ -99,6 +100,19 @@ TEST(Cast, EndsCount) {
   EXPECT_EQ(cast_ray({1, 0, 0}, {5, 0, 0}, box).upper, 0);  // touches at the start
   EXPECT_FALSE(cast_ray({std::nextafter(1, 2), 0, 0}, {5, 0, 0}, box).hit);
   EXPECT_EQ(cast_ray({0, 0, 0}, {5, 0, 0}, box).upper, 0);  // starts inside
+}
+
+TEST(Cast, WhatDoesNotMoveMeetsWhatItTouches) {
+  // Rotated so that no formula and no axis of the world decides.
+  const Pose turned{rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}};
+  const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const PosedConvex prism(hull, turned);
+  const Vec3 corner = prism.vertex(0);
+  EXPECT_TRUE(cast_shape(PosedConvex(Segment(corner, corner + Vec3{-1, -2, -3})), {}, prism).hit);
+  const Vec3 beside{std::nextafter(corner.x, -10), corner.y, corner.z};
+  EXPECT_EQ(cast_shape(PosedConvex(Segment(beside, beside + Vec3{-1, 0, 0})), {}, prism).hit,
+            overlap(PosedConvex(Segment(beside, beside + Vec3{-1, 0, 0})), prism));
+  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {9, 0, 0})), {}, PosedConvex(Sphere(2))).hit);
 }
 
 TEST(Cast, SpheresThatPassAtTheSumOfTheirRadiiTouch) {
