@@ -1,3 +1,4 @@
+#include "narrow/closed_forms.hpp"
 #include "narrow/convex_containment.hpp"
 #include "narrow/core_distance.hpp"
 #include "narrow/exact_interior.hpp"
@@ -53,6 +54,8 @@ class RelationQuestion {
       by_exact_ = by_exact_ || order.by_exact;
       return order.sign == Sign::negative;
     }
+    // A formula proves a meeting by more than any rounding: solids without radii meet inside then.
+    if (a_.solid() && b_.solid() && nearness_by_formula(a_, b_) == Nearness::meet) return true;
     if (simplex.size == 4 && origin_within_tetrahedron(a_, b_, simplex)) return true;
     by_exact_ = true;
     return interiors_meet(a_, b_, simplex);
