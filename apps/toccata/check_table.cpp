@@ -48,6 +48,8 @@ std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
   const std::size_t shown = std::min(pairs.size(), most_face_pairs);
   for (std::size_t i = 0; i < shown; ++i) {
     const ReportedFacePair& faces = pairs[i];
+    if (faces.meetings.empty())  // with a shape that is no mesh
+      rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b), "meet", ""});
     for (const ReportedMeeting& meeting : faces.meetings)
       rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
                       (faces.crossing ? "cross in a " : "touch in a ") + name_of(meeting.kind), points_text(meeting)});

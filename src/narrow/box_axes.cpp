@@ -81,8 +81,16 @@ bool BoxAxes::boxes_of_boxes_are_apart() const {
   return apart_along(0) || apart_along(1) || apart_along(2);
 }
 
+bool BoxAxes::is_of_plain_size() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BoxFrame* box : {&a_, &b_})
+    for (const Vec3& half : box->half) least = std::min(least, size_of(half));
+  return least > 0x1p-200 && (a_.size + b_.size) + size_of(way_) < 0x1p200;
+}
+
 std::optional<bool> BoxAxes::meet() const {
   if (boxes_of_boxes_are_apart()) return false;
+  if (!is_of_plain_size()) return {};
   const Halves &u = a_.half, &v = b_.half;
   const Halves normal_a = face_normals(u), normal_b = face_normals(v);
   const Halves scale_a = normal_scales(u), scale_b = normal_scales(v);

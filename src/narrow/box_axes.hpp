@@ -39,6 +39,9 @@ class BoxAxes {
   /// Whether the boxes, without radii, have a point in common, where the bounds on the errors leave no doubt.
   [[nodiscard]] std::optional<bool> meet() const;
 
+  /// Products of three and squares of products of two lengths neither over- nor underflow. `least` is for such boxes.
+  [[nodiscard]] bool is_of_plain_size() const;
+
   /// The axis along which the boxes overlap the least; edge pairs only where they have less than `edge_share` of the
   /// best face's depth. For boxes that meet.
   [[nodiscard]] BoxAxis least(double edge_share) const;

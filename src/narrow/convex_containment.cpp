@@ -98,7 +98,7 @@ Decided is_that_deep(const PlanePoints& plane, const Vec3& point, double x, doub
   const double length = std::sqrt(dot(normal.value, normal.value));
   const double off = 0x1p-49 * ((normal.magnitude.x + normal.magnitude.y) + normal.magnitude.z);
   const double least = (x - y) * (length - off), most = (x - y) * (length + off);
-  if (least > 0x1p-900) {
+  if (least > 0x1p-900 && std::isfinite(most)) {
     if (std::fabs(height.value) - height.error > (1 + 0x1p-48) * most) return {true, false};
     if (std::fabs(height.value) + height.error < (1 - 0x1p-48) * least) return {false, false};
   }

@@ -202,14 +202,18 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const ConvexParting parting = part_by_expansion(a, b);
   Points points = points_of_faces(a, b, parting.penetration.direction, memory);
-  if (points.empty()) points.push_back(single_point(a, b, parting));
+  // The deepest point may lie beside the reference face.
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
+  if (!(deepest >= (1 - 0x1p-20) * parting.penetration.upper)) points.push_back(single_point(a, b, parting));
   return made_of(parting.penetration.direction, points);
 }
 
 Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0)
-    return overlap(a, b, workspace) ? of_any(a, b) : Manifold{};
+  const auto any = [&] { return overlap(a, b, workspace) ? of_any(a, b) : Manifold{}; };
+  if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0) return any();
   const BoxAxes axes(a, b);
+  if (!axes.is_of_plain_size()) return any();
   const std::optional<bool> meet = axes.meet();
   return (meet.has_value() ? *meet : overlap(a, b, workspace)) ? of_boxes(a, b, axes) : Manifold{};
 }

@@ -7,7 +7,8 @@ namespace toccata {
 namespace {
 
 /// A product with a rounded direction, and what it may be off by: 2^-53 from the direction, as much from each product,
-/// twice from sums; underflow is within the floor.
+/// twice from sums. A coordinate of the direction may have underflowed, which the vertex makes larger; the underflow of
+/// products is within the floor.
 struct Height {
   double value = 0;
   double error = 0;
@@ -16,7 +17,8 @@ struct Height {
 Height height_of(const Vec3& direction, const Vec3& vertex) {
   const double magnitude =
       (std::fabs(direction.x * vertex.x) + std::fabs(direction.y * vertex.y)) + std::fabs(direction.z * vertex.z);
-  return {dot(direction, vertex), 0x1p-50 * magnitude + 0x1p-1020};
+  const double size = (std::fabs(vertex.x) + std::fabs(vertex.y)) + std::fabs(vertex.z);
+  return {dot(direction, vertex), 0x1p-50 * magnitude + (0x1p-1070 * size + 0x1p-1020)};
 }
 
 /// Those that may be the least. Nothing overflows, because the direction's coordinates are at most 1/4.

@@ -6,6 +6,7 @@
 #include "query/posed_mesh.hpp"
 #include "query/posed_name.hpp"
 #include "query/task_reporter.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -31,6 +32,9 @@ std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> mode
   TaskReporter reporter(options.progress, models.size());
   parallel_for(models.size(), options.threads, [&](std::size_t i) {
     if (reporter.cancelled()) return;
+    if (std::holds_alternative<Compound>(models[i].model.shape()))
+      throw Error(name_for_messages(models[i], i) +
+                  ": a compound is not asked where it meets itself; make objects of its parts");
     if (models[i].model.has_mesh())
       found[i] = contacts_in(PosedMesh(models[i].model, models[i].pose, name_for_messages(models[i], i)));
     reporter.finished_one();

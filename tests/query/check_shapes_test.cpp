@@ -78,7 +78,18 @@ TEST(CheckShapes, WhatIsAskedOfMeshesIsAnErrorForOthers) {
   EXPECT_THROW(static_cast<void>(self_contacts(Sphere{1})), Error);
   EXPECT_THROW(static_cast<void>(Model(Sphere{1}).mesh()), Error);
   EXPECT_THROW(static_cast<void>(Model(Sphere{1}).wide_tree()), Error);
-  EXPECT_TRUE(self_contacts_each(playground())[1].empty());
+  EXPECT_TRUE(self_contacts_each(std::vector<Posed>{{Model(Sphere{1})}})[0].empty());
+}
+
+TEST(SelfContactsEach, RefusesACompound) {
+  const Compound two(std::vector<CompoundPart>{{Sphere(1), {}}, {Box({1, 1, 1}), {}}});
+  const std::vector<Posed> models{{Model(Sphere(1))}, {Model(two), {}, Solid::automatic, "pair"}};
+  try {
+    (void)self_contacts_each(models, {});
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pair"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ namespace toccata {
 /// Whether there is any.
 [[nodiscard]] bool self_overlap(const Model& model, const Pose& pose = {});
 
-/// `self_contacts` of each of the posed models; none for those that are no meshes. An Error names the model.
+/// `self_contacts` of each of the posed models; none for convex shapes and half-spaces, which do not meet themselves.
+/// An Error names the model; a compound is one: ask its parts.
 [[nodiscard]] std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> models,
                                                                    const BatchOptions& options = {});
 

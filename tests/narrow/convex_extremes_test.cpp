@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "oracle/convex.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/convex_separating_axes.hpp"
+
+// Sizes at which products of lengths leave the doubles.
+namespace toccata {
+namespace {
+
+TEST(ConvexExtremes, CoordinatesOfAllSizesInOneShapeEnd) {
+  const std::vector<Vec3> of_a = {{0, -1.1683373810743968e+105, -1.3831649286878621e+235},
+                                  {3.4570885737324933e+236, 2.0616218943811045e-78, -8364496499652147},
+                                  {-3.1789653978341053e-99, -4.5505704253171553e+197, -2.0735163118744963e+186},
+                                  {0, -1.4041572665799743e+66, -1.7827326032378889e+43},
+                                  {-2.0439595354249792e+281, 2.1980758118711169e-98, 6.561275530064286e+74}};
+  const std::vector<Vec3> of_b = {{0, 2.7747068315984756e+124, -1.1247147010269589e+139},
+                                  {-1.1596586363467475e+175, 9.5444155841762875e-36, 0}};
+  const ConvexHull a(of_a), b(of_b);
+  const bool meet = oracle::overlap(oracle::hull_set(of_a), oracle::hull_set(of_b));
+  EXPECT_EQ(overlap(PosedConvex(a), PosedConvex(b)), meet);
+  EXPECT_EQ(distance(PosedConvex(b), PosedConvex(a)).upper == 0, meet);
+}
+
+TEST(ConvexExtremes, BoxesOfAnySizeMeetOrNotAlikeInEveryWay) {
+  for (const double size : {1e-300, 1e-150, 1e-80, 1.0, 1e77, 1e102, 3e102, 1e150, 1e200, 1e300})
+    for (int turn = 0; turn < 40; ++turn) {
+      const PosedConvex a(Box({size, 2 * size, 0.5 * size}), {rotation_about({1, 2, 3}, 9.0 * turn), {}});
+      const PosedConvex b(Box({size, size, size}),
+                          {rotation_about({3, -1, 1}, 7.0 * turn), {size * (1 + 0.05 * turn), size, 0.1 * size}});
+      const bool meet = relation(a, b).kind != RelationKind::apart;
+      const Manifold found = manifold(a, b);
+      EXPECT_EQ(overlap(a, b), meet) << size << " " << turn;
+      EXPECT_EQ(overlap_by_separating_axes(a, b), meet) << size << " " << turn;
+      EXPECT_EQ(found.count > 0, meet) << size << " " << turn;
+      if (!meet) continue;
+      EXPECT_NEAR(dot(found.normal, found.normal), 1, 1e-9) << size << " " << turn;
+      for (int i = 0; i < found.count; ++i) {
+        const ManifoldPoint& point = found.points[static_cast<std::size_t>(i)];
+        EXPECT_TRUE(is_finite(point.position) && std::isfinite(point.depth)) << size << " " << turn;
+      }
+    }
+}
+
+TEST(ConvexExtremes, ABallInABoxOfAnySize) {
+  for (const double size : {1e-300, 1e-100, 1.0, 1e76, 1e80, 1e100, 1e140, 1e300})
+    EXPECT_EQ(relation(PosedConvex(Sphere(size)), PosedConvex(Box({3 * size, 3 * size, 3 * size}))).containment,
+              Containment::a_in_b)
+        << size;
+}
+
+TEST(ConvexExtremes, AManifoldHasTheDeepestPoint) {
+  const PosedConvex capsule(Capsule({0, 0, -1}, {0, 0, 1}, 0.5)), box(Rounded(Box({1, 1, 1}), 0.25));
+  const PosedConvex slanted(Rounded(Box({1, 1, 1}), 0.25), {rotation_about({1, 1, 0}, 50), {0.4, 0.1, 1.2}});
+  for (const auto& [a, b] : {std::pair(&capsule, &box), std::pair(&box, &slanted), std::pair(&capsule, &slanted)}) {
+    const Manifold found = manifold(*a, *b);
+    double deepest = 0;
+    for (int i = 0; i < found.count; ++i) deepest = std::fmax(deepest, found.points[static_cast<std::size_t>(i)].depth);
+    EXPECT_NEAR(deepest, penetration(*a, *b).upper, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace toccata
