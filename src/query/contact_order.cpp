@@ -104,9 +104,29 @@ Contact contact_of(const PosedMesh& a, const PosedMesh& b, const FoundPair& pair
   return {first, second, a.model().mesh().face_of(first), b.model().mesh().face_of(second), *pair.meeting};
 }
 
+namespace {
+
+/// What one thread found is put in order where it lies, so that nothing is allocated once the scratch has grown.
+void order_alone(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  std::vector<FoundPair>& found = scratch.main.found.pairs;
+  if (scratch.ranges.empty()) scratch.ranges.resize(1);
+  std::vector<FoundPair>& spare = scratch.ranges.front().spare;
+  if (spare.size() < found.size()) spare.resize(found.size());
+  const auto pairs = sorted(found, std::span(spare).first(found.size()));
+  scratch.contacts.resize(pairs.size());
+  std::transform(pairs.begin(), pairs.end(), scratch.contacts.begin(),
+                 [&](const FoundPair& pair) { return contact_of(a, b, pair); });
+}
+
+}  // namespace
+
 void order_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
+  if (threads == 1) {
+    order_alone(a, b, scratch);
+    return;
+  }
   const AllFound found(scratch);
-  const bool alone = threads == 1 || found.size() < worth_threads;
+  const bool alone = found.size() < worth_threads;
   const auto ranges = found.ranges(alone ? 1 : static_cast<std::size_t>(thread_count(threads)));
   if (scratch.ranges.size() < ranges.size()) scratch.ranges.resize(ranges.size());
   // Not cleared before: what is there need not be written twice.
