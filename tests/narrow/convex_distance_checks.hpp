@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "narrow/exact_distance.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -11,38 +12,71 @@
 // What a distance of two convex shapes has to be, by the oracle.
 namespace toccata::test {
 
-/// Empty when the interval is that of the exact distance, and as narrow as doubles allow.
-inline std::string interval_fault(const Distance& d, const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
-  const int below = oracle::compare_distance(a, b, oracle::exact(d.lower));
-  if (oracle::overlap(a, b)) return d.lower == 0 && d.upper == 0 ? "" : "meeting sets have a distance";
-  if (d.upper == 0) return "sets apart have distance 0";
-  if (below < 0) return "lower is too large";
-  if (d.lower == d.upper) return below == 0 ? "" : "the distance is no double";
-  if (std::nextafter(d.lower, std::numeric_limits<double>::infinity()) != d.upper)
-    return "doubles that are no neighbours";
-  if (below == 0) return "the distance is the double below";
-  return oracle::compare_distance(a, b, oracle::exact(d.upper)) < 0 ? "" : "upper is too small";
+/// Empty when the interval is as narrow as is promised.
+inline std::string width_fault(const Distance& d) {
+  if (!(d.lower >= 0 && d.lower <= d.upper)) return "no interval";
+  if (std::nextafter(d.lower, std::numeric_limits<double>::infinity()) >= d.upper) return "";
+  return oracle::exact(d.upper) - oracle::exact(d.lower) <= oracle::exact(1e-12) * oracle::exact(d.upper)
+             ? ""
+             : "the interval is wide";
 }
 
-/// Empty when the point is on the set but for the rounding of its coordinates.
-inline std::string point_fault(const Vec3& point, const oracle::ConvexSet& set) {
+/// Empty when the interval contains the exact distance, and is narrow enough.
+inline std::string interval_fault(const Distance& d, const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
+  if (oracle::overlap(a, b)) return d.lower == 0 && d.upper == 0 ? "" : "meeting sets have a distance";
+  if (d.upper == 0) return "sets apart have distance 0";
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (d.lower == 0 && std::nextafter(0.0, infinity) != d.upper) return "sets apart have no distance below";
+  if (oracle::compare_distance(a, b, oracle::exact(d.lower)) < 0) return "lower is too large";
+  if (d.upper == infinity) return d.lower == std::numeric_limits<double>::max() ? "" : "infinite without need";
+  if (oracle::compare_distance(a, b, oracle::exact(d.upper)) > 0) return "upper is too small";
+  return width_fault(d);
+}
+
+/// The greatest magnitude of a coordinate of the sets' vertices, with the radii.
+inline oracle::Rational size_of(const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
+  oracle::Rational size = 0;
+  for (const oracle::ConvexSet* set : {&a, &b})
+    for (const oracle::RationalPoint& p : set->vertices)
+      for (const oracle::Rational& c : {p.x, p.y, p.z}) {
+        const oracle::Rational magnitude = (c < 0 ? oracle::Rational(-c) : c) + set->radius;
+        if (size < magnitude) size = magnitude;
+      }
+  return size;
+}
+
+/// Empty when the point is on the set but for what a witness may be off by.
+inline std::string point_fault(const Vec3& point, const oracle::ConvexSet& set, const oracle::Rational& slack) {
   if (!is_finite(point)) return "a witness is not finite";
-  const double size = std::fmax(std::fmax(std::fabs(point.x), std::fabs(point.y)), std::fabs(point.z));
-  const oracle::Rational slack = oracle::exact(size) * oracle::exact(0x1p-52) + oracle::exact(0x1p-1072);
   return oracle::compare_distance(oracle::point_set(point), set, slack) <= 0 ? "" : "a witness is not on its shape";
 }
 
 /// Empty when both points are on their sets, and as far from each other as the distance says, but for rounding.
 inline std::string witness_fault(const Distance& d, const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
-  for (const std::string& fault : {point_fault(d.on_a, a), point_fault(d.on_b, b)})
+  const oracle::Rational slack = oracle::exact(1e-12) * size_of(a, b) + oracle::exact(0x1p-1072);
+  for (const std::string& fault : {point_fault(d.on_a, a, slack), point_fault(d.on_b, b, slack)})
     if (!fault.empty()) return fault;
   if (d.upper == 0) return d.on_a == d.on_b ? "" : "two common points";
-  double size = d.upper;
-  for (const Vec3& p : {d.on_a, d.on_b}) size = std::fmax(size, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
-  const oracle::Rational slack = oracle::exact(size) * oracle::exact(0x1p-50) + oracle::exact(0x1p-1060);
-  const oracle::Rational reach = oracle::exact(d.upper) + slack;
+  if (!std::isfinite(d.upper)) return "";
+  const oracle::Rational reach = oracle::exact(d.upper) + 2 * slack;
   const oracle::RationalPoint between = oracle::exact(d.on_a) - oracle::exact(d.on_b);
   return oracle::dot(between, between) <= reach * reach ? "" : "the witnesses are farther apart than the shapes";
+}
+
+/// Empty when the witnesses are those of exact arithmetic, but for what they may be off by. A common point of cores may
+/// be any.
+inline std::string exact_witness_fault(const Distance& d, const PosedConvex& a, const PosedConvex& b,
+                                       const oracle::Rational& size) {
+  VertexPairs first;
+  first.append(0, 0);
+  const ExactNearest nearest = exact_nearest(a, b, first);
+  if (nearest.meet) return "";
+  const Distance exact = rounded_distance(nearest, a.radius(), b.radius());
+  const oracle::Rational slack = oracle::exact(1e-12) * size + oracle::exact(0x1p-1072);
+  for (const auto& off :
+       {oracle::exact(d.on_a) - oracle::exact(exact.on_a), oracle::exact(d.on_b) - oracle::exact(exact.on_b)})
+    if (oracle::dot(off, off) > slack * slack) return "a witness is not the nearest point";
+  return "";
 }
 
 inline Distance exchanged(const Distance& d) { return {d.lower, d.upper, d.on_b, d.on_a, d.status}; }
@@ -55,7 +89,8 @@ inline std::string distance_fault(const ConvexCase& pair) {
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap is wrong";
   const Distance d = distance(a, b);
   if (distance(b, a) != exchanged(d)) return "the order of the arguments shows";
-  for (const std::string& fault : {interval_fault(d, set_a, set_b), witness_fault(d, set_a, set_b)})
+  for (const std::string& fault : {interval_fault(d, set_a, set_b), witness_fault(d, set_a, set_b),
+                                   exact_witness_fault(d, a, b, size_of(set_a, set_b))})
     if (!fault.empty()) return fault;
   return "";
 }

@@ -1,7 +1,8 @@
+#include "narrow/convex_distance_checks.hpp"
 #include "narrow/convex_sweeps.hpp"
 
-// The distance of two convex shapes: the interval holds the exact one and is the least of doubles that does, and the
-// witness points lie on the shapes, that far from each other.
+// The distance of two convex shapes: the interval holds the exact one and is narrow, and the witness points are
+// the nearest points.
 namespace toccata::test {
 namespace {
 
@@ -9,32 +10,18 @@ Distance ask(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
   return distance(a, b, workspace);
 }
 
-std::string check_interval(const Distance& d, const SeenCase& seen) {
-  if (!(d.lower >= 0) || !std::isfinite(d.upper)) return "no number";
-  const int of_lower = oracle::compare_distance(seen.set_a, seen.set_b, oracle::exact(d.lower));
-  if (d.lower == d.upper) return of_lower == 0 ? "" : of_lower < 0 ? "too large" : "too small";
-  if (of_lower <= 0) return "lower is too large";
-  if (oracle::compare_distance(seen.set_a, seen.set_b, oracle::exact(d.upper)) >= 0) return "upper is too small";
-  return std::nextafter(d.lower, d.upper) == d.upper ? "" : "the interval is wide";
-}
-
-std::string check_witnesses(const Distance& d, const SeenCase& seen) {
-  const double rounding = 0x1p-52 * largest_coordinate(seen);
-  if (!is_within(d.on_a, seen.set_a, rounding)) return "on_a is not on A";
-  if (!is_within(d.on_b, seen.set_b, rounding)) return "on_b is not on B";
-  const Vec3 apart = d.on_a - d.on_b;
-  return std::abs(std::hypot(apart.x, apart.y, apart.z) - d.upper) <= 4 * rounding ? "" : "witnesses are not that far";
-}
-
 std::string check(const SeenCase& seen) {
   const Distance d = distance(seen.a, seen.b);
   if (d.status != Status::exact) return "status";
-  for (const std::string& wrong : {check_interval(d, seen), check_witnesses(d, seen)})
+  for (const std::string& wrong : {interval_fault(d, seen.set_a, seen.set_b), witness_fault(d, seen.set_a, seen.set_b),
+                                   exact_witness_fault(d, seen.a, seen.b, size_of(seen.set_a, seen.set_b))})
     if (!wrong.empty()) return wrong;
-  const Distance exchanged = distance(seen.b, seen.a);
-  if (exchanged.lower != d.lower || exchanged.upper != d.upper) return "exchanged";
-  if (!check_witnesses({d.lower, d.upper, exchanged.on_b, exchanged.on_a}, seen).empty()) return "witnesses exchanged";
-  return compare_warm(seen, ask);
+  const Distance other_way = distance(seen.b, seen.a);
+  if (other_way.lower != d.lower || other_way.upper != d.upper) return "exchanged";
+  // Common points of cores are those in which each search ended.
+  if (d.upper > 0 && other_way != exchanged(d)) return "witnesses exchanged";
+  const std::string wrong = witness_fault(exchanged(other_way), seen.set_a, seen.set_b);
+  return wrong.empty() ? compare_warm(seen, ask) : wrong;
 }
 
 SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {

@@ -30,13 +30,16 @@ struct ConvexWorkspace {
   ConvexCounts counts{};  ///< of all questions asked with it
 };
 
-/// A certified distance: the exact one lies in [lower, upper], which are equal where it is a double and neighbouring
-/// doubles elsewhere. 0 when the shapes meet.
+/// A certified distance: the exact one lies in [lower, upper], and upper − lower is at most 10⁻¹² · upper, or they are
+/// neighbouring doubles. Both are 0 when the shapes meet; upper is positive when they are apart, and so is lower unless
+/// the exact distance is less than every positive double. The same bits whatever a workspace knows, and at every
+/// SIMD level; exchanging the shapes exchanges the points.
 struct Distance {
   double lower = 0;
   double upper = 0;
-  /// Points of the shapes at that distance, rounded to nearest; where several pairs are at that distance, the one whose
-  /// `on_a` is the least in lexicographic order. When the shapes meet, a point of both.
+  /// Points of the shapes at that distance; where several pairs are at that distance, the one whose `on_a` is the least
+  /// in lexicographic order. When the shapes meet, a point of both. Each is off from the exact one by at most 10⁻¹²
+  /// times the greatest magnitude of a coordinate of either shape in the world, the radius included.
   Vec3 on_a{};
   Vec3 on_b{};
   Status status = Status::exact;
