@@ -1,48 +1,13 @@
 #include "toccata/query/batch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <atomic>
-#include <limits>
 #include <utility>
 
-#include "query/task_reporter.hpp"
-#include "query/workspace_pool.hpp"
-#include "toccata/core/error.hpp"
-#include "toccata/core/parallel.hpp"
+#include "query/ask_each.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata {
 namespace {
-
-/// Lowers `least` to `value` where it is greater.
-void lower_to(std::atomic<std::size_t>& least, std::size_t value) {
-  std::size_t known = least;
-  while (value < known && !least.compare_exchange_weak(known, value)) {
-  }
-}
-
-/// `ask` for every query. After a failure only earlier queries are still asked, one of which may fail as well: so the
-/// error that is told does not depend on timing.
-template <class Answer, class Ask>
-std::vector<Answer> ask_each(std::span<const PairQuery> queries, const BatchOptions& options, const Ask& ask) {
-  std::vector<Answer> answers(queries.size());
-  TaskReporter reporter(options.progress, queries.size());
-  WorkspacePool workspaces;
-  std::atomic<std::size_t> first_failure = std::numeric_limits<std::size_t>::max();
-  parallel_for(queries.size(), options.threads, [&](std::size_t i) {
-    if (reporter.cancelled() || i > first_failure) return;
-    try {
-      answers[i] = workspaces.with([&](Workspace& workspace) { return ask(queries[i], workspace); });
-    } catch (const Error& error) {
-      lower_to(first_failure, i);
-      throw Error(fmt::format("query {}: {}", i, error.what()));
-    }
-    reporter.finished_one();
-  });
-  return answers;
-}
 
 ContactCount count_of(std::span<const Contact> contacts) {
   std::vector<std::pair<Index, Index>> faces;
@@ -53,35 +18,165 @@ ContactCount count_of(std::span<const Contact> contacts) {
   return {triangle_pairs, static_cast<std::size_t>(last - faces.begin())};
 }
 
+// The questions, each of two models, a query about them and a workspace. Every one is asked in two forms.
+
+struct AskOverlap {
+  using Answer = char;  // and no bit, because the threads write neighbours
+  char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return overlap(a, b, query, workspace) ? 1 : 0;
+  }
+};
+
+struct AskRelation {
+  using Answer = Relation;
+  Relation operator()(const Model& a, const Model& b, const PairQuery& query, Workspace&) const {
+    return relation(a, b, query);
+  }
+};
+
+struct AskContacts {
+  using Answer = std::vector<Contact>;
+  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    const auto found = contacts(a, b, query, workspace);
+    return {found.begin(), found.end()};
+  }
+};
+
+struct AskContactCount {
+  using Answer = ContactCount;
+  ContactCount operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return count_of(contacts(a, b, query, workspace));
+  }
+};
+
+struct AskDistance {
+  using Answer = Distance;
+  Distance operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return distance(a, b, query, workspace);
+  }
+};
+
+struct AskPenetration {
+  using Answer = Penetration;
+  Penetration operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return penetration(a, b, query, workspace);
+  }
+};
+
+struct AskManifold {
+  using Answer = Manifold;
+  Manifold operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return manifold(a, b, query, workspace);
+  }
+};
+
+struct AskCast {
+  using Answer = Cast;
+  Cast operator()(const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) const {
+    return cast_shape(a, query.motion, b, query.poses, workspace);
+  }
+};
+
+template <class Ask, class Query>
+std::vector<typename Ask::Answer> ask_at_poses(const Model& a, const Model& b, std::span<const Query> queries,
+                                               const BatchOptions& options) {
+  return ask_each<typename Ask::Answer>(queries, "query", options, [&](const Query& query, Workspace& workspace) {
+    return Ask{}(a, b, query, workspace);
+  });
+}
+
+template <class Ask, class Pair>
+std::vector<typename Ask::Answer> ask_of_pairs(std::span<const Pair> pairs, const BatchOptions& options) {
+  return ask_each<typename Ask::Answer>(pairs, "pair", options, [](const Pair& pair, Workspace& workspace) {
+    return Ask{}(pair.a, pair.b, pair.query, workspace);
+  });
+}
+
+std::vector<bool> as_bits(const std::vector<char>& bytes) { return {bytes.begin(), bytes.end()}; }
+
 }  // namespace
 
 std::vector<bool> overlap_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                const BatchOptions& options) {
-  // Bytes, because the threads write neighbours.
-  const auto answers = ask_each<char>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
-    return overlap(a, b, query, workspace) ? char{1} : char{0};
-  });
-  return {answers.begin(), answers.end()};
+  return as_bits(ask_at_poses<AskOverlap>(a, b, queries, options));
+}
+
+std::vector<bool> overlap_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return as_bits(ask_of_pairs<AskOverlap>(pairs, options));
 }
 
 std::vector<Relation> relation_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                     const BatchOptions& options) {
-  return ask_each<Relation>(queries, options,
-                            [&](const PairQuery& query, Workspace&) { return relation(a, b, query); });
+  return ask_at_poses<AskRelation>(a, b, queries, options);
+}
+
+std::vector<Relation> relation_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskRelation>(pairs, options);
 }
 
 std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                                 const BatchOptions& options) {
-  return ask_each<std::vector<Contact>>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
-    const auto found = contacts(a, b, query, workspace);
-    return std::vector<Contact>(found.begin(), found.end());
-  });
+  return ask_at_poses<AskContacts>(a, b, queries, options);
+}
+
+std::vector<std::vector<Contact>> contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskContacts>(pairs, options);
 }
 
 std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                               const BatchOptions& options) {
-  return ask_each<ContactCount>(queries, options, [&](const PairQuery& query, Workspace& workspace) {
-    return count_of(contacts(a, b, query, workspace));
+  return ask_at_poses<AskContactCount>(a, b, queries, options);
+}
+
+std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskContactCount>(pairs, options);
+}
+
+std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
+                                    const BatchOptions& options) {
+  return ask_at_poses<AskDistance>(a, b, queries, options);
+}
+
+std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskDistance>(pairs, options);
+}
+
+std::vector<Penetration> penetration_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
+                                          const BatchOptions& options) {
+  return ask_at_poses<AskPenetration>(a, b, queries, options);
+}
+
+std::vector<Penetration> penetration_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskPenetration>(pairs, options);
+}
+
+std::vector<Manifold> manifold_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
+                                    const BatchOptions& options) {
+  return ask_at_poses<AskManifold>(a, b, queries, options);
+}
+
+std::vector<Manifold> manifold_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskManifold>(pairs, options);
+}
+
+std::vector<Cast> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
+                                  const BatchOptions& options) {
+  return ask_at_poses<AskCast>(a, b, queries, options);
+}
+
+std::vector<Cast> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options) {
+  return ask_of_pairs<AskCast>(pairs, options);
+}
+
+std::vector<Cast> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
+  return ask_each<Cast>(queries, "query", options, [&](const RayQuery& query, Workspace&) {
+    return cast_ray(query.origin, query.motion, target, query.pose);
+  });
+}
+
+std::vector<Cast> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
+  return ask_each<Cast>(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
+    return cast_ray(pair.query.origin, pair.query.motion, pair.target, pair.query.pose);
   });
 }
 

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "query/task_reporter.hpp"
+#include "query/workspace_pool.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
+#include "toccata/query/batch.hpp"
+
+namespace toccata {
+
+/// Lowers `least` to `value` where it is greater.
+inline void lower_to(std::atomic<std::size_t>& least, std::size_t value) {
+  std::size_t known = least;
+  while (value < known && !least.compare_exchange_weak(known, value)) {
+  }
+}
+
+/// How many questions in a row one thread takes: few enough that all threads stay busy, and enough that a question of a
+/// hundred nanoseconds is not outweighed by the taking.
+inline std::size_t row_length(std::size_t count, int threads) {
+  constexpr std::size_t rows_per_thread = 32, longest = 256;
+  return std::clamp<std::size_t>(count / (rows_per_thread * static_cast<std::size_t>(thread_count(threads))), 1,
+                                 longest);
+}
+
+/// `ask(question, workspace)` for every question. After a failure only earlier questions are still asked, one of which
+/// may fail as well: so the error that is told, as "<noun> i: …", does not depend on timing.
+template <class Answer, class Question, class Ask>
+std::vector<Answer> ask_each(std::span<const Question> questions, std::string_view noun, const BatchOptions& options,
+                             const Ask& ask) {
+  std::vector<Answer> answers(questions.size());
+  TaskReporter reporter(options.progress, questions.size());
+  WorkspacePool workspaces;
+  std::atomic<std::size_t> first_failure = std::numeric_limits<std::size_t>::max();
+  const auto answer = [&](std::size_t i, Workspace& workspace) {
+    if (reporter.cancelled() || i > first_failure) return;
+    try {
+      answers[i] = ask(questions[i], workspace);
+    } catch (const Error& error) {
+      lower_to(first_failure, i);
+      throw Error(fmt::format("{} {}: {}", noun, i, error.what()));
+    }
+    reporter.finished_one();
+  };
+  const std::size_t length = row_length(questions.size(), options.threads);
+  parallel_for((questions.size() + length - 1) / length, options.threads, [&](std::size_t row) {
+    workspaces.with([&](Workspace& workspace) {
+      const std::size_t end = std::min(questions.size(), (row + 1) * length);
+      for (std::size_t i = row * length; i < end; ++i) answer(i, workspace);
+    });
+  });
+  return answers;
+}
+
+}  // namespace toccata
