@@ -180,8 +180,13 @@ CoreParting Search::answer(double lower, Status status) const {
 
 }  // namespace
 
-CoreParting part_cores_by_expansion(const PosedConvex& a, const PosedConvex& b, double reach) {
+CoreParting part_cores_exactly(const PosedConvex& a, const PosedConvex& b, double reach) {
   return Search(a, b, reach).run();
+}
+
+CoreParting part_cores_by_expansion(const PosedConvex& a, const PosedConvex& b, double reach) {
+  if (const std::optional<CoreParting> found = part_cores_quickly(a, b, reach)) return *found;
+  return part_cores_exactly(a, b, reach);
 }
 
 }  // namespace toccata

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "narrow/vertex_pairs.hpp"
 #include "toccata/core/status.hpp"
 #include "toccata/narrow/posed_convex.hpp"
@@ -28,8 +30,14 @@ struct CoreParting {
 inline constexpr double relative_width_of_depth = 0x1p-40;
 
 /// By expanding a polytope within the Minkowski difference (G. van den Bergen, "Proximity queries and penetration depth
-/// computation on 3D game objects", 2001), with exact signs and from any start: the origin may be outside. `reach`: the
-/// sum of the radii by which the shapes are grown.
+/// computation on 3D game objects", 2001): quickly, or else exactly. `reach`: the sum of the radii by which the shapes
+/// are grown.
 [[nodiscard]] CoreParting part_cores_by_expansion(const PosedConvex& a, const PosedConvex& b, double reach);
+
+/// In doubles; nothing when rounding leaves a doubt.
+[[nodiscard]] std::optional<CoreParting> part_cores_quickly(const PosedConvex& a, const PosedConvex& b, double reach);
+
+/// With exact signs and from any start: the origin may be outside.
+[[nodiscard]] CoreParting part_cores_exactly(const PosedConvex& a, const PosedConvex& b, double reach);
 
 }  // namespace toccata
