@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "math/expansion.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
 
@@ -16,6 +17,13 @@ namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The least double that is not less than a + b; what overflows ends at the greatest, as all coordinates do.
+double sum_not_less(double a, double b) {
+  const TwoPart sum = two_sum(a, b);
+  const bool is_exact_or_above = sum.low <= 0;  // false also for what overflowed
+  return std::clamp(is_exact_or_above ? sum.high : std::nextafter(sum.high, infinity), -most, most);
+}
 
 /// Makes the posed shape in place; none is copied.
 struct Place {
@@ -103,9 +111,8 @@ Aabb world_box(const PosedConvex& shape) {
   for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
   if (shape.radius() == 0) return box;
   for (int axis = 0; axis < 3; ++axis) {
-    // One step farther, for the rounding; what overflows ends at the greatest double, as all coordinates do.
-    box.lower[axis] = std::max(-most, std::nextafter(box.lower[axis] - shape.radius(), -infinity));
-    box.upper[axis] = std::min(most, std::nextafter(box.upper[axis] + shape.radius(), infinity));
+    box.lower[axis] = -sum_not_less(-box.lower[axis], shape.radius());
+    box.upper[axis] = sum_not_less(box.upper[axis], shape.radius());
   }
   return box;
 }

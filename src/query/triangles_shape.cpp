@@ -18,10 +18,8 @@ void visit_near(const PosedMesh& mesh, const PosedConvex& shape, const See& see)
 }
 
 template <class See>
-void visit_near(const PosedMesh& mesh, const PosedHalfSpace&, const See& see) {
-  const Index count = mesh.model().mesh().triangle_count();
-  for (Index i = 0; i < count; ++i)
-    if (!see(i, PosedConvex(mesh.triangle(i)))) return;
+void visit_near(const PosedMesh& mesh, const PosedHalfSpace& shape, const See& see) {
+  visit_triangles_near(mesh, shape, [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
 }
 
 template <class Shape>

@@ -85,7 +85,43 @@ WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
   return probe;
 }
 
+/// Of length near 1: by a power of two, so nothing is rounded but what underflows.
+Vec3 near_unit(const Vec3& normal) {
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  const int exponent = -std::ilogb(largest);
+  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
+}
+
+/// Everything below the plane, as far down as the mesh may reach. What is rounded is less than in `beside_ray`: the
+/// normal is not.
+RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
+  const Vec3 normal = near_unit(half_space.normal), sizes = world_sizes(mesh), local = largest_coordinates(mesh);
+  const Mat3& linear = mesh.pose().linear;
+  RegionDirection result;
+  result.on_mesh = {dot(normal, linear.column(0)), dot(normal, linear.column(1)), dot(normal, linear.column(2))};
+  result.offset = dot(normal, mesh.pose().offset);
+  double size = 0, rounded = 0, underflowed = 4 + ((local.x + local.y) + local.z);
+  for (int k = 0; k < 3; ++k) {
+    const double point = std::abs(half_space.point[k]);
+    size += std::abs(normal[k]) * sizes[k];
+    rounded += std::abs(normal[k]) * (sizes[k] + point);
+    underflowed += sizes[k] + point;
+  }
+  result.region.high = dot(normal, half_space.point);
+  result.region.low = std::min(-2 * size, result.region.high);
+  result.pad = 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  return result;
+}
+
 }  // namespace
+
+void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space,
+                          const std::function<bool(Index)>& visit) {
+  WideProbe probe;
+  const RegionDirection direction = below(mesh, half_space);
+  if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
+  walk_probe(mesh.model().wide_tree(), probe, visit);
+}
 
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit) {
   if (!overlap(mesh.box(), region)) return;

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "query/posed_mesh.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
 
 namespace toccata {
 
@@ -10,5 +11,10 @@ namespace toccata {
 /// boxes meet it, in no particular but always the same order; ends early when `visit` returns false. The upper side of
 /// the region may be infinite along one axis: the ray from p along +x is {p, {∞, p.y, p.z}}.
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit);
+
+/// Calls `visit(triangle)` for all triangles that meet the half-space, and for such as the tree cannot tell from these,
+/// in the same sense.
+void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space,
+                          const std::function<bool(Index)>& visit);
 
 }  // namespace toccata

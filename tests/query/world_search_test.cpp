@@ -45,6 +45,35 @@ bool is_subset(const std::vector<Index>& part, const std::vector<Index>& of) {
   return std::includes(of.begin(), of.end(), part.begin(), part.end());
 }
 
+/// Each case touches a vertex exactly; the tree may show more, and must not lose what meets.
+TEST(WorldSearch, NothingThatMeetsAHalfSpaceIsLost) {
+  std::size_t shown = 0, all = 0;
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      SCOPED_TRACE(family + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const Pose pose = test::random_poses(family, random).pose_a;
+      const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
+      const double length = seed % 3 == 0 ? 1e-200 : seed % 3 == 1 ? 1e200 : 1;
+      const Vec3 normal = seed % 2 == 0 ? Vec3{0, 0, length}
+                                        : Vec3{length * random.between(-1, 1), length * random.between(-1, 1), length};
+      const PosedHalfSpace below(HalfSpace(random_vertex(mesh, random), normal));
+      std::vector<Index> visited, meeting;
+      visit_triangles_near(mesh, below, [&](Index triangle) {
+        visited.push_back(triangle);
+        return true;
+      });
+      for (Index i = 0; i < mesh.model().mesh().triangle_count(); ++i)
+        if (overlap(PosedConvex(mesh.triangle(i)), below)) meeting.push_back(i);
+      std::sort(visited.begin(), visited.end());
+      EXPECT_TRUE(is_subset(meeting, visited));
+      EXPECT_FALSE(meeting.empty());
+      shown += visited.size();
+      all += mesh.model().mesh().triangle_count();
+    }
+  EXPECT_LT(shown, all * 3 / 4) << "the tree tells few apart";
+}
+
 TEST(WorldSearch, AsBruteForceForBoxes) {
   for (const std::string& family : test::pose_families())
     for (std::uint64_t seed = 0; seed < 60; ++seed) {

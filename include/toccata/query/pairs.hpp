@@ -90,7 +90,6 @@ inline constexpr PairCell by_features{PairState::defined, "clipped features"};
 inline constexpr PairCell by_normals{PairState::defined, "exact signs of separating normals"};
 inline constexpr PairCell by_tree{PairState::defined, "tree, exact pairs, winding numbers"};
 inline constexpr PairCell by_tree_alone{PairState::defined, "tree, exact pairs"};
-inline constexpr PairCell by_every_triangle{PairState::defined, "every triangle, exact"};
 inline constexpr PairCell one_contact{PairState::defined, "one pair, by overlap; its points are the manifold"};
 inline constexpr PairCell by_advance{PairState::defined, "certified interval, else exact arithmetic"};
 
@@ -98,10 +97,7 @@ constexpr bool has(ShapeClass wanted, ShapeClass a, ShapeClass b) { return a == 
 
 constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return by_parts;
-  if (has(ShapeClass::triangles, a, b)) {
-    if (has(ShapeClass::half_space, a, b)) return by_every_triangle;
-    return question == ShapeQuestion::contacts ? by_tree_alone : by_tree;
-  }
+  if (has(ShapeClass::triangles, a, b)) return question == ShapeQuestion::contacts ? by_tree_alone : by_tree;
   if (question == ShapeQuestion::contacts) return one_contact;
   if (has(ShapeClass::half_space, a, b)) return half_spaces;
   return question == ShapeQuestion::relation ? by_normals : by_gjk;
