@@ -20,25 +20,27 @@ struct InputArguments {
   double scale = 1;
 };
 
-struct CheckArguments {
+/// What is asked about, and where it is.
+struct PosedArguments {
   InputArguments input;
   std::optional<Pose> pose_a;
   std::optional<Pose> pose_b;
-  std::string poses;           ///< a file of queries about two objects; empty: one check of all
-  bool self = false;           ///< each object against itself, instead of against the others
+  std::string poses;           ///< a file of queries about two objects; empty: all are asked about as they are
   std::optional<Solid> solid;  ///< overrides what the scene says
-  Touching touching = Touching::count;
-  bool faces = false;
   Format format = Format::table;
   int threads = 0;
 };
 
-struct InspectArguments {
-  InputArguments input;
-  Format format = Format::table;
+struct CheckArguments : PosedArguments {
+  bool self = false;  ///< each object against itself, instead of against the others
+  Touching touching = Touching::count;
+  bool faces = false;
+  bool penetration = false;
 };
 
-struct DistanceArguments {
+struct DistanceArguments : PosedArguments {};
+
+struct InspectArguments {
   InputArguments input;
   Format format = Format::table;
 };
@@ -59,6 +61,7 @@ int run_check_poses(const CheckArguments& arguments);
 int run_check_self(const CheckArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);
+int run_distance_poses(const DistanceArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

@@ -15,6 +15,7 @@ CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckAr
   ProgressBar bar("checking");
   CheckOptions options;
   options.contacts = arguments.faces;
+  options.penetration = arguments.penetration;
   options.threads = arguments.threads;
   options.progress = bar.callback();
   return check_all(models, options);
@@ -47,7 +48,8 @@ int run_check(const CheckArguments& arguments) {
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
   const CheckAnswer answer = answer_with_progress(input.models, arguments);
-  const CheckReport report = make_check_report(input.models, answer, arguments.touching, arguments.faces);
+  const CheckReport report =
+      make_check_report(input.models, answer, {arguments.touching, arguments.faces, arguments.penetration});
   const std::string text = text_of(loaded, input.models, report, arguments.format);
   print_warnings(loaded.warnings);
   print_answer(text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "toccata/core/error.hpp"
+#include "toccata/io/poses_file.hpp"
 #include "toccata/query/scene_models.hpp"
 #include "words.hpp"
 
@@ -12,7 +13,7 @@ namespace toccata::command {
 namespace {
 
 /// --pose-a and --pose-b place everything in the first and the second of two files.
-void apply_poses(LoadedScene& loaded, const CheckArguments& arguments) {
+void apply_poses(LoadedScene& loaded, const PosedArguments& arguments) {
   if (!arguments.pose_a && !arguments.pose_b) return;
   if (arguments.input.files.size() != 2)
     throw Error(
@@ -37,12 +38,24 @@ bool is_mesh(const Model& model) { return kind_of(model.shape()) == ShapeKind::m
 
 }  // namespace
 
-CheckInput read_check_input(const CheckArguments& arguments) {
+CheckInput read_check_input(const PosedArguments& arguments) {
   CheckInput input{load(arguments.input), {}};
   apply_poses(input.loaded, arguments);
   apply_solid(input.loaded.scene, arguments.solid);
   input.models = scene_models(input.loaded.scene, arguments.threads);
   return input;
+}
+
+std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArguments& arguments) {
+  const std::vector<Posed>& models = input.models;
+  if (models.size() != 2)
+    throw Error(fmt::format("--poses asks about two objects, the first placed as A and the second as B; here {} {}",
+                            models.size() == 1 ? "is" : "are", models.size()));
+  std::vector<PairQuery> queries = read_poses(arguments.poses);
+  for (PairQuery& query : queries)
+    query = {compose(query.pose_a, models[0].pose), compose(query.pose_b, models[1].pose), models[0].solid,
+             models[1].solid};
+  return queries;
 }
 
 void warn_of_open_meshes(CheckInput& input) {

@@ -5,17 +5,22 @@
 #include "arguments.hpp"
 #include "load.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/pair_query.hpp"
 
 namespace toccata::command {
 
-/// Everything that is checked, ready for questions.
+/// Everything that is asked about, ready for questions.
 struct CheckInput {
   LoadedScene loaded;
   std::vector<Posed> models;  ///< of the scene's objects, in their order
 };
 
 /// Reads the files and applies what the options say about poses and solids.
-CheckInput read_check_input(const CheckArguments& arguments);
+CheckInput read_check_input(const PosedArguments& arguments);
+
+/// What the file --poses asks about two models, which keep the poses that their own files give them. Throws Error when
+/// there are not two.
+std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArguments& arguments);
 
 /// An open mesh among solids contains nothing: whoever did not know that it is open should. Adds a warning then.
 void warn_of_open_meshes(CheckInput& input);

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "toccata/query/pairs.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
 
 constexpr std::size_t most_face_pairs = 10;  // per pair of objects; JSON and CSV list all
-
-std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
 std::string points_text(const ReportedMeeting& meeting) {
   std::string text;
@@ -24,12 +23,34 @@ std::vector<std::string> row_of(const Scene& scene, const ReportedPair& pair) {
           remark(pair.relation)};
 }
 
+/// Why a pair has no depth.
+std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
+  const PairCell cell =
+      pair_cell(ShapeQuestion::penetration, kind_of(scene.objects[pair.a].shape), kind_of(scene.objects[pair.b].shape));
+  return fmt::format("no depth: {}\n", cell.state == PairState::defined ? pair_cells::surface.text : cell.text);
+}
+
+/// How deep they overlap, and a line for each point of contact.
+std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
+  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + "\n" : depth_refusal(scene, pair));
+  for (int i = 0; pair.manifold && i < pair.manifold->count; ++i) {
+    const ManifoldPoint& point = pair.manifold->points[static_cast<std::size_t>(i)];
+    text += fmt::format("      contact at {}, depth {:.6g}, normal {}\n", point_text(point.position), point.depth,
+                        point_text(pair.manifold->normal));
+  }
+  return text;
+}
+
 std::string pair_lines(const Scene& scene, const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(scene, pair));
-  if (!report.has_faces) return columns(rows, 2);
+  if (!report.has_faces && !report.has_penetration) return columns(rows, 2);
   std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) text += columns({rows[i]}, 2) + face_lines(report.pairs[i].face_pairs);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += columns({rows[i]}, 2);
+    if (report.has_penetration) text += depth_lines(scene, report.pairs[i]);
+    if (report.has_faces) text += face_lines(report.pairs[i].face_pairs);
+  }
   return text;
 }
 

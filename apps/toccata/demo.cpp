@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 CheckReport report_of(const std::vector<Posed>& models, const DemoArguments& arguments) {
   CheckOptions options;
   options.threads = arguments.threads;
-  return make_check_report(models, check_all(models, options), Touching::count, false);
+  return make_check_report(models, check_all(models, options));
 }
 
 std::string demo_json(const DemoArguments& arguments) {

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "arguments.hpp"
-#include "load.hpp"
+#include "check_input.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/distance_report.hpp"
-#include "toccata/query/scene_models.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -37,31 +36,33 @@ std::vector<ReportedDistance> distances_in(const LoadedScene& loaded, const std:
   return distances;
 }
 
-std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
-
 std::string distance_table(const Scene& scene, const std::vector<ReportedDistance>& distances) {
   std::vector<std::vector<std::string>> rows;
   for (const ReportedDistance& pair : distances) {
     const Distance& d = pair.distance;
-    rows.push_back({printable(scene.objects[pair.a].name), printable(scene.objects[pair.b].name),
-                    d.upper == 0 ? "meet" : fmt::format("{} apart", d.upper),
-                    fmt::format("{} to {}", point_text(d.on_a), point_text(d.on_b))});
+    rows.push_back({printable(scene.objects[pair.a].name), printable(scene.objects[pair.b].name), distance_text(d),
+                    nearest_text(d)});
   }
   return columns(rows, 2);
+}
+
+std::string text_of(const CheckInput& input, const std::vector<ReportedDistance>& distances, Format format) {
+  const LoadedScene& loaded = input.loaded;
+  if (format == Format::json) return distance_report_json(loaded.scene, input.models, distances, loaded.warnings);
+  return format == Format::csv ? distance_report_csv(loaded.scene, distances) : distance_table(loaded.scene, distances);
 }
 
 }  // namespace
 
 int run_distance(const DistanceArguments& arguments) {
-  const LoadedScene loaded = load(arguments.input);
+  if (!arguments.poses.empty()) return run_distance_poses(arguments);
+  const CheckInput input = read_check_input(arguments);
+  const LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)
     throw Error(fmt::format("{} holds one object; a distance is between two: name another file or a scene with more",
                             arguments.input.files.front()));
-  const std::vector<Posed> models = scene_models(loaded.scene, 1);
-  const std::vector<ReportedDistance> distances = distances_in(loaded, models);
-  const std::string text = arguments.format == Format::json
-                               ? distance_report_json(loaded.scene, models, distances, loaded.warnings)
-                               : distance_table(loaded.scene, distances);
+  const std::vector<ReportedDistance> distances = distances_in(loaded, input.models);
+  const std::string text = text_of(input, distances, arguments.format);
   print_warnings(loaded.warnings);
   print_answer(text);
   return std::any_of(distances.begin(), distances.end(),

@@ -3,16 +3,14 @@
 #include "arguments.hpp"
 #include "load.hpp"
 #include "output.hpp"
-#include "toccata/core/error.hpp"
+#include "shape_text.hpp"
+#include "toccata/io/inspect_report.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
 
-std::string box_text(const Vec3& lower, const Vec3& upper) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", lower.x, lower.y, lower.z, upper.x,
-                     upper.y, upper.z);
-}
+std::string box_text(const Aabb& box) { return point_text(box.lower) + " to " + point_text(box.upper); }
 
 std::string closed_text(const MeshHealth& h) {
   if (h.closed) return h.signed_volume < 0 ? "yes, inside out (the normals point inward)" : "yes: may be a solid";
@@ -27,30 +25,45 @@ void add_finding(std::vector<std::vector<std::string>>& rows, std::size_t count,
   if (count > 0) rows.push_back({name, fmt::format("{}: {}", grouped(count), meaning)});
 }
 
-std::vector<std::vector<std::string>> rows_of(const InspectedObject& object, const std::string& unit) {
-  if (!object.health) return {{"from", printable(object.source)}, {"shape", object.shape}};
+using Rows = std::vector<std::vector<std::string>>;
+
+void add_mesh_rows(Rows& rows, const InspectedObject& object) {
   const MeshHealth& h = *object.health;
-  std::vector<std::vector<std::string>> rows = {
-      {"from", printable(object.source)},
+  const Rows described = {
       {"triangles", grouped(h.triangles) + (h.faces == h.triangles ? "" : " of " + counted(h.faces, "face"))},
       {"vertices", fmt::format("{} ({} distinct)", grouped(h.vertices), grouped(h.distinct_vertices))},
       {"parts", grouped(h.components)},
-      {"box", box_text(h.lower, h.upper) + " in file units"},
+      {"box", box_text({h.lower, h.upper}) + " in file units"},
       {"closed", closed_text(h)}};
-  if (!(object.pose == Pose{}))
-    rows.push_back({"in the world", box_text(object.world_box.lower, object.world_box.upper) + " " + unit});
+  rows.insert(rows.end(), described.begin(), described.end());
   if (h.closed) rows.push_back({"volume", fmt::format("{:.6g} in file units cubed", h.signed_volume)});
   add_finding(rows, h.closed ? h.non_manifold_edges : 0, "non-manifold edges", "used by more than two triangles");
   add_finding(rows, h.degenerate_triangles, "degenerate triangles", "without area; kept, and answered exactly");
   add_finding(rows, h.duplicate_triangles, "duplicate triangles", "the same three vertices as an earlier one; kept");
   add_finding(rows, h.unused_vertices, "unused vertices", "in no triangle; ignored");
+}
+
+std::string place_text(const InspectedObject& object, const std::string& unit) {
+  if (!object.refusal.empty()) return printable(object.refusal);
+  return object.world_box ? box_text(*object.world_box) + " " + unit : "without end";
+}
+
+Rows rows_of(const InspectedObject& inspected, const std::string& unit) {
+  const SceneObject& object = inspected.object;
+  Rows rows = {{"from", printable(object.source)}};
+  if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(object.shape)) {
+    rows.push_back({"shape", shape_text(object.shape)});
+    rows.push_back({"taken as", inspected.solid ? "a solid" : "a surface"});
+  }
+  if (inspected.health) add_mesh_rows(rows, inspected);
+  if (!inspected.health || !(object.pose == Pose{})) rows.push_back({"in the world", place_text(inspected, unit)});
   return rows;
 }
 
 std::string inspect_table(const std::vector<InspectedObject>& objects, const std::string& unit) {
   std::string text;
-  for (const InspectedObject& object : objects)
-    text += printable(object.name) + "\n" + columns(rows_of(object, unit), 2);
+  for (const InspectedObject& inspected : objects)
+    text += printable(inspected.object.name) + "\n" + columns(rows_of(inspected, unit), 2);
   return text;
 }
 

@@ -48,14 +48,14 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
 }
 
 /// Where the objects of two files are. Returns --poses.
-CLI::Option* add_poses(CLI::App& check, Options& options) {
+CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
-    return check.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
+    return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
   };
   CLI::Option* pose_a = pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t");
   CLI::Option* pose_b = pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t");
-  return check
-      .add_option("--poses", options.check.poses,
+  return app
+      .add_option("--poses", poses,
                   "answers for two objects at many poses: a file with 12 or 24 numbers a line "
                   "(docs/reference/poses-file.md)")
       ->check([](const std::string& file) { return file.empty() ? "a file must be named" : std::string(); })
@@ -64,10 +64,18 @@ CLI::Option* add_poses(CLI::App& check, Options& options) {
       ->excludes(pose_b);
 }
 
+/// How the answer is written, and on how many threads it is found. `report` names the page about its JSON.
+void add_writing(CLI::App& app, Options& options, int& threads, const std::string& report) {
+  CLI::Option* json = app.add_flag("--json", options.json, "write JSON (" + report + ")");
+  app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same answer for any")
+      ->check(CLI::Range(0, 1024));
+}
+
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
-  CLI::Option* poses = add_poses(*check, options);
+  CLI::Option* poses = add_poses(*check, options, options.check.poses);
   CLI::Option* solid =
       check
           ->add_option("--solid", options.solid,
@@ -77,18 +85,19 @@ void add_check(CLI::App& app, Options& options) {
   CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
                               ->check(CLI::IsMember({"count", "ignore"}))
                               ->capture_default_str();
+  CLI::Option* penetration = check->add_flag(
+      "--penetration", options.check.penetration,
+      "how deep convex solids overlap, the shortest way to part them, and (without --poses) their points of contact");
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")
       ->excludes(poses)
+      ->excludes(penetration)
       ->excludes(solid)
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
-  CLI::Option* json = check->add_flag("--json", options.json, "write JSON (docs/reference/check-report.md)");
-  check->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
-  check->add_option("--threads", options.check.threads, "threads to use; 0: as many as there are; same answer for any")
-      ->check(CLI::Range(0, 1024));
+  add_writing(*check, options, options.check.threads, "docs/reference/check-report.md");
   check->footer(
       with_name("Exit code: 0 nothing touches, 1 something does, 2 trouble.\n\n"
                 "Example:\n"
@@ -97,6 +106,7 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
                 "  {0} check robot.stl table.obj --poses path.txt --csv\n"
                 "  {0} check part.stl --self --faces\n"
+                "  {0} check shapes.json --penetration\n"
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 
@@ -104,10 +114,12 @@ void add_distance(CLI::App& app, Options& options) {
   CLI::App* distance = app.add_subcommand("distance", "how far apart shapes are, certified");
   add_input(*distance, options.distance.input,
             "one scene file (all pairs of its objects) or two (pairs of one of each)");
-  distance->add_flag("--json", options.json, "write JSON (docs/reference/distance-report.md)");
+  add_poses(*distance, options, options.distance.poses);
+  add_writing(*distance, options, options.distance.threads, "docs/reference/distance-report.md");
   distance->footer(
       with_name("Convex shapes, half-spaces and compounds of them; meshes are refused by this version.\n\n"
-                "Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance scene.json"));
+                "Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance shapes.json\n"
+                "  {0} distance robot.json table.json --poses path.txt --csv"));
 }
 
 void add_pairs(CLI::App& app, Options& options) {
@@ -117,7 +129,7 @@ void add_pairs(CLI::App& app, Options& options) {
 }
 
 void add_inspect(CLI::App& app, Options& options) {
-  CLI::App* inspect = app.add_subcommand("inspect", "what a mesh is: closed? degenerate? how large?");
+  CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
   inspect->footer(
@@ -142,17 +154,21 @@ std::optional<Solid> solid_of(const std::string& word) {
   return words.at(word);
 }
 
+void take_poses_and_format(PosedArguments& arguments, const Options& options) {
+  arguments.format = format_of(options);
+  if (!options.pose_a.empty()) arguments.pose_a = parse_pose(options.pose_a, "--pose-a");
+  if (!options.pose_b.empty()) arguments.pose_b = parse_pose(options.pose_b, "--pose-b");
+}
+
 int run(const CLI::App& app, Options& options) {
   if (app.got_subcommand("check")) {
-    options.check.format = format_of(options);
-    if (!options.pose_a.empty()) options.check.pose_a = parse_pose(options.pose_a, "--pose-a");
-    if (!options.pose_b.empty()) options.check.pose_b = parse_pose(options.pose_b, "--pose-b");
+    take_poses_and_format(options.check, options);
     options.check.solid = solid_of(options.solid);
     options.check.touching = options.touching == "ignore" ? Touching::ignore : Touching::count;
     return run_check(options.check);
   }
   if (app.got_subcommand("distance")) {
-    options.distance.format = format_of(options);
+    take_poses_and_format(options.distance, options);
     return run_distance(options.distance);
   }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});

@@ -48,6 +48,24 @@ std::string remark(const Relation& relation) {
   return relation.a_solid ? "(a solid, a surface)" : "(a surface, a solid)";
 }
 
+std::string point_text(const Vec3& point) {
+  // Adding 0 takes the sign from a zero, which means nothing to people.
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x + 0.0, point.y + 0.0, point.z + 0.0);
+}
+
+std::string distance_text(const Distance& distance) {
+  return distance.upper == 0 ? "meet" : fmt::format("{:.12g} apart", distance.upper);
+}
+
+std::string nearest_text(const Distance& distance) {
+  return fmt::format("{} to {}", point_text(distance.on_a), point_text(distance.on_b));
+}
+
+std::string depth_text(const Penetration& penetration) {
+  if (penetration.upper == 0) return "0 deep";
+  return fmt::format("{:.6g} deep along {}", penetration.upper, point_text(penetration.direction));
+}
+
 std::string called_as() {
   const char* name = std::getenv("TOCCATA_CALLED_AS");
   return name == nullptr || *name == '\0' ? "toccata" : printable(name);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toccata/query/relation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata::command {
 
@@ -13,6 +13,18 @@ std::string verb(const Relation& relation);
 
 /// What the two were taken for, and what the relation leaves open: "(both solids)", "(a surface, a solid)", …
 std::string remark(const Relation& relation);
+
+/// "(0.5, 0, 1)", to six digits.
+std::string point_text(const Vec3& point);
+
+/// "0.25 apart", or "meet".
+std::string distance_text(const Distance& distance);
+
+/// The nearest points: "(0, 0, 1) to (0, 0, 3)".
+std::string nearest_text(const Distance& distance);
+
+/// "0.25 deep along (0, 0, 1)"; of two that do not overlap "0 deep".
+std::string depth_text(const Penetration& penetration);
 
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();

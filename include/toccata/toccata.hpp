@@ -18,6 +18,7 @@
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/distance_report.hpp"
+#include "toccata/io/inspect_report.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/poses_file.hpp"

@@ -18,6 +18,7 @@ io::Json json_of_query(const PosesReport& report, std::size_t i) {
                    {"status", name_of(relation.status)},
                    {"contact", counts_as_contact(relation, report.touching)}};
   if (!report.counts.empty()) json["face_pairs"] = report.counts[i].face_pairs;
+  if (!report.penetrations.empty()) json["penetration"] = io::json_of(report.penetrations[i]);
   json["pose_a"] = report.queries[i].pose_a.numbers();
   json["pose_b"] = report.queries[i].pose_b.numbers();
   return json;
@@ -40,15 +41,17 @@ std::string poses_report_json(const Scene& scene, std::span<const Posed> models,
 }
 
 std::string poses_report_csv(const PosesReport& report) {
-  const bool has_faces = !report.counts.empty();
+  const bool has_faces = !report.counts.empty(), has_penetration = !report.penetrations.empty();
   std::string csv = "query,relation,containment,side_unresolved,status,contact";
-  csv += has_faces ? ",face_pairs\n" : "\n";
+  csv += has_faces ? ",face_pairs" : "";
+  csv += io::csv_penetration_head(has_penetration);
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
     const Relation& relation = report.relations[i];
     csv +=
         fmt::format("{},{},{},{},{},{}", i, name_of(relation.kind), name_of(relation.containment),
                     relation.side_unresolved, name_of(relation.status), counts_as_contact(relation, report.touching));
-    csv += has_faces ? fmt::format(",{}\n", report.counts[i].face_pairs) : "\n";
+    csv += has_faces ? fmt::format(",{}", report.counts[i].face_pairs) : "";
+    csv += has_penetration ? io::csv_of(report.penetrations[i]) + "\n" : "\n";
   }
   return csv;
 }

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <string_view>
-#include <utility>
 
 #include "io/report_parts.hpp"
-#include "io/scene_shape.hpp"
 #include "io/utf8.hpp"
-#include "toccata/core/version.hpp"
 
 namespace toccata {
 namespace {
@@ -19,17 +16,22 @@ using io::Json;
 using io::json_of;
 
 /// A line, and where the report has faces one more for each pair of them.
-std::string text_of(const ReportedPair& pair, const Scene& scene, bool faces) {
+std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckReport& report) {
   const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
-  std::string text = io::line_of({{"a", first},
-                                  {"b", second},
-                                  {"a_index", pair.a},
-                                  {"b_index", pair.b},
-                                  {"relation", name_of(pair.relation.kind)},
-                                  {"containment", name_of(pair.relation.containment)},
-                                  {"side_unresolved", pair.relation.side_unresolved},
-                                  {"status", name_of(pair.relation.status)}});
-  if (!faces) return text;
+  Json line = {{"a", first},
+               {"b", second},
+               {"a_index", pair.a},
+               {"b_index", pair.b},
+               {"relation", name_of(pair.relation.kind)},
+               {"containment", name_of(pair.relation.containment)},
+               {"side_unresolved", pair.relation.side_unresolved},
+               {"status", name_of(pair.relation.status)}};
+  if (report.has_penetration) {
+    line["penetration"] = pair.penetration ? json_of(*pair.penetration) : Json();
+    line["manifold"] = pair.manifold ? json_of(*pair.manifold) : Json();
+  }
+  std::string text = io::line_of(line);
+  if (!report.has_faces) return text;
   text.back() = ',';
   text += "\"faces\":[";
   for (std::size_t i = 0; i < pair.face_pairs.size(); ++i)
@@ -42,43 +44,29 @@ std::string csv_names(const Scene& scene, const ReportedPair& pair) {
 }
 
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
-  std::string csv = "a,b,relation,containment,side_unresolved,status\n";
+  std::string csv =
+      "a,b,relation,containment,side_unresolved,status" + io::csv_penetration_head(report.has_penetration);
   for (const ReportedPair& pair : report.pairs)
     csv +=
-        fmt::format("{},{},{},{},{}\n", csv_names(scene, pair), name_of(pair.relation.kind),
-                    name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status));
+        fmt::format("{},{},{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
+                    name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status)) +
+        (report.has_penetration ? io::csv_of(pair.penetration) : "") + "\n";
   return csv;
 }
 
 /// A pair without meeting faces (one solid inside the other) still has its line, with empty face fields.
 std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
-  std::string csv = "a,b,relation,containment,face_a,face_b,crossing\n";
+  std::string csv =
+      "a,b,relation,containment,face_a,face_b,crossing" + io::csv_penetration_head(report.has_penetration);
   for (const ReportedPair& pair : report.pairs) {
     const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                                           name_of(pair.relation.containment));
-    if (pair.face_pairs.empty()) csv += start + ",,,\n";
+    const std::string end = report.has_penetration ? io::csv_of(pair.penetration) + "\n" : "\n";
+    if (pair.face_pairs.empty()) csv += start + ",,," + end;
     for (const ReportedFacePair& faces : pair.face_pairs)
-      csv += fmt::format("{},{},{},{}\n", start, faces.face_a, faces.face_b, faces.crossing);
+      csv += fmt::format("{},{},{},{}", start, faces.face_a, faces.face_b, faces.crossing) + end;
   }
   return csv;
-}
-
-Json json_of(const MeshHealth& h) {
-  return {{"vertices", h.vertices},
-          {"distinct_vertices", h.distinct_vertices},
-          {"unused_vertices", h.unused_vertices},
-          {"triangles", h.triangles},
-          {"faces", h.faces},
-          {"components", h.components},
-          {"closed", h.closed},
-          {"unbalanced_edges", h.unbalanced_edges},
-          {"boundary_edges", h.boundary_edges},
-          {"non_manifold_edges", h.non_manifold_edges},
-          {"flipped_edges", h.flipped_edges},
-          {"degenerate_triangles", h.degenerate_triangles},
-          {"duplicate_triangles", h.duplicate_triangles},
-          {"signed_volume", h.signed_volume},
-          {"box", {{"lower", json_of(h.lower)}, {"upper", json_of(h.upper)}}}};
 }
 
 }  // namespace
@@ -142,25 +130,13 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
   return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved;
 }
 
-InspectedObject inspect(const SceneObject& object) {
-  InspectedObject result{object.name, object.source, io::type_of(object.shape), object.pose, {}, false, {}};
-  const auto mesh = object.mesh();
-  if (!mesh) return result;
-  result.health = inspect(*mesh);
-  const bool may_be_solid = !std::holds_alternative<HeightField>(object.shape);
-  result.solid = may_be_solid && object.solid != Solid::none && result.health->closed;
-  for (const auto& corners : mesh->triangles())
-    for (const Index corner : corners)
-      result.world_box = merge(result.world_box, transform(object.pose, mesh->vertices()[corner]));
-  return result;
-}
-
-CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, Touching touching, bool faces) {
+CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, const ReportOptions& options) {
   CheckReport report;
   report.candidate_pairs = answer.candidate_pairs;
-  report.has_faces = faces;
+  report.has_faces = options.faces;
+  report.has_penetration = options.penetration;
   for (const PairAnswer& pair : answer.pairs) {
-    if (!counts_as_contact(pair.relation, touching)) {
+    if (!counts_as_contact(pair.relation, options.touching)) {
       ++report.ignored_touching;
       continue;
     }
@@ -168,7 +144,9 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
     reported.a = pair.a;
     reported.b = pair.b;
     reported.relation = pair.relation;
-    if (faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
+    if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
+    reported.penetration = pair.penetration;
+    reported.manifold = pair.manifold;
   }
   return report;
 }
@@ -179,7 +157,7 @@ std::string check_report_json(const Scene& scene, std::span<const Posed> models,
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
   return io::with_list(document(json), "pairs", report.pairs.size(),
-                       [&](std::size_t i) { return text_of(report.pairs[i], scene, report.has_faces); });
+                       [&](std::size_t i) { return text_of(report.pairs[i], scene, report); });
 }
 
 std::string joined_reports_json(std::span<const NamedReport> reports) {
@@ -194,23 +172,6 @@ std::string joined_reports_json(std::span<const NamedReport> reports) {
 
 std::string check_report_csv(const Scene& scene, const CheckReport& report) {
   return report.has_faces ? csv_of_faces(scene, report) : csv_of_pairs(scene, report);
-}
-
-std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
-                                std::span<const std::string> warnings) {
-  Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
-  Json& list = json["objects"] = Json::array();
-  for (const InspectedObject& object : objects) {
-    Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}, {"shape", object.shape}};
-    item["pose"] = object.pose.numbers();
-    if (object.health) {
-      item["solid"] = object.solid;
-      item.update(json_of(*object.health));
-      item["world_box"] = {{"lower", json_of(object.world_box.lower)}, {"upper", json_of(object.world_box.upper)}};
-    }
-    list.push_back(std::move(item));
-  }
-  return document(json);
 }
 
 }  // namespace toccata

@@ -1,6 +1,9 @@
 #include "io/report_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -15,6 +18,11 @@ ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& 
   const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
                                                world_triangle(b.model, b.pose, contact.triangle_b));
   return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
+}
+
+Json json_of(const ConvexFeature& feature) {
+  constexpr std::array<const char*, 3> names = {"vertex", "edge", "face"};
+  return {{"kind", names[static_cast<std::size_t>(feature.kind)]}, {"index", feature.index}};
 }
 
 }  // namespace
@@ -63,6 +71,37 @@ Json json_of(const ReportedFacePair& pair) {
   }
   return {
       {"face_a", pair.face_a}, {"face_b", pair.face_b}, {"crossing", pair.crossing}, {"meetings", std::move(meetings)}};
+}
+
+Json json_of(const Penetration& penetration) {
+  return {{"lower", penetration.lower},
+          {"upper", penetration.upper},
+          {"direction", json_of(penetration.direction)},
+          {"on_a", json_of(penetration.on_a)},
+          {"on_b", json_of(penetration.on_b)},
+          {"status", name_of(penetration.status)}};
+}
+
+Json json_of(const Manifold& manifold) {
+  Json points = Json::array();
+  for (int i = 0; i < manifold.count; ++i) {
+    const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    points.push_back({{"position", json_of(point.position)},
+                      {"depth", point.depth},
+                      {"on_a", json_of(point.on_a)},
+                      {"on_b", json_of(point.on_b)}});
+  }
+  return {{"normal", json_of(manifold.normal)}, {"points", std::move(points)}};
+}
+
+std::string csv_penetration_head(bool told) {
+  return told ? ",depth_lower,depth_upper,direction_x,direction_y,direction_z\n" : "\n";
+}
+
+std::string csv_of(const std::optional<Penetration>& penetration) {
+  if (!penetration) return ",,,,,";
+  const Vec3& direction = penetration->direction;
+  return fmt::format(",{},{},{},{},{}", penetration->lower, penetration->upper, direction.x, direction.y, direction.z);
 }
 
 std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }

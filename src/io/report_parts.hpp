@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,14 @@ using Json = nlohmann::ordered_json;
                                                                 const std::vector<Contact>& contacts);
 
 [[nodiscard]] Json json_of(const ReportedFacePair& pair);
+
+[[nodiscard]] Json json_of(const Penetration& penetration);
+[[nodiscard]] Json json_of(const Manifold& manifold);
+
+/// The end of a line of comma-separated values that may tell of a penetration, with a comma in front: its names, with a
+/// line end, and its values, empty for a pair that has none.
+[[nodiscard]] std::string csv_penetration_head(bool told);
+[[nodiscard]] std::string csv_of(const std::optional<Penetration>& penetration);
 
 /// The document as text, with a line end.
 [[nodiscard]] std::string document(const Json& json);

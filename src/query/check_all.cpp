@@ -121,13 +121,14 @@ class Check {
   [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair) const {
     const PosedModel& a = posed_[pair.first];
     const PosedModel& b = posed_[pair.second];
-    PairAnswer answer{pair.first, pair.second, {}, {}};
+    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}};
     const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
     if (mesh_a != nullptr && mesh_b != nullptr)
       answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, answer);
     else
       answer_of_shapes(a, b, answer);
     if (answer.relation.kind == RelationKind::apart) return std::nullopt;
+    if (options_.penetration) add_depth(answer);
     return answer;
   }
 
@@ -147,6 +148,18 @@ class Check {
     SearchScratch scratch;
     const auto found = contacts_of(a, b, scratch, 1);
     answer.contacts.assign(found.begin(), found.end());
+  }
+
+  /// Where the table of pairs.hpp defines it.
+  void add_depth(PairAnswer& answer) const {
+    const Posed &a = models_[answer.a], &b = models_[answer.b];
+    const PairQuery query{a.pose, b.pose, a.solid, b.solid};
+    const auto defined = [&](ShapeQuestion question) {
+      return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
+    };
+    if (defined(ShapeQuestion::manifold)) answer.manifold = manifold(a.model, b.model, query);
+    if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration))
+      answer.penetration = penetration(a.model, b.model, query);
   }
 
   std::span<const Posed> models_;

@@ -26,12 +26,32 @@ def validator(name):
     return jsonschema.Draft202012Validator(schema)
 
 
+SHAPES = """{"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "crate", "shape": {"type": "box", "half_extents": [1, 1, 1]}},
+  {"name": "ball", "shape": {"type": "sphere", "radius": 1, "centre": [1.5, 0, 0]}},
+  {"name": "needle", "shape": {"type": "segment", "start": [0, 0, -9], "end": [0, 0, 9]}},
+  {"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]}"""
+
+
+def asked(folder, *words):
+    """The JSON that the command writes."""
+    result = subprocess.run([COMMAND, *words, "--json"], cwd=folder, capture_output=True, text=True)
+    assert result.returncode in (0, 1), result.stderr
+    return json.loads(result.stdout)
+
+
+def distances(folder):
+    """The JSON of every kind of distance."""
+    (folder / "arm.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
+                                     '{"name": "arm", "shape": {"type": "capsule", "start": [0, 0, 0], "end": [0, 0, 1], "radius": 0.1}}]}')
+    yield asked(folder, "distance", "shapes.json")
+    yield asked(folder, "distance", "arm.json", "arm.json", "--poses", "poses.txt")
+
+
 def reports(folder):
     """The JSON of every kind of check, with and without what options add."""
     def check(*words):
-        result = subprocess.run([COMMAND, "check", *words, "--json"], cwd=folder, capture_output=True, text=True)
-        assert result.returncode in (0, 1), result.stderr
-        return json.loads(result.stdout)
+        return asked(folder, "check", *words)
 
     (folder / "poses.txt").write_text(f"{ROWS} 0.1 0 0\n{ROWS} 100 0 0 {ROWS} 0 0 0\n")
     (folder / "bow.off").write_text("OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n")
@@ -41,16 +61,27 @@ def reports(folder):
     yield check("scenes/a.obj", "bow.off", "--poses", "poses.txt", "--faces")
     yield check("scenes/a.obj", "bow.off", "--self")
     yield check("bow.off", "bow.off", "--self", "--faces")
+    (folder / "shapes.json").write_text(SHAPES)
+    with_depths = check("shapes.json", "--penetration", "--faces")
+    assert [p["penetration"] is None for p in with_depths["pairs"]] == [False, True, False, False, True], with_depths
+    yield with_depths
+    (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
+                                      '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
+    yield check("ball.json", "ball.json", "--poses", "poses.txt", "--penetration")
 
 
 def main():
     check_report, scene = validator("check-report.schema.json"), validator("scene.schema.json")
+    distance_report = validator("distance-report.schema.json")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([COMMAND, "demo", "--write", "scenes"], cwd=folder, check=True, capture_output=True)
         for report in reports(folder):
             check_report.validate(report)
             assert not check_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        for report in distances(folder):
+            distance_report.validate(report)
+            assert not distance_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scenes = list(folder.rglob("scene.json"))
         assert scenes
         for file in scenes:

@@ -52,6 +52,149 @@ TEST_F(ShapeCommands, CheckTakesShapes) {
   EXPECT_TRUE(report["pairs"][0]["faces"][0]["meetings"].empty());
 }
 
+TEST_F(ShapeCommands, InspectTellsTheNumbersOfShapes) {
+  const std::string text = R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "ball", "shape": {"type": "sphere", "radius": 0.5, "centre": [1, 0, 0]}, "pose": {"translation": [0, 0, 2]}},
+    {"name": "wedge", "shape": {"type": "convex-hull", "points": [[0,0,0],[2,0,0],[0,2,0],[0,0,2],[0.1,0.1,0.1]]}},
+    {"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1]}},
+    {"name": "pair", "shape": {"type": "compound", "parts": [{"shape": {"type": "box", "half_extents": [1, 1, 1]}},
+      {"shape": {"type": "rounded", "radius": 0.25, "core": {"type": "point", "position": [3, 0, 0]}}}]}},
+    {"name": "egg", "shape": {"type": "sphere", "radius": 1}, "pose": {"scale": [1, 1, 2]}}]})";
+  const std::string file = folder.write("scene.json", text).string();
+  const auto table = run_command({"inspect", file});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  for (const char* const line :
+       {"sphere of radius 0.5 around (1, 0, 0)", "(0.5, -0.5, 1.5) to (1.5, 0.5, 2.5) m", "without end",
+        "convex hull with 4 vertices, 6 edges and 4 faces: (0, 0, 0), (2, 0, 0)", "half-space behind (0, 0, 0)",
+        "compound of 2 parts: box of half extents (1, 1, 1) around (0, 0, 0); rounded by 0.25: point (3, 0, 0)",
+        "ellipsoid"})
+    EXPECT_NE(table.out.find(line), std::string::npos) << line << "\n" << table.out;
+  const Json objects = Json::parse(run_command({"inspect", file, "--json"}).out)["objects"];
+  EXPECT_EQ(objects[0]["numbers"], Json::parse(R"({"radius": 0.5, "centre": [1, 0, 0]})"));
+  EXPECT_EQ(objects[0]["solid"], true);
+  EXPECT_LE(objects[0]["world_box"]["lower"][0], 0.5);
+  EXPECT_EQ(objects[1]["hull"], Json::parse(R"({"vertices": 4, "edges": 6, "faces": 4, "dimension": 3})"));
+  EXPECT_EQ(objects[1]["numbers"]["points"].size(), 4U);
+  EXPECT_EQ(objects[1]["world_box"]["upper"], Json({2, 2, 2}));
+  EXPECT_TRUE(objects[2]["world_box"].is_null());
+  EXPECT_EQ(objects[3]["parts"][1]["numbers"]["radius"], 0.25);
+  EXPECT_NE(objects[4]["refusal"].get<std::string>().find("ellipsoid"), std::string::npos);
+}
+
+TEST_F(ShapeCommands, DistanceAsCsv) {
+  const auto run = run_command({"distance", folder.write("scene.json", scene).string(), "--csv"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_TRUE(run.out.starts_with("a,b,lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,status\nball,crate,"))
+      << run.out;
+  EXPECT_NE(run.out.find("\nball,ground,0,0,"), std::string::npos) << run.out;
+}
+
+/// A ball and a crate, each in a file, for --poses and --pose-b.
+class TwoShapes : public ShapeCommands {
+ protected:
+  void SetUp() override {
+    write("ball.json", R"({"type": "sphere", "radius": 1})");
+    write("crate.json", R"({"type": "box", "half_extents": [1, 1, 1]})");
+    folder.write("poses.txt", rows + "0 3 0\n" + rows + "0 1.5 0\n" + rows + "1 0 0 " + rows + "1 2 0\n");
+  }
+
+  void write(const std::string& file, const std::string& shape) {
+    folder.write(file, R"({"format": "toccata-scene", "version": 1, "objects": [{"name": ")" + file.substr(0, 4) +
+                           R"(", "shape": )" + shape + "}]}");
+  }
+
+  test::CommandResult run(std::vector<std::string> words) { return run_command(words, folder.path()); }
+
+  const std::string rows = "1 0 0 0 1 0 0 0 1 ";
+};
+
+TEST_F(TwoShapes, DistanceAtManyPoses) {
+  const auto table = run({"distance", "ball.json", "crate.json", "--poses", "poses.txt"});
+  EXPECT_EQ(table.exit_code, 1) << table.err;
+  EXPECT_NE(table.out.find("  query 0  ball  crat  1 apart  (0, 1, 0) to (0, 2, 0)\n"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("2 of 3 queries meet.\n"), std::string::npos) << table.out;
+  const Json report = Json::parse(run({"distance", "ball.json", "crate.json", "--poses", "poses.txt", "--json"}).out);
+  EXPECT_EQ(report["schema"], "toccata/distance-poses/1");
+  EXPECT_EQ(report["meeting"], 2);
+  ASSERT_EQ(report["queries"].size(), 3U);
+  EXPECT_EQ(report["queries"][0]["on_b"], Json({0, 2, 0}));
+  EXPECT_EQ(report["queries"][2]["pose_a"], Json::parse("[1,0,0,0,1,0,0,0,1,1,0,0]"));
+  EXPECT_EQ(report["queries"][2]["upper"], 0);
+  const auto csv = run({"distance", "ball.json", "crate.json", "--poses", "poses.txt", "--csv"});
+  EXPECT_TRUE(csv.out.starts_with("query,lower,upper,")) << csv.out;
+  EXPECT_NE(csv.out.find("\n1,0,0,"), std::string::npos) << csv.out;
+}
+
+TEST_F(TwoShapes, DistanceAtManyPosesIsTheSameOnAnyNumberOfThreads) {
+  std::vector<std::string> words = {"distance",  "ball.json", "crate.json", "--poses",
+                                    "poses.txt", "--json",    "--threads"};
+  words.push_back("1");
+  const auto one = run(words);
+  words.back() = "3";
+  EXPECT_EQ(one.out, run(words).out);
+}
+
+TEST_F(TwoShapes, DistanceAtOnePose) {
+  const auto far = run({"distance", "ball.json", "crate.json", "--pose-b", "1", "0", "0", "0", "1", "0", "0", "0", "1",
+                        "0", "5", "0", "--json"});
+  EXPECT_EQ(far.exit_code, 0) << far.err;
+  EXPECT_EQ(Json::parse(far.out)["pairs"][0]["on_b"], Json({0, 4, 0}));
+}
+
+TEST_F(TwoShapes, TroubleWithPosesIsToldWithTheQuery) {
+  folder.write("poses.txt", rows + "0 0 0\n2 0 0 0 1 0 0 0 1 0 0 0 " + rows + "0 0 0\n");
+  for (const char* const question : {"distance", "check"}) {
+    const auto result = run({question, "ball.json", "crate.json", "--poses", "poses.txt"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("query 1: model a"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("ellipsoid"), std::string::npos) << result.err;
+  }
+  EXPECT_NE(run({"distance", "ball.json", "--poses", "poses.txt"}).err.find("two objects"), std::string::npos);
+}
+
+TEST_F(TwoShapes, PenetrationAtManyPoses) {
+  const auto result = run({"check", "ball.json", "crate.json", "--poses", "poses.txt", "--penetration"});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("0.5 deep along (0, 1, 0)"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("0 deep"), std::string::npos) << result.out;
+  const Json json =
+      Json::parse(run({"check", "ball.json", "crate.json", "--poses", "poses.txt", "--penetration", "--json"}).out);
+  EXPECT_EQ(json["queries"][0]["penetration"]["upper"], 0);
+  EXPECT_LE(json["queries"][1]["penetration"]["lower"], 0.5);
+  EXPECT_GE(json["queries"][1]["penetration"]["upper"], 0.5);
+  const auto csv = run({"check", "ball.json", "crate.json", "--poses", "poses.txt", "--penetration", "--csv"});
+  EXPECT_NE(csv.out.find(",contact,depth_lower,depth_upper,direction_x,direction_y,direction_z\n0,apart"),
+            std::string::npos)
+      << csv.out;
+}
+
+TEST_F(ShapeCommands, CheckTellsHowDeepAndWhere) {
+  const std::string deep = R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "crate", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": {"translation": [0, 0, 0.875]}},
+    {"name": "needle", "shape": {"type": "segment", "start": [0, 0, 0], "end": [0, 0, 9]}},
+    {"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]})";
+  const std::string file = folder.write("scene.json", deep).string();
+  const auto table = run_command({"check", file, "--penetration"});
+  EXPECT_EQ(table.exit_code, 1) << table.err;
+  EXPECT_NE(table.out.find("      0.125 deep along (0, 0, -1)\n      contact at "), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("      no depth: a surface has no interior"), std::string::npos) << table.out;
+  const Json report = Json::parse(run_command({"check", file, "--penetration", "--json"}).out);
+  ASSERT_EQ(report["pairs"].size(), 3U);
+  const Json& on_ground = report["pairs"][1];
+  EXPECT_EQ(on_ground["b"], "ground");
+  EXPECT_EQ(on_ground["penetration"]["direction"], Json({0, 0, -1}));
+  EXPECT_LE(on_ground["penetration"]["lower"], 0.125);
+  EXPECT_GE(on_ground["penetration"]["upper"], 0.125);
+  EXPECT_EQ(on_ground["manifold"]["points"].size(), 4U);
+  EXPECT_EQ(on_ground["manifold"]["points"][0]["on_b"]["kind"], "face");
+  EXPECT_TRUE(report["pairs"][0]["penetration"].is_null());
+  EXPECT_FALSE(report["pairs"][0]["manifold"].is_null());
+  const auto csv = run_command({"check", file, "--penetration", "--csv"});
+  EXPECT_NE(csv.out.find("\ncrate,needle,crossing,none,false,exact,,,,,\n"), std::string::npos) << csv.out;
+  EXPECT_EQ(run_command({"check", file, "--penetration", "--self"}).exit_code, 2);
+}
+
 TEST_F(ShapeCommands, TheTableOfPairsIsTheOneOfTheDocs) {
   const auto run = run_command({"pairs"});
   EXPECT_EQ(run.exit_code, 0);

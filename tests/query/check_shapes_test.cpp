@@ -43,6 +43,29 @@ TEST(CheckShapes, FindsEveryPairOfShapesThatMeets) {
   EXPECT_EQ(answer.pairs[4].relation.kind, RelationKind::touching);
 }
 
+TEST(CheckShapes, TellsHowDeepWhereThatIsDefined) {
+  const CheckAnswer answer = check_all(playground(), {.penetration = true, .threads = 2});
+  ASSERT_EQ(answer.pairs.size(), 5U);
+  const PairAnswer &on_ground = answer.pairs[0], &mesh = answer.pairs[1], &compound = answer.pairs[2],
+                   &point = answer.pairs[3];
+  ASSERT_TRUE(on_ground.penetration && on_ground.manifold);
+  EXPECT_EQ(on_ground.penetration->upper, 0) << "it touches";
+  EXPECT_EQ(on_ground.manifold->count, 1);
+  EXPECT_FALSE(mesh.penetration || mesh.manifold || compound.penetration || compound.manifold);
+  EXPECT_FALSE(point.penetration) << "a point has no interior";
+  EXPECT_TRUE(point.manifold);
+  EXPECT_FALSE(check_all(playground()).pairs[0].penetration) << "not asked for";
+}
+
+TEST(CheckShapes, AFlatHullHasNoDepthAndPointsOfContact) {
+  const ConvexHull square(std::vector<Vec3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  const CheckAnswer answer =
+      check_all(std::vector<Posed>{at(square, 0, 0, 0), at(Sphere{1}, 0, 0, 0.5)}, {.penetration = true});
+  ASSERT_EQ(answer.pairs.size(), 1U);
+  EXPECT_FALSE(answer.pairs[0].penetration);
+  EXPECT_TRUE(answer.pairs[0].manifold);
+}
+
 TEST(CheckShapes, ErrorsNameTheModel) {
   std::vector<Posed> models = playground();
   models[1].pose.linear[0][0] = 2;

@@ -16,9 +16,29 @@ struct ReportedDistance {
   Distance distance;
 };
 
-/// JSON by the schema docs/reference/distance-report.md. Doubles round-trip.
+/// JSON by the schema toccata/distance/1 of docs/reference/distance-report.md. Doubles round-trip.
 [[nodiscard]] std::string distance_report_json(const Scene& scene, std::span<const Posed> models,
                                                std::span<const ReportedDistance> distances,
                                                std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per pair.
+[[nodiscard]] std::string distance_report_csv(const Scene& scene, std::span<const ReportedDistance> distances);
+
+/// What `distance --poses` found: an entry per query in each list.
+struct DistancePosesReport {
+  std::vector<PairQuery> queries;  ///< as asked: with the objects' own poses
+  std::vector<Distance> distances;
+};
+
+/// How many of the queries found the two meeting.
+[[nodiscard]] std::size_t meeting_count(const DistancePosesReport& report);
+
+/// JSON by the schema toccata/distance-poses/1 of docs/reference/distance-report.md; `scene` holds A and then B.
+[[nodiscard]] std::string distance_poses_report_json(const Scene& scene, std::span<const Posed> models,
+                                                     const DistancePosesReport& report,
+                                                     std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per query.
+[[nodiscard]] std::string distance_poses_report_csv(const DistancePosesReport& report);
 
 }  // namespace toccata

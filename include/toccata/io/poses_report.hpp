@@ -13,7 +13,8 @@ namespace toccata {
 struct PosesReport {
   std::vector<PairQuery> queries;  ///< as asked: with the objects' own poses
   std::vector<Relation> relations;
-  std::vector<ContactCount> counts;  ///< none when faces were not asked for
+  std::vector<ContactCount> counts;       ///< none when faces were not asked for
+  std::vector<Penetration> penetrations;  ///< none when not asked for
   Touching touching = Touching::count;
 };
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "toccata/query/check_all.hpp"
-#include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata {
@@ -32,6 +31,8 @@ struct ReportedPair {
   Index b = 0;
   Relation relation;
   std::vector<ReportedFacePair> face_pairs;  ///< ascending by (face_a, face_b); filled when the answer has contacts
+  std::optional<Penetration> penetration;    ///< as in PairAnswer
+  std::optional<Manifold> manifold;
 };
 
 /// Whether pairs that touch without their interiors meeting are reported.
@@ -47,10 +48,18 @@ struct CheckReport {
   std::size_t ignored_touching = 0;
   std::size_t candidate_pairs = 0;
   bool has_faces = false;
+  bool has_penetration = false;
 };
 
-[[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, Touching touching,
-                                            bool faces);
+/// What of an answer is reported. Faces and penetrations are there when `check_all` was asked for them.
+struct ReportOptions {
+  Touching touching = Touching::count;
+  bool faces = false;
+  bool penetration = false;
+};
+
+[[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer,
+                                            const ReportOptions& options = {});
 
 /// JSON by the schema docs/reference/check-report.md. Doubles round-trip.
 [[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const Posed> models,
@@ -67,25 +76,6 @@ struct NamedReport {
 
 /// Comma-separated values with a header line: a line per pair, or per pair of faces when the report has them.
 [[nodiscard]] std::string check_report_csv(const Scene& scene, const CheckReport& report);
-
-/// An object and how it is, for `inspect`.
-struct InspectedObject {
-  std::string name;
-  std::string source;
-  std::string shape;  ///< "mesh", "sphere", "convex-hull" …, as in scene files
-  Pose pose;
-  /// What follows is told of meshes and height fields only.
-  std::optional<MeshHealth> health;
-  bool solid = false;
-  Aabb world_box;  ///< around the posed triangles, exact
-};
-
-/// Everything that `inspect` tells about the object.
-[[nodiscard]] InspectedObject inspect(const SceneObject& object);
-
-/// JSON by the schema docs/reference/inspect-report.md.
-[[nodiscard]] std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
-                                              std::span<const std::string> warnings);
 
 /// "apart", "touching", "overlapping", "crossing".
 [[nodiscard]] std::string name_of(RelationKind kind);

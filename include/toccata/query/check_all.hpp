@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "toccata/core/progress.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/manifold.hpp"
+#include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 
 namespace toccata {
@@ -24,12 +27,17 @@ struct PairAnswer {
   Index b = 0;
   Relation relation;
   std::vector<Contact> contacts;  ///< filled when asked for
+  /// When asked for and defined for the pair: of two solids, and of two convex shapes or one and a half-space
+  /// (pairs.hpp).
+  std::optional<Penetration> penetration;
+  std::optional<Manifold> manifold;
 };
 
 struct CheckOptions {
-  bool contacts = false;  ///< list the meeting triangles of every pair
-  int threads = 0;        ///< 0: as many as the machine has; the answer does not depend on it
-  Progress progress{};    ///< told the pairs of overlapping boxes that are done
+  bool contacts = false;     ///< list the meeting triangles of every pair
+  bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
+  int threads = 0;           ///< 0: as many as the machine has; the answer does not depend on it
+  Progress progress{};       ///< told the pairs of overlapping boxes that are done
 };
 
 struct CheckAnswer {
