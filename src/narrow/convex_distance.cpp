@@ -10,6 +10,7 @@
 #include "narrow/kept_simplex.hpp"
 #include "narrow/meeting_certificate.hpp"
 #include "narrow/nearest_certificate.hpp"
+#include "narrow/nearest_formula.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
@@ -79,13 +80,16 @@ class PairQuestion {
     const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
     if (kept.size > 0) {
       // Shapes that moved little often have the same nearest features.
-      if (const auto distance = distance_from(certain_nearest(a_, b_, kept))) return *distance;
+      if (const auto distance = distance_by_formula(kept)) return *distance;
       if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
     }
     const GjkEnd end = search({}, no_goal);
     if (const auto distance = distance_by(end, Cores::any)) return *distance;
+    const ExactNearest nearest = exact(end.simplex.pairs);
+    if (!nearest.meet)
+      if (const auto distance = distance_by_formula(nearest.simplex)) return *distance;
     ++workspace_.counts.exact;
-    return rounded_distance(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+    return rounded_distance(nearest, a_.shape().radius(), b_.shape().radius());
   }
 
  private:
@@ -114,7 +118,8 @@ class PairQuestion {
   std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
     const VertexPairs& simplex = end.simplex.pairs;
     if (!end.inside) {
-      const std::optional<Distance> distance = distance_from(certain_nearest(a_, b_, simplex));
+      std::optional<Distance> distance = distance_by_formula(simplex);
+      if (!distance) distance = distance_from(certain_nearest(a_, b_, simplex));
       return distance ? distance : distance_from(certain_nearest_along(a_, b_, end.nearest));
     }
     if (cores != Cores::any || !contains_origin(a_.shape(), b_.shape(), simplex)) return {};
@@ -122,10 +127,25 @@ class PairQuestion {
     return distance ? certified(distance) : distance;
   }
 
+  /// Every way that ends at nearest features asks this of them before it answers with more digits: so the answer does
+  /// not tell which way it was.
+  std::optional<Distance> distance_by_formula(const VertexPairs& simplex) {
+    const std::optional<NearestFeatures> features = canonical_features(simplex);
+    if (!features || (asked_ && *features == *asked_)) return {};
+    asked_ = features;
+    const std::optional<FormulaNearest> nearest = nearest_by_formula(a_, b_, *features);
+    if (!nearest) return {};
+    const std::optional<Distance> distance = formula_distance(*nearest, a_.shape().radius(), b_.shape().radius());
+    if (!distance) return {};
+    keep(workspace_, simplex, nearest->difference);
+    return certified(distance);
+  }
+
   std::optional<Distance> distance_from(const std::optional<CertainNearest>& found) {
     if (!found) return {};
     keep(workspace_, found->pairs, high_parts(found->difference));
     if (!found->unique()) return exact_on_faces(*found);
+    if (const std::optional<Distance> distance = distance_by_formula(found->pairs)) return distance;
     const std::optional<Distance> distance = grown_distance(*found);
     return distance ? certified(distance) : distance;
   }
@@ -158,7 +178,8 @@ class PairQuestion {
 
   SupportKernels kernels_;
   SupportSearch a_, b_;
-  BoundedNumber reach_;  // the sum of the radii
+  BoundedNumber reach_;                   // the sum of the radii
+  std::optional<NearestFeatures> asked_;  // of the formula, in vain
   ConvexWorkspace& workspace_;
 };
 

@@ -16,6 +16,7 @@ struct NearestFeatures {
   std::array<Index, 3> b{};
   std::size_t count_a = 0;
   std::size_t count_b = 0;
+  friend bool operator==(const NearestFeatures&, const NearestFeatures&) = default;
 };
 
 /// Two features with their nearest points. The edges that spread them start at the first vertex of each; as vectors of

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "math/transform.hpp"
 #include "narrow/gjk_simplex.hpp"
 #include "narrow/support_scan.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -15,6 +16,12 @@ class SupportSearch {
   SupportSearch(const PosedConvex& shape, const SupportKernels& kernels);
 
   [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
+
+  /// In the world.
+  [[nodiscard]] Vec3 vertex(Index i) const {
+    const Vec3 stored{plain_.x[i], plain_.y[i], plain_.z[i]};
+    return shape_->in_world() ? stored : transform_inline(shape_->pose(), stored);
+  }
 
   /// The vertex of least height along a world direction, but for rounding.
   [[nodiscard]] Index least(const Vec3& direction) const;
