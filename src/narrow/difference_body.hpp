@@ -42,7 +42,7 @@ class CoreVertices {
 
   /// For the vertex of the least height along a direction; repeats the last vertex up to a multiple of eight.
   [[nodiscard]] SupportScan scan(const Vec3& direction) const {
-    return {relative_[0], relative_[1], relative_[2], padded_, direction, {}};
+    return {relative_[0], relative_[1], relative_[2], padded_, direction, {}, count_};
   }
 
  private:

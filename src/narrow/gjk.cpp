@@ -32,25 +32,25 @@ class Walk {
 
   /// Adds the pair if it is nearer along the present direction, by more than rounding; tells whether it did.
   bool step_to(Index a, Index b) {
-    const Vec3 point = a_.shape().vertex(a) - b_.shape().vertex(b);
-    if (end_.simplex.pairs.size == 0) {
-      end_.simplex.append(a, b, point);
-      end_.nearest = point;
-      size_ = largest(point);
-      return true;
-    }
+    const Vec3 point = a_.vertex(a) - b_.vertex(b);
     size_ = std::max(size_, largest(point));
-    const double squared = dot(end_.nearest, end_.nearest);
-    const double gain = squared - dot(end_.nearest, point);
-    // Less is rounding: of the vertices, and of the nearest point.
-    if (!(gain > 0x1p-46 * size_ * std::sqrt(squared)) || has(end_.simplex.pairs, a, b)) return false;
-    GjkSimplex more = end_.simplex;
-    more.append(a, b, point);
-    const Vec3 nearest = reduce(more);
-    if (more.pairs.size < 4 && !(dot(nearest, nearest) < squared)) return false;
-    end_.simplex = more;
-    end_.nearest = nearest;
-    end_.inside = more.pairs.size == 4;
+    GjkSimplex& simplex = end_.simplex;
+    if (simplex.pairs.size > 0) {
+      const double gain = squared_ - dot(end_.nearest, point), rounding = 0x1p-46 * size_;
+      // Less is rounding: of the vertices, and of the nearest point.
+      if (!(gain > 0 && gain * gain > rounding * rounding * squared_) || has(simplex.pairs, a, b)) return false;
+    }
+    simplex.append(a, b, point);
+    const NearestFace face = nearest_face(simplex);
+    if (simplex.pairs.size > 1 && face.kept != 15 && !(face.squared < squared_)) {
+      --simplex.pairs.size;
+      return false;
+    }
+    simplex.keep(face.kept);
+    end_.nearest = face.nearest;
+    end_.inside = face.kept == 15;
+    direction_ = face.direction;
+    squared_ = face.squared;
     return true;
   }
 
@@ -63,12 +63,13 @@ class Walk {
   }
 
   [[nodiscard]] const GjkEnd& end() const { return end_; }
+  [[nodiscard]] const Vec3& direction() const { return direction_; }
 
  private:
   /// The last vertex that was stepped to is the least along the direction.
   [[nodiscard]] bool goal_reached(const Vec3& direction, Index a, Index b) {
     if (std::isnan(goal_.gap)) return false;
-    const double height = dot(direction, a_.shape().vertex(a) - b_.shape().vertex(b));
+    const double height = dot(direction, a_.vertex(a) - b_.vertex(b));
     if (!(height > (goal_.gap + 0x1p-40 * size_) * std::sqrt(dot(direction, direction)))) return false;
     end_.separating = direction;
     return true;
@@ -78,7 +79,9 @@ class Walk {
   const SupportSearch& b_;
   const GjkGoal& goal_;
   GjkEnd end_;
-  double size_ = 0;  // the largest coordinate of a difference so far
+  Vec3 direction_;      // along end_.nearest
+  double squared_ = 0;  // end_.nearest · end_.nearest
+  double size_ = 0;     // the largest coordinate of a difference so far
 };
 
 }  // namespace
@@ -119,7 +122,7 @@ bool in_certain_range(const Vec3& direction) {
 SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& kernels)
     : shape_(&shape),
       kernels_(&kernels),
-      plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}},
+      plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},
       world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)) {}
 
 Index SupportSearch::least(const Vec3& direction) const {
@@ -136,12 +139,13 @@ SupportScan SupportSearch::scan(const Vec3& direction, const Vec3& slack) const 
   return scan;
 }
 
-Index SupportSearch::close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<Index> found) const {
+Index SupportSearch::close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<const Index> own,
+                           std::span<Index> found) const {
   const Vec3 spread = with_rounding(direction, slack);
   const OffsetPart offset = offset_part(*shape_, direction, spread);
   const double highest = dot(direction, vertex) + dot(spread, magnitudes(vertex));
   const double bound = (highest - offset.height) + 2 * offset.error;
-  return kernels_->close(scan(direction, spread), bound, found.data(), static_cast<Index>(found.size()));
+  return kernels_->close(scan(direction, spread), bound, own, found);
 }
 
 double SupportSearch::lower_bound(const Vec3& direction) const {
@@ -155,7 +159,7 @@ GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const Vert
   if (start.size == 0) walk.step_along(a.shape().pose().offset - b.shape().pose().offset);
   for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
   for (int step = 0; step < most_steps && !walk.end().inside; ++step)
-    if (!walk.step_along(walk.end().nearest)) break;
+    if (!walk.step_along(walk.direction())) break;
   return walk.end();
 }
 

@@ -30,9 +30,10 @@ class SupportSearch {
   /// include what rounding of world vertices and of heights adds, if the direction's greatest coordinate lies within
   /// the certain range.
 
-  /// All vertices that may be as low as the given one is; ascending. As many as fit are written; returns how many there
-  /// are, the last vertex counted several times perhaps.
-  [[nodiscard]] Index close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<Index> found) const;
+  /// All vertices but `own` that may be as low as the given one is; ascending. As many as fit are written; returns how
+  /// many there are.
+  [[nodiscard]] Index close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<const Index> own,
+                            std::span<Index> found) const;
 
   /// No world vertex is lower; NaN where nothing is certain.
   [[nodiscard]] double lower_bound(const Vec3& direction) const;

@@ -17,11 +17,20 @@ struct GjkSimplex {
     point[pairs.size] = difference;
     pairs.append(a, b);
   }
+
+  /// Leaves the pairs whose bits are set.
+  void keep(unsigned bits);
 };
 
-/// Leaves of the simplex the face whose relative interior contains its point nearest to the origin, as far as doubles
-/// tell, and returns that point. All four pairs stay when the origin seems to be inside. The newest pair is taken to be
-/// needed.
-Vec3 reduce(GjkSimplex& simplex);
+/// The face of a simplex whose relative interior contains its point nearest to the origin, as far as doubles tell.
+struct NearestFace {
+  Vec3 nearest;
+  double squared = 0;  ///< nearest · nearest
+  Vec3 direction;      ///< a positive multiple of `nearest`, known sooner
+  unsigned kept = 0;   ///< the corners of the face, as bits; all four when the origin seems to be inside
+};
+
+/// The newest pair is taken to be needed.
+[[nodiscard]] NearestFace nearest_face(const GjkSimplex& simplex);
 
 }  // namespace toccata

@@ -56,23 +56,24 @@ struct CloseVertices {
   Index count = 0;
 };
 
-CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction, const Vec3& slack, const Vec3& first) {
+CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction, const Vec3& slack, const Vec3& first,
+                             std::span<const Index> own) {
   CloseVertices close;
-  close.count = search.close(direction, slack, first, close.vertex);
+  close.count = search.close(direction, slack, first, own, close.vertex);
   return close;
 }
+
+std::span<const Index> own_a(const NearestFeatures& f) { return std::span(f.a).first(f.count_a); }
+std::span<const Index> own_b(const NearestFeatures& f) { return std::span(f.b).first(f.count_b); }
 
 /// Looks at the close vertices of one shape that are not of the feature, and adds those in its plane to the face.
 Verification verify_others(const FeaturePair& pair, const PosedConvex& shape, const CloseVertices& close, bool of_a,
                            FaceVertices& face) {
   if (close.count > close.vertex.size()) return {};
-  const NearestFeatures& f = pair.features();
-  const std::span<const Index> own = of_a ? std::span(f.a).first(f.count_a) : std::span(f.b).first(f.count_b);
+  const std::span<const Index> own = of_a ? own_a(pair.features()) : own_b(pair.features());
   for (const Index vertex : own) face.vertex[face.count++] = vertex;
   for (Index i = 0; i < close.count; ++i) {
     const Index vertex = close.vertex[i];
-    if (vertex >= shape.vertex_count()) break;  // padding
-    if (std::find(own.begin(), own.end(), vertex) != own.end()) continue;
     if (!pair.is_plane()) return {};
     const Sign height = of_a ? pair.beyond_a(shape.vertex(vertex)) : pair.beyond_b(shape.vertex(vertex));
     if (height == Sign::negative) return {Others::one_before, of_a, vertex};
@@ -94,11 +95,12 @@ Verification verify(const SupportSearch& a, const SupportSearch& b, const Featur
   Vec3 slack;
   for (int axis = 0; axis < 3; ++axis)
     slack[axis] = distance_from_high(pair.difference()[static_cast<std::size_t>(axis)]);
+  const NearestFeatures& f = pair.features();
   const Verification of_a =
-      verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a()), true, level.a);
+      verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
   if (of_a.others == Others::unknown || of_a.others == Others::one_before) return of_a;
   const Verification of_b =
-      verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b()), false, level.b);
+      verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
   if (of_b.others != Others::beyond) return of_b;
   return of_a;
 }
@@ -164,10 +166,8 @@ class Pool {
     if (!in_certain_range(direction)) return;
     const double loose = 0x1p-44 * std::sqrt(dot(direction, direction));
     const Vec3 nearest = search.shape().vertex(search.least(direction));
-    const Index close = search.close(direction, {loose, loose, loose}, nearest, vertex_);
-    if (close > vertex_.size()) return;
-    for (Index i = 0; i < close; ++i)
-      if (vertex_[i] < search.shape().vertex_count()) ++size_;
+    const Index close = search.close(direction, {loose, loose, loose}, nearest, {}, vertex_);
+    if (close <= vertex_.size()) size_ = close;
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }

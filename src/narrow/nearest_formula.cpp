@@ -148,13 +148,9 @@ template <class Beyond>
 bool others_beyond(const SupportSearch& shape, const Across& across, const Vec3& first, std::span<const Index> own,
                    const Beyond& beyond) {
   std::array<Index, most_close> close;
-  const Index count = shape.close(across.direction, {across.slack, across.slack, across.slack}, first, close);
-  if (count == own.size()) return true;  // the feature's own are as low as the first, and always among them
-  if (count > most_close) return false;
-  return std::all_of(close.begin(), close.begin() + count, [&](Index i) {
-    const bool padding = i >= shape.shape().vertex_count();
-    return padding || std::ranges::find(own, i) != own.end() || beyond(shape.vertex(i)) == Sign::positive;
-  });
+  const Index count = shape.close(across.direction, {across.slack, across.slack, across.slack}, first, own, close);
+  return count <= most_close && std::all_of(close.begin(), close.begin() + count,
+                                            [&](Index i) { return beyond(shape.vertex(i)) == Sign::positive; });
 }
 
 bool only_nearest(const SupportSearch& a, const SupportSearch& b, const PlainPair& pair, const NearestFeatures& f,

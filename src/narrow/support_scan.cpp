@@ -4,6 +4,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
 #include "narrow/support_scan.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,9 +39,37 @@ HWY_INLINE Number depth(const Along& direction, const Along& spread, const Along
   return hn::Sub(dot(direction, v), dot(spread, magnitude));
 }
 
+template <class Mask>
+HWY_INLINE std::uint64_t bits_of(const Mask& mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(tag, mask, bytes);
+  return bytes[0];
+}
+
+constexpr Index few_vertices = 64;
+
+/// Finds the least height first and then who has it: less to carry along than the number of the vertex.
+HWY_INLINE Index least_of_few(const SupportScan& scan) {
+  const Along direction = all_lanes(scan.direction);
+  HWY_ALIGN double heights[few_vertices];
+  Number least = dot(direction, vertices_at(scan, 0));
+  hn::Store(least, tag, heights);
+  const auto lanes = static_cast<Index>(hn::Lanes(tag));
+  for (Index i = lanes; i < scan.padded_count; i += lanes) {
+    const Number height = dot(direction, vertices_at(scan, i));
+    hn::Store(height, tag, heights + i);
+    least = hn::Min(least, height);
+  }
+  least = hn::MinOfLanes(tag, least);
+  std::uint64_t bits = 0;
+  for (Index i = 0; i < scan.padded_count; i += lanes) bits |= bits_of(hn::Eq(hn::Load(tag, heights + i), least)) << i;
+  return bits == 0 ? 0 : static_cast<Index>(std::countr_zero(bits));
+}
+
 }  // namespace
 
 Index least_at_this_level(const SupportScan& scan) {
+  if (scan.padded_count <= few_vertices) return least_of_few(scan);
   const Along direction = all_lanes(scan.direction);
   const Number step = hn::Set(tag, static_cast<double>(hn::Lanes(tag)));
   Number current = hn::Iota(tag, 0);
@@ -67,21 +99,29 @@ double least_depth_at_this_level(const SupportScan& scan) {
   return sum != sum ? sum : hn::GetLane(hn::MinOfLanes(tag, least));
 }
 
-Index close_at_this_level(const SupportScan& scan, double bound, Index* found, Index capacity) {
+/// Of the 64 vertices from `first` on, those whose depth is not above the bound, as bits.
+HWY_INLINE std::uint64_t close_bits(const SupportScan& scan, Index first, const Along& direction, const Along& spread,
+                                    Number bounds) {
+  const Index end = std::min(first + 64, scan.padded_count);
+  std::uint64_t bits = 0;
+  for (Index i = first; i < end; i += static_cast<Index>(hn::Lanes(tag))) {
+    // Asked so that NaN is close.
+    const auto beyond = hn::Gt(depth(direction, spread, vertices_at(scan, i)), bounds);
+    bits |= bits_of(hn::Not(beyond)) << (i - first);
+  }
+  return end <= scan.count ? bits : bits & ~(~std::uint64_t{0} << (scan.count - first));
+}
+
+Index close_at_this_level(const SupportScan& scan, double bound, std::span<const Index> own, std::span<Index> found) {
   const Along direction = all_lanes(scan.direction), spread = all_lanes(scan.spread);
   const Number bounds = hn::Set(tag, bound);
   Index count = 0;
-  for (Index i = 0; i < scan.padded_count; i += static_cast<Index>(hn::Lanes(tag))) {
-    // Asked so that NaN is close.
-    const auto beyond = hn::Gt(depth(direction, spread, vertices_at(scan, i)), bounds);
-    if (hn::AllTrue(tag, beyond)) continue;
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(tag, hn::Not(beyond), bits);
-    for (Index lane = 0; lane < hn::Lanes(tag); ++lane) {
-      if ((bits[0] >> lane & 1U) == 0) continue;
-      if (count < capacity) found[count] = i + lane;
-      ++count;
-    }
+  for (Index first = 0; first < scan.count; first += 64) {
+    std::uint64_t bits = close_bits(scan, first, direction, spread, bounds);
+    for (const Index i : own)
+      if (i - first < 64) bits &= ~(std::uint64_t{1} << (i - first));
+    for (; bits != 0; bits &= bits - 1, ++count)
+      if (count < found.size()) found[count] = first + static_cast<Index>(std::countr_zero(bits));
   }
   return count;
 }

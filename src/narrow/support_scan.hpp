@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "toccata/narrow/posed_convex.hpp"
 
 namespace toccata {
@@ -13,6 +15,7 @@ struct SupportScan {
   Vec3 direction;
   /// What each coordinate of a vertex lets its height be off by; not used by `least`.
   Vec3 spread;
+  Index count = 0;  ///< of vertices that are no padding; used by `close` only
 };
 
 /// The kernels for the SIMD level in use; asked for once a question. The height of a vertex is
@@ -23,9 +26,9 @@ struct SupportKernels {
   Index (*least)(const SupportScan&) = nullptr;
   /// The least depth; NaN where one is.
   double (*least_depth)(const SupportScan&) = nullptr;
-  /// Writes the first `capacity` vertices whose depth is not above `bound`, ascending, and returns how many there are,
-  /// padding included.
-  Index (*close)(const SupportScan&, double bound, Index* found, Index capacity) = nullptr;
+  /// Writes the first `capacity` vertices whose depth is not above `bound`, ascending, and returns how many there are;
+  /// leaves out padding, and the vertices in `own`.
+  Index (*close)(const SupportScan&, double bound, std::span<const Index> own, std::span<Index> found) = nullptr;
 };
 
 [[nodiscard]] SupportKernels support_kernels();

@@ -113,8 +113,8 @@ TEST(ConvexDistance, OfRoundShapesThatMeetDividesTheWayAsTheRadiiDo) {
 
 // Intervals.
 
-TEST(ConvexDistance, IsOneDoubleWhereItIsADouble) {
-  const Distance d = distance(PosedConvex(Sphere(1)), PosedConvex(Sphere(1, {3, 4, 0})));
+TEST(ConvexDistance, AlongAnAxisIsOneDoubleWhereItIsADouble) {
+  const Distance d = distance(PosedConvex(Sphere(1)), PosedConvex(Sphere(1, {0, 5, 0})));
   EXPECT_EQ(d.lower, 3);
   EXPECT_EQ(d.upper, 3);
 }
