@@ -133,11 +133,11 @@ class PairQuestion {
     const std::optional<NearestFeatures> features = canonical_features(simplex);
     if (!features || (asked_ && *features == *asked_)) return {};
     asked_ = features;
-    const std::optional<FormulaNearest> nearest = nearest_by_formula(a_, b_, *features);
-    if (!nearest) return {};
-    const std::optional<Distance> distance = formula_distance(*nearest, a_.shape().radius(), b_.shape().radius());
+    NearestFormula formula(a_, b_, *features);
+    if (!formula.prove()) return {};
+    const std::optional<Distance> distance = formula.distance();
     if (!distance) return {};
-    keep(workspace_, simplex, nearest->difference);
+    keep(workspace_, simplex, formula.nearest().difference);
     return certified(distance);
   }
 

@@ -15,9 +15,9 @@ Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}
 
 Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
-Mat3 magnitudes(const Mat3& m) { return {{magnitudes(m[0]), magnitudes(m[1]), magnitudes(m[2])}}; }
+double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
 
-double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+double largest(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
 
 bool has(const VertexPairs& pairs, Index a, Index b) {
   for (std::size_t i = 0; i < pairs.size; ++i)
@@ -89,28 +89,17 @@ class Walk {
 // Bounds of heights. Let u = 2^-53. In its own frame a vertex x has the height h = fl(fl(Rᵀd) · x), off by less than
 // 6.01u Σ |d_i||R_ij||x_j| from d · Rx, and the world vertex is off by less than 4.01u (Σ |R_ij||x_j| + |t_i|) from
 // Rx + t; so h + d · t is within 10.1u Σ |d_i|(Σ |R_ij||x_j| + |t_i|) of the height of the world vertex. With 32u in
-// place of 10.1u the few roundings of the bounds themselves and of their comparison are covered. A direction off by
-// slack_i adds slack_i times the same sum. Underflow: a product of Rᵀd loses at most 2^-1074, times |x_j|; each of
-// those that make a height as much; and those that make a world vertex, times |d_i| ≤ 2^300.
+// place of 10.1u the few roundings of the bounds themselves and of their comparison are covered. For |d_i| its greatest
+// is taken. A direction of which each coordinate is off by the slack s adds s times the same sum. Underflow: a product
+// of Rᵀd loses at most 2^-1074, times |x_j|; each of those that make a height as much; and those that make a world
+// vertex, times |d_i| ≤ 2^300.
 namespace {
 
 constexpr double rounding = 0x1p-48;
 constexpr double lost_per_coordinate = 0x1p-1000;
 constexpr double lost_per_height = 0x1p-700;
 
-Vec3 with_rounding(const Vec3& direction, const Vec3& slack) { return rounding * magnitudes(direction) + slack; }
-
-/// What the offset of the pose adds to heights, and to their bounds.
-struct OffsetPart {
-  double height = 0;
-  double error = lost_per_height;
-};
-
-OffsetPart offset_part(const PosedConvex& shape, const Vec3& direction, const Vec3& spread) {
-  if (shape.in_world()) return {};
-  const Vec3& offset = shape.pose().offset;
-  return {dot(direction, offset), dot(spread, magnitudes(offset)) + lost_per_height};
-}
+double spread_of(const Vec3& direction, double slack) { return rounding * largest(direction) + slack; }
 
 }  // namespace
 
@@ -123,7 +112,11 @@ SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& ker
     : shape_(&shape),
       kernels_(&kernels),
       plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},
-      world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)) {}
+      world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)),
+      stretch_{sum(magnitudes(world_in_local_[0])), sum(magnitudes(world_in_local_[1])),
+               sum(magnitudes(world_in_local_[2]))},
+      offset_(shape.in_world() ? Vec3{} : shape.pose().offset),
+      offset_magnitude_(sum(magnitudes(offset_))) {}
 
 Index SupportSearch::least(const Vec3& direction) const {
   SupportScan scan = plain_;
@@ -131,27 +124,25 @@ Index SupportSearch::least(const Vec3& direction) const {
   return kernels_->least(scan);
 }
 
-SupportScan SupportSearch::scan(const Vec3& direction, const Vec3& slack) const {
+SupportScan SupportSearch::scan(const Vec3& direction, double spread) const {
   SupportScan scan = plain_;
   scan.direction = times(world_in_local_, direction);
-  scan.spread =
-      times(magnitudes(world_in_local_), slack) + Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
+  scan.spread = spread * stretch_ + Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
   return scan;
 }
 
-Index SupportSearch::close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<const Index> own,
+Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                            std::span<Index> found) const {
-  const Vec3 spread = with_rounding(direction, slack);
-  const OffsetPart offset = offset_part(*shape_, direction, spread);
-  const double highest = dot(direction, vertex) + dot(spread, magnitudes(vertex));
-  const double bound = (highest - offset.height) + 2 * offset.error;
+  const double spread = spread_of(direction, slack);
+  const double highest = dot(direction, vertex) + spread * sum(magnitudes(vertex));
+  const double bound = (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
   return kernels_->close(scan(direction, spread), bound, own, found);
 }
 
 double SupportSearch::lower_bound(const Vec3& direction) const {
-  const Vec3 spread = with_rounding(direction, {});
-  const OffsetPart offset = offset_part(*shape_, direction, spread);
-  return (kernels_->least_depth(scan(direction, spread)) + offset.height) - 2 * offset.error;
+  const double spread = spread_of(direction, 0);
+  return (kernels_->least_depth(scan(direction, spread)) + dot(direction, offset_)) -
+         2 * (spread * offset_magnitude_ + lost_per_height);
 }
 
 GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {

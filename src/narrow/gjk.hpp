@@ -26,25 +26,28 @@ class SupportSearch {
   /// The vertex of least height along a world direction, but for rounding.
   [[nodiscard]] Index least(const Vec3& direction) const;
 
-  /// Heights along a direction that is known to within `slack`: |exact − direction| ≤ slack, along each axis. Both
-  /// include what rounding of world vertices and of heights adds, if the direction's greatest coordinate lies within
-  /// the certain range.
+  /// Heights along a direction of which every coordinate is known to within `slack`. Both include what rounding of
+  /// world vertices and of heights adds, if the direction's greatest coordinate lies within the certain range.
 
   /// All vertices but `own` that may be as low as the given one is; ascending. As many as fit are written; returns how
   /// many there are.
-  [[nodiscard]] Index close(const Vec3& direction, const Vec3& slack, const Vec3& vertex, std::span<const Index> own,
+  [[nodiscard]] Index close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                             std::span<Index> found) const;
 
   /// No world vertex is lower; NaN where nothing is certain.
   [[nodiscard]] double lower_bound(const Vec3& direction) const;
 
  private:
-  [[nodiscard]] SupportScan scan(const Vec3& direction, const Vec3& slack) const;
+  /// `spread` is what each coordinate of a world vertex lets its height be off by.
+  [[nodiscard]] SupportScan scan(const Vec3& direction, double spread) const;
 
   const PosedConvex* shape_;
   const SupportKernels* kernels_;
   SupportScan plain_;    // without direction
   Mat3 world_in_local_;  // the transpose of the pose's R; of world coordinates the identity
+  Vec3 stretch_;         // the sums of magnitudes of its rows
+  Vec3 offset_;          // of the pose; of world coordinates 0
+  double offset_magnitude_;
 };
 
 /// Directions for which the bounds of SupportSearch hold.

@@ -1,5 +1,7 @@
 #include "narrow/gjk_simplex.hpp"
 
+#include <bit>
+
 namespace toccata {
 namespace {
 
@@ -37,19 +39,23 @@ NearestFace on_triangle(const Corner& p, const Corner& r, const Corner& q, const
 }
 
 /// Of the three faces at q, those that do not have the origin on their inner side are looked at.
-NearestFace on_tetrahedron(const Corner& p, const Corner& r, const Corner& s, const Corner& q) {
-  const Vec3 to_p = p.point - q.point, to_r = r.point - q.point, to_s = s.point - q.point;
-  const Vec3 normal_s = cross(to_p, to_r), normal_p = cross(to_r, to_s), normal_r = cross(to_s, to_p);
-  const double volume = dot(normal_s, to_s), side = volume > 0 ? 1.0 : volume < 0 ? -1.0 : 0.0;
+NearestFace on_tetrahedron(const std::array<Corner, 4>& corner) {
+  const Corner& q = corner[3];
+  const Vec3 to[3] = {corner[0].point - q.point, corner[1].point - q.point, corner[2].point - q.point};
+  const Vec3 normal[3] = {cross(to[0], to[1]), cross(to[1], to[2]), cross(to[2], to[0])};
+  const double volume = dot(normal[0], to[2]);
+  unsigned beyond = 0;
+  for (unsigned face = 0; face < 3; ++face) {
+    const double height = dot(normal[face], q.point);
+    const bool inner = ((volume > 0) & (height < 0)) | ((volume < 0) & (height > 0));
+    beyond |= (inner ? 0U : 1U) << face;
+  }
   NearestFace best{{}, 0, {}, 15};
-  const auto try_face = [&](const Corner& v, const Corner& w, const Vec3& normal) {
-    if (-side * dot(normal, q.point) > 0) return;
-    const NearestFace face = on_triangle(v, w, q, normal);
+  for (; beyond != 0; beyond &= beyond - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(beyond));
+    const NearestFace face = on_triangle(corner[i], corner[i == 2 ? 0 : i + 1], q, normal[i]);
     if (best.kept == 15 || face.squared < best.squared) best = face;
-  };
-  try_face(p, r, normal_s);
-  try_face(r, s, normal_p);
-  try_face(s, p, normal_r);
+  }
   return best;
 }
 
@@ -78,7 +84,7 @@ NearestFace nearest_face(const GjkSimplex& simplex) {
     case 3:
       return on_triangle(corner(0), corner(1), corner(2), cross(point[0] - point[2], point[1] - point[2]));
     default:
-      return on_tetrahedron(corner(0), corner(1), corner(2), corner(3));
+      return on_tetrahedron({corner(0), corner(1), corner(2), corner(3)});
   }
 }
 

@@ -56,7 +56,7 @@ struct CloseVertices {
   Index count = 0;
 };
 
-CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction, const Vec3& slack, const Vec3& first,
+CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction, double slack, const Vec3& first,
                              std::span<const Index> own) {
   CloseVertices close;
   close.count = search.close(direction, slack, first, own, close.vertex);
@@ -92,9 +92,8 @@ Verification verify(const SupportSearch& a, const SupportSearch& b, const Featur
   level = {};
   const Vec3 direction = high_parts(pair.difference());
   if (!in_certain_range(direction)) return {};
-  Vec3 slack;
-  for (int axis = 0; axis < 3; ++axis)
-    slack[axis] = distance_from_high(pair.difference()[static_cast<std::size_t>(axis)]);
+  double slack = 0;
+  for (const BoundedNumber& coordinate : pair.difference()) slack = std::max(slack, distance_from_high(coordinate));
   const NearestFeatures& f = pair.features();
   const Verification of_a =
       verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
@@ -166,7 +165,7 @@ class Pool {
     if (!in_certain_range(direction)) return;
     const double loose = 0x1p-44 * std::sqrt(dot(direction, direction));
     const Vec3 nearest = search.shape().vertex(search.least(direction));
-    const Index close = search.close(direction, {loose, loose, loose}, nearest, {}, vertex_);
+    const Index close = search.close(direction, loose, nearest, {}, vertex_);
     if (close <= vertex_.size()) size_ = close;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "narrow/feature_pair.hpp"
@@ -12,7 +13,7 @@ namespace toccata {
 /// the same order, however they were found.
 [[nodiscard]] std::optional<NearestFeatures> canonical_features(const VertexPairs& simplex);
 
-/// The nearest points of two cores, the radii left aside. Lengths of errors, not of their coordinates.
+/// The nearest points of two cores, the radii left aside. Errors are lengths.
 struct FormulaNearest {
   Vec3 on_a;
   Vec3 on_b;
@@ -23,14 +24,44 @@ struct FormulaNearest {
   double distance_error = 0;
 };
 
-/// Nothing where rounding leaves any doubt that the two features, which are canonical, are the only nearest ones.
-/// Whether there is an answer, and every bit of it, depends on the shapes and the features alone; exchanging the shapes
-/// exchanges the points and turns the difference round.
-[[nodiscard]] std::optional<FormulaNearest> nearest_by_formula(const SupportSearch& a, const SupportSearch& b,
-                                                               const NearestFeatures& features);
+/// The formula of two features. Edges start at the first vertex of each shape, those of B turned round, so that
+/// exchanging the shapes turns the first difference and all edges round, exactly.
+class NearestFormula {
+ public:
+  /// The features are canonical.
+  NearestFormula(const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features);
 
-/// The answer of `distance`, for shapes with these radii, where the formula's numbers are good enough for what is
-/// promised of it.
-[[nodiscard]] std::optional<Distance> formula_distance(const FormulaNearest& nearest, double radius_a, double radius_b);
+  /// No where rounding leaves any doubt that the two features are the only nearest ones. Whether they are proved to be,
+  /// and every bit of the numbers, depends on the shapes and the features alone; exchanging the shapes exchanges the
+  /// points and turns the difference round.
+  [[nodiscard]] bool prove();
+
+  /// After a proof.
+  [[nodiscard]] const FormulaNearest& nearest() const { return nearest_; }
+
+  /// After a proof: the answer of `distance`, if the numbers are good enough for what is promised of it.
+  [[nodiscard]] std::optional<Distance> distance() const;
+
+ private:
+  [[nodiscard]] Vec3 along(std::size_t i) const { return edge_[i].head - edge_[i].tail; }
+  [[nodiscard]] bool at_vertices();
+  [[nodiscard]] bool on_edge();
+  [[nodiscard]] bool on_plane();
+  [[nodiscard]] bool others_beyond() const;
+  [[nodiscard]] bool is_beyond(const Difference& vector) const;
+
+  const SupportSearch& a_;
+  const SupportSearch& b_;
+  const NearestFeatures& features_;
+  Vec3 first_a_, first_b_, first_;
+  std::array<Difference, 2> edge_;
+  std::size_t edges_;
+  FormulaNearest nearest_;
+  // A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its
+  // normal, or the opposite.
+  Vec3 across_;
+  double slack_ = 0;
+  Sign side_ = Sign::positive;
+};
 
 }  // namespace toccata

@@ -70,20 +70,36 @@ HWY_INLINE Index least_of_few(const SupportScan& scan) {
 
 Index least_at_this_level(const SupportScan& scan) {
   if (scan.padded_count <= few_vertices) return least_of_few(scan);
+  // Four at a time, so that none waits for the one before.
+  constexpr Index at_once = 4;
+  const auto lanes = static_cast<Index>(hn::Lanes(tag));
   const Along direction = all_lanes(scan.direction);
-  const Number step = hn::Set(tag, static_cast<double>(hn::Lanes(tag)));
+  const Number step = hn::Set(tag, static_cast<double>(lanes));
+  const Number beyond = hn::Set(tag, static_cast<double>(scan.padded_count));
+  Number least0 = hn::Inf(tag), least1 = least0, least2 = least0, least3 = least0;
+  Number index0 = beyond, index1 = beyond, index2 = beyond, index3 = beyond;
   Number current = hn::Iota(tag, 0);
-  Number least = dot(direction, vertices_at(scan, 0)), index = current;
-  for (Index i = static_cast<Index>(hn::Lanes(tag)); i < scan.padded_count; i += static_cast<Index>(hn::Lanes(tag))) {
+  const auto look = [&](Index i, Number& least, Number& index) HWY_ATTR {
     const Number height = dot(direction, vertices_at(scan, i));
-    current = hn::Add(current, step);
     const auto lower = hn::Lt(height, least);  // of equal ones the first stays
     least = hn::IfThenElse(lower, height, least);
     index = hn::IfThenElse(lower, current, index);
+    current = hn::Add(current, step);
+  };
+  Index i = 0;
+  for (; i + at_once * lanes <= scan.padded_count; i += at_once * lanes) {
+    look(i, least0, index0);
+    look(i + lanes, least1, index1);
+    look(i + 2 * lanes, least2, index2);
+    look(i + 3 * lanes, least3, index3);
   }
-  const Number beyond = hn::Set(tag, static_cast<double>(scan.padded_count));
-  const Number among_least = hn::IfThenElse(hn::Eq(least, hn::MinOfLanes(tag, least)), index, beyond);
-  const double first = hn::GetLane(hn::MinOfLanes(tag, among_least));
+  for (; i < scan.padded_count; i += lanes) look(i, least0, index0);
+  const Number least = hn::MinOfLanes(tag, hn::Min(hn::Min(least0, least1), hn::Min(least2, least3)));
+  const auto among_least = [&](const Number& height, const Number& index)
+                               HWY_ATTR { return hn::IfThenElse(hn::Eq(height, least), index, beyond); };
+  const Number first_of_lanes = hn::Min(hn::Min(among_least(least0, index0), among_least(least1, index1)),
+                                        hn::Min(among_least(least2, index2), among_least(least3, index3)));
+  const double first = hn::GetLane(hn::MinOfLanes(tag, first_of_lanes));
   return first < static_cast<double>(scan.padded_count) ? static_cast<Index>(first) : 0;
 }
 
