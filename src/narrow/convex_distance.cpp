@@ -134,10 +134,21 @@ class PairQuestion {
     if (!features || (asked_ && *features == *asked_)) return {};
     asked_ = features;
     NearestFormula formula(a_, b_, *features);
-    if (!formula.prove()) return {};
+    if (formula.prove()) return distance_by(formula);
+    if (!formula.before()) return {};
+    for (std::size_t i = 0; i < features->count_a + features->count_b; ++i) {
+      const std::optional<NearestFeatures> others = exchanged(*features, i, *formula.before());
+      if (!others) continue;
+      NearestFormula other(a_, b_, *others);
+      if (other.prove()) return distance_by(other);
+    }
+    return {};
+  }
+
+  std::optional<Distance> distance_by(const NearestFormula& formula) {
     const std::optional<Distance> distance = formula.distance();
     if (!distance) return {};
-    keep(workspace_, simplex, formula.nearest().difference);
+    keep(workspace_, pairs_of(formula.features()), formula.nearest().difference);
     return certified(distance);
   }
 

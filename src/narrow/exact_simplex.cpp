@@ -67,12 +67,8 @@ bool is_carrier(const IntegerSimplex& simplex, const IntegerSimplex& face) {
 /// What the search in doubles would keep, as bits.
 unsigned likely_face(const IntegerSimplex& simplex) {
   GjkSimplex rounded;
-  for (std::size_t i = 0; i < simplex.pairs.size; ++i)  // numbered, to know them again
-    rounded.append(static_cast<Index>(i), 0, simplex.rounded_point[i]);
-  reduce(rounded);
-  unsigned bits = 0;
-  for (std::size_t i = 0; i < rounded.pairs.size; ++i) bits |= 1U << rounded.pairs.a[i];
-  return bits;
+  for (std::size_t i = 0; i < simplex.pairs.size; ++i) rounded.append(0, 0, simplex.rounded_point[i]);
+  return nearest_face(rounded).kept;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "math/bounded_number.hpp"
+#include "narrow/vertex_pairs.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/narrow/posed_convex.hpp"
@@ -18,6 +19,14 @@ struct NearestFeatures {
   std::size_t count_b = 0;
   friend bool operator==(const NearestFeatures&, const NearestFeatures&) = default;
 };
+
+/// Pairs of which the features are made; for two edges some three of the four.
+inline VertexPairs pairs_of(const NearestFeatures& f) {
+  VertexPairs pairs;
+  for (std::size_t i = 0; i < f.count_a; ++i) pairs.append(f.a[i], f.b[0]);
+  for (std::size_t i = 1; i < f.count_b; ++i) pairs.append(f.a[0], f.b[i]);
+  return pairs;
+}
 
 /// Two features with their nearest points. The edges that spread them start at the first vertex of each; as vectors of
 /// the Minkowski difference, those of B are turned round.

@@ -33,14 +33,6 @@ std::optional<NearestFeatures> features_of(const VertexPairs& simplex) {
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
-/// Pairs of which the features are made; for two edges some three of the four.
-VertexPairs pairs_of(const NearestFeatures& f) {
-  VertexPairs pairs;
-  for (std::size_t i = 0; i < f.count_a; ++i) pairs.append(f.a[i], f.b[0]);
-  for (std::size_t i = 1; i < f.count_b; ++i) pairs.append(f.a[0], f.b[i]);
-  return pairs;
-}
-
 /// What is known of all other vertices.
 enum class Others { beyond, one_before, some_level, unknown };
 

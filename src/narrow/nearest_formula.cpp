@@ -62,6 +62,21 @@ std::optional<NearestFeatures> canonical_features(const VertexPairs& simplex) {
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
+std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::size_t i, const VertexBefore& before) {
+  std::array<Index, 4> a{}, b{};
+  std::size_t count_a = 0, count_b = 0;
+  for (std::size_t k = 0; k < features.count_a; ++k)
+    if (k != i) a[count_a++] = features.a[k];
+  for (std::size_t k = 0; k < features.count_b; ++k)
+    if (features.count_a + k != i) b[count_b++] = features.b[k];
+  if (before.of_a)
+    a[count_a++] = before.vertex;
+  else
+    b[count_b++] = before.vertex;
+  if (count_a == 0 || count_b == 0 || count_a > 3 || count_b > 3) return {};
+  return NearestFeatures{distinct(a, count_a).vertex, distinct(b, count_b).vertex, count_a, count_b};
+}
+
 NearestFormula::NearestFormula(const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features)
     : a_(a),
       b_(b),
@@ -164,23 +179,31 @@ bool NearestFormula::on_plane() {
   return true;
 }
 
-/// The exact sign, where rounding does not tell a vertex and the plane apart.
-bool NearestFormula::is_beyond(const Difference& vector) const {
-  return edges_ == 2 && side_ * triple_product_sign(edge_[0], edge_[1], vector) == Sign::positive;
+/// Of a plane: the exact sign of a height along `across_`.
+Sign NearestFormula::height_sign(const Difference& vector) const {
+  return side_ * triple_product_sign(edge_[0], edge_[1], vector);
 }
 
 /// All vertices of the shapes but those of the features lie beyond the planes through the features.
-bool NearestFormula::others_beyond() const {
+bool NearestFormula::others_beyond() {
   if (!in_certain_range(across_)) return false;
   std::array<Index, most_close> close_a, close_b;
   const Index count_a = a_.close(across_, slack_, first_a_, std::span(features_.a).first(features_.count_a), close_a);
   const Index count_b = b_.close(-across_, slack_, first_b_, std::span(features_.b).first(features_.count_b), close_b);
   if (count_a + count_b == 0) return true;
-  if (count_a > most_close || count_b > most_close) return false;
-  const auto beyond_a = [&](Index i) { return is_beyond({a_.vertex(i), first_a_}); };
-  const auto beyond_b = [&](Index i) { return is_beyond({first_b_, b_.vertex(i)}); };
-  return std::all_of(close_a.begin(), close_a.begin() + count_a, beyond_a) &&
-         std::all_of(close_b.begin(), close_b.begin() + count_b, beyond_b);
+  if (count_a > most_close || count_b > most_close || edges_ < 2) return false;
+  // What rounding does not tell apart, exact signs do.
+  for (const Index i : std::span(close_a).first(count_a))
+    if (const Sign sign = height_sign({a_.vertex(i), first_a_}); sign != Sign::positive) {
+      if (sign == Sign::negative) before_ = {true, i};
+      return false;
+    }
+  for (const Index i : std::span(close_b).first(count_b))
+    if (const Sign sign = height_sign({first_b_, b_.vertex(i)}); sign != Sign::positive) {
+      if (sign == Sign::negative) before_ = {false, i};
+      return false;
+    }
+  return true;
 }
 
 std::optional<Distance> NearestFormula::distance() const {

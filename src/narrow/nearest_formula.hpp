@@ -13,6 +13,16 @@ namespace toccata {
 /// the same order, however they were found.
 [[nodiscard]] std::optional<NearestFeatures> canonical_features(const VertexPairs& simplex);
 
+struct VertexBefore {
+  bool of_a = false;
+  Index vertex = 0;
+};
+
+/// The features with another vertex in place of their own number i, those of A counted first; nothing where one shape
+/// would be left without a vertex, or with more than three.
+[[nodiscard]] std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::size_t i,
+                                                       const VertexBefore& before);
+
 /// The nearest points of two cores, the radii left aside. Errors are lengths.
 struct FormulaNearest {
   Vec3 on_a;
@@ -36,6 +46,12 @@ class NearestFormula {
   /// points and turns the difference round.
   [[nodiscard]] bool prove();
 
+  /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
+  /// rounding has bent: which.
+  [[nodiscard]] const std::optional<VertexBefore>& before() const { return before_; }
+
+  [[nodiscard]] const NearestFeatures& features() const { return features_; }
+
   /// After a proof.
   [[nodiscard]] const FormulaNearest& nearest() const { return nearest_; }
 
@@ -47,8 +63,8 @@ class NearestFormula {
   [[nodiscard]] bool at_vertices();
   [[nodiscard]] bool on_edge();
   [[nodiscard]] bool on_plane();
-  [[nodiscard]] bool others_beyond() const;
-  [[nodiscard]] bool is_beyond(const Difference& vector) const;
+  [[nodiscard]] bool others_beyond();
+  [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
   const SupportSearch& a_;
   const SupportSearch& b_;
@@ -62,6 +78,7 @@ class NearestFormula {
   Vec3 across_;
   double slack_ = 0;
   Sign side_ = Sign::positive;
+  std::optional<VertexBefore> before_;
 };
 
 }  // namespace toccata
