@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "query/search_scratch.hpp"
 #include "query/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
@@ -33,11 +34,19 @@ inline std::size_t row_length(std::size_t count, int threads) {
                                  longest);
 }
 
+/// Throws Error when something is kept, and not for each question.
+inline void require_one_each(std::span<const ConvexWorkspace> kept, std::size_t count, std::string_view noun) {
+  if (!kept.empty() && kept.size() != count)
+    throw Error(fmt::format("{} ConvexWorkspaces are kept for {} {}; give one for each, or none", kept.size(), count,
+                            noun == "query" ? "queries" : "pairs"));
+}
+
 /// `ask(question, workspace)` for every question. After a failure only earlier questions are still asked, one of which
 /// may fail as well: so the error that is told, as "<noun> i: …", does not depend on timing.
 template <class Answer, class Question, class Ask>
 std::vector<Answer> ask_each(std::span<const Question> questions, std::string_view noun, const BatchOptions& options,
                              const Ask& ask) {
+  require_one_each(options.kept, questions.size(), noun);
   std::vector<Answer> answers(questions.size());
   TaskReporter reporter(options.progress, questions.size());
   WorkspacePool workspaces;
@@ -45,7 +54,9 @@ std::vector<Answer> ask_each(std::span<const Question> questions, std::string_vi
   const auto answer = [&](std::size_t i, Workspace& workspace) {
     if (reporter.cancelled() || i > first_failure) return;
     try {
+      if (!options.kept.empty()) workspace.scratch().convex = options.kept[i];
       answers[i] = ask(questions[i], workspace);
+      if (!options.kept.empty()) options.kept[i] = workspace.scratch().convex;
     } catch (const Error& error) {
       lower_to(first_failure, i);
       throw Error(fmt::format("{} {}: {}", noun, i, error.what()));

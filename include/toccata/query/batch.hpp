@@ -22,6 +22,9 @@ namespace toccata {
 struct BatchOptions {
   int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
   Progress progress{};
+  /// None, or one for each query or pair: where its search ended. A caller who asks about the same ones step by step
+  /// keeps them; that saves time, and changes no answer. Throws Error when there are more or fewer.
+  std::span<ConvexWorkspace> kept{};
 };
 
 /// An entry of an array of pairs. A Model is cheap to copy: copies share what is large.
