@@ -224,6 +224,13 @@ class ShapeWriter {
 
 }  // namespace
 
+void fail_at(const JsonValue& place, const Error& error) {
+  const std::string message = error.what();
+  const std::size_t end = message.rfind("; ");
+  if (end == std::string::npos) place.fail(message, "correct it");
+  place.fail(message.substr(0, end), message.substr(end + 2));
+}
+
 ScaledPose pose_of(const JsonValue& value) {
   if (value.is_array()) {
     const std::vector<double> numbers = value.numbers(12);

@@ -18,13 +18,16 @@ using MeshReading = std::function<std::shared_ptr<const TriangleMesh>(const Json
 /// Writes a mesh and gives its file name.
 using MeshWriting = std::function<std::string(const std::shared_ptr<const TriangleMesh>& mesh)>;
 
+/// Says an Error of the library at a place of the file; its own advice stays the last words.
+[[noreturn]] void fail_at(const JsonValue& place, const Error& error);
+
 /// Runs `action`; an Error in it is said to be at `place`.
 template <class Action>
 auto located(const JsonValue& place, const Action& action) {
   try {
     return action();
   } catch (const Error& error) {
-    place.fail(error.what(), "correct it");
+    fail_at(place, error);
   }
 }
 

@@ -333,6 +333,12 @@ TEST_F(SceneFile, WrongShapesAreSaidWhere) {
   };
   expect(R"({"type": "spere", "radius": 1})", "did you mean 'sphere'?");
   expect(R"({"type": "sphere", "radius": 0})", "/objects/0/shape");
+  expect(R"({"type": "sphere", "radius": -2})", "the radius of a sphere is -2; give a positive finite number");
+  expect(R"({"type": "sphere", "radius": 1e999})", "too large for a double");
+  expect(R"({"type": "sphere", "radius": NaN})", "not valid JSON");
+  expect(R"({"type": "capsule", "start": [0, 0, 0], "end": [1, 0, 0], "radius": 0})", "the radius of a capsule is 0");
+  expect(R"({"type": "rounded", "core": {"type": "point"}, "radius": -1})", "the radius of a rounded shape is -1");
+  expect(R"({"type": "convex-hull", "file": "parts/none.obj"})", "/objects/0/shape/file");
   expect(R"({"type": "sphere"})", "radius");
   expect(R"({"type": "box", "half_extents": [1, -1, 1]})", "/objects/0/shape");
   expect(R"({"type": "triangle", "vertices": [[0, 0, 0]]})", "three vertices");
