@@ -6,6 +6,7 @@
 #include "check_input.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "words.hpp"
 
@@ -23,16 +24,20 @@ Distance distance_of(const Posed& a, const Posed& b, Workspace& workspace) {
 }
 
 /// Of two files, the pairs of one object of each; of one, all pairs. Objects of one group are no pair.
-std::vector<ReportedDistance> distances_in(const LoadedScene& loaded, const std::vector<Posed>& models) {
-  const bool two_files = loaded.first_object.size() == 3;
-  const std::size_t first_end = two_files ? loaded.first_object[1] : models.size();
-  std::vector<ReportedDistance> distances;
-  Workspace workspace;
-  for (std::size_t i = 0; i < first_end; ++i)
+std::vector<ReportedDistance> distances_in(const CheckInput& input, int threads) {
+  const std::vector<Posed>& models = input.models;
+  const bool two_files = input.loaded.first_object.size() == 3;
+  const std::size_t first_end = two_files ? input.loaded.first_object[1] : models.size();
+  std::vector<std::vector<ReportedDistance>> of_first(first_end);
+  parallel_for(first_end, threads, [&](std::size_t i) {
+    Workspace workspace;
     for (std::size_t j = two_files ? first_end : i + 1; j < models.size(); ++j)
       if (!in_one_group(models[i], models[j]))
-        distances.push_back(
+        of_first[i].push_back(
             {static_cast<Index>(i), static_cast<Index>(j), distance_of(models[i], models[j], workspace)});
+  });
+  std::vector<ReportedDistance> distances;
+  for (const auto& some : of_first) distances.insert(distances.end(), some.begin(), some.end());
   return distances;
 }
 
@@ -61,7 +66,7 @@ int run_distance(const DistanceArguments& arguments) {
   if (loaded.scene.objects.size() < 2)
     throw Error(fmt::format("{} holds one object; a distance is between two: name another file or a scene with more",
                             arguments.input.files.front()));
-  const std::vector<ReportedDistance> distances = distances_in(loaded, input.models);
+  const std::vector<ReportedDistance> distances = distances_in(input, arguments.threads);
   const std::string text = text_of(input, distances, arguments.format);
   print_warnings(loaded.warnings);
   print_answer(text);
