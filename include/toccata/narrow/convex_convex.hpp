@@ -32,9 +32,8 @@ struct ConvexWorkspace {
 
 /// A certified distance: the exact one lies in [lower, upper], and upper − lower is at most 10⁻¹² · upper, or they are
 /// neighbouring doubles. Both are 0 when the shapes meet; upper is positive when they are apart, and so is lower unless
-/// the exact distance is less than every positive double. The same bits whatever a workspace knows, and at every
-/// SIMD level; exchanging the shapes exchanges the points, but where even the shapes without their radii meet it may
-/// yield another common point.
+/// the exact distance is below all positive doubles. The same bits whatever a workspace knows and at every SIMD level;
+/// exchanging the shapes exchanges the points, unless even their cores, the shapes without their radii, meet.
 struct Distance {
   double lower = 0;
   double upper = 0;
