@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "narrow/box_axes.hpp"
+#include "narrow/rigid_box_axes.hpp"
 
 namespace toccata {
 namespace {
@@ -138,6 +139,8 @@ Nearness nearness_of_point_corners(const Vec3& p, const std::array<const double*
 }
 
 Nearness nearness_of_boxes(const PosedConvex& a, const PosedConvex& b) {
+  const Nearness nearness = nearness_of_rigid_boxes(view_of(a), view_of(b));
+  if (nearness != Nearness::unknown) return nearness;
   const std::optional<bool> meet = BoxAxes(a, b).meet();
   if (!meet) return Nearness::unknown;
   return *meet ? Nearness::meet : Nearness::apart;

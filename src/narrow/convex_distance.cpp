@@ -62,10 +62,6 @@ class PairQuestion {
     if (reach_.value.high > 0 && !end.inside)
       if (const auto found = certain_nearest(a_, b_, end.simplex.pairs))
         if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
-    if (const auto meet = aligned_boxes_meet(a_.shape(), b_.shape())) {  // those that touch
-      ++workspace_.counts.closed_forms;
-      return *meet;
-    }
     ++workspace_.counts.exact;
     return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
   }
@@ -200,6 +196,10 @@ bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
   if (const Nearness nearness = nearness_by_formula(a, b); nearness != Nearness::unknown) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return nearness == Nearness::meet;
+  }
+  if (const std::optional<bool> meet = aligned_boxes_meet(a, b)) {  // those that touch
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return *meet;
   }
   ConvexWorkspace alone;
   return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).overlap();

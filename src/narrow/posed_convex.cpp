@@ -51,7 +51,8 @@ PosedConvex::PosedConvex(const Box& shape, const Pose& pose) : pose_(pose), topo
   std::array<Vec3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = shape.corner(static_cast<int>(i));
   place(corners, "the box");
-  require_regular(pose, "the box");
+  box_ = rigid_box(shape, pose);
+  if (!(box_.skew < 0x1p-4)) require_regular(pose, "the box");
 }
 
 PosedConvex::PosedConvex(const PosedConvex& other) { *this = other; }
@@ -59,6 +60,7 @@ PosedConvex::PosedConvex(const PosedConvex& other) { *this = other; }
 PosedConvex& PosedConvex::operator=(const PosedConvex& other) {
   if (this == &other) return *this;
   along_ = other.along_;
+  box_ = other.box_;
   pose_ = other.pose_;
   topology_ = other.topology_;
   radius_ = other.radius_;
@@ -74,6 +76,7 @@ PosedConvex& PosedConvex::operator=(const PosedConvex& other) {
 PosedConvex PosedConvex::moved(const Vec3& by) const {
   PosedConvex result = *this;
   result.pose_.offset = pose_.offset + by;
+  result.box_ = {};
   if (!in_world_) return result;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (double& coordinate : result.few_[axis]) coordinate += by[static_cast<int>(axis)];

@@ -43,8 +43,9 @@ PosedCapsule::PosedCapsule(const Capsule& shape, const Pose& pose) : radius(shap
 
 PosedBox::PosedBox(const Box& box, const Pose& box_pose) : shape(box), pose(box_pose) {
   require_finite(pose, "the box");
-  require_regular(pose, "the box");
-  centre = transform(pose, box.centre());
+  rigid = rigid_box(box, pose);
+  if (!(rigid.skew < 0x1p-4)) require_regular(pose, "the box");
+  centre = rigid.centre;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3& along = half_axis[static_cast<std::size_t>(axis)];
     along = box.half_extents()[axis] * pose.linear.column(axis);

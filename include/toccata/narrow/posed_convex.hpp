@@ -6,6 +6,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/narrow/rigid_box.hpp"
 #include "toccata/shapes/hull_topology.hpp"
 #include "toccata/shapes/shape.hpp"
 
@@ -62,12 +63,16 @@ class PosedConvex {
   [[nodiscard]] bool in_world() const { return in_world_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
+  /// Of a box, with a radius or without, what formulas for boxes read; of anything else its slack is infinite.
+  [[nodiscard]] const RigidBox& as_box() const { return box_; }
+
  private:
   /// Up to eight vertices, to the world.
   void place(std::span<const Vec3> local, std::string_view who);
 
   alignas(64) std::array<std::array<double, 8>, 3> few_;  // the world coordinates of up to eight vertices
   std::array<const double*, 3> along_{};                  // into few_, or into the hull
+  RigidBox box_;
   Pose pose_;
   HullTopology topology_;
   double radius_ = 0;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "toccata/math/pose.hpp"
+#include "toccata/narrow/rigid_box.hpp"
 #include "toccata/shapes/box.hpp"
 #include "toccata/shapes/capsule.hpp"
 #include "toccata/shapes/sphere.hpp"
@@ -47,6 +48,7 @@ struct PosedBox {
   Vec3 inverse_squared;           ///< 1 / |half_axis|², of each
   double size = 0;                ///< at least the sum of all coordinates' magnitudes of the half axes
   double corner_slack = 0;        ///< no world corner is farther than this from its counterpart
+  RigidBox rigid;                 ///< as the formulas for two boxes see it
 
   /// Throws Error when the pose or a world corner is not finite, or the pose is singular.
   explicit PosedBox(const Box& box, const Pose& box_pose = {});

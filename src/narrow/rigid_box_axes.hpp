@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "narrow/nearness.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_shapes.hpp"
+
+// The fifteen axes of two boxes under nearly rigid poses: edges stand for the face normals, and everything is read off
+// the table of the cosines between the edges of the two (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996). In
+// doubles, with a bound on the error; with vector instructions, the same bits at every level.
+namespace toccata {
+
+/// A box as the axes see it. Four doubles can be read from the start of each vector and of each row.
+struct BoxView {
+  const Mat3* axes;
+  const RigidBox* box;
+};
+
+[[nodiscard]] inline BoxView view_of(const PosedConvex& box) { return {&box.pose().linear, &box.as_box()}; }
+[[nodiscard]] inline BoxView view_of(const PosedBox& box) { return {&box.pose.linear, &box.rigid}; }
+
+/// As rigid as a shape with a radius has to be, and squares neither over- nor underflow: numbers are as good as if
+/// edges were normals.
+[[nodiscard]] inline bool is_rigid_and_plain(const BoxView& box) {
+  const auto [x, y, z] = box.box->half_extents;
+  return box.box->skew <= 0x1p-40 && box.box->slack < 0x1p150 && std::min({x, y, z}) > 0x1p-200;
+}
+
+using FourDoubles = std::array<double, 4>;  // three and one that is not to be looked at
+
+/// What two boxes have in common along each axis, which is of length 1 for faces and of the sine of their angle for
+/// edge pairs: how far they reach along it together, less the way between their centres.
+struct RigidBoxAxes {
+  double error;              ///< of each overlap, corners' rounding included
+  FourDoubles way_a, way_b;  ///< from A's centre to B's, along the edges of A and of B
+  FourDoubles overlap_a, overlap_b;
+  std::array<FourDoubles, 3> cosines;   ///< [edge of A][edge of B]
+  std::array<FourDoubles, 3> edge_way;  ///< along edge of A × edge of B
+  std::array<FourDoubles, 3> edge_overlap;
+};
+
+enum class Storing { where_unsure, always };
+
+/// Whether the boxes have a point in common; if so, their interiors have. Unknown where an infinite slack forbids it.
+[[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b);
+
+/// All of them, if the boxes are not certainly apart.
+[[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes);
+
+}  // namespace toccata
