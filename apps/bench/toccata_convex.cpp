@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 #include "convex_library.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/sphere.hpp"
@@ -90,17 +92,57 @@ Triangle placed(const Triangle& shape, const Pose& pose) {
 
 template <class A, class B>
 concept HasOwnForms = requires(const A& a, const B& b, const Pose& pose) {
-  distance(placed(a, pose), placed(b, pose));
   overlap(placed(a, pose), placed(b, pose));
 };
+
+/// Is the task one of the pair's own functions?
+template <class A, class B>
+bool has_own_form(ConvexTask task) {
+  using PlacedA = decltype(placed(std::declval<A>(), Pose{}));
+  using PlacedB = decltype(placed(std::declval<B>(), Pose{}));
+  if (task == ConvexTask::overlap) return requires(const PlacedA& a, const PlacedB& b) {
+      overlap(a, b);
+    };
+  if (task == ConvexTask::distance) return requires(const PlacedA& a, const PlacedB& b) {
+      distance(a, b);
+    };
+  if (task == ConvexTask::penetration) return requires(const PlacedA& a, const PlacedB& b) {
+      penetration(a, b);
+    };
+  return requires(const PlacedA& a, const PlacedB& b) { manifold(a, b); };
+}
+
+/// By the function for just this pair of kinds of shape, where there is one.
+template <class A, class B>
+ConvexAnswer asked_of_own_form(ConvexTask task, const A& a, const B& b) {
+  if constexpr (requires { distance(a, b); })
+    if (task == ConvexTask::distance) {
+      const Distance d = distance(a, b);
+      return {d.upper == 0, d.lower, d.upper};
+    }
+  if constexpr (requires { penetration(a, b); })
+    if (task == ConvexTask::penetration) {
+      const Penetration p = penetration(a, b);
+      return {p.upper > 0, p.lower, p.upper, p.direction};
+    }
+  if constexpr (requires { manifold(a, b); })
+    if (task == ConvexTask::manifold) {
+      const Manifold m = manifold(a, b);
+      return {m.count > 0, 0, 0, m.normal, m.count};
+    }
+  return {overlap(a, b)};
+}
 
 /// The functions for just this pair of kinds of shape.
 template <class A, class B>
 class ToccataOwnForms : public ConvexLibrary {
  public:
+  explicit ToccataOwnForms(Posing posing) : posing_(posing) {}
+
   Description description() const override {
-    return {"toccata", "the pair's own, posed for each", version,
-            fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+    return {"toccata",
+            posing_ == Posing::before ? "the pair's own, posed before" : "the pair's own, posed for each question",
+            version, fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
   }
 
   void prepare(const ConvexWork& work) override {
@@ -109,26 +151,30 @@ class ToccataOwnForms : public ConvexLibrary {
       a_.push_back(std::get<A>(pair.a));
       b_.push_back(std::get<B>(pair.b));
     }
+    if (posing_ == Posing::for_each_question) return;
+    for (const ConvexQuestion& question : work.questions) {
+      placed_a_.push_back(placed(a_[question.pair], question.a));
+      placed_b_.push_back(placed(b_[question.pair], question.b));
+    }
   }
 
   void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const ConvexQuestion& question = work_->questions[first + i];
-      const auto a = placed(a_[question.pair], question.a);
-      const auto b = placed(b_[question.pair], question.b);
-      if (work_->task == ConvexTask::overlap) {
-        answers[i] = {overlap(a, b)};
-        continue;
-      }
-      const Distance d = distance(a, b);
-      answers[i] = {d.upper == 0, d.lower, d.upper};
+      answers[i] = posing_ == Posing::before
+                       ? asked_of_own_form(work_->task, placed_a_[first + i], placed_b_[first + i])
+                       : asked_of_own_form(work_->task, placed(a_[question.pair], question.a),
+                                           placed(b_[question.pair], question.b));
     }
   }
 
  private:
+  Posing posing_;
   const ConvexWork* work_ = nullptr;
   std::vector<A> a_;
   std::vector<B> b_;
+  std::vector<decltype(placed(std::declval<A>(), Pose{}))> placed_a_;
+  std::vector<decltype(placed(std::declval<B>(), Pose{}))> placed_b_;
 };
 
 }  // namespace
@@ -139,8 +185,9 @@ ConvexOffer toccata_convex(const ConvexWork& work) {
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::for_each_question));
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::before));
     if constexpr (HasOwnForms<A, B>)
-      if (work.task == ConvexTask::overlap || work.task == ConvexTask::distance)
-        offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>());
+      if (has_own_form<A, B>(work.task))
+        for (const Posing posing : {Posing::for_each_question, Posing::before})
+          offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>(posing));
     return offer;
   });
 }

@@ -132,7 +132,8 @@ ChosenBoxAxis least_axis(const BoxView& a, const BoxView& b, const RigidBoxAxes&
   };
   for (int i = 1; i < 3; ++i) consider(axes.overlap_a[static_cast<std::size_t>(i)], i, 3);
   for (int j = 0; j < 3; ++j) consider(axes.overlap_b[static_cast<std::size_t>(j)], 3, j);
-  double limit = best.depth > 0 ? edge_share * best.depth : best.depth;
+  // Where the difference is mere rounding, edges may lie across a face.
+  double limit = (best.depth > 0 ? edge_share * best.depth : best.depth) - axes.error;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       // The axis is no longer than 1.
