@@ -18,32 +18,10 @@ std::optional<bool> is_canonical_order(const PosedBox& a, const PosedBox& b) {
   return lexicographically_less(p, q);
 }
 
-std::optional<Manifold> manifold_in_order(const PosedBox& a, const PosedBox& b) {
-  if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
-  RigidBoxAxes axes;
-  const Nearness nearness = nearness_of_rigid_boxes(view_of(a), view_of(b), axes);
-  if (nearness == Nearness::apart) return Manifold{};
-  if (nearness == Nearness::unknown) return {};
-  const Manifold manifold = manifold_of_rigid_boxes(view_of(a), view_of(b), axes);
-  if (manifold.count == 0) return {};
-  return manifold;
-}
-
 std::optional<Penetration> penetration_in_order(const PosedBox& a, const PosedBox& b) {
   const std::optional<CoreParting> core = part_rigid_boxes(view_of(a), view_of(b), 0);
   if (!core) return {};
   return grown(*core, 0, 0);
-}
-
-/// The answer of `in_order`, which may be nothing, for both orders.
-template <class InOrder>
-auto exchanged_if_needed(const PosedBox& a, const PosedBox& b, const InOrder& in_order) {
-  const std::optional<bool> is_ordered = is_canonical_order(a, b);
-  if (!is_ordered) return decltype(in_order(a, b)){};
-  if (*is_ordered) return in_order(a, b);
-  auto answer = in_order(b, a);
-  if (answer) *answer = flipped(*answer);
-  return answer;
 }
 
 }  // namespace
@@ -55,13 +33,20 @@ bool overlap(const PosedBox& a, const PosedBox& b) {
 }
 
 Penetration penetration(const PosedBox& a, const PosedBox& b) {
-  const auto answer = exchanged_if_needed(a, b, penetration_in_order);
-  return answer ? *answer : penetration(as_convex(a), as_convex(b));
+  if (const std::optional<bool> is_ordered = is_canonical_order(a, b)) {
+    const std::optional<Penetration> found = *is_ordered ? penetration_in_order(a, b) : penetration_in_order(b, a);
+    if (found) return *is_ordered ? *found : flipped(*found);
+  }
+  return penetration(as_convex(a), as_convex(b));
 }
 
 Manifold manifold(const PosedBox& a, const PosedBox& b) {
-  const auto answer = exchanged_if_needed(a, b, manifold_in_order);
-  return answer ? *answer : manifold(as_convex(a), as_convex(b));
+  if (const std::optional<bool> is_ordered = is_canonical_order(a, b)) {
+    BoxManifold found =
+        *is_ordered ? manifold_of_rigid_boxes(view_of(a), view_of(b)) : manifold_of_rigid_boxes(view_of(b), view_of(a));
+    if (found.is_decided()) return *is_ordered ? found.manifold : flipped(found.manifold);
+  }
+  return manifold(as_convex(a), as_convex(b));
 }
 
 }  // namespace toccata

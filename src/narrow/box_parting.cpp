@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 
 #include "narrow/box_contact.hpp"
 #include "narrow/canonical_order.hpp"
@@ -26,14 +26,38 @@ Vec3 unit(const Vec3& v) {
 std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
 /// Of the edges' angle.
-double sine(const RigidBoxAxes& axes, std::size_t i, std::size_t j) {
+double squared_sine(const RigidBoxAxes& axes, std::size_t i, std::size_t j) {
   const double c = axes.cosines[next(i)][j], d = axes.cosines[next(next(i))][j];
-  return std::sqrt(c * c + d * d);
+  return c * c + d * d;
 }
 
 Vec3 face_normal(const BoxView& box, int i) {
   const int k = i == 2 ? 0 : i + 1;
   return unit(cross(column(box, k), column(box, 3 - i - k)));
+}
+
+/// The number of the least, of equals the first.
+int least_of(std::span<const double> values) {
+  int best = 0;
+  double least = values[0];
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const bool less = values[k] < least;
+    best = less ? static_cast<int>(k) : best;
+    least = less ? values[k] : least;
+  }
+  return best;
+}
+
+/// From A to B; where neither way is shorter, as the edge of A points, or against that of B.
+Vec3 direction_of(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& axis) {
+  const auto turned = [](const Vec3& v, const Vec3& edge, double sign) { return dot(v, edge) * sign < 0 ? -v : v; };
+  if (axis.edge_b == 3)
+    return turned(face_normal(a, axis.edge_a), column(a, axis.edge_a),
+                  axes.way_a[static_cast<std::size_t>(axis.edge_a)] < 0 ? -1 : 1);
+  if (axis.edge_a == 3)
+    return turned(face_normal(b, axis.edge_b), column(b, axis.edge_b),
+                  axes.way_b[static_cast<std::size_t>(axis.edge_b)] > 0 ? 1 : -1);
+  return turned(unit(cross(column(a, axis.edge_a), column(b, axis.edge_b))), b.box->centre - a.box->centre, 1);
 }
 
 /// Half of how far a box reaches along a direction.
@@ -72,7 +96,7 @@ class LowerBound {
 
  private:
   [[nodiscard]] double of_edges(std::size_t i, std::size_t j) const {
-    const double angle = sine(axes_, i, j) + 4 * rough_;
+    const double angle = std::sqrt(squared_sine(axes_, i, j)) + 4 * rough_;
     const double direct = (axes_.edge_overlap[i][j] - axes_.error) / angle;
     if (angle > least_sine) return direct;
     // As in rigid_box_axes.cpp: nearly parallel edges.
@@ -87,28 +111,51 @@ class LowerBound {
   double rough_;
 };
 
-/// Of a face against whatever lies deepest over it.
-bool find_points_of_face(CoreParting& parting, const BoxView& a, const BoxView& b, const ChosenBoxAxis& axis) {
-  const BoxContact contact = contact_of_faces(a, b, axis);
-  if (contact.count == 0) return false;
-  const BoxView &reference = contact.b_is_reference ? b : a, &incident = contact.b_is_reference ? a : b;
-  double least = contact.points[0].gap;
-  for (std::size_t i = 1; i < contact.count; ++i) least = std::min(least, contact.points[i].gap);
+/// The corner that lies deepest, where it is one.
+std::optional<Vec3> deepest_corner(const BoxView& box, const Vec3& inwards) {
+  const double same = 0x1p-30 * sum(box.box->half_extents);
+  Vec3 corner = box.box->centre;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 edge = half(box, i) * column(box, i);
+    const double along = dot(edge, inwards);
+    if (!(std::fabs(along) > same)) return {};
+    corner = along > 0 ? corner + edge : corner - edge;
+  }
+  return corner;
+}
+
+/// The middle of what lies deepest over the face.
+std::optional<Vec3> deepest_over_face(const BoxView& a, const BoxView& b, const BoxContact& contact) {
+  if (contact.count == 0) return {};
+  const BoxView &reference = contact.faces.b_is_reference ? b : a, &incident = contact.faces.b_is_reference ? a : b;
+  double least = contact.corners[0].gap;
+  for (std::size_t i = 1; i < contact.count; ++i) least = std::min(least, contact.corners[i].gap);
   const double same = 0x1p-40 * (sum(incident.box->half_extents) + std::fabs(least));
-  BoxContactPoint deepest;
-  double count = 0;
+  double x = 0, y = 0, count = 0;
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const BoxContactPoint& p = contact.points[i];
-    if (p.gap > least + same) continue;
-    deepest.x += p.x;
-    deepest.y += p.y;
+    if (contact.corners[i].gap > least + same) continue;
+    x += contact.corners[i].x;
+    y += contact.corners[i].y;
     ++count;
   }
-  const Vec3 on_reference = contact.middle + ((deepest.x / count) * column(reference, contact.axis[0]) +
-                                              (deepest.y / count) * column(reference, contact.axis[1]));
+  return BoxFacePlane(reference, contact.faces.reference).at(x / count, y / count);
+}
+
+/// Of a face against whatever lies deepest over it.
+bool find_points_of_face(CoreParting& parting, const BoxView& a, const BoxView& b, const RigidBoxAxes& axes,
+                         const ChosenBoxAxis& axis) {
   const Vec3 way = parting.upper * axis.direction;
-  parting.on_a = contact.b_is_reference ? on_reference + way : on_reference;
-  parting.on_b = contact.b_is_reference ? on_reference : on_reference - way;
+  const bool is_of_a = axis.edge_b == 3;
+  if (const std::optional<Vec3> corner =
+          is_of_a ? deepest_corner(b, -axis.direction) : deepest_corner(a, axis.direction)) {
+    parting.on_a = is_of_a ? *corner + way : *corner;
+    parting.on_b = is_of_a ? *corner : *corner - way;
+    return true;
+  }
+  const std::optional<Vec3> on_face = deepest_over_face(a, b, contact_of_faces(a, b, axes, axis));
+  if (!on_face) return false;
+  parting.on_a = is_of_a ? *on_face : *on_face + way;
+  parting.on_b = is_of_a ? *on_face - way : *on_face;
   return true;
 }
 
@@ -121,35 +168,37 @@ Index farthest_corner(const BoxView& box, const Vec3& direction) {
   return corner;
 }
 
+// Signed squares of depths are compared, and the least found, without roots and branches.
 ChosenBoxAxis least_axis(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, double edge_share) {
-  ChosenBoxAxis best;
-  best.depth = axes.overlap_a[0];
-  const auto consider = [&](double depth, int edge_a, int edge_b) {
-    if (!(depth < best.depth)) return;
-    best.depth = depth;
-    best.edge_a = edge_a;
-    best.edge_b = edge_b;
-  };
-  for (int i = 1; i < 3; ++i) consider(axes.overlap_a[static_cast<std::size_t>(i)], i, 3);
-  for (int j = 0; j < 3; ++j) consider(axes.overlap_b[static_cast<std::size_t>(j)], 3, j);
-  // Where the difference is mere rounding, edges may lie across a face.
-  double limit = (best.depth > 0 ? edge_share * best.depth : best.depth) - axes.error;
+  std::array<double, 15> depth;
+  for (std::size_t i = 0; i < 3; ++i) {
+    depth[i] = axes.overlap_a[i];
+    depth[3 + i] = axes.overlap_b[i];
+  }
+  const int face = least_of({depth.data(), 6});
+  const double of_face = depth[static_cast<std::size_t>(face)];
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
-      // The axis is no longer than 1.
-      if (!(axes.edge_overlap[i][j] < limit)) continue;
-      const double angle = sine(axes, i, j), depth = axes.edge_overlap[i][j] / angle;
-      if (!(angle > least_sine) || !(depth < limit)) continue;
-      best = {static_cast<int>(i), static_cast<int>(j), {}, depth, angle};
-      limit = depth;
+      const double squared = squared_sine(axes, i, j), overlap = axes.edge_overlap[i][j];
+      const double signed_square = overlap * std::fabs(overlap) / squared;
+      depth[6 + 3 * i + j] = squared > least_sine * least_sine ? signed_square : HUGE_VAL;
     }
-  if (best.edge_b == 3)
-    best.direction = face_normal(a, best.edge_a);
-  else if (best.edge_a == 3)
-    best.direction = face_normal(b, best.edge_b);
-  else
-    best.direction = unit(cross(column(a, best.edge_a), column(b, best.edge_b)));
-  if (dot(best.direction, b.box->centre - a.box->centre) < 0) best.direction = -best.direction;
+  const int edges = least_of({depth.data() + 6, 9});
+  ChosenBoxAxis best;
+  best.depth = of_face;
+  best.edge_a = face < 3 ? face : 3;
+  best.edge_b = face < 3 ? 3 : face - 3;
+  // Where the difference is mere rounding, edges may lie across a face.
+  const double limit = (of_face > 0 ? edge_share * of_face : of_face) - axes.error;
+  const double of_edges = depth[static_cast<std::size_t>(6 + edges)];
+  if (of_edges < limit * std::fabs(limit)) {
+    best.edge_a = edges / 3;
+    best.edge_b = edges % 3;
+    best.depth = std::copysign(std::sqrt(std::fabs(of_edges)), of_edges);
+    best.sine =
+        std::sqrt(squared_sine(axes, static_cast<std::size_t>(best.edge_a), static_cast<std::size_t>(best.edge_b)));
+  }
+  best.direction = direction_of(a, b, axes, best);
   return best;
 }
 
@@ -189,7 +238,7 @@ std::optional<CoreParting> part_rigid_boxes(const BoxView& a, const BoxView& b, 
       !(parting.upper - parting.lower <= relative_width_of_depth * (parting.upper + reach_of_radii)))
     return {};
   if (axis.edge_a == 3 || axis.edge_b == 3) {
-    if (!find_points_of_face(parting, a, b, axis)) return {};
+    if (!find_points_of_face(parting, a, b, axes, axis)) return {};
     return parting;
   }
   const EdgePoints points = points_of_edges(a, b, axis);

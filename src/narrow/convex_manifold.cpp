@@ -213,15 +213,9 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
 Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
   const auto any = [&] { return overlap(a, b, workspace) ? of_any(a, b) : Manifold{}; };
   if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0) return any();
-  const BoxView box_a = view_of(a), box_b = view_of(b);
-  if (is_rigid_and_plain(box_a) && is_rigid_and_plain(box_b)) {
-    RigidBoxAxes axes;
-    const Nearness nearness = nearness_of_rigid_boxes(box_a, box_b, axes);
-    if (nearness == Nearness::apart) return {};
-    if (nearness == Nearness::unknown && !overlap(a, b, workspace)) return {};
-    const Manifold manifold = manifold_of_rigid_boxes(box_a, box_b, axes);
-    return manifold.count > 0 ? manifold : of_any(a, b);
-  }
+  const BoxManifold of_rigid = manifold_of_rigid_boxes(view_of(a), view_of(b));
+  if (of_rigid.is_decided()) return of_rigid.manifold;
+  if (of_rigid.manifold.count > 0) return overlap(a, b, workspace) ? of_rigid.manifold : Manifold{};
   const BoxAxes axes(a, b);
   if (!axes.is_of_plain_size()) return any();
   const std::optional<bool> meet = axes.meet();
