@@ -26,10 +26,17 @@ constexpr double edge_share = 0.98;
 
 using Points = std::pmr::vector<ManifoldPoint>;
 
+/// A point on each face's plane, as near to the contact as one is known: a plane is as rough as its normal far from it.
+struct Anchors {
+  Vec3 on_a;
+  Vec3 on_b;
+};
+
 /// The two faces, and which of them is the reference.
 struct FacePair {
   ContactFace a;
   ContactFace b;
+  Anchors anchors;
   bool b_is_reference;
   [[nodiscard]] const ContactFace& reference() const { return b_is_reference ? b : a; }
   [[nodiscard]] const ContactFace& incident() const { return b_is_reference ? a : b; }
@@ -92,7 +99,7 @@ CornerFeatures features_of(const FacePair& faces, const PolygonSide& in, const P
 /// A point of the incident face, seen along the normal against the reference face.
 ManifoldPoint point_over_face(const FacePair& faces, const Vec3& normal, const Vec3& position) {
   const ContactFace& reference = faces.reference();
-  const Vec3 origin = reference.shape->vertex(reference.shape->topology().origin[reference.first()]);
+  const Vec3& origin = faces.b_is_reference ? faces.anchors.on_b : faces.anchors.on_a;
   const double gap = dot(reference.normal, position - origin) / std::fabs(dot(reference.normal, normal));
   const double radius_a = faces.a.shape->radius(), radius_b = faces.b.shape->radius();
   // Half way from the reference surface to the incident one, along the normal.
@@ -158,8 +165,9 @@ void take_four(Manifold& result, Points& points) {
 
 /// The points of the contact of two faces; none when the normal is not that of a face.
 Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal,
-                       std::pmr::memory_resource& memory) {
-  FacePair faces{facing_face(a, normal), facing_face(b, -normal), false};
+                       const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
+  FacePair faces{facing_face(a, normal), facing_face(b, -normal), {}, false};
+  faces.anchors = anchors ? *anchors : Anchors{a.vertex(faces.a.vertex), b.vertex(faces.b.vertex)};
   make_face_of_parallel_segments(faces, normal);
   faces.b_is_reference = faces.b.facing > faces.a.facing;
   if (faces.reference().facing < cosine_of_face_contact) return Points(&memory);
@@ -192,7 +200,7 @@ Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axe
   std::array<std::byte, 4096> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const BoxAxis axis = axes.least(edge_share);
-  Points points = points_of_faces(a, b, axis.direction, memory);
+  Points points = points_of_faces(a, b, axis.direction, {}, memory);
   if (points.empty() && axis.edge_a < 3 && axis.edge_b < 3) points.push_back(point_of_edges(a, b, axis));
   if (points.empty()) points.push_back(single_point(a, b, part_by_expansion(a, b)));
   return made_of(axis.direction, points);
@@ -202,12 +210,14 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const ConvexParting parting = part_by_expansion(a, b);
-  Points points = points_of_faces(a, b, parting.penetration.direction, memory);
+  const Penetration& p = parting.penetration;
+  const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
+  Points points = points_of_faces(a, b, p.direction, anchors, memory);
   // The deepest point may lie beside the reference face.
   double deepest = -std::numeric_limits<double>::infinity();
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
-  if (!(deepest >= (1 - 0x1p-20) * parting.penetration.upper)) points.push_back(single_point(a, b, parting));
-  return made_of(parting.penetration.direction, points);
+  if (!(deepest >= (1 - 0x1p-20) * p.upper)) points.push_back(single_point(a, b, parting));
+  return made_of(p.direction, points);
 }
 
 Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
