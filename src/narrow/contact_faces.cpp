@@ -52,14 +52,21 @@ bool has_vertex(const HullTopology& topology, Index face, Index vertex) {
 
 }  // namespace
 
+double turn_of_faces(const Mat3& linear) {
+  const auto plain = [](const Vec3& row) {
+    const double greatest = std::max({std::fabs(row.x), std::fabs(row.y), std::fabs(row.z)});
+    return Vec3{row.x / greatest, row.y / greatest, row.z / greatest};
+  };
+  return dot(cross(plain(linear[0]), plain(linear[1])), plain(linear[2])) < 0 ? -1 : 1;
+}
+
 ContactFace facing_face(const PosedConvex& shape, const Vec3& direction) {
   ContactFace best;
   best.shape = &shape;
   best.vertex = farthest_vertex(shape, direction);
   const HullTopology topology = shape.topology();
   if (topology.face_count() == 0) return best;
-  const Mat3& m = shape.pose().linear;
-  const double mirrored = dot(cross(m[0], m[1]), m[2]) < 0 ? -1 : 1;
+  const double mirrored = turn_of_faces(shape.pose().linear);
   const Index start = topology.leaving[best.vertex];
   // A vertex between the ends of a triangle without area has no half-edge; its segment is the only face.
   if (topology.origin[start] != best.vertex) {

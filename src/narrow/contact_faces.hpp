@@ -24,6 +24,9 @@ struct ContactFace {
 /// The face around the vertex farthest along the direction that turns most towards it.
 [[nodiscard]] ContactFace facing_face(const PosedConvex& shape, const Vec3& direction);
 
+/// −1 when the pose mirrors, which turns every face round; else 1. Of a matrix of any size.
+[[nodiscard]] double turn_of_faces(const Mat3& linear);
+
 /// The half-edge that stands for an edge, whichever of its two faces it was reached from.
 [[nodiscard]] inline Index edge_number(const HullTopology& topology, Index half_edge) {
   return half_edge < topology.twin[half_edge] ? half_edge : topology.twin[half_edge];

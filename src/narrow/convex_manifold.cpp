@@ -9,6 +9,7 @@
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/face_clipping.hpp"
+#include "narrow/plain_scale.hpp"
 
 // Where shapes meet with a face, the contact is a region: the incident face as far as it lies over the reference face.
 // The reference face is the one that turns most to the other shape, at most about two degrees beside the direction in
@@ -220,8 +221,14 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   return made_of(p.direction, points);
 }
 
+/// Of shapes that meet, of any size.
+Manifold of_any_size(const PosedConvex& a, const PosedConvex& b) {
+  const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
+  return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
+}
+
 Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  const auto any = [&] { return overlap(a, b, workspace) ? of_any(a, b) : Manifold{}; };
+  const auto any = [&] { return overlap(a, b, workspace) ? of_any_size(a, b) : Manifold{}; };
   if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0) return any();
   const BoxManifold of_rigid = manifold_of_rigid_boxes(view_of(a), view_of(b));
   if (of_rigid.is_decided()) return of_rigid.manifold;

@@ -60,8 +60,7 @@ ContactPolygon clipped_incident(const ContactFace& reference, const ContactFace&
     clip(polygon, other, {from, from - to, topology.twin[h]});
     return polygon;
   }
-  const Mat3& m = reference.shape->pose().linear;
-  const double mirrored = dot(cross(m[0], m[1]), m[2]) < 0 ? -1 : 1;
+  const double mirrored = turn_of_faces(reference.shape->pose().linear);
   for (Index h = reference.first(); h < reference.last() && !polygon.empty(); ++h) {
     const Vec3 from = reference.shape->vertex(topology.origin[h]);
     const Vec3 along = reference.shape->vertex(topology.target(h)) - from;

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "narrow/contact_faces.hpp"
 #include "narrow/half_space_gap.hpp"
+#include "narrow/plain_scale.hpp"
 
 namespace toccata {
 namespace {
@@ -30,9 +33,7 @@ double facing(const PosedConvex& a, const std::vector<Index>& corners, const Vec
   const Vec3 outward = normal_of_face(a, corners);
   const double length = std::sqrt(dot(outward, outward));
   if (!(length > 0)) return 0;
-  const Mat3& m = a.pose().linear;
-  const double mirrored = dot(cross(m[0], m[1]), m[2]) < 0 ? -1 : 1;
-  return -mirrored * dot(outward, normal) / length;
+  return -turn_of_faces(a.pose().linear) * dot(outward, normal) / length;
 }
 
 /// The vertices of the face at a vertex that turns most to the half-space; of a point, the point.
@@ -92,20 +93,30 @@ Manifold four_of(const std::vector<ManifoldPoint>& points, const Vec3& normal) {
   return result;
 }
 
+/// Of shapes of plain sizes that meet.
+Manifold of_plain_sizes(const PosedConvex& a, Index lowest, const PosedHalfSpace& b) {
+  const Vec3 normal = unit_normal(b);
+  const std::vector<Index> corners = facing_corners(a, lowest, normal);
+  const double gap = gap_of_resting * farthest(a, corners, a.vertex(lowest));
+  std::vector<ManifoldPoint> points{point_at(a, lowest, b, normal)};
+  for (const Index corner : corners) {
+    const ManifoldPoint point = point_at(a, corner, b, normal);
+    if (corner != lowest && point.depth >= -gap) points.push_back(point);
+  }
+  return four_of(points, normal);
+}
+
 }  // namespace
 
 Manifold manifold(const PosedConvex& a, const PosedHalfSpace& b) {
   const ExtremeVertex lowest = extreme_vertex(a, b, Reach::below);
   if (reach_sign(lowest.position, a.radius(), b, Reach::below) == Sign::negative) return {};
-  const Vec3 normal = unit_normal(b);
-  const std::vector<Index> corners = facing_corners(a, lowest.index, normal);
-  const double gap = gap_of_resting * farthest(a, corners, lowest.position);
-  std::vector<ManifoldPoint> points{point_at(a, lowest.index, b, normal)};
-  for (const Index corner : corners) {
-    const ManifoldPoint point = point_at(a, corner, b, normal);
-    if (corner != lowest.index && point.depth >= -gap) points.push_back(point);
-  }
-  return four_of(points, normal);
+  const double of_plane = std::max({std::fabs(b.point.x), std::fabs(b.point.y), std::fabs(b.point.z)});
+  const int exponent = exponent_to_plain(std::max(greatest_length(a), of_plane));
+  if (exponent == 0) return of_plain_sizes(a, lowest.index, b);
+  PosedHalfSpace plain = b;
+  plain.point = {std::scalbn(b.point.x, exponent), std::scalbn(b.point.y, exponent), std::scalbn(b.point.z, exponent)};
+  return scaled(of_plain_sizes(a.scaled(exponent), lowest.index, plain), -exponent);
 }
 
 }  // namespace toccata

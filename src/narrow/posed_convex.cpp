@@ -1,6 +1,7 @@
 #include "toccata/narrow/posed_convex.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "narrow/plain_topology.hpp"
 #include "narrow/pose_checks.hpp"
@@ -80,6 +81,23 @@ PosedConvex PosedConvex::moved(const Vec3& by) const {
   if (!in_world_) return result;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (double& coordinate : result.few_[axis]) coordinate += by[static_cast<int>(axis)];
+  return result;
+}
+
+PosedConvex PosedConvex::scaled(int exponent) const {
+  const auto scale = [=](Vec3& v) {
+    v = {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+  };
+  PosedConvex result = *this;
+  scale(result.pose_.offset);
+  result.radius_ = std::scalbn(radius_, exponent);
+  result.box_ = {};
+  if (!in_world_) {
+    for (int row = 0; row < 3; ++row) scale(result.pose_.linear[row]);
+    return result;
+  }
+  for (auto& coordinates : result.few_)
+    for (double& coordinate : coordinates) coordinate = std::scalbn(coordinate, exponent);
   return result;
 }
 

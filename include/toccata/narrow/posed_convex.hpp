@@ -37,6 +37,9 @@ class PosedConvex {
   /// not for exact answers about the moved shape.
   [[nodiscard]] PosedConvex moved(const Vec3& by) const;
 
+  /// A copy of which every length is multiplied by 2^exponent: exact, but for over- and underflow.
+  [[nodiscard]] PosedConvex scaled(int exponent) const;
+
   [[nodiscard]] Index vertex_count() const { return count_; }
 
   /// In the world.

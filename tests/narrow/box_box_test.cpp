@@ -1,0 +1,92 @@
+#include "toccata/narrow/box_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/convex_cases.hpp"
+#include "support/simd_levels.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+
+namespace toccata {
+namespace {
+
+Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
+
+struct Answer {
+  bool overlap;
+  Relation relation;
+  Penetration penetration;
+  Manifold manifold;
+  ConvexCounts counts;
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+std::vector<Answer> answers_in_all_regimes() {
+  std::vector<Answer> answers;
+  Random random(11);
+  for (const std::string& regime : test::convex_regimes())
+    for (int i = 0; i < 20; ++i) {
+      const test::ConvexCase pair = test::convex_case("box", "box", regime, random);
+      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      ConvexWorkspace workspace;
+      answers.push_back({overlap(a, b, &workspace), relation(a, b), {}, manifold(a, b), workspace.counts});
+      answers.back().penetration = penetration(a, b, &workspace);
+    }
+  return answers;
+}
+
+TEST(BoxBox, AnswersAndCountsAreTheSameAtEverySimdLevel) {
+  const std::vector<Answer> expected = answers_in_all_regimes();
+  test::at_every_simd_level([&](SimdLevel) { EXPECT_TRUE(answers_in_all_regimes() == expected); });
+}
+
+TEST(BoxBox, TouchingBoxesOverlapAndAreNotDeep) {
+  const PosedBox below(Box({1, 1, 1})), above(Box({0.5, 0.5, 0.5}), at(0.25, 0.25, 1.5));
+  EXPECT_TRUE(overlap(below, above));
+  EXPECT_EQ(penetration(below, above).upper, 0);
+  EXPECT_EQ(manifold(below, above).count, 4);
+  const PosedBox higher(Box({0.5, 0.5, 0.5}), at(0.25, 0.25, 1.5000000000000002));
+  EXPECT_FALSE(overlap(below, higher));
+  EXPECT_EQ(manifold(below, higher).count, 0);
+}
+
+TEST(BoxBox, NeedsTheEdgePairs) {
+  const PosedBox below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
+  const Mat3 turned = rotation_about({0, 1, 0}, 45);
+  EXPECT_FALSE(overlap(below, PosedBox(Box({0.5, 2, 0.5}), {turned, {0, 0, 1.42}})));
+  const PosedBox above(Box({0.5, 2, 0.5}), {turned, {0, 0, 1.41}});
+  EXPECT_TRUE(overlap(below, above));
+  EXPECT_NEAR(penetration(below, above).upper, 2 * 0.70710678118654752 - 1.41, 1e-12);
+  EXPECT_EQ(manifold(below, above).points[0].on_a.kind, ConvexFeature::Kind::edge);
+}
+
+// Stacked alike and turned: all edges are parallel, so that three edge pairs have no axis.
+TEST(BoxBox, OfBoxesTurnedAlikeIsDecidedByTheFormula) {
+  const Mat3 turned = rotation_about({1, 2, 3}, 40);
+  const PosedConvex below(Box({1, 1, 0.5}), {turned, {}});
+  const PosedConvex above(Box({0.5, 0.5, 0.5}), {turned, 0.875 * turned.column(2)});
+  ConvexWorkspace workspace;
+  EXPECT_TRUE(overlap(below, above, &workspace));
+  EXPECT_EQ(relation(below, above, &workspace).kind, RelationKind::overlapping);
+  EXPECT_EQ(workspace.counts.exact, 0U);
+  EXPECT_EQ(manifold(below, above).count, 4);
+}
+
+// Squares of these sizes over- or underflow.
+TEST(BoxBox, ManifoldsOfHugeAndTinyBoxesHaveTheirPoints) {
+  for (const double size : {5e-324, 1e-300, 1e-154, 1e154, 1e160, 8e307}) {
+    const PosedConvex below(Box({size, size, size}));
+    const Manifold on_box = manifold(below, PosedConvex(Box({size, size, size}), at(0, 0, size)));
+    EXPECT_EQ(on_box.count, 4) << size;
+    EXPECT_DOUBLE_EQ(on_box.points[0].depth, size);
+    const PosedHalfSpace floor(HalfSpace({0, 0, 0}, {0, 0, 1}));
+    const Manifold on_floor = manifold(below, floor);
+    EXPECT_EQ(on_floor.count, 4) << size;
+    for (const ManifoldPoint& p : on_floor.points) EXPECT_DOUBLE_EQ(p.depth, size);
+  }
+}
+
+}  // namespace
+}  // namespace toccata
