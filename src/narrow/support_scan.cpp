@@ -154,6 +154,9 @@ HWY_EXPORT(least_depth_at_this_level);
 HWY_EXPORT(close_at_this_level);
 
 SupportKernels support_kernels() {
+  // Until the level is chosen, each pointer would be one that asks the processor anew in every call.
+  hwy::ChosenTarget& chosen = hwy::GetChosenTarget();
+  if (!chosen.IsInitialized()) chosen.Update(hwy::SupportedTargets());
   return {&HWY_DYNAMIC_DISPATCH(least_at_this_level), &HWY_DYNAMIC_DISPATCH(least_depth_at_this_level),
           &HWY_DYNAMIC_DISPATCH(close_at_this_level)};
 }
