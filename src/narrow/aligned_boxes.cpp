@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "math/bounded_number.hpp"
 
@@ -43,6 +45,23 @@ NearestOnAxis nearest(const Interval& a, const Interval& b) {
   return {common, common};
 }
 
+/// Of two doubles, and by what it was rounded.
+struct RoundedDifference {
+  double rounded;
+  double rest = 0;
+
+  [[nodiscard]] double lower() const { return rest < 0 ? std::nextafter(rounded, -HUGE_VAL) : rounded; }
+  [[nodiscard]] double upper() const { return rest > 0 ? std::nextafter(rounded, HUGE_VAL) : rounded; }
+};
+
+/// The rest after D. E. Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
+RoundedDifference rounded_difference(double x, double y) {
+  const double rounded = x - y, back = rounded - x;
+  return {rounded, (x - (rounded - back)) - (y + back)};
+}
+
+double middle_of(double lower, double upper) { return std::max(lower, std::min(upper, 0.5 * lower + 0.5 * upper)); }
+
 }  // namespace
 
 std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b) {
@@ -75,6 +94,42 @@ std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& 
     if ((*extents_a)[axis].upper < (*extents_b)[axis].lower || (*extents_b)[axis].upper < (*extents_a)[axis].lower)
       return false;
   return true;
+}
+
+// The difference of two such boxes is one too, so that the depth is the least of six differences of coordinates.
+std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const PosedConvex& b) {
+  const auto extents_a = extents(a);
+  if (!extents_a) return {};
+  const auto extents_b = extents(b);
+  if (!extents_b) return {};
+  Penetration result;
+  RoundedDifference least{std::numeric_limits<double>::infinity()};
+  result.lower = least.rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Interval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
+                   &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
+    const RoundedDifference forwards = rounded_difference(of_a.upper, of_b.lower),
+                            backwards = rounded_difference(of_b.upper, of_a.lower);
+    result.lower = std::min({result.lower, forwards.lower(), backwards.lower()});
+    const bool is_backwards = backwards.rounded < forwards.rounded;
+    const RoundedDifference& here = is_backwards ? backwards : forwards;
+    const double middle = middle_of(std::max(of_a.lower, of_b.lower), std::min(of_a.upper, of_b.upper));
+    result.on_a[axis] = result.on_b[axis] = middle;
+    if (!(here.rounded < least.rounded)) continue;
+    least = here;
+    result.direction = {};
+    result.direction[axis] = is_backwards ? -1 : 1;
+  }
+  if (!(result.lower > 0) || !std::isfinite(least.rounded)) return {};
+  result.upper = least.upper();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (result.direction[axis] == 0) continue;
+    const Interval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
+                   &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
+    result.on_a[axis] = result.direction[axis] > 0 ? of_a.upper : of_a.lower;
+    result.on_b[axis] = result.direction[axis] > 0 ? of_b.lower : of_b.upper;
+  }
+  return result;
 }
 
 }  // namespace toccata

@@ -10,6 +10,10 @@ namespace toccata {
 /// the rounding of a root is not certain.
 [[nodiscard]] std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b);
 
+/// The penetration of two such boxes, in canonical order, that meet inside: neighbouring doubles around the exact
+/// depth; nothing for anything else.
+[[nodiscard]] std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const PosedConvex& b);
+
 /// Whether two such boxes have a point in common; nothing for anything else.
 [[nodiscard]] std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& b);
 

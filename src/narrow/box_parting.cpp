@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "narrow/aligned_boxes.hpp"
 #include "narrow/box_contact.hpp"
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
@@ -255,7 +256,7 @@ std::optional<Penetration> penetration_of_boxes(const PosedConvex& a, const Pose
     return exchanged ? flipped(*exchanged) : exchanged;
   }
   const std::optional<CoreParting> core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius());
-  if (!core) return {};
+  if (!core) return aligned_box_penetration(a, b);
   return grown(*core, a.radius(), b.radius());
 }
 

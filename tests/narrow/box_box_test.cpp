@@ -74,6 +74,19 @@ TEST(BoxBox, OfBoxesTurnedAlikeIsDecidedByTheFormula) {
   EXPECT_EQ(manifold(below, above).count, 4);
 }
 
+TEST(BoxBox, PenetrationAlongTheAxesOfTheWorldIsTheLeastDifferenceOfCoordinates) {
+  const double hair = 0x1p-50;
+  const PosedConvex below(Box({1, 2, 3})), above(Box({1, 2, 3}), at(0.5, -1, 6 - hair));
+  ConvexWorkspace workspace;
+  const Penetration p = penetration(below, above, &workspace);
+  EXPECT_EQ(p.lower, hair);
+  EXPECT_EQ(p.upper, hair);
+  EXPECT_EQ(p.direction, (Vec3{0, 0, 1}));
+  EXPECT_EQ(p.on_a - p.on_b, (Vec3{0, 0, hair}));
+  EXPECT_EQ(penetration(above, below).direction, (Vec3{0, 0, -1}));
+  EXPECT_EQ(workspace.counts.closed_forms, 1U);
+}
+
 // Squares of these sizes over- or underflow.
 TEST(BoxBox, ManifoldsOfHugeAndTinyBoxesHaveTheirPoints) {
   for (const double size : {5e-324, 1e-300, 1e-154, 1e154, 1e160, 8e307}) {
