@@ -21,85 +21,6 @@ DifferencePoint farthest_against(const RationalPoint& direction, const ConvexSet
   return {on_a, on_b, on_a - on_b};
 }
 
-/// Solves the n × n system by Gauss elimination; `rows` hold n coefficients and the right side. Empty when singular.
-std::vector<Rational> solution(std::vector<std::vector<Rational>> rows) {
-  const std::size_t n = rows.size();
-  for (std::size_t column = 0; column < n; ++column) {
-    std::size_t pivot = column;
-    while (pivot < n && rows[pivot][column].is_zero()) ++pivot;
-    if (pivot == n) return {};
-    std::swap(rows[column], rows[pivot]);
-    for (std::size_t r = 0; r < n; ++r) {
-      if (r == column) continue;
-      const Rational factor = rows[r][column] / rows[column][column];
-      for (std::size_t c = column; c <= n; ++c) rows[r][c] -= factor * rows[column][c];
-    }
-  }
-  std::vector<Rational> result;
-  for (std::size_t r = 0; r < n; ++r) result.push_back(rows[r][n] / rows[r][r]);
-  return result;
-}
-
-using Simplex = std::vector<DifferencePoint>;
-
-/// The point nearest to the origin of the affine hull of the simplex, as weights of the vertices that add up to 1.
-/// Empty when the simplex is not affinely independent.
-std::vector<Rational> weights_of_nearest_in_affine_hull(const Simplex& simplex) {
-  const RationalPoint& base = simplex[0].difference;
-  std::vector<std::vector<Rational>> rows;
-  for (std::size_t i = 1; i < simplex.size(); ++i) {
-    const RationalPoint edge = simplex[i].difference - base;
-    std::vector<Rational> row;
-    for (std::size_t j = 1; j < simplex.size(); ++j) row.push_back(dot(edge, simplex[j].difference - base));
-    row.push_back(-dot(edge, base));
-    rows.push_back(std::move(row));
-  }
-  const std::vector<Rational> others = solution(std::move(rows));
-  if (others.size() + 1 != simplex.size()) return {};
-  std::vector<Rational> weights{Rational(1)};
-  for (const Rational& weight : others) {
-    weights[0] -= weight;
-    weights.push_back(weight);
-  }
-  return weights;
-}
-
-DifferencePoint weighted(const Simplex& simplex, const std::vector<Rational>& weights) {
-  DifferencePoint sum;
-  for (std::size_t i = 0; i < simplex.size(); ++i) {
-    sum.on_a = sum.on_a + weights[i] * simplex[i].on_a;
-    sum.on_b = sum.on_b + weights[i] * simplex[i].on_b;
-  }
-  sum.difference = sum.on_a - sum.on_b;
-  return sum;
-}
-
-/// The certificate: `nearest` is a point of a convex hull, and no vertex of the hull lies nearer along it. Then every
-/// point y of the hull has y · nearest ≥ |nearest|², hence |y| ≥ |nearest|.
-bool is_nearest(const DifferencePoint& nearest, const std::vector<DifferencePoint>& vertices) {
-  const RationalPoint& x = nearest.difference;
-  return std::ranges::all_of(vertices, [&](const DifferencePoint& v) { return dot(v.difference - x, x) >= 0; });
-}
-
-struct Support {
-  Simplex simplex;  ///< the nearest point lies in its relative interior
-  DifferencePoint nearest;
-};
-
-/// The point nearest to the origin of the hull of at most four points, by trying every subset.
-Support nearest_of_few(const Simplex& few) {
-  for (unsigned subset = 1; subset < 1U << few.size(); ++subset) {
-    Simplex simplex;
-    for (std::size_t i = 0; i < few.size(); ++i)
-      if ((subset >> i & 1U) != 0) simplex.push_back(few[i]);
-    const std::vector<Rational> weights = weights_of_nearest_in_affine_hull(simplex);
-    if (weights.empty() || !std::ranges::all_of(weights, [](const Rational& w) { return w > 0; })) continue;
-    const DifferencePoint candidate = weighted(simplex, weights);
-    if (is_nearest(candidate, few)) return {simplex, candidate};
-  }
-  throw std::logic_error("oracle: a hull without a nearest point");
-}
-
 /// Cuts away what has n · d < 0 for some point d of A − B: by the d that a corner has farthest against it, until none.
 std::vector<RationalPoint> separating_part(std::vector<RationalPoint> face, const ConvexSet& a, const ConvexSet& b) {
   for (std::size_t corner = 0; corner < face.size();) {
@@ -134,7 +55,7 @@ std::vector<RationalPoint> weakly_separating_normals(const ConvexSet& a, const C
 
 /// No plane separates the hulls, not even weakly. For two bodies: their interiors meet. For a body and a flat hull:
 /// the hull meets the body's interior (R. T. Rockafellar, "Convex Analysis", 1970, §11).
-bool interiors_meet(const ConvexSet& a, const ConvexSet& b) { return weakly_separating_normals(a, b).empty(); }
+bool no_plane_separates(const ConvexSet& a, const ConvexSet& b) { return weakly_separating_normals(a, b).empty(); }
 
 /// Every weakly separating plane contains both hulls (Rockafellar, theorem 11.3).
 bool relative_interiors_meet(const ConvexSet& a, const ConvexSet& b) {
@@ -243,31 +164,18 @@ ConvexSet box_set(std::span<const Vec3> eight_corners) {
 
 bool is_solid(const ConvexSet& set) { return set.radius > 0 || !are_coplanar(set.vertices); }
 
-// Grows a simplex by the vertex that lies farthest against the nearest point found so far, and drops what that point
-// does not need (P. Wolfe, "Finding the nearest point in a polytope", 1976). The distance falls strictly, so it ends.
-// The certificate is that of is_nearest.
-NearestPoints nearest_points(const ConvexSet& a, const ConvexSet& b) {
-  const DifferencePoint first{a.vertices.at(0), b.vertices.at(0), a.vertices[0] - b.vertices[0]};
-  Support support{{first}, first};
-  while (true) {
-    const RationalPoint& x = support.nearest.difference;
-    const Rational squared_distance = dot(x, x);
-    const DifferencePoint farthest = farthest_against(x, a, b);
-    if (dot(farthest.difference, x) >= squared_distance)
-      return {support.nearest.on_a, support.nearest.on_b, squared_distance};
-    support.simplex.push_back(farthest);
-    support = nearest_of_few(support.simplex);
-    if (dot(support.nearest.difference, support.nearest.difference) >= squared_distance)
-      throw std::logic_error("oracle: the distance did not fall");
-  }
+Separation::Separation(const ConvexSet& a, const ConvexSet& b)
+    : squared_(nearest_points(a, b).squared_distance), radii_(a.radius + b.radius) {}
+
+int Separation::compare(const Rational& gap) const {
+  const Rational reach = radii_ + gap;
+  // Sets that meet have distance 0, however deep they overlap.
+  if (overlap()) return gap.is_zero() ? 0 : -1;
+  return Rational(squared_ - reach * reach).sign();
 }
 
 int compare_distance(const ConvexSet& a, const ConvexSet& b, const Rational& gap) {
-  const Rational squared = nearest_points(a, b).squared_distance;
-  const Rational reach = a.radius + b.radius + gap;
-  // Sets that meet have distance 0, however deep they overlap.
-  if (squared <= (a.radius + b.radius) * (a.radius + b.radius)) return gap.is_zero() ? 0 : -1;
-  return Rational(squared - reach * reach).sign();
+  return Separation(a, b).compare(gap);
 }
 
 int compare_distance(const ConvexSet& a, const HalfSpace& b, const Rational& gap) {
@@ -275,14 +183,20 @@ int compare_distance(const ConvexSet& a, const HalfSpace& b, const Rational& gap
   return -reach_sign({a.vertices, a.radius + gap}, b, Way::below);
 }
 
-bool overlap(const ConvexSet& a, const ConvexSet& b) {
-  const Rational reach = a.radius + b.radius;
-  return nearest_points(a, b).squared_distance <= reach * reach;
-}
+bool overlap(const ConvexSet& a, const ConvexSet& b) { return Separation(a, b).overlap(); }
 
 bool overlap(const ConvexSet& a, const HalfSpace& b) { return reach_sign(a, b, Way::below) >= 0; }
 
 bool overlap(const HalfSpace& a, const HalfSpace& b) { return relation(a, b).kind != RelationKind::apart; }
+
+bool interiors_meet(const ConvexSet& a, const ConvexSet& b) {
+  const Rational reach = a.radius + b.radius;
+  if (reach > 0) {
+    const Rational squared = nearest_points(a, b).squared_distance;
+    return squared < reach * reach && is_solid(a) && is_solid(b);
+  }
+  return is_solid(a) && is_solid(b) && no_plane_separates(a, b);
+}
 
 Relation relation(const ConvexSet& a, const ConvexSet& b) { return relation(a, is_solid(a), b, is_solid(b)); }
 
@@ -292,7 +206,7 @@ Relation relation(const ConvexSet& a, bool a_solid, const ConvexSet& b, bool b_s
   const Rational reach = a.radius + b.radius;
   if (squared > reach * reach) return {};
   // A set with a radius meets another's interior as soon as the cores are nearer than the radii reach.
-  const bool deep = reach > 0 ? squared < reach * reach : interiors_meet(a, b);
+  const bool deep = reach > 0 ? squared < reach * reach : no_plane_separates(a, b);
   const bool flattened = (a_solid && !is_solid(a)) || (b_solid && !is_solid(b));  // no interior is left to meet
   if (!deep || flattened) return {RelationKind::touching};
   if (a_solid && b_solid) return {RelationKind::overlapping, containment_of(is_subset(a, b), is_subset(b, a))};
@@ -326,7 +240,7 @@ int side_of(const RationalPoint& p, const ConvexSet& set) {
   const Rational squared = nearest_points(point, set).squared_distance;
   if (set.radius > 0) return Rational(squared - set.radius * set.radius).sign();
   if (squared > 0) return 1;
-  return is_solid(set) && interiors_meet(point, set) ? -1 : 0;
+  return is_solid(set) && no_plane_separates(point, set) ? -1 : 0;
 }
 
 }  // namespace toccata::oracle

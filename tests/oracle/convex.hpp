@@ -51,6 +51,19 @@ struct NearestPoints {
 /// has (a − b) · x < x · x; throws std::logic_error otherwise.
 NearestPoints nearest_points(const ConvexSet& a, const ConvexSet& b);
 
+/// How far two sets are apart, for several questions.
+class Separation {
+ public:
+  Separation(const ConvexSet& a, const ConvexSet& b);
+  bool overlap() const { return squared_ <= radii_ * radii_; }
+  /// The sign of (distance of the sets) − gap, for gap ≥ 0.
+  int compare(const Rational& gap) const;
+
+ private:
+  Rational squared_;  ///< distance of the cores
+  Rational radii_;
+};
+
 /// The sign of (distance of the sets) − gap; the sets are grown by their radii, gap ≥ 0. Oracle of distance intervals:
 /// lower is right iff this is ≥ 0 there, upper iff ≤ 0.
 int compare_distance(const ConvexSet& a, const ConvexSet& b, const Rational& gap);
@@ -60,6 +73,9 @@ int compare_distance(const ConvexSet& a, const HalfSpace& b, const Rational& gap
 bool overlap(const ConvexSet& a, const ConvexSet& b);
 bool overlap(const ConvexSet& a, const HalfSpace& b);
 bool overlap(const HalfSpace& a, const HalfSpace& b);
+
+/// The sets have inner points in common; false where one has none.
+bool interiors_meet(const ConvexSet& a, const ConvexSet& b);
 
 /// Oracles of relation. A flat set with radius 0 is a surface, everything else is solid.
 Relation relation(const ConvexSet& a, const ConvexSet& b);

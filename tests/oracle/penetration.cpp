@@ -169,15 +169,22 @@ ConvexSet moved(ConvexSet set, const RationalPoint& by) {
   return set;
 }
 
-int compare_penetration(const ConvexSet& a, const ConvexSet& b, const Rational& depth) {
-  const Rational radii = a.radius + b.radius;
-  const Rational squared_distance = nearest_points(a, b).squared_distance;
-  const Rational rest = radii - depth;
-  if (squared_distance >= radii * radii && squared_distance > 0) return depth.is_zero() ? 0 : -1;
+Depth::Depth(const ConvexSet& a, const ConvexSet& b)
+    : radii_(a.radius + b.radius),
+      squared_distance_(nearest_points(a, b).squared_distance),
+      squared_core_depth_(squared_distance_ > 0 ? Rational(0) : squared_core_depth(a, b)) {}
+
+int Depth::compare(const Rational& depth) const {
+  const Rational rest = radii_ - depth;
+  if (squared_distance_ >= radii_ * radii_ && squared_distance_ > 0) return depth.is_zero() ? 0 : -1;
   // The penetration is radii − distance, or radii + the depth of the cores.
-  if (squared_distance > 0) return rest < 0 ? -1 : Rational(rest * rest - squared_distance).sign();
+  if (squared_distance_ > 0) return rest < 0 ? -1 : Rational(rest * rest - squared_distance_).sign();
   if (rest > 0) return 1;
-  return Rational(squared_core_depth(a, b) - rest * rest).sign();
+  return Rational(squared_core_depth_ - rest * rest).sign();
+}
+
+int compare_penetration(const ConvexSet& a, const ConvexSet& b, const Rational& depth) {
+  return Depth(a, b).compare(depth);
 }
 
 int compare_penetration(const ConvexSet& a, const HalfSpace& b, const Rational& depth) {
