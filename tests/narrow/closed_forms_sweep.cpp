@@ -1,6 +1,5 @@
 #include "narrow/closed_forms.hpp"
-#include "support/convex_cases.hpp"
-#include "support/sweep.hpp"
+#include "narrow/convex_cells.hpp"
 #include "toccata/narrow/capsule.hpp"
 
 // The closed formulas are right or silent, and what is built on them is right, for pairs of simple shapes in every
@@ -10,7 +9,7 @@ namespace {
 
 const std::vector<std::string> kinds = {"point", "segment", "triangle", "sphere", "box", "capsule"};
 
-std::string fault_of(const ConvexCase& pair) {
+std::string fault_of(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const bool meet = oracle::overlap(set_of(pair.a), set_of(pair.b));
   const Nearness found = nearness_by_formula(a, b);
@@ -23,22 +22,11 @@ std::string fault_of(const ConvexCase& pair) {
                                                                                          : "sphere and box are wrong";
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 11);
-  for (; result.cases < cases; ++result.cases) {
-    const std::string& kind_a = kinds[result.cases % kinds.size()];
-    const std::string& kind_b = kinds[result.cases / kinds.size() % kinds.size()];
-    const ConvexCase pair = convex_case(kind_a, kind_b, family, random);
-    const std::string fault = fault_of(pair);
-    if (fault.empty()) continue;
-    if (result.wrong++ == 0)
-      result.first_failure = fault + ", case " + std::to_string(result.cases) + ": " + to_text(pair);
-  }
-  return result;
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, fault_of);
 }
 
-const bool known = register_sweep({"closed-forms", convex_regimes(), 100'000, 200, run});
+const bool known = register_sweep({"closed-forms", cells_of(kinds), cell_goal, 5 * cell_slice, run, 10 * cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

@@ -24,8 +24,9 @@ bool is_refused(const SeenCase& seen) {
 
 std::string check_bracket(const Penetration& p, const SeenCase& seen) {
   if (!(p.lower >= 0) || !(p.lower <= p.upper) || !std::isfinite(p.upper)) return "no bracket";
-  if (oracle::compare_penetration(seen.set_a, seen.set_b, oracle::exact(p.lower)) < 0) return "lower is too large";
-  if (oracle::compare_penetration(seen.set_a, seen.set_b, oracle::exact(p.upper)) > 0) return "upper is too small";
+  const oracle::Depth depth(seen.set_a, seen.set_b);
+  if (depth.compare(oracle::exact(p.lower)) < 0) return "lower is too large";
+  if (depth.compare(oracle::exact(p.upper)) > 0) return "upper is too small";
   return is_narrow(p) ? "" : "the bracket is wide";
 }
 
@@ -35,8 +36,7 @@ std::string check_move(const Penetration& p, const SeenCase& seen) {
   if (p.upper == 0) return "";
   if (!is_unit(p.direction)) return "the direction is not of length 1";
   const RationalPoint move = oracle::exact(p.upper) * oracle::exact(p.direction);
-  const oracle::Relation after = oracle::relation(seen.set_a, true, oracle::moved(seen.set_b, move), true);
-  return after.kind == oracle::RelationKind::overlapping ? "they overlap after the move" : "";
+  return oracle::interiors_meet(seen.set_a, oracle::moved(seen.set_b, move)) ? "they overlap after the move" : "";
 }
 
 std::string check_points(const Penetration& p, const SeenCase& seen) {
@@ -63,11 +63,12 @@ std::string check(const SeenCase& seen) {
   return compare_warm(seen, ask);
 }
 
-SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {
-  return run_convex_cases(kind, seed, cases, check);
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_convex_cases(cell, seed, cases, check);
 }
 
-const bool known = register_sweep({"convex-depth", convex_kinds(), convex_goal, convex_slice, run, convex_shard});
+const bool known =
+    register_sweep({"convex-depth", cells_of(convex_kinds()), cell_goal, 2 * cell_slice, run, cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

@@ -13,11 +13,12 @@ std::string check(const SeenCase& seen) {
   return compare_warm(seen, ask);
 }
 
-SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {
-  return run_convex_cases(kind, seed, cases, check);
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_convex_cases(cell, seed, cases, check);
 }
 
-const bool known = register_sweep({"convex-overlap", convex_kinds(), convex_goal, convex_slice, run, convex_shard});
+const bool known =
+    register_sweep({"convex-overlap", cells_of(convex_kinds()), cell_goal, 10 * cell_slice, run, cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

@@ -1,5 +1,5 @@
+#include "narrow/convex_cells.hpp"
 #include "narrow/penetration_checks.hpp"
-#include "support/sweep.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
 
 // Penetration of every kind of solid with every other, in every regime, compared with rational arithmetic and with
@@ -16,42 +16,32 @@ bool same_but_flipped(const Penetration& p, const Penetration& q) {
          p.on_b == q.on_a;
 }
 
-std::string check(const ConvexCase& pair) {
+std::string check(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   if (!a.solid() || !b.solid()) return "";
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   if (!oracle::is_solid(set_a) || !oracle::is_solid(set_b)) return "";
   const double size = size_of(set_a) + size_of(set_b);
+  const oracle::Depth depth(set_a, set_b);
   const Penetration by_expansion = penetration_by_expansion(a, b);
-  const std::string wrong = wrong_with(by_expansion, set_a, set_b, size);
+  const std::string wrong = wrong_with(by_expansion, set_a, set_b, depth, size);
   if (!wrong.empty()) return "by expansion: " + wrong;
   if (!same_shapes(set_a, set_b) && !same_but_flipped(by_expansion, penetration_by_expansion(b, a)))
     return "by expansion: exchanged";
   const Penetration by_axes = penetration_by_separating_axes(a, b);
-  const std::string wrong_by_axes = wrong_with(by_axes, set_a, set_b, size);
+  const std::string wrong_by_axes = wrong_with(by_axes, set_a, set_b, depth, size);
   if (!wrong_by_axes.empty()) return "by separating axes: " + wrong_by_axes;
   if (!same_shapes(set_a, set_b) && !same_but_flipped(by_axes, penetration_by_separating_axes(b, a)))
     return "by separating axes: exchanged";
   return "";
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t which = random.below(solid_kinds.size());
-    const std::string regime = convex_regimes()[random.below(convex_regimes().size())];
-    const ConvexCase pair = convex_case(family, solid_kinds[which], regime, random);
-    const std::string wrong = check(pair);
-    if (wrong.empty()) continue;
-    if (result.wrong++ == 0)
-      result.first_failure = wrong + ", case " + std::to_string(result.cases) + ", " + solid_kinds[which] + ", " +
-                             regime + ": " + to_text(pair);
-  }
-  return result;
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check);
 }
 
-const bool known = register_sweep({"convex-penetration", solid_kinds, 100'000, 100, run, 1000});
+const bool known =
+    register_sweep({"convex-penetration", cells_of(solid_kinds), cell_goal, cell_slice, run, cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

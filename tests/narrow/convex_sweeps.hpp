@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
+#include "narrow/convex_cells.hpp"
 #include "support/convex_cases.hpp"
-#include "support/sweep.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 // What the sweeps over pairs of convex shapes have in common.
@@ -23,24 +22,13 @@ struct SeenCase {
   ConvexWorkspace& stale;
 };
 
-/// Every ordered pair of kinds and regimes in a family, which is the kind of A: 14 kinds of B times 15 regimes, the
-/// numbers of which have no common factor, so that as many cases go through all. `check` gives nothing, or what is
-/// wrong.
+/// Cases of a cell. `check` is given each, and gives nothing, or what is wrong.
 template <class Check>
-SweepResult run_convex_cases(const std::string& kind_a, std::uint64_t seed, std::uint64_t cases, Check check) {
-  SweepResult result;
-  const auto kind_number = std::ranges::find(convex_kinds(), kind_a) - convex_kinds().begin();
-  Random random(seed * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(kind_number));
+SweepResult run_convex_cases(const std::string& cell, std::uint64_t seed, std::uint64_t cases, Check check) {
   ConvexWorkspace workspace;
-  for (; result.cases < cases; ++result.cases) {
-    const ConvexCase pair = numbered_case(kind_a, seed * 1000 + result.cases, random);
-    const SeenCase seen{pair, posed(pair.a), posed(pair.b), set_of(pair.a), set_of(pair.b), workspace};
-    const std::string wrong = check(seen);
-    if (wrong.empty()) continue;
-    if (result.wrong++ == 0)
-      result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + to_text(pair);
-  }
-  return result;
+  return run_cell(cell, seed, cases, [&](const ConvexCase& pair, Random&) {
+    return check({pair, posed(pair.a), posed(pair.b), set_of(pair.a), set_of(pair.b), workspace});
+  });
 }
 
 /// The same bits without a workspace, with one that knows another case, and with one that knows this one.
@@ -74,11 +62,5 @@ inline bool is_narrow(const Penetration& p) {
 inline bool is_within(const Vec3& point, const oracle::ConvexSet& set, double distance) {
   return is_finite(point) && oracle::compare_distance(oracle::point_set(point), set, oracle::exact(distance)) <= 0;
 }
-
-constexpr std::uint64_t cases_of_all_cells = 14 * 15;
-/// Of each family; 10⁵ of each cell, which two families share where the kinds are two.
-constexpr std::uint64_t convex_goal = 14 * 100'000;
-constexpr std::uint64_t convex_slice = 75;
-constexpr std::uint64_t convex_shard = 10 * cases_of_all_cells;
 
 }  // namespace toccata::test

@@ -37,27 +37,32 @@ inline bool points_fit(const Penetration& p, const oracle::ConvexSet& a, const o
 
 /// The interiors meet no longer once b has been moved.
 inline bool is_parted_by(const oracle::ConvexSet& a, const oracle::ConvexSet& b, const oracle::RationalPoint& move) {
-  return oracle::relation(a, oracle::moved(b, move)).kind != oracle::RelationKind::overlapping;
+  return !oracle::interiors_meet(a, oracle::moved(b, move));
 }
 
 /// Empty, or what is wrong with the penetration of two solids. `size`: of all coordinates.
 inline std::string wrong_with(const Penetration& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b,
-                              double size) {
+                              const oracle::Depth& depth, double size) {
   using oracle::exact;
   if (!(std::isfinite(p.lower) && std::isfinite(p.upper) && is_finite(p.on_a) && is_finite(p.on_b)))
     return "not finite";
   if (!is_unit(p.direction)) return "direction is no unit vector";
   if (p.lower < 0 || p.lower > p.upper) return "lower and upper";
-  if (oracle::compare_penetration(a, b, exact(p.lower)) < 0) return "less deep than lower";
-  if (oracle::compare_penetration(a, b, exact(p.upper)) > 0) return "deeper than upper";
+  if (depth.compare(exact(p.lower)) < 0) return "less deep than lower";
+  if (depth.compare(exact(p.upper)) > 0) return "deeper than upper";
   if (p.status != Status::exact) return "not converged";
   if (p.upper - p.lower > 0x1p-39 * p.upper) return "wide";
-  const bool meet = oracle::relation(a, b).kind == oracle::RelationKind::overlapping;
+  const bool meet = depth.compare(0) > 0;
   if (meet != (p.lower > 0) || meet != (p.upper > 0)) return "depth and relation";
   if (!meet) return "";
   if (!is_parted_by(a, b, exact(p.upper) * exact(p.direction))) return "not parted by upper";
   if (is_parted_by(a, b, exact(0.999 * p.lower) * exact(p.direction))) return "parted by less";
   return points_fit(p, a, b, size) ? "" : "points";
+}
+
+inline std::string wrong_with(const Penetration& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b,
+                              double size) {
+  return wrong_with(p, a, b, oracle::Depth(a, b), size);
 }
 
 }  // namespace toccata::test

@@ -1,10 +1,13 @@
-// The main of every test program: the tests it was linked with, and a thin slice of each family of its sweeps as a test
-// of its own, <sweep>.<family>.
+// The main of every test program: the tests it was linked with, and thin slices of the families of its sweeps as tests,
+// <sweep>.<family>.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "support/sweep.hpp"
 #include "toccata/core/simd.hpp"
@@ -14,26 +17,35 @@ namespace {
 
 constexpr std::uint64_t slice_seed = 0;
 
+/// Some families of a sweep.
 class SweepSlice : public testing::Test {
  public:
-  SweepSlice(const Sweep& sweep, const std::string& family) : sweep_(sweep), family_(family) {}
+  SweepSlice(const Sweep& sweep, std::vector<std::string> families) : sweep_(sweep), families_(std::move(families)) {}
 
   void TestBody() override {
-    const SweepResult result = sweep_.run(family_, slice_seed, sweep_.slice);
-    EXPECT_GT(result.cases, 0U);
-    EXPECT_EQ(result.wrong, 0U) << result.first_failure << "\nseed " << slice_seed << ", " << sweep_.slice << " cases";
+    for (const std::string& family : families_) {
+      const SweepResult result = sweep_.run(family, slice_seed, sweep_.slice);
+      EXPECT_GT(result.cases, 0U);
+      EXPECT_EQ(result.wrong, 0U) << family << ": " << result.first_failure << "\nseed " << slice_seed << ", "
+                                  << sweep_.slice << " cases";
+    }
   }
 
  private:
   const Sweep& sweep_;
-  std::string family_;
+  std::vector<std::string> families_;
 };
 
+/// The families whose names have the same text before a slash are one test, since a test costs a process.
 void register_slices() {
+  const auto name_of_test = [](const std::string& family) { return family.substr(0, family.find('/')); };
   for (const Sweep& sweep : sweeps()) {
-    for (const std::string& family : sweep.families) {
-      testing::RegisterTest(sweep.name.c_str(), family.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                            [&sweep, family]() -> testing::Test* { return new SweepSlice(sweep, family); });
+    std::map<std::string, std::vector<std::string>> tests;
+    for (const std::string& family : sweep.families) tests[name_of_test(family)].push_back(family);
+    for (const auto& [name, families] : tests) {
+      const std::vector<std::string>& own = families;
+      testing::RegisterTest(sweep.name.c_str(), name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                            [&sweep, own]() -> testing::Test* { return new SweepSlice(sweep, own); });
     }
   }
 }

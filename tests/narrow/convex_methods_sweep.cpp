@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+
+#include "narrow/convex_cells.hpp"
+#include "toccata/narrow/casts.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
+#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/sphere.hpp"
+
+// Methods against each other, without the oracle and so in great numbers: every question that tells whether two shapes
+// meet says the same, and the ways to the penetration give brackets that have a number in common.
+namespace toccata::test {
+namespace {
+
+bool have_common_number(const Penetration& p, const Penetration& q) {
+  return std::max(p.lower, q.lower) <= std::min(p.upper, q.upper);
+}
+
+std::string check_penetration(const PosedConvex& a, const PosedConvex& b) {
+  const Penetration chosen = penetration(a, b);
+  const Penetration by_expansion = penetration_by_expansion(a, b), by_axes = penetration_by_separating_axes(a, b);
+  if (!have_common_number(by_expansion, by_axes)) return "expansion and axes";
+  if (!have_common_number(chosen, by_expansion)) return "penetration and expansion";
+  if (!have_common_number(chosen, by_axes)) return "penetration and axes";
+  if ((chosen.upper > 0) != (by_expansion.upper > 0) || (chosen.upper > 0) != (by_axes.upper > 0)) return "depth 0";
+  if (chosen.upper > 0 && !overlap(a, b)) return "a penetration of what is apart";
+  return "";
+}
+
+std::string check(const ConvexCase& pair, Random&) {
+  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const bool meet = overlap(a, b);
+  if (overlap_by_separating_axes(a, b) != meet) return "separating axes";
+  if ((distance(a, b).upper == 0) != meet) return "distance";
+  if ((relation(a, b).kind != RelationKind::apart) != meet) return "relation";
+  if ((manifold(a, b).count > 0) != meet) return "manifold";
+  if (cast_shape(a, {}, b).hit != meet) return "cast";
+  return a.solid() && b.solid() ? check_penetration(a, b) : "";
+}
+
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check);
+}
+
+const bool known =
+    register_sweep({"convex-methods", cells_of(convex_kinds()), cell_goal, cell_slice, run, 2 * cell_shard});
+
+// The lecture's ways for spheres.
+
+PosedSphere sphere_of(const PlacedConvex& placed) { return PosedSphere(std::get<Sphere>(placed.shape), placed.pose); }
+
+/// A sphere against a triangle in the world, in four ways and by the general search.
+std::string check_triangle(const PosedSphere& ball, const PlacedConvex& placed) {
+  const auto& local = std::get<Triangle>(placed.shape);
+  const Triangle triangle{
+      {transform(placed.pose, local[0]), transform(placed.pose, local[1]), transform(placed.pose, local[2])}};
+  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), posed(placed));
+  if (overlap(ball, triangle) != meet) return "closed form";
+  if (overlap_by_plane_projection(ball, triangle) != meet) return "by plane projection";
+  if (overlap_by_features(ball, triangle) != meet) return "by features";
+  if (overlap_by_minimisation(ball, triangle) != meet) return "by minimisation";
+  if (overlap_by_voronoi_regions(ball, triangle) != meet) return "by Voronoi regions";
+  if (meet && plane_rejects(ball, triangle)) return "rejected by the plane";
+  return (distance(ball, triangle).upper == 0) == meet ? "" : "distance";
+}
+
+/// A sphere against the box's own box along the world's axes, in two ways and by the general search.
+std::string check_aligned(const PosedSphere& ball, const PosedConvex& box) {
+  Vec3 lower = box.vertex(0), upper = lower;
+  for (Index i = 1; i < box.vertex_count(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], box.vertex(i)[axis]);
+      upper[axis] = std::max(upper[axis], box.vertex(i)[axis]);
+    }
+  std::vector<Vec3> corners;
+  for (const double x : {lower.x, upper.x})
+    for (const double y : {lower.y, upper.y})
+      for (const double z : {lower.z, upper.z}) corners.push_back({x, y, z});
+  const ConvexHull hull(corners);
+  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), PosedConvex(hull));
+  if (overlap_by_regions(ball, lower, upper) != meet) return "by regions";
+  return overlap_by_clamping(ball, lower, upper) == meet ? "" : "by clamping";
+}
+
+std::string check_box(const PosedSphere& ball, const PlacedConvex& placed) {
+  const PosedConvex box = posed(placed);
+  const PosedBox formed(std::get<Box>(placed.shape), placed.pose);
+  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), box);
+  if (overlap(ball, formed) != meet) return "closed form";
+  if ((distance(ball, formed).upper == 0) != meet) return "distance";
+  return check_aligned(ball, box);
+}
+
+std::string check_sphere(const ConvexCase& pair, Random&) {
+  const bool first = std::holds_alternative<Sphere>(pair.a.shape);
+  const PosedSphere ball = sphere_of(first ? pair.a : pair.b);
+  const PlacedConvex& other = first ? pair.b : pair.a;
+  return std::holds_alternative<Box>(other.shape) ? check_box(ball, other) : check_triangle(ball, other);
+}
+
+SweepResult run_sphere(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check_sphere);
+}
+
+const bool sphere_known = register_sweep(
+    {"sphere-ways", {"sphere/triangle", "sphere/box"}, 10 * cell_goal, 20 * cell_slice, run_sphere, 20 * cell_shard});
+
+}  // namespace
+}  // namespace toccata::test
