@@ -1,50 +1,19 @@
+#include "narrow/museum.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "oracle/penetration.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_convex.hpp"
 
-// Failures of other libraries with convex shapes, as their users reported them. Each test is named after the report.
-// Where a report's own numbers are not at hand the configuration it describes is made here, and the comment says so.
+// Failures of other libraries with convex shapes, as their users described them: where a report tells a configuration
+// without its numbers, it is made here, and the comment says so. Those with their own numbers: museum_reports_test.cpp.
 namespace toccata {
 namespace {
 
-Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
-
-PosedConvex cube(double size, const Pose& pose = {}) { return PosedConvex(Box({size / 2, size / 2, size / 2}), pose); }
-
-oracle::ConvexSet set_of(const PosedConvex& shape) {
-  oracle::ConvexSet set;
-  for (Index i = 0; i < shape.vertex_count(); ++i) set.vertices.push_back(oracle::exact(shape.vertex(i)));
-  set.radius = oracle::exact(shape.radius());
-  return set;
-}
-
-bool is_unit(const Vec3& v) { return std::abs(dot(v, v) - 1) <= 1e-15; }
-
-/// All questions answer, both ways round, and as rational arithmetic does.
-void expect_right(const PosedConvex& a, const PosedConvex& b) {
-  const oracle::ConvexSet set_a = set_of(a), set_b = set_of(b);
-  const oracle::Relation truth = oracle::relation(set_a, a.solid(), set_b, b.solid());
-  const bool meet = truth.kind != oracle::RelationKind::apart;
-  EXPECT_EQ(overlap(a, b), meet);
-  EXPECT_EQ(overlap(b, a), meet);
-  EXPECT_EQ(static_cast<int>(relation(a, b).kind), static_cast<int>(truth.kind));
-  EXPECT_EQ(static_cast<int>(relation(a, b).containment), static_cast<int>(truth.containment));
-  const Distance d = distance(a, b);
-  EXPECT_GE(oracle::compare_distance(set_a, set_b, oracle::exact(d.lower)), 0);
-  EXPECT_LE(oracle::compare_distance(set_a, set_b, oracle::exact(d.upper)), 0);
-  EXPECT_EQ(manifold(a, b).count > 0, meet);
-  if (!a.solid() || !b.solid()) return;
-  const Penetration p = penetration(a, b);
-  EXPECT_GE(oracle::compare_penetration(set_a, set_b, oracle::exact(p.lower)), 0);
-  EXPECT_LE(oracle::compare_penetration(set_a, set_b, oracle::exact(p.upper)), 0);
-  EXPECT_TRUE(p.upper == 0 || is_unit(p.direction));
-}
+using namespace museum;
 
 // libccd#25: no direction (NaN) for two stacked cubes. Made here: unit cubes, the upper 0.01 deep in the lower, and
 // exactly upon it.
