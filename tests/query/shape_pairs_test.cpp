@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/convex.hpp"
-#include "query/hull_mesh.hpp"
-#include "support/convex_cases.hpp"
+#include "query/shape_pairs_checks.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/casts.hpp"
@@ -21,63 +19,8 @@
 namespace toccata {
 namespace {
 
-Model model_of(const test::ConvexShape& shape) {
-  return std::visit([](const auto& given) { return Model(given); }, shape);
-}
-
-PairQuery exchanged(const PairQuery& q) { return {q.pose_b, q.pose_a, q.solid_b, q.solid_a}; }
-
-RelationKind kind_of(oracle::RelationKind kind) { return static_cast<RelationKind>(kind); }
-Containment containment_of(oracle::Containment c) { return static_cast<Containment>(c); }
-
-/// What is wrong with the answers about the models, compared with the oracle's relation; empty when nothing is.
-std::string fault_of(const Model& a, const Model& b, const PairQuery& query, const oracle::Relation& truth) {
-  const Relation found = relation(a, b, query);
-  if (found.kind != kind_of(truth.kind)) return "relation";
-  if (found.containment != containment_of(truth.containment)) return "containment";
-  if (found.side_unresolved != truth.side_unresolved) return "side_unresolved";
-  if (found.status != Status::exact) return "status";
-  if (!(relation(b, a, exchanged(query)) == flipped(found))) return "relation, exchanged";
-  const bool meets = truth.kind != oracle::RelationKind::apart;
-  if (overlap(a, b, query) != meets || overlap(b, a, exchanged(query)) != meets) return "overlap";
-  const std::vector<Contact> list = contacts(a, b, query);
-  if (!list.empty() && !meets) return "contacts";
-  if (meets && list.empty() && truth.containment == oracle::Containment::none) return "no contacts";
-  return "";
-}
-
-/// The shape as the mesh of its hull, in the world; nothing where that is not the same set or not taken the same way.
-std::optional<Model> as_mesh(const test::PlacedConvex& placed) {
-  const PosedConvex shape = test::posed(placed);
-  if (shape.radius() > 0) return std::nullopt;
-  const HullMesh hull = hull_mesh(shape);
-  const bool one_face = hull.mesh->triangle_count() == 1;
-  if (shape.solid() ? hull.dimension != 3 : !one_face) return std::nullopt;
-  return Model(hull.mesh);
-}
-
-class MeshOfAConvexShape : public testing::TestWithParam<std::string> {};
-
-TEST_P(MeshOfAConvexShape, LiesToOtherShapesAsTheShapeDoes) {
-  const std::uint64_t seed = 20261121;
-  Random random(seed);
-  int asked = 0;
-  for (std::uint64_t number = 0; number < 210; ++number) {
-    const test::ConvexCase pair = test::numbered_case(GetParam(), number, random);
-    const std::optional<Model> a = as_mesh(pair.a);
-    if (!a) continue;
-    ++asked;
-    const oracle::Relation truth =
-        oracle::relation(test::set_of(pair.a), test::is_solid(pair.a), test::set_of(pair.b), test::is_solid(pair.b));
-    // A triangle that is a segment is closed, and not meant as a solid here.
-    const PairQuery query{.pose_b = pair.b.pose, .solid_a = test::is_solid(pair.a) ? Solid::all : Solid::none};
-    EXPECT_EQ(fault_of(*a, model_of(pair.b.shape), query, truth), "") << "seed " << seed << ", case " << number << "\n"
-                                                                      << test::to_text(pair);
-  }
-  EXPECT_GT(asked, 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, MeshOfAConvexShape, testing::Values("point", "segment", "triangle", "box", "hull"));
+using test::as_mesh;
+using test::fault_of;
 
 TEST(MeshAndHalfSpace, LieAsTheHullDoes) {
   const std::uint64_t seed = 20261121;
