@@ -76,6 +76,8 @@ struct ConvexOffer {
 std::vector<std::string> convex_pairs();
 
 ConvexOffer toccata_convex(const ConvexWork& work);
+/// The methods that can be called on their own; the peer "ways".
+ConvexOffer toccata_ways(const ConvexWork& work);
 ConvexOffer fcl_convex(const ConvexWork& work);
 ConvexOffer bullet_convex(const ConvexWork& work);
 ConvexOffer ode_convex(const ConvexWork& work);
