@@ -54,6 +54,9 @@ class PairQuestion {
         workspace_(workspace) {}
 
   bool overlap() {
+    // What parted the shapes last time mostly does so again.
+    if (!(workspace_.direction == Vec3{}) && certainly_farther(a_, b_, -workspace_.direction, upper_reach()))
+      return certified(false);
     const GjkEnd end = search(kept_simplex(workspace_, a_.shape(), b_.shape()), reach_.value.high);
     const bool stopped_early = !(end.separating == Vec3{});
     const Vec3& direction = stopped_early ? end.separating : end.nearest;

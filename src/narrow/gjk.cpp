@@ -147,7 +147,8 @@ double SupportSearch::lower_bound(const Vec3& direction) const {
 
 GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {
   Walk walk(a, b, goal);
-  if (start.size == 0) walk.step_along(a.shape().pose().offset - b.shape().pose().offset);
+  // False only when that is the goal.
+  if (start.size == 0 && !walk.step_along(a.shape().pose().offset - b.shape().pose().offset)) return walk.end();
   for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
   for (int step = 0; step < most_steps && !walk.end().inside; ++step)
     if (!walk.step_along(walk.direction())) break;
