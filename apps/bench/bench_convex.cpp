@@ -14,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One question may take less time than a look at the clock, so times are of blocks of them, divided.
-constexpr std::size_t block = 100;
+constexpr std::size_t block = convex_block;
 
 ConvexResult measured(ConvexLibrary& library, const ConvexWork& work, int rounds) {
   library.prepare(work);

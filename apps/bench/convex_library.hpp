@@ -46,6 +46,9 @@ struct ConvexAnswer {
   int points = 0;    ///< of the manifold
 };
 
+/// Questions are asked, and times taken, by so many: one may take less time than a look at the clock.
+inline constexpr std::size_t convex_block = 100;
+
 /// A library that answers questions about two convex shapes.
 class ConvexLibrary {
  public:
@@ -55,7 +58,7 @@ class ConvexLibrary {
   virtual void prepare(const ConvexWork& work) = 0;
   /// Of a hull, what it keeps for each vertex; 0 where that is not known, or there is no hull.
   [[nodiscard]] virtual double bytes_per_vertex() const { return 0; }
-  /// Answers the questions from `first` on, one for each element of `answers`.
+  /// Answers the questions from `first` on, a multiple of `convex_block`, one for each element of `answers`.
   virtual void answer(std::size_t first, std::span<ConvexAnswer> answers) = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/pair_arrays.hpp"
 #include "toccata/narrow/sphere.hpp"
 
 namespace toccata::bench {
@@ -133,6 +134,9 @@ ConvexAnswer asked_of_own_form(ConvexTask task, const A& a, const B& b) {
   return {overlap(a, b)};
 }
 
+template <class S>
+using PlacedAs = decltype(placed(std::declval<const S&>(), std::declval<const Pose&>()));
+
 /// The functions for just this pair of kinds of shape.
 template <class A, class B>
 class ToccataOwnForms : public ConvexLibrary {
@@ -173,8 +177,73 @@ class ToccataOwnForms : public ConvexLibrary {
   const ConvexWork* work_ = nullptr;
   std::vector<A> a_;
   std::vector<B> b_;
-  std::vector<decltype(placed(std::declval<A>(), Pose{}))> placed_a_;
-  std::vector<decltype(placed(std::declval<B>(), Pose{}))> placed_b_;
+  std::vector<PlacedAs<A>> placed_a_;
+  std::vector<PlacedAs<B>> placed_b_;
+};
+
+template <class Placed>
+struct ArrayFor {};
+template <>
+struct ArrayFor<PosedSphere> {
+  using Type = SphereArray;
+};
+template <>
+struct ArrayFor<Triangle> {
+  using Type = TriangleArray;
+};
+template <>
+struct ArrayFor<PosedBox> {
+  using Type = BoxArray;
+};
+template <>
+struct ArrayFor<PosedCapsule> {
+  using Type = CapsuleArray;
+};
+
+template <class S>
+using ArrayOf = typename ArrayFor<PlacedAs<S>>::Type;
+
+template <class A, class B>
+concept HasArrays = requires(const ArrayOf<A>& a, const ArrayOf<B>& b) {
+  overlap_each(a, b);
+  distance_each(a, b);
+};
+
+/// Arrays of pairs, a block in each.
+template <class A, class B>
+class ToccataArrays : public ConvexLibrary {
+ public:
+  Description description() const override {
+    return {"toccata", fmt::format("arrays of {} pairs, posed before", convex_block), version,
+            fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+  }
+
+  void prepare(const ConvexWork& work) override {
+    task_ = work.task;
+    for (std::size_t i = 0; i < work.questions.size(); ++i) {
+      const ConvexQuestion& question = work.questions[i];
+      if (i % convex_block == 0) a_.emplace_back(), b_.emplace_back();
+      a_.back().append(placed(std::get<A>(work.pairs[question.pair].a), question.a));
+      b_.back().append(placed(std::get<B>(work.pairs[question.pair].b), question.b));
+    }
+  }
+
+  void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
+    const ArrayOf<A>& a = a_[first / convex_block];
+    const ArrayOf<B>& b = b_[first / convex_block];
+    if (task_ == ConvexTask::overlap) {
+      const std::vector<std::uint8_t> found = overlap_each(a, b);
+      for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = {found[i] != 0};
+      return;
+    }
+    const std::vector<Distance> found = distance_each(a, b);
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = {found[i].upper == 0, found[i].lower, found[i].upper};
+  }
+
+ private:
+  ConvexTask task_ = ConvexTask::overlap;
+  std::vector<ArrayOf<A>> a_;
+  std::vector<ArrayOf<B>> b_;
 };
 
 }  // namespace
@@ -184,10 +253,14 @@ ConvexOffer toccata_convex(const ConvexWork& work) {
     ConvexOffer offer;
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::for_each_question));
     offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::before));
+    const bool has_arrays = work.task == ConvexTask::overlap || work.task == ConvexTask::distance;
     if constexpr (HasOwnForms<A, B>)
       if (has_own_form<A, B>(work.task))
         for (const Posing posing : {Posing::for_each_question, Posing::before})
           offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>(posing));
+    if constexpr (HasOwnForms<A, B>)
+      if constexpr (HasArrays<A, B>)
+        if (has_arrays) offer.libraries.push_back(std::make_unique<ToccataArrays<A, B>>());
     return offer;
   });
 }

@@ -1,13 +1,9 @@
 #include "toccata/math/pose.hpp"
 
+#include "math/world_vertex.hpp"
 #include "toccata/math/predicates.hpp"
 
 namespace toccata {
-namespace {
-
-double row_times(const Vec3& row, const Vec3& v) { return (row.x * v.x + row.y * v.y) + row.z * v.z; }
-
-}  // namespace
 
 Pose Pose::from_numbers(const std::array<double, 12>& n) {
   Pose pose;
@@ -23,10 +19,7 @@ std::array<double, 12> Pose::numbers() const {
 
 // This function defines the truth. It lives here, in a file compiled with -ffp-contract=off, and not in the header, so
 // that a user's compiler cannot fuse it.
-Vec3 transform(const Pose& pose, const Vec3& v) {
-  const Mat3& r = pose.linear;
-  return {row_times(r[0], v) + pose.offset.x, row_times(r[1], v) + pose.offset.y, row_times(r[2], v) + pose.offset.z};
-}
+Vec3 transform(const Pose& pose, const Vec3& v) { return world_vertex(pose, v); }
 
 std::vector<Vec3> transform(const Pose& pose, std::span<const Vec3> locals) {
   std::vector<Vec3> world;

@@ -11,6 +11,7 @@
 #include "narrow/meeting_certificate.hpp"
 #include "narrow/nearest_certificate.hpp"
 #include "narrow/nearest_formula.hpp"
+#include "narrow/pair_distances.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
@@ -209,8 +210,14 @@ bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
 }
 
 Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  Distance distance = distance_of_primitives(a, b);
+  if (is_known(distance)) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return distance;
+  }
   ConvexWorkspace alone;
-  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).distance();
+  distance = PairQuestion(a, b, workspace != nullptr ? *workspace : alone).distance();
+  return distance;
 }
 
 }  // namespace toccata

@@ -4,11 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "narrow/box_corners.hpp"
+#include "narrow/pair_distances.hpp"
 #include "narrow/pair_kernels.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
+
+/// The first of 24 in a BoxArray.
+constexpr std::ptrdiff_t corner_columns = 17;
 
 template <std::size_t Width>
 std::array<const double*, Width> columns_of(const Columns<Width>& array) {
@@ -17,12 +22,17 @@ std::array<const double*, Width> columns_of(const Columns<Width>& array) {
   return result;
 }
 
+template <std::size_t WidthA, std::size_t WidthB>
+void require_pairs(const Columns<WidthA>& a, const Columns<WidthB>& b) {
+  if (a.size() == b.size()) return;
+  throw Error(fmt::format("pairs need two arrays of one length; these have {} and {} shapes", a.size(), b.size()));
+}
+
 /// The kernel's answers; what it leaves open or did not reach is asked one by one.
 template <std::size_t WidthA, std::size_t WidthB, class OneByOne>
 std::vector<std::uint8_t> answers(PairKernel kernel, const Columns<WidthA>& a, const Columns<WidthB>& b,
                                   const OneByOne& one_by_one) {
-  if (a.size() != b.size())
-    throw Error(fmt::format("pairs need two arrays of one length; these have {} and {} shapes", a.size(), b.size()));
+  require_pairs(a, b);
   std::vector<std::uint8_t> result(a.size(), pair_unknown);
   const auto columns_a = columns_of(a);
   const auto columns_b = columns_of(b);
@@ -33,12 +43,45 @@ std::vector<std::uint8_t> answers(PairKernel kernel, const Columns<WidthA>& a, c
   return result;
 }
 
+/// The same for distances. Box corners are the last columns.
+template <class ArrayA, class ArrayB>
+std::vector<Distance> distances(DistanceKernel kernel, const ArrayA& a, const ArrayB& b,
+                                std::ptrdiff_t first_of_b = 0) {
+  require_pairs(a, b);
+  std::vector<Distance> result(a.size());
+  const auto columns_a = columns_of(a);
+  const auto columns_b = columns_of(b);
+  const std::size_t done = kernel({columns_a.data(), columns_b.data() + first_of_b, a.size()}, result.data());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (i >= done || !is_known(result[i])) result[i] = distance(a[i], b[i]);
+  return result;
+}
+
 }  // namespace
 
 void BoxArray::append(const PosedBox& box) {
   const auto& [x, y, z] = box.half_axis;
-  append_row({box.centre.x, box.centre.y, box.centre.z, x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z,
-              box.inverse_squared.x, box.inverse_squared.y, box.inverse_squared.z, box.size, box.corner_slack});
+  const BoxCorners corners = world_corners(box.shape, box.pose);
+  std::array<double, 41> row{box.centre.x,
+                             box.centre.y,
+                             box.centre.z,
+                             x.x,
+                             x.y,
+                             x.z,
+                             y.x,
+                             y.y,
+                             y.z,
+                             z.x,
+                             z.y,
+                             z.z,
+                             box.inverse_squared.x,
+                             box.inverse_squared.y,
+                             box.inverse_squared.z,
+                             box.size,
+                             box.corner_slack};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    std::copy_n(corners.along()[axis], 8, row.begin() + corner_columns + 8 * static_cast<std::ptrdiff_t>(axis));
+  append_row(row);
   box_.push_back(box);
 }
 
@@ -64,6 +107,22 @@ std::vector<std::uint8_t> overlap_each(const AlignedBoxArray& a, const AlignedBo
       if (a.column(axis)[i] > b.column(axis + 3)[i] || b.column(axis)[i] > a.column(axis + 3)[i]) return false;
     return true;
   });
+}
+
+std::vector<Distance> distance_each(const SphereArray& a, const SphereArray& b) {
+  return distances(distance_kernels().sphere_sphere, a, b);
+}
+
+std::vector<Distance> distance_each(const SphereArray& a, const TriangleArray& b) {
+  return distances(distance_kernels().sphere_triangle, a, b);
+}
+
+std::vector<Distance> distance_each(const SphereArray& a, const BoxArray& b) {
+  return distances(distance_kernels().sphere_box, a, b, corner_columns);
+}
+
+std::vector<Distance> distance_each(const CapsuleArray& a, const CapsuleArray& b) {
+  return distances(distance_kernels().capsule_capsule, a, b);
 }
 
 }  // namespace toccata

@@ -2,15 +2,19 @@
 
 #include <cmath>
 
+#include "math/world_vertex.hpp"
 #include "narrow/pose_checks.hpp"
 
 namespace toccata {
 namespace {
 
-Vec3 world_vertex(std::size_t number, const Vec3& local, const Pose& pose, std::string_view who) {
-  const Vec3 world = transform(pose, local);
-  if (!is_finite(world)) refuse_vertex(number, local, pose, who);
-  return world;
+void require_vertex(std::size_t number, const Vec3& local, const Pose& pose, std::string_view who) {
+  if (!is_finite(world_vertex(pose, local))) refuse_vertex(number, local, pose, who);
+}
+
+void require_ball(const Pose& pose, std::string_view who) {
+  require_finite(pose, who);
+  require_undeformed(pose, who);
 }
 
 double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
@@ -28,23 +32,29 @@ double slack_of_corners(const Box& box, const Pose& pose) {
 
 }  // namespace
 
-PosedSphere::PosedSphere(const Sphere& shape, const Pose& pose) : radius(shape.radius()) {
-  require_finite(pose, "the sphere");
-  require_undeformed(pose, "the sphere");
-  centre = world_vertex(0, shape.centre(), pose, "the sphere");
+// Where a world vertex is finite, so is the offset of the pose.
+
+PosedSphere::PosedSphere(const Sphere& shape, const Pose& pose)
+    : centre(world_vertex(pose, shape.centre())), radius(shape.radius()) {
+  if (is_surely_rigid(pose.linear) && is_surely_finite(centre)) return;
+  require_ball(pose, "the sphere");
+  require_vertex(0, shape.centre(), pose, "the sphere");
 }
 
-PosedCapsule::PosedCapsule(const Capsule& shape, const Pose& pose) : radius(shape.radius()) {
-  require_finite(pose, "the capsule");
-  require_undeformed(pose, "the capsule");
-  start = world_vertex(0, shape.start(), pose, "the capsule");
-  end = world_vertex(1, shape.end(), pose, "the capsule");
+PosedCapsule::PosedCapsule(const Capsule& shape, const Pose& pose)
+    : start(world_vertex(pose, shape.start())), end(world_vertex(pose, shape.end())), radius(shape.radius()) {
+  if (is_surely_rigid(pose.linear) && is_surely_finite(start) && is_surely_finite(end)) return;
+  require_ball(pose, "the capsule");
+  require_vertex(0, shape.start(), pose, "the capsule");
+  require_vertex(1, shape.end(), pose, "the capsule");
 }
 
 PosedBox::PosedBox(const Box& box, const Pose& box_pose) : shape(box), pose(box_pose) {
-  require_finite(pose, "the box");
   rigid = rigid_box(box, pose);
-  if (!(rigid.skew < 0x1p-4)) require_regular(pose, "the box");
+  if (!(rigid.skew < 0x1p-4)) {
+    require_finite(pose, "the box");
+    require_regular(pose, "the box");
+  }
   centre = rigid.centre;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3& along = half_axis[static_cast<std::size_t>(axis)];
@@ -53,9 +63,9 @@ PosedBox::PosedBox(const Box& box, const Pose& box_pose) : shape(box), pose(box_
     size += sum_of_magnitudes(along);
   }
   corner_slack = slack_of_corners(box, pose);
-  const bool surely_finite = sum_of_magnitudes(centre) + size + corner_slack < 0x1p1000;
-  for (int i = 0; i < 8 && !surely_finite; ++i)
-    static_cast<void>(world_vertex(static_cast<std::size_t>(i), box.corner(i), pose, "the box"));
+  if (sum_of_magnitudes(centre) + size + corner_slack < 0x1p1000) return;
+  require_finite(pose, "the box");
+  for (int i = 0; i < 8; ++i) require_vertex(static_cast<std::size_t>(i), box.corner(i), pose, "the box");
 }
 
 }  // namespace toccata

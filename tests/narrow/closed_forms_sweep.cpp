@@ -1,9 +1,12 @@
 #include "narrow/closed_forms.hpp"
-#include "narrow/convex_cells.hpp"
-#include "toccata/narrow/capsule.hpp"
 
-// The closed formulas are right or silent, and what is built on them is right, for pairs of simple shapes in every
-// regime, as the oracle answers.
+#include "narrow/convex_cells.hpp"
+#include "narrow/convex_distance_checks.hpp"
+#include "narrow/pair_distances.hpp"
+#include "narrow/typed_forms.hpp"
+
+// The closed formulas of overlap and distance are right or silent, and what is built on them is right, for pairs of
+// simple shapes in every regime, as the oracle answers.
 namespace toccata::test {
 namespace {
 
@@ -15,11 +18,13 @@ std::string fault_of(const ConvexCase& pair, Random&) {
   const Nearness found = nearness_by_formula(a, b);
   if (found != Nearness::unknown && (found == Nearness::meet) != meet) return "the formula is wrong";
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap is wrong";
-  const auto* sphere = std::get_if<Sphere>(&pair.a.shape);
-  const auto* box = std::get_if<Box>(&pair.b.shape);
-  if (sphere == nullptr || box == nullptr) return "";
-  return overlap(PosedSphere(*sphere, pair.a.pose), PosedBox(*box, pair.b.pose)) == meet ? ""
-                                                                                         : "sphere and box are wrong";
+  const std::optional<TypedAnswers> typed = typed_answers(pair);
+  if (typed && typed->overlap != meet) return "the pair's own overlap is wrong";
+  const bool by_formula = is_known(distance_of_primitives(a, b));
+  if (typed && !same_answer(typed->distance, distance(a, b), by_formula))
+    return "the pair's own distance has other bits";
+  // What no formula tells is the business of another sweep.
+  return by_formula ? distance_fault(pair) : "";
 }
 
 SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {

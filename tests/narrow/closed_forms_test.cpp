@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "narrow/pair_distances.hpp"
+#include "narrow/typed_forms.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
@@ -16,35 +18,8 @@ using test::ConvexCase;
 
 const std::vector<std::string> simple_kinds = {"point", "segment", "triangle", "sphere", "box", "capsule"};
 
-Triangle world(const Triangle& t, const Pose& pose) {
-  return {{transform(pose, t[0]), transform(pose, t[1]), transform(pose, t[2])}};
-}
-
-Segment world(const Segment& s, const Pose& pose) {
-  return Segment(transform(pose, s.start()), transform(pose, s.end()));
-}
-
-/// What a typed overload says, where there is one.
-std::optional<bool> typed_answer(const test::PlacedConvex& a, const test::PlacedConvex& b) {
-  if (const auto* sphere = std::get_if<Sphere>(&a.shape)) {
-    const PosedSphere s(*sphere, a.pose);
-    if (const auto* other = std::get_if<Sphere>(&b.shape)) return overlap(s, PosedSphere(*other, b.pose));
-    if (const auto* box = std::get_if<Box>(&b.shape)) return overlap(s, PosedBox(*box, b.pose));
-    if (const auto* capsule = std::get_if<Capsule>(&b.shape)) return overlap(s, PosedCapsule(*capsule, b.pose));
-    if (const auto* triangle = std::get_if<Triangle>(&b.shape)) return overlap(s, world(*triangle, b.pose));
-  }
-  if (const auto* capsule = std::get_if<Capsule>(&a.shape)) {
-    const PosedCapsule c(*capsule, a.pose);
-    if (const auto* other = std::get_if<Capsule>(&b.shape)) return overlap(c, PosedCapsule(*other, b.pose));
-    if (const auto* box = std::get_if<Box>(&b.shape)) return overlap(c, PosedBox(*box, b.pose));
-    if (const auto* triangle = std::get_if<Triangle>(&b.shape)) return overlap(c, world(*triangle, b.pose));
-    if (const auto* segment = std::get_if<Segment>(&b.shape)) return overlap(c, world(*segment, b.pose));
-  }
-  return {};
-}
-
 TEST(ClosedForms, AreRightOrSilentInEveryRegime) {
-  std::uint64_t number = 0, silent = 0, asked = 0;
+  std::uint64_t number = 0, silent = 0, asked = 0, far_silent = 0, far_asked = 0;
   for (const std::string& kind_a : simple_kinds)
     for (const std::string& kind_b : simple_kinds)
       for (const std::string& regime : test::convex_regimes())
@@ -57,14 +32,21 @@ TEST(ClosedForms, AreRightOrSilentInEveryRegime) {
           if (found != Nearness::unknown) {
             ASSERT_EQ(found == Nearness::meet, meet) << to_text(pair);
           }
-          const auto typed = typed_answer(pair.a, pair.b);
+          const auto typed = test::typed_answers(pair);
+          const Distance generic = distance(test::posed(pair.a), test::posed(pair.b));
+          const bool by_formula = is_known(distance_of_primitives(test::posed(pair.a), test::posed(pair.b)));
           if (typed) {
-            ASSERT_EQ(*typed, meet) << to_text(pair);
+            ASSERT_EQ(typed->overlap, meet) << to_text(pair);
+            ASSERT_TRUE(test::same_answer(typed->distance, generic, by_formula)) << to_text(pair);
           }
           const bool common = regime == "far" || regime == "near" || regime == "deep";
+          if (common && typed && kind_a == "sphere") {
+            far_asked += 1, far_silent += by_formula ? 0 : 1;
+          }
           if (common && typed && kind_a == "sphere") asked += 1, silent += found == Nearness::unknown ? 1 : 0;
         }
   EXPECT_LT(silent * 50, asked) << silent << " of " << asked;
+  EXPECT_LT(far_silent * 8, far_asked) << far_silent << " of " << far_asked;
 }
 
 // --- sphere and triangle, each of the lecture's ways

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+
 #include "support/convex_cases.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
@@ -23,14 +27,30 @@ void for_cases(const std::string& kind_a, const std::string& kind_b, const Appen
     }
 }
 
+/// Every number of the two, −0 and 0 told apart.
+bool same_bits(const Distance& x, const Distance& y) {
+  const auto numbers = [](const Distance& d) {
+    return std::array{d.lower, d.upper, d.on_a.x, d.on_a.y, d.on_a.z, d.on_b.x, d.on_b.y, d.on_b.z};
+  };
+  return std::ranges::equal(numbers(x), numbers(y), {}, std::bit_cast<std::uint64_t, double>,
+                            std::bit_cast<std::uint64_t, double>) &&
+         x.status == y.status;
+}
+
 /// Each pair as it is answered alone, at every SIMD level.
 template <class ArrayA, class ArrayB>
 void expect_like_one_by_one(const ArrayA& a, const ArrayB& b) {
   ASSERT_GT(a.size(), 100U);
+  std::vector<Distance> distances;
+  for (std::size_t i = 0; i < a.size(); ++i) distances.push_back(distance(a[i], b[i]));
   test::at_every_simd_level([&](SimdLevel level) {
     const std::vector<std::uint8_t> found = overlap_each(a, b);
-    for (std::size_t i = 0; i < found.size(); ++i)
+    const std::vector<Distance> far = distance_each(a, b);
+    for (std::size_t i = 0; i < found.size(); ++i) {
       ASSERT_EQ(found[i], overlap(a[i], b[i]) ? 1 : 0) << "pair " << i << " at " << name_of(level);
+      ASSERT_TRUE(same_bits(distance(a[i], b[i]), distances[i])) << "pair " << i << " at " << name_of(level);
+      ASSERT_TRUE(same_bits(far[i], distances[i])) << "pair " << i << " at " << name_of(level);
+    }
   });
 }
 
@@ -91,6 +111,8 @@ TEST(PairArrays, OfDifferentLengthsAreRefused) {
   one.append({{0, 0, 0}, 1});
   EXPECT_THROW(static_cast<void>(overlap_each(one, SphereArray{})), Error);
   EXPECT_TRUE(overlap_each(SphereArray{}, SphereArray{}).empty());
+  EXPECT_THROW(static_cast<void>(distance_each(one, SphereArray{})), Error);
+  EXPECT_TRUE(distance_each(SphereArray{}, SphereArray{}).empty());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "toccata/core/error.hpp"
@@ -29,7 +30,9 @@ TEST(PosedHull, AFlatHullIsASurfaceAndMayBeFlattened) {
   const ConvexHull flat(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
   const Pose flattened{{{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {}};
   EXPECT_FALSE(PosedConvex(flat, flattened).solid());
-  EXPECT_THROW(PosedConvex(ConvexHull(octahedron), flattened), Error);
+  const ConvexHull solid(octahedron);
+  EXPECT_THROW(PosedConvex(solid, flattened), Error);
+  static_assert(!std::is_constructible_v<PosedConvex, ConvexHull&&>, "it would refer to a hull that has ended");
 }
 
 TEST(PosedHull, WorldVerticesMustBeFinite) {

@@ -47,7 +47,7 @@ TEST(ShapeQuestions, FirstCallsOfTheGuideWork) {
   EXPECT_FALSE(overlap(cube, Box{{1, 1, 0.1}}, {.pose_b = Pose::translation(0, 0, 1.2)}));
   EXPECT_TRUE(overlap(Sphere{1}, Sphere{1}, {.pose_b = Pose::translation(2, 0, 0)}));
   const Distance gap = distance(Sphere{1}, Box{{1, 1, 1}}, {.pose_b = Pose::translation(0, 3, 0)});
-  EXPECT_EQ(gap.upper, 1);
+  EXPECT_NEAR(gap.upper, 1, 1e-12);
   EXPECT_EQ(gap.on_b, (Vec3{0, 2, 0}));
   EXPECT_EQ(relation(Sphere{1}, HalfSpace{{}, {0, 0, 1}}).kind, RelationKind::overlapping);
 }
@@ -91,7 +91,7 @@ TEST(Compounds, AreTheUnionOfTheirParts) {
   EXPECT_EQ(relation(dumbbell, Sphere{1.5}).kind, RelationKind::overlapping);
   EXPECT_EQ(relation(dumbbell, Sphere{9}).containment, Containment::a_in_b);
   EXPECT_EQ(relation(dumbbell, Sphere{0.25, {2, 0, 0}}).containment, Containment::b_in_a);
-  EXPECT_EQ(distance(dumbbell, Sphere{0.5}).upper, 0.5);
+  EXPECT_NEAR(distance(dumbbell, Sphere{0.5}).upper, 0.5, 1e-12);
   const std::vector<Contact> hits = contacts(Sphere{1}, dumbbell);
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[1].triangle_b, 1U);

@@ -56,8 +56,8 @@ class CapsuleArray : public Columns<7> {
   }
 };
 
-/// Oriented boxes.
-class BoxArray : public Columns<17> {
+/// Oriented boxes: the parallelepiped of the formulas, and the eight world corners.
+class BoxArray : public Columns<41> {
  public:
   void append(const PosedBox& box);
   [[nodiscard]] const PosedBox& operator[](std::size_t i) const { return box_[i]; }
@@ -74,11 +74,19 @@ class AlignedBoxArray : public Columns<6> {
   }
 };
 
-/// For each pair 1 if it has a common point, else 0. Throws Error when the arrays are not of the same length.
+// What is asked of arrays throws Error when they are not of the same length.
+
+/// For each pair 1 if it has a common point, else 0.
 [[nodiscard]] std::vector<std::uint8_t> overlap_each(const SphereArray& a, const SphereArray& b);
 [[nodiscard]] std::vector<std::uint8_t> overlap_each(const SphereArray& a, const TriangleArray& b);
 [[nodiscard]] std::vector<std::uint8_t> overlap_each(const SphereArray& a, const BoxArray& b);
 [[nodiscard]] std::vector<std::uint8_t> overlap_each(const CapsuleArray& a, const CapsuleArray& b);
 [[nodiscard]] std::vector<std::uint8_t> overlap_each(const AlignedBoxArray& a, const AlignedBoxArray& b);
+
+/// For each pair the same distance, bit by bit, as alone.
+[[nodiscard]] std::vector<Distance> distance_each(const SphereArray& a, const SphereArray& b);
+[[nodiscard]] std::vector<Distance> distance_each(const SphereArray& a, const TriangleArray& b);
+[[nodiscard]] std::vector<Distance> distance_each(const SphereArray& a, const BoxArray& b);
+[[nodiscard]] std::vector<Distance> distance_each(const CapsuleArray& a, const CapsuleArray& b);
 
 }  // namespace toccata

@@ -27,6 +27,8 @@ class PosedConvex {
   explicit PosedConvex(const Box& shape, const Pose& pose = {});
   explicit PosedConvex(const Capsule& shape, const Pose& pose = {});
   explicit PosedConvex(const ConvexHull& shape, const Pose& pose = {});
+  /// A hull that is not kept would be referred to after its end.
+  explicit PosedConvex(const ConvexHull&& shape, const Pose& pose = {}) = delete;
   explicit PosedConvex(const Rounded& shape, const Pose& pose = {});
 
   PosedConvex(const PosedConvex& other);
@@ -70,8 +72,13 @@ class PosedConvex {
   [[nodiscard]] const RigidBox& as_box() const { return box_; }
 
  private:
+  enum class Bound { none, undeformed, regular };
+
   /// Up to eight vertices, to the world.
-  void place(std::span<const Vec3> local, std::string_view who);
+  template <std::size_t count>
+  void place(const std::array<Vec3, count>& local, std::string_view who, Bound bound);
+  /// Throws Error where the constructors say so.
+  void check(std::span<const Vec3> local, std::string_view who, Bound bound) const;
 
   alignas(64) std::array<std::array<double, 8>, 3> few_;  // the world coordinates of up to eight vertices
   std::array<const double*, 3> along_{};                  // into few_, or into the hull

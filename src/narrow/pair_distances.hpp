@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "narrow/pair_kernels.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/shapes/triangle.hpp"
+
+// Distances of pairs of simple cores, each grown by a radius, by formulas in doubles. Where these do not prove
+// themselves `upper` is NaN, and the general search answers. How they do: docs/design/primitive-distances.md. All have
+// the same bits alone and in arrays, at every SIMD level.
+namespace toccata {
+
+[[nodiscard]] inline bool is_known(const Distance& distance) { return distance.upper >= 0; }
+
+/// Where there is no formula, or it does not prove itself.
+[[nodiscard]] inline Distance unknown_distance() { return {.upper = std::numeric_limits<double>::quiet_NaN()}; }
+
+struct RoundPoint {
+  Vec3 at;
+  double radius = 0;
+};
+
+struct RoundSegment {
+  Vec3 start;
+  Vec3 end;
+  double radius = 0;
+};
+
+struct RoundTriangle {
+  Triangle core;
+  double radius = 0;
+};
+
+/// The hull of eight corners, numbered as a box's; coordinates along each axis.
+struct RoundBox {
+  std::array<const double*, 3> corner;
+  double radius = 0;
+};
+
+[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundPoint& b);
+[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundSegment& b);
+[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundTriangle& b);
+[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundBox& b);
+[[nodiscard]] Distance formula_distance(const RoundSegment& a, const RoundSegment& b);
+
+/// For two shapes, if there is a formula for the pair and it proves itself.
+[[nodiscard]] Distance distance_of_primitives(const PosedConvex& a, const PosedConvex& b);
+
+/// Looks at as many pairs from the first on as fill whole vectors, writes a distance of each, and returns how many.
+using DistanceKernel = std::size_t (*)(const PairColumns& pairs, Distance* distances);
+
+struct DistanceKernels {
+  DistanceKernel sphere_sphere = nullptr;
+  DistanceKernel sphere_triangle = nullptr;
+  DistanceKernel sphere_box = nullptr;
+  DistanceKernel capsule_capsule = nullptr;
+};
+
+/// Those of the SIMD level in use.
+[[nodiscard]] DistanceKernels distance_kernels();
+
+}  // namespace toccata
