@@ -90,7 +90,9 @@ Search::Step Search::precise_step(Index f) {
       offer(f, polytope_.facet(f).upper);
       return Step::done;
     }
+    // It may be farther away than it seemed, and another facet nearer.
     polytope_.make_exact(f);
+    return Step::onwards;
   }
   const auto [farthest, height] = polytope_.exact_support(f);
   if (height == Sign::positive) return expand(f, farthest);
