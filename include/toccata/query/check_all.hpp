@@ -29,8 +29,8 @@ struct PairAnswer {
   std::vector<Contact> contacts;  ///< filled when asked for
   /// When asked for and defined for the pair: of two solids, and of two convex shapes or one and a half-space
   /// (pairs.hpp).
-  std::optional<Penetration> penetration;
-  std::optional<Manifold> manifold;
+  std::optional<Penetration> penetration{};
+  std::optional<Manifold> manifold{};
 };
 
 struct CheckOptions {
