@@ -149,7 +149,7 @@ void find_points(Manifold& result, const BoxView& a, const BoxView& b, const Rig
         features_of(contact.faces, contact.corners[i == 0 ? contact.count - 1 : i - 1].side, p.side, topology);
     ManifoldPoint& point = result.points[static_cast<std::size_t>(result.count++)];
     point.position = plane.at(p.x, p.y) + p.gap * half_way;
-    point.depth = -p.gap;
+    point.depth = 0 - p.gap;  // never −0
     point.on_a = b_is_reference ? features.on_incident : features.on_reference;
     point.on_b = b_is_reference ? features.on_reference : features.on_incident;
   }
