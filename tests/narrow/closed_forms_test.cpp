@@ -6,6 +6,7 @@
 #include "narrow/typed_forms.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
+#include "support/fewer_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/capsule.hpp"
@@ -23,7 +24,7 @@ TEST(ClosedForms, AreRightOrSilentInEveryRegime) {
   for (const std::string& kind_a : simple_kinds)
     for (const std::string& kind_b : simple_kinds)
       for (const std::string& regime : test::convex_regimes())
-        for (int round = 0; round < 10; ++round) {
+        for (int round = 0; round < test::fewer_under_tsan(10); ++round) {
           Random random(++number);
           const ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
           SCOPED_TRACE(kind_a + " and " + kind_b + ", " + regime + ", seed " + std::to_string(number));
@@ -89,7 +90,7 @@ SphereTriangleCase random_sphere_triangle(Random& random) {
 }
 
 TEST(SphereTriangle, EveryWayAgreesWithTheOracle) {
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::fewer_under_tsan(3000U); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const auto [sphere, triangle] = random_sphere_triangle(random);
