@@ -42,8 +42,10 @@ class ToccataMeshes : public MeshLibrary {
     const PairQuery query{poses.a, poses.b, Solid::none, Solid::none, threads_};
     thread_local Workspace workspace;
     if (task == Task::overlap) return {overlap(*a_, *b_, query, workspace), {}};
+    const auto found = contacts(*a_, *b_, query, workspace);
     Answer answer;
-    for (const Contact& contact : contacts(*a_, *b_, query, workspace))
+    answer.pairs.reserve(found.size());
+    for (const Contact& contact : found)
       answer.pairs.emplace_back(contact.triangle_a, contact.triangle_b);
     answer.overlap = !answer.pairs.empty();
     return answer;
