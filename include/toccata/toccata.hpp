@@ -6,6 +6,7 @@
 #include "toccata/bounds/rectangle.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/progress.hpp"

@@ -48,11 +48,11 @@ int thread_count(int threads) {
 // it gets plain threads, each with every n-th index, however fast the others are: nothing but what the body itself does
 // orders the calls of two threads.
 
-void on_threads(int, const std::function<void()>& work) { work(); }
+void on_threads(int, FunctionRef<void()> work) { work(); }
 
 namespace {
 
-void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& call) {
+void share_out(std::size_t count, int threads, FunctionRef<void(std::size_t)> call) {
   const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : 2;
   const std::size_t used = std::min({wanted, count, std::size_t{8}});
   const auto work = [&](std::size_t first) {
@@ -67,7 +67,7 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 
 #else
 
-void on_threads(int threads, const std::function<void()>& work) {
+void on_threads(int threads, FunctionRef<void()> work) {
   // Threads that have just left one arena take up to 0.1 ms to come to another, so the one at hand is used where it has
   // the right size. Isolated: whoever waits in it must not begin with other work of the caller's in the meantime.
   const int count = thread_count(threads);
@@ -79,7 +79,7 @@ void on_threads(int threads, const std::function<void()>& work) {
 
 namespace {
 
-void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& call) {
+void share_out(std::size_t count, int threads, FunctionRef<void(std::size_t)> call) {
   const auto call_each = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) call(i);
   };
@@ -90,7 +90,7 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 
 #endif
 
-void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+void parallel_for(std::size_t count, int threads, FunctionRef<void(std::size_t)> body) {
   if (threads == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "query/posed_shape.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/flipped.hpp"
 #include "toccata/query/pairs.hpp"
@@ -66,11 +67,18 @@ auto ask(const Asked& question, const PosedPart& a, const PosedPart& b) {
   return std::visit([&](const auto& x, const auto& y) { return ask(question, x, y); }, a.shape, b.shape);
 }
 
-/// Two models at their places, each the union of its parts.
+/// Two models at their places, each the union of its parts. The parts lie in memory that is lent by a scratch.
 struct PosedModels {
-  PosedModels(const Model& model_a, const Model& model_b, const PairQuery& query)
-      : a(pose_model(model_a, query.pose_a, query.solid_a, "model a")),
-        b(pose_model(model_b, query.pose_b, query.solid_b, "model b")) {}
+  PosedModels(const Model& model_a, const Model& model_b, const PairQuery& query, SearchScratch& scratch)
+      : a(pose_model(model_a, query.pose_a, query.solid_a, "model a", std::move(scratch.posed[0]))),
+        b(pose_model(model_b, query.pose_b, query.solid_b, "model b", std::move(scratch.posed[1]))),
+        lender_(scratch) {}
+  ~PosedModels() {
+    give_back(a, lender_.posed[0]);
+    give_back(b, lender_.posed[1]);
+  }
+  PosedModels(const PosedModels&) = delete;
+  PosedModels& operator=(const PosedModels&) = delete;
 
   /// Calls `see(part of a, part of b)` for all pairs, ascending, until it returns false.
   template <class See>
@@ -82,6 +90,24 @@ struct PosedModels {
 
   PosedModel a;
   PosedModel b;
+
+ private:
+  /// Memory alone: a scratch keeps no model alive.
+  static void give_back(PosedModel& model, std::vector<PosedPart>& lender) {
+    model.parts.clear();
+    lender = std::move(model.parts);
+  }
+
+  SearchScratch& lender_;
 };
+
+/// Of two models that are one shape each, as all are for which the table defines such a question. Throws Error where it
+/// does not.
+template <class Asked>
+auto ask_single(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
+  require_answered(Asked::question, kind_of(a.shape()), kind_of(b.shape()));
+  const PosedModels models(a, b, query, scratch);
+  return ask(Asked{scratch}, models.a.parts[0], models.b.parts[0]);
+}
 
 }  // namespace toccata

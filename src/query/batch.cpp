@@ -4,13 +4,14 @@
 #include <utility>
 
 #include "query/ask_each.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata {
 namespace {
 
-ContactCount count_of(std::span<const Contact> contacts) {
-  std::vector<std::pair<Index, Index>> faces;
+ContactCount count_of(std::span<const Contact> contacts, std::vector<std::pair<Index, Index>>& faces) {
+  faces.clear();
   for (const Contact& contact : contacts) faces.emplace_back(contact.face_a, contact.face_b);
   const std::size_t triangle_pairs = faces.size();
   std::sort(faces.begin(), faces.end());
@@ -29,8 +30,8 @@ struct AskOverlap {
 
 struct AskRelation {
   using Answer = Relation;
-  Relation operator()(const Model& a, const Model& b, const PairQuery& query, Workspace&) const {
-    return relation(a, b, query);
+  Relation operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return relation(a, b, query, workspace);
   }
 };
 
@@ -45,7 +46,7 @@ struct AskContacts {
 struct AskContactCount {
   using Answer = ContactCount;
   ContactCount operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return count_of(contacts(a, b, query, workspace));
+    return count_of(contacts(a, b, query, workspace), workspace.scratch().faces);
   }
 };
 

@@ -68,7 +68,7 @@ Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQu
 }
 
 Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedModels models(a, b, query);
+  const PosedModels models(a, b, query, workspace.scratch());
   std::optional<Cast> earliest;
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
     require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);

@@ -13,6 +13,7 @@
 #include "query/posed_name.hpp"
 #include "query/relation_posed.hpp"
 #include "query/task_reporter.hpp"
+#include "query/workspace_pool.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -111,22 +112,22 @@ class Check {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
       if (reporter.cancelled()) return;
-      answers[i] = answer_of(pairs[i]);
+      answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace.scratch()); });
       reporter.finished_one();
     });
     return answers;
   }
 
   /// Nothing where the two are apart.
-  [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair) const {
+  [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair, SearchScratch& scratch) const {
     const PosedModel& a = posed_[pair.first];
     const PosedModel& b = posed_[pair.second];
     PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}};
     const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
     if (mesh_a != nullptr && mesh_b != nullptr)
-      answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, answer);
+      answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, scratch, answer);
     else
-      answer_of_shapes(a, b, answer);
+      answer_of_shapes(a, b, scratch, answer);
     if (answer.relation.kind == RelationKind::apart) return std::nullopt;
     if (options_.penetration) add_depth(answer);
     return answer;
@@ -137,15 +138,19 @@ class Check {
     return model.parts.size() == 1 ? std::get_if<PosedTriangles>(&model.parts[0].shape) : nullptr;
   }
 
-  void answer_of_meshes(const TakenMesh& a, const TakenMesh& b, PairAnswer& answer) const {
-    if (options_.contacts) answer.contacts = surface_contacts(a.mesh, b.mesh);
-    answer.relation = options_.contacts ? relation_of(a, b, answer.contacts) : relation_of(a, b);
+  void answer_of_meshes(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch, PairAnswer& answer) const {
+    if (!options_.contacts) {
+      answer.relation = relation_of(a, b, scratch);
+      return;
+    }
+    const auto found = surface_contacts(a.mesh, b.mesh, scratch);
+    answer.relation = relation_of(a, b, found);
+    answer.contacts.assign(found.begin(), found.end());
   }
 
-  void answer_of_shapes(const PosedModel& a, const PosedModel& b, PairAnswer& answer) const {
-    answer.relation = relation_of(a, b);
+  void answer_of_shapes(const PosedModel& a, const PosedModel& b, SearchScratch& scratch, PairAnswer& answer) const {
+    answer.relation = relation_of(a, b, scratch);
     if (!options_.contacts || answer.relation.kind == RelationKind::apart) return;
-    SearchScratch scratch;
     const auto found = contacts_of(a, b, scratch, 1);
     answer.contacts.assign(found.begin(), found.end());
   }
@@ -167,6 +172,7 @@ class Check {
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
   BoxIndex boxes_;
+  mutable WorkspacePool workspaces_;
 };
 
 }  // namespace

@@ -11,8 +11,10 @@ namespace toccata {
 
 std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query) {
   Workspace workspace;
-  static_cast<void>(contacts(a, b, query, workspace));
-  return std::move(workspace.scratch().contacts);
+  const auto found = contacts(a, b, query, workspace);
+  // Those of two meshes are many, and need not be copied.
+  if (a.has_mesh() && b.has_mesh()) return std::move(workspace.scratch().contacts);
+  return {found.begin(), found.end()};
 }
 
 std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
@@ -20,7 +22,7 @@ std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuer
     const PosedPair pair(a, b, query);
     return surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
   }
-  const PosedModels models(a, b, query);
+  const PosedModels models(a, b, query, workspace.scratch());
   return contacts_of(models.a, models.b, workspace.scratch(), query.threads);
 }
 

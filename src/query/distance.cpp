@@ -26,7 +26,7 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query) {
 }
 
 Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedModels models(a, b, query);
+  const PosedModels models(a, b, query, workspace.scratch());
   std::optional<Distance> least;
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
     const Distance found = ask(AskDistance{workspace.scratch()}, part_a, part_b);

@@ -30,11 +30,17 @@ struct FoundPair {
 class KeptMeetings {
  public:
   const Meeting* keep(const Meeting& meeting) {
-    const std::size_t chunk = count_ / chunk_size;
-    if (chunk == chunks_.size()) chunks_.push_back(std::make_unique<Chunk>());
-    return &((*chunks_[chunk])[count_++ % chunk_size] = meeting);
+    reserve(count_ + 1);
+    Meeting& kept = (*chunks_[count_ / chunk_size])[count_ % chunk_size];
+    ++count_;
+    return &(kept = meeting);
   }
   void clear() { count_ = 0; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  /// Makes room for so many in all.
+  void reserve(std::size_t count) {
+    while (chunks_.size() * chunk_size < count) chunks_.push_back(std::make_unique<Chunk>());
+  }
 
  private:
   static constexpr std::size_t chunk_size = 256;

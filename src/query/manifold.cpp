@@ -23,14 +23,12 @@ Manifold manifold(const Model& a, const Model& b, const PairQuery& query) {
 }
 
 Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  require_answered(ShapeQuestion::manifold, kind_of(a.shape()), kind_of(b.shape()));
-  const PosedModels models(a, b, query);
-  return ask(AskManifold{workspace.scratch()}, models.a.parts[0], models.b.parts[0]);
+  return ask_single<AskManifold>(a, b, query, workspace.scratch());
 }
 
 Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query) {
-  const PosedModels models(a, b, query);
   SearchScratch scratch;
+  const PosedModels models(a, b, query, scratch);
   return ask(AskManifold{scratch}, posed_element(models.a, contact.triangle_a),
              posed_element(models.b, contact.triangle_b));
 }

@@ -40,7 +40,7 @@ struct AskOverlap {
 };
 
 bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
-  const PosedModels models(a, b, query);
+  const PosedModels models(a, b, query, scratch);
   bool found = false;
   models.visit([&](const PosedPart& x, const PosedPart& y) { return !(found = ask(AskOverlap{scratch}, x, y)); });
   return found;

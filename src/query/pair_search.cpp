@@ -35,7 +35,7 @@ void run_self(const PosedMesh& mesh, std::size_t first_batch, SearchScratch& scr
 /// Shows the contacts of every batch until `see` returns false.
 class ContactsSeen final : public WideVisitor {
  public:
-  ContactsSeen(const PosedMesh& a, const PosedMesh& b, SearchPart& part, const std::function<bool(const Contact&)>& see)
+  ContactsSeen(const PosedMesh& a, const PosedMesh& b, SearchPart& part, FunctionRef<bool(const Contact&)> see)
       : a_(a), b_(b), found_(part.found), collect_(a, b, part), see_(see) {}
   bool visit(std::span<const ItemPair> pairs) override {
     found_.clear();
@@ -48,7 +48,7 @@ class ContactsSeen final : public WideVisitor {
   const PosedMesh& b_;
   FoundPairs& found_;
   Collector<OfTwoMeshes> collect_;
-  const std::function<bool(const Contact&)>& see_;
+  FunctionRef<bool(const Contact&)> see_;
 };
 
 void forget_found(SearchScratch& scratch) {
@@ -64,8 +64,8 @@ bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratc
   return any.found;
 }
 
-void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see) {
-  SearchScratch scratch;
+void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
+                            FunctionRef<bool(const Contact&)> see) {
   ContactsSeen seen(a, b, scratch.main, see);
   run(a, b, small_batch, scratch, seen);
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "query/posed_mesh.hpp"
 #include "query/search_scratch.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
@@ -18,7 +18,8 @@ namespace toccata {
 
 /// Calls `see` with all pairs of triangles that meet, in no particular but always the same order; ends early when it
 /// returns false.
-void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, const std::function<bool(const Contact&)>& see);
+void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
+                            FunctionRef<bool(const Contact&)> see);
 
 /// All pairs of triangles that meet, ascending; they lie in the scratch. On up to `threads` threads (0: as many as the
 /// machine has), which change nothing else.

@@ -12,8 +12,6 @@
 namespace toccata {
 namespace {
 
-using Contacts = std::vector<Contact>;
-
 /// It was made of a Triangle; no hull is in the world.
 bool is_triangle(const PosedConvex& shape) {
   return shape.in_world() && shape.vertex_count() == 3 && shape.radius() == 0;
@@ -21,46 +19,58 @@ bool is_triangle(const PosedConvex& shape) {
 
 Triangle triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
 
+/// Of one part of A and one of B; they lie in the scratch.
+struct PartContacts {
+  std::span<Contact> all;
+};
+
+PartContacts flipped(const PartContacts& contacts) {
+  for (Contact& contact : contacts.all) contact = flipped(contact);
+  return contacts;
+}
+
 struct AskContacts {
   static constexpr ShapeQuestion question = ShapeQuestion::contacts;
 
-  Contacts operator()(const PosedConvex& a, const PosedConvex& b) const {
+  PartContacts operator()(const PosedConvex& a, const PosedConvex& b) const {
     if (!is_triangle(a) || !is_triangle(b)) return one_if(overlap(a, b, &scratch.convex));
     const Meeting found = meeting(triangle_of(a), triangle_of(b));
-    if (found.kind == MeetingKind::none) return {};
-    return {{0, 0, 0, 0, found}};
+    return one_if(found.kind != MeetingKind::none, found);
   }
-  Contacts operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
-  Contacts operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
-  Contacts operator()(const PosedTriangles& a, const PosedConvex& b) const {
-    Contacts contacts = each_of(a.mesh, triangles_meeting(a.mesh, b));
+  PartContacts operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
+  PartContacts operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
+  PartContacts operator()(const PosedTriangles& a, const PosedConvex& b) const {
+    const PartContacts contacts = each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
     if (is_triangle(b))
-      for (Contact& contact : contacts) contact.meeting = meeting(a.mesh.triangle(contact.triangle_a), triangle_of(b));
+      for (Contact& contact : contacts.all)
+        contact.meeting = meeting(a.mesh.triangle(contact.triangle_a), triangle_of(b));
     return contacts;
   }
-  Contacts operator()(const PosedTriangles& a, const PosedHalfSpace& b) const {
-    return each_of(a.mesh, triangles_meeting(a.mesh, b));
+  PartContacts operator()(const PosedTriangles& a, const PosedHalfSpace& b) const {
+    return each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
   }
-  Contacts operator()(const PosedTriangles& a, const PosedTriangles& b) const {
-    const auto found = surface_contacts(a.mesh, b.mesh, scratch, threads);
-    return {found.begin(), found.end()};
+  PartContacts operator()(const PosedTriangles& a, const PosedTriangles& b) const {
+    static_cast<void>(surface_contacts(a.mesh, b.mesh, scratch, threads));
+    return {scratch.contacts};
   }
 
-  static Contacts one_if(bool met) { return met ? Contacts{Contact{}} : Contacts{}; }
+  [[nodiscard]] PartContacts one_if(bool met, const Meeting& found = {}) const {
+    scratch.part_contacts.assign(met ? 1 : 0, {0, 0, 0, 0, found});
+    return {scratch.part_contacts};
+  }
 
-  static Contacts each_of(const PosedMesh& mesh, const std::vector<Index>& triangles) {
-    Contacts contacts;
-    contacts.reserve(triangles.size());
-    for (const Index i : triangles) contacts.push_back({i, 0, mesh.model().mesh().face_of(i), 0, {}});
-    return contacts;
+  [[nodiscard]] PartContacts each_of(const PosedMesh& mesh, std::span<const Index> triangles) const {
+    scratch.part_contacts.clear();
+    for (const Index i : triangles) scratch.part_contacts.push_back({i, 0, mesh.model().mesh().face_of(i), 0, {}});
+    return {scratch.part_contacts};
   }
 
   SearchScratch& scratch;
   int threads;
 };
 
-void append(Contacts& to, const Contacts& from, const PosedPart& a, const PosedPart& b) {
-  for (Contact contact : from) {
+void append(std::vector<Contact>& to, const PartContacts& from, const PosedPart& a, const PosedPart& b) {
+  for (Contact contact : from.all) {
     contact.triangle_a += a.first_element;
     contact.triangle_b += b.first_element;
     contact.face_a += a.first_face;
@@ -72,15 +82,15 @@ void append(Contacts& to, const Contacts& from, const PosedPart& a, const PosedP
 }  // namespace
 
 std::span<const Contact> contacts_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch, int threads) {
-  Contacts all;
+  std::vector<Contact>& all = scratch.all_contacts;
+  all.clear();
   for (const PosedPart& part_a : a.parts)
     for (const PosedPart& part_b : b.parts)
       append(all, ask(AskContacts{scratch, threads}, part_a, part_b), part_a, part_b);
   std::sort(all.begin(), all.end(), [](const Contact& c, const Contact& d) {
     return c.triangle_a != d.triangle_a ? c.triangle_a < d.triangle_a : c.triangle_b < d.triangle_b;
   });
-  scratch.contacts = std::move(all);
-  return scratch.contacts;
+  return all;
 }
 
 PosedPart posed_element(const PosedModel& model, Index element) {

@@ -1,7 +1,6 @@
 #include "toccata/query/penetration.hpp"
 
 #include "query/ask.hpp"
-#include "query/search_scratch.hpp"
 
 namespace toccata {
 namespace {
@@ -25,9 +24,7 @@ Penetration penetration(const Model& a, const Model& b, const PairQuery& query) 
 }
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
-  const PosedModels models(a, b, query);
-  return ask(AskPenetration{workspace.scratch()}, models.a.parts[0], models.b.parts[0]);
+  return ask_single<AskPenetration>(a, b, query, workspace.scratch());
 }
 
 }  // namespace toccata

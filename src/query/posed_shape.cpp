@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -72,9 +73,11 @@ void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_vi
     posed.parts.push_back(std::move(part));
     return;
   }
-  for (std::size_t i = 0; i < model.parts().size(); ++i)
-    add_parts(model.parts()[i], compose(pose, compound->parts()[i].pose), solid, fmt::format("{}, part {}", who, i),
-              posed);
+  for (std::size_t i = 0; i < model.parts().size(); ++i) {
+    fmt::memory_buffer name;  // a string would be allocated
+    fmt::format_to(std::back_inserter(name), "{}, part {}", who, i);
+    add_parts(model.parts()[i], compose(pose, compound->parts()[i].pose), solid, {name.data(), name.size()}, posed);
+  }
 }
 
 }  // namespace
@@ -98,8 +101,10 @@ PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::st
   }
 }
 
-PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
-  PosedModel posed{};
+PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who,
+                      std::vector<PosedPart> memory) {
+  memory.clear();
+  PosedModel posed{std::move(memory), true};
   add_parts(model, pose, solid, who, posed);
   posed.solid =
       std::all_of(posed.parts.begin(), posed.parts.end(), [](const PosedPart& part) { return is_solid(part.shape); });

@@ -39,8 +39,10 @@ struct PosedModel {
 /// that the shape may not have, and where Solid::all is asked of a surface.
 [[nodiscard]] PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who);
 
-/// The pose of a part is composed after the compound's, once (docs/truth.md). Throws as `pose_shape` does.
-[[nodiscard]] PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who);
+/// The pose of a part is composed after the compound's, once (docs/truth.md). Throws as `pose_shape` does. The parts
+/// take the place of what is in `memory`.
+[[nodiscard]] PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who,
+                                    std::vector<PosedPart> memory = {});
 
 /// Contains the shape; of a half-space all space. Finite otherwise.
 [[nodiscard]] Aabb world_box(const PosedShape& shape);

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "query/posed_mesh.hpp"
 #include "query/posed_shape.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/relation.hpp"
 
@@ -17,15 +18,16 @@ struct TakenMesh {
 };
 
 /// `relation` of two meshes that are posed already.
-[[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b);
+[[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch);
 
 /// The same where all contacts of the two are known: their trees are not walked again.
 [[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts);
 
 /// `relation` of any two models that are posed already.
-[[nodiscard]] Relation relation_of(const PosedModel& a, const PosedModel& b);
+[[nodiscard]] Relation relation_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch);
 
 /// Calls `see` with all contacts of two meshes, in any order; ends early when it returns false.
-using VisitContacts = std::function<void(const std::function<bool(const Contact&)>& see)>;
+using SeeContact = FunctionRef<bool(const Contact&)>;
+using VisitContacts = FunctionRef<void(SeeContact see)>;
 
 }  // namespace toccata

@@ -34,7 +34,7 @@ struct FirstLook {
 };
 
 /// Beside a pair of triangles that cross one usually sees all kinds of region at once.
-FirstLook look_at_contacts(const SolidPair& pair, const VisitContacts& visit) {
+FirstLook look_at_contacts(const SolidPair& pair, VisitContacts visit) {
   FirstLook look;
   IndexSet of_a(pair.a.model().mesh().triangle_count()), of_b(pair.b.model().mesh().triangle_count());
   int glances = 0;
@@ -102,7 +102,7 @@ Relation relation_by_regions(const SolidPair& pair, const FirstLook& look) {
 
 }  // namespace
 
-Relation relation_of_solids(const PosedMesh& a, const PosedMesh& b, const VisitContacts& visit) {
+Relation relation_of_solids(const PosedMesh& a, const PosedMesh& b, VisitContacts visit) {
   const SolidPair pair{a, b};
   if (!overlap(a.box(), b.box())) return {};
   if (have_same_triangles(a, b)) return relation_of_equal_triangles(pair);

@@ -76,7 +76,7 @@ bool segment_reaches_interior(const PosedMesh& solid, const Triangle& t, std::sp
 /// The triangles of the surface by what of the solid they meet.
 class SurfaceLook {
  public:
-  SurfaceLook(const PosedMesh& solid, const PosedMesh& surface, const VisitContacts& visit)
+  SurfaceLook(const PosedMesh& solid, const PosedMesh& surface, VisitContacts visit)
       : solid_(solid), surface_(surface) {
     visit([&](const Contact& contact) {
       contacts_.push_back(contact);
@@ -158,7 +158,7 @@ class SurfaceLook {
 
 }  // namespace
 
-Relation relation_of_solid_and_surface(const PosedMesh& solid, const PosedMesh& surface, const VisitContacts& visit) {
+Relation relation_of_solid_and_surface(const PosedMesh& solid, const PosedMesh& surface, VisitContacts visit) {
   if (!overlap(solid.box(), surface.box())) return {};
   return SurfaceLook(solid, surface, visit).relation();
 }

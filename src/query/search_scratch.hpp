@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "narrow/triangle_pair_block.hpp"
 #include "query/found_pairs.hpp"
+#include "query/posed_shape.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "trees/wide_walk.hpp"
@@ -19,18 +22,29 @@ struct SearchPart {
   FoundPairs found;
 };
 
-/// For sorting pairs whose numbers lie in one range.
+/// The pairs whose numbers are at least `first` and less than `end`, and what is needed to sort them.
 struct PairRange {
+  std::uint64_t first = 0;
+  std::uint64_t end = 0;
   std::vector<FoundPair> pairs;
   std::vector<FoundPair> spare;
+
+  [[nodiscard]] bool contains(std::uint64_t number) const { return first <= number && number < end; }
 };
 
 /// Memory that searches need and keep: see Workspace.
 struct SearchScratch {
   SearchPart main;
   std::vector<std::unique_ptr<SearchPart>> others;  ///< of a search that is spread over threads
+  std::vector<std::uint64_t> sample;                ///< of the pairs' numbers
   std::vector<PairRange> ranges;
   std::vector<Contact> contacts;
+
+  std::array<std::vector<PosedPart>, 2> posed;  ///< of two models: the shapes that they are the union of
+  std::vector<Contact> part_contacts;           ///< of two of them
+  std::vector<Contact> all_contacts;            ///< of all parts of two models
+  std::vector<Index> triangles;                 ///< that meet a shape
+  std::vector<std::pair<Index, Index>> faces;   ///< that meet
   WalkCounts counts;
   ConvexWorkspace convex;  ///< of the last pair of convex shapes
 };

@@ -49,6 +49,23 @@ void prepare_parts(SearchScratch& scratch, std::size_t count) {
   while (scratch.others.size() < count) scratch.others.push_back(std::make_unique<SearchPart>());
 }
 
+/// Which part finds what depends on timing. So each gets the memory that any may need in the same search: a second one
+/// allocates nothing, whoever is faster then.
+void share_growth(SearchScratch& scratch) {
+  std::size_t pairs = 0, meetings = 0;
+  WideFrontier& largest = scratch.main.frontier;
+  for (const auto& part : scratch.others) {
+    pairs += part->found.pairs.size();
+    meetings += part->found.meetings.size();
+    largest.grow_like(part->frontier);
+  }
+  for (const auto& part : scratch.others) {
+    part->found.pairs.reserve(pairs);
+    part->found.meetings.reserve(meetings);
+    part->frontier.grow_like(largest);
+  }
+}
+
 }  // namespace
 
 void find_on_threads(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
@@ -67,6 +84,7 @@ void find_on_threads(const PosedMesh& a, const PosedMesh& b, SearchScratch& scra
     scratch.counts.volume_tests += scratch.others[i]->frontier.counts.volume_tests;
     scratch.counts.items += scratch.others[i]->frontier.counts.items;
   }
+  share_growth(scratch);
 }
 
 }  // namespace toccata

@@ -29,9 +29,10 @@ bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
   return met;
 }
 
+/// Ascending; they lie in `found`.
 template <class Shape>
-std::vector<Index> all_that_meet(const PosedMesh& mesh, const Shape& shape) {
-  std::vector<Index> found;
+std::span<const Index> all_that_meet(const PosedMesh& mesh, const Shape& shape, std::vector<Index>& found) {
+  found.clear();
   visit_near(mesh, shape, [&](Index i, const PosedConvex& triangle) {
     if (overlap(triangle, shape)) found.push_back(i);
     return true;
@@ -71,14 +72,16 @@ Relation relation_off_the_faces(const PosedMesh& solid, const PosedConvex& shape
 }
 
 Relation relation_of_solid(const PosedMesh& solid, const PosedConvex& shape) {
-  const std::vector<Index> contacts = all_that_meet(solid, shape);
+  std::vector<Index> memory;
+  const auto contacts = all_that_meet(solid, shape, memory);
   if (contacts.empty()) return relation_off_the_faces(solid, shape);
   return shape.radius() > 0 ? relation_of_solid_and_round(solid, shape, contacts)
                             : relation_of_solid_and_polytope(solid, shape);
 }
 
 Relation relation_of_solid(const PosedMesh& solid, const PosedHalfSpace& shape) {
-  const std::vector<Index> contacts = all_that_meet(solid, shape);
+  std::vector<Index> memory;
+  const auto contacts = all_that_meet(solid, shape, memory);
   return contacts.empty() ? Relation{} : relation_of_solid_and_round(solid, shape, contacts);
 }
 
@@ -99,8 +102,12 @@ bool overlap(const PosedTriangles& a, const PosedConvex& b) {
 
 bool overlap(const PosedTriangles& a, const PosedHalfSpace& b) { return some_triangle_meets(a.mesh, b); }
 
-std::vector<Index> triangles_meeting(const PosedMesh& a, const PosedConvex& b) { return all_that_meet(a, b); }
-std::vector<Index> triangles_meeting(const PosedMesh& a, const PosedHalfSpace& b) { return all_that_meet(a, b); }
+std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
+  return all_that_meet(a, b, scratch.triangles);
+}
+std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedHalfSpace& b, SearchScratch& scratch) {
+  return all_that_meet(a, b, scratch.triangles);
+}
 
 Relation relation(const PosedTriangles& a, const PosedConvex& b) { return relation_as_taken(a, b, b.solid()); }
 Relation relation(const PosedTriangles& a, const PosedHalfSpace& b) { return relation_as_taken(a, b, true); }

@@ -115,15 +115,14 @@ RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
 
 }  // namespace
 
-void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space,
-                          const std::function<bool(Index)>& visit) {
+void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
   const RegionDirection direction = below(mesh, half_space);
   if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
   walk_probe(mesh.model().wide_tree(), probe, visit);
 }
 
-void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const std::function<bool(Index)>& visit) {
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit) {
   if (!overlap(mesh.box(), region)) return;
   walk_probe(mesh.model().wide_tree(), probe_of(mesh, region),
              [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <memory_resource>
 #include <utility>
 
 #ifndef TOCCATA_WIDE_WALK_TABLE
@@ -393,17 +395,18 @@ void run_all(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   if (!f.ended) hand_on(walk, f, visitor, 1);
 }
 
-/// Every entry once; what they lead to comes in their place.
+/// Every entry once; what they lead to comes after them all and then in their place.
 void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
-  const std::vector<std::uint32_t> blocks(f.blocks.begin(), f.blocks.begin() + static_cast<std::ptrdiff_t>(f.size));
-  const std::vector<std::uint32_t> boxes(f.boxes.begin(), f.boxes.begin() + static_cast<std::ptrdiff_t>(f.size));
-  f.size = 0;
-  for (std::size_t i = 0; i < blocks.size() && !f.ended; ++i) {
+  const std::size_t count = f.size;
+  for (std::size_t i = 0; i < count && !f.ended; ++i) {
     Ends ends = room_for(f, 1);
-    step<any_count>(Entry(Sides(walk), blocks[i], boxes[i]), 0xFF, ends);
+    step<any_count>(Entry(Sides(walk), f.blocks[i], f.boxes[i]), 0xFF, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
+  for (auto* words : {&f.blocks, &f.boxes})
+    std::copy_n(words->begin() + static_cast<std::ptrdiff_t>(count), f.size - count, words->begin());
+  f.size -= count;
   if (!f.ended) hand_on(walk, f, visitor, 1);
 }
 
@@ -421,9 +424,13 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   run_all(walk, f, visitor);
 }
 
-void run_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit) {
-  std::vector<std::int32_t> pending{0};
-  pending.reserve(256);
+void run_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
+  // As much as the usual walk needs; a deeper one takes memory from elsewhere.
+  alignas(std::int32_t) std::array<std::byte, 2048> first_memory;
+  std::pmr::monotonic_buffer_resource memory(first_memory.data(), first_memory.size());
+  std::pmr::vector<std::int32_t> pending(&memory);
+  pending.reserve(first_memory.size() / sizeof(std::int32_t));
+  pending.push_back(0);
   while (!pending.empty()) {
     const WideBlock& block = tree.blocks[static_cast<std::size_t>(pending.back())];
     pending.pop_back();
@@ -456,7 +463,20 @@ HWY_EXPORT(run_level);
 HWY_EXPORT(run_all_self);
 HWY_EXPORT(run_probe);
 
+/// To at least so many.
+template <class T>
+void grow(std::vector<T>& words, std::size_t size) {
+  if (words.size() < size) words.resize(size);
+}
+
 }  // namespace
+
+void WideFrontier::grow_like(const WideFrontier& other) {
+  grow(blocks, other.blocks.size());
+  grow(boxes, other.boxes.size());
+  for (std::size_t side = 0; side < 2; ++side) grow(places[side], other.places[side].size());
+  pairs.reserve(other.pairs.capacity());
+}
 
 void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
   frontier.size = frontier.pair_count = 0;
@@ -490,7 +510,7 @@ void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, WideVis
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
 }
 
-void walk_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit) {
+void walk_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
   if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_probe)(tree, probe, visit);
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/trees/walk.hpp"
 #include "toccata/trees/wide_tree.hpp"
@@ -67,7 +67,7 @@ struct WideProbe {
 
 /// Calls `visit(item)` until it returns false: with all items whose boxes may meet the region, each
 /// once.
-void walk_probe(const WideTree& tree, const WideProbe& probe, const std::function<bool(Index)>& visit);
+void walk_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit);
 
 /// What a walk finds: pairs (item of the first tree, item of the second), in batches. Of one tree with itself: two
 /// different items, the lesser first.
@@ -93,6 +93,9 @@ struct WideFrontier {
   bool ended = false;
   bool within_one = false;  ///< of one tree with itself: the lesser item first
   WalkCounts counts;
+
+  /// Gets at least the other's memory.
+  void grow_like(const WideFrontier& other);
 };
 
 /// A walk over pairs of boxes of two trees, or of one with itself (I. Wald et al.; block-wise, so that the processor

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+
+#include "toccata/core/function_ref.hpp"
 
 namespace toccata {
 
@@ -10,12 +11,12 @@ namespace toccata {
 
 /// Calls `work` where several calls of `parallel_for` on so many threads can follow each other at once: between them
 /// the threads stay awake for a while.
-void on_threads(int threads, const std::function<void()>& work);
+void on_threads(int threads, FunctionRef<void()> work);
 
 /// Calls `body(i)` once for every i in [0, count), on up to `threads` threads (0: as many as the machine has, 1: the
 /// caller's thread, in order). Work is split by index and never by thread, so a body that writes only its own slot
 /// gives the same result for any thread count. When bodies throw, the exception of the least index among those thrown
 /// is rethrown at the end; other indices may then not be called.
-void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+void parallel_for(std::size_t count, int threads, FunctionRef<void(std::size_t)> body);
 
 }  // namespace toccata

@@ -3,11 +3,16 @@
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
+#include "toccata/query/workspace.hpp"
 
 namespace toccata {
 
 /// Exact, also where every pair of triangles merely touches: two aligned boxes that share half their volume overlap.
 /// Throws like `overlap`.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// The same, for a caller who asks often. Of solids whose surfaces meet, what lies beside them is looked at in rational
+/// numbers; these take memory of their own.
+[[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
 }  // namespace toccata

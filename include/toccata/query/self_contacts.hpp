@@ -19,8 +19,12 @@ namespace toccata {
 /// the lesser. The meeting is all that the two have in common, also what they share.
 [[nodiscard]] std::vector<Contact> self_contacts(const Model& model, const Pose& pose = {});
 
+/// The same, for a caller who asks often. The contacts lie in the workspace until it is used again.
+[[nodiscard]] std::span<const Contact> self_contacts(const Model& model, const Pose& pose, Workspace& workspace);
+
 /// Whether there is any.
 [[nodiscard]] bool self_overlap(const Model& model, const Pose& pose = {});
+[[nodiscard]] bool self_overlap(const Model& model, const Pose& pose, Workspace& workspace);
 
 /// `self_contacts` of each of the posed models; none for convex shapes and half-spaces, which do not meet themselves.
 /// An Error names the model; a compound is one: ask its parts.
