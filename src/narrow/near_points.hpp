@@ -73,11 +73,11 @@ struct Hold {
   Mask at_end;  ///< and the slope presses it there
 };
 
-HWY_INLINE Hold hold_of(const Number& share, const Number& slope, const Number& edge_squared) {
+HWY_INLINE Hold hold_of(const Number& share, const Number& slope, const Number& inverse_squared) {
   const Number wrong = violation(share, slope), zero = hn::Zero(Tag());
   const Mask inside = hn::And(hn::Gt(share, zero), hn::Lt(share, all(1)));
-  return {hn::Div(hn::Mul(all(16), hn::Mul(wrong, wrong)), hn::Add(edge_squared, all(0x1p-1000))),
-          hn::Mul(slope, slope), hn::And(hn::Not(inside), hn::Eq(wrong, zero))};
+  return {hn::Mul(hn::Mul(all(16), hn::Mul(wrong, wrong)), inverse_squared), hn::Mul(slope, slope),
+          hn::And(hn::Not(inside), hn::Eq(wrong, zero))};
 }
 
 HWY_INLINE Mask is_held(const Hold& hold, const Number& residual, const Number& edge_squared) {
@@ -87,21 +87,24 @@ HWY_INLINE Mask is_held(const Hold& hold, const Number& residual, const Number& 
 HWY_INLINE NearPoints near_of_segments(const Vector& p, const Vector& p_end, const Vector& r, const Vector& r_end) {
   const Vector u = minus(p_end, p), v = minus(r_end, r), w = minus(p, r);
   const Number uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), along_u = dot(u, w), along_v = dot(v, w);
-  const Number both = hn::Mul(uu, vv), determinant = hn::Sub(both, hn::Mul(uv, uv));
+  const Number determinant = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
+  // Divided by at once, for divisions that wait for each other take most of the time.
+  const Number inverse_u = hn::Div(all(1), hn::Add(uu, all(0x1p-1000))),
+               inverse_v = hn::Div(all(1), hn::Add(vv, all(0x1p-1000)));
   const Number first_s = clamped_share(hn::Div(hn::Sub(hn::Mul(uv, along_v), hn::Mul(along_u, vv)), determinant));
-  const Number t = clamped_share(hn::Div(hn::Add(hn::Mul(uv, first_s), along_v), vv));
-  const Number s = clamped_share(hn::Div(hn::Sub(hn::Mul(uv, t), along_u), uu));
+  const Number t = clamped_share(hn::Mul(hn::Add(hn::Mul(uv, first_s), along_v), inverse_v));
+  const Number s = clamped_share(hn::Mul(hn::Sub(hn::Mul(uv, t), along_u), inverse_u));
   const Vector step_u = times(s, u), step_v = times(t, v);
   const Vector d = minus(plus(w, step_u), step_v);
   const Number squared = dot(d, d), zero = hn::Zero(Tag());
   const Vector spread = plus(plus(times(all(2), magnitudes_of(w)), times(all(3), magnitudes_of(step_u))),
                              plus(times(all(2), magnitudes_of(step_v)), magnitudes_of(d)));
 
-  const Hold hold_u = hold_of(s, dot(u, d), uu), hold_v = hold_of(t, hn::Neg(dot(v, d)), vv);
+  const Hold hold_u = hold_of(s, dot(u, d), inverse_u), hold_v = hold_of(t, hn::Neg(dot(v, d)), inverse_v);
   const Number residual = hn::Add(hn::Add(hold_u.residual, hold_v.residual), residual_floor(spread, squared));
   const Mask held = hn::Or(is_held(hold_u, residual, uu), is_held(hold_v, residual, vv));
   // The square of the sine between the two; where one is held at its end, the angle does not matter.
-  const Number sine = hn::IfThenElse(held, all(1), hn::Div(determinant, both));
+  const Number sine = hn::IfThenElse(held, all(1), hn::Mul(hn::Mul(determinant, inverse_u), inverse_v));
   const Number size =
       greater(hn::Mul(all(4), dot(p, p)), greater(greater(uu, vv), squared));  // at most 12 · (largest coordinate)²
   const Mask near_enough = hn::Le(residual, hn::Mul(hn::Mul(all(0x1p-80 / 12), size), hn::Mul(sine, sine)));
