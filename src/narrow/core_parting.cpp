@@ -52,7 +52,6 @@ class Search {
   }
   [[nodiscard]] CoreParting answer(double lower, Status status) const;
   void find_points(CoreParting& parting) const;
-  [[nodiscard]] std::array<double, 3> weights_of_foot(Index f) const;
   [[nodiscard]] Index facet_of_foot() const;
 
   DifferenceBody body_;
@@ -118,23 +117,11 @@ CoreParting Search::run() {
   return answer(polytope_.facet(polytope_.nearest()).lower, Status::not_converged);
 }
 
-/// Where the foot of the origin lies in the plane of a facet: its weights, which add up to 1, by areas (by lengths and
-/// angles they would be twice as badly conditioned in a needle).
-std::array<double, 3> Search::weights_of_foot(Index f) const {
-  const Vec3 &p = polytope_.corner(f, 0).value, &q = polytope_.corner(f, 1).value, &r = polytope_.corner(f, 2).value;
-  const Vec3 n = polytope_.unit_normal(f);
-  const Vec3 to_foot = dot(n, p) * n - p;
-  const double area = dot(n, cross(q - p, r - p));
-  if (!(area > 0)) return {1, 0, 0};
-  const double of_q = dot(n, cross(to_foot, r - p)) / area, of_r = dot(n, cross(q - p, to_foot)) / area;
-  return {1 - of_q - of_r, of_q, of_r};
-}
-
 /// Coplanar triangles of the polytope are one facet of D; the foot of the origin lies in one of them.
 Index Search::facet_of_foot() const {
   Index f = facet_;
   for (int hops = 0; hops < 64; ++hops) {
-    const auto weights = weights_of_foot(f);
+    const auto weights = polytope_.weights_of_foot(f);
     const auto least = static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
     if (weights[least] >= 0) return f;
     const Index next = polytope_.facet(f).neighbour[(least + 1) % 3];
@@ -146,7 +133,7 @@ Index Search::facet_of_foot() const {
 
 void Search::find_points(CoreParting& parting) const {
   const Index f = facet_of_foot();
-  std::array<double, 3> weights = weights_of_foot(f);
+  std::array<double, 3> weights = polytope_.weights_of_foot(f);
   double sum = 0;
   for (double& weight : weights) sum += weight = std::clamp(weight, 0.0, 1.0);
   parting.on_a = body_.a()[polytope_.corner(f, 0).on_a];
@@ -158,8 +145,7 @@ void Search::find_points(CoreParting& parting) const {
     parting.on_a = parting.on_a + (weights[k] / sum) * (body_.a()[polytope_.corner(f, k).on_a] - a);
     parting.on_b = parting.on_b + (weights[k] / sum) * (body_.b()[polytope_.corner(f, k).on_b] - b);
   }
-  // The weights of a needle are rough. What the point on the smaller core is off by is small all the same; it leads to
-  // the other.
+  // The smaller core's point is off by less, and leads to the other.
   const Vec3 way = body_.unscaled(upper_) * direction_;
   if (squared_size(body_.a()) <= squared_size(body_.b()))
     parting.on_b = parting.on_a - way;

@@ -133,7 +133,10 @@ void ExpandingPolytope::make_exact(Index f) {
   const WideInteger squared = dot(plane.normal, plane.normal);
   const double distance = body_.scaled_length(quotient_by_root(plane.offset, squared, body_.exact_exponent()));
   facets_[f].exact = static_cast<Index>(planes_.size());
-  settle(f, unit_vector(plane.normal), distance, 0x1p-51 * std::fabs(distance));
+  // Rounding takes the last denormal digits; where the origin lies behind the plane, `upper` says so however near it
+  // is.
+  const double underflow = plane.offset > 0 ? std::numeric_limits<double>::denorm_min() : 0;
+  settle(f, unit_vector(plane.normal), distance, 0x1p-51 * std::fabs(distance) + underflow);
   planes_.push_back(std::move(plane));
 }
 
@@ -152,6 +155,19 @@ bool ExpandingPolytope::is_certainly_of_body(Index f) const {
   for (Index i = 0; i < body_.b().count(); ++i)
     if (body_.b().height(i, n) <= bottom && i != p.on_b && i != q.on_b && i != r.on_b) return false;
   return true;
+}
+
+// With n = (q − p) × (r − p), the foot is (n · p / n · n) n, and the areas that it spans with two corners each, seen
+// along n, are those of the origin.
+std::array<double, 3> ExpandingPolytope::weights_of_foot(Index f) const {
+  const auto exact = [&](std::size_t k) { return body_.exact_point(corner(f, k).on_a, corner(f, k).on_b); };
+  const IntegerVector p = exact(0), q = exact(1), r = exact(2), n = cross(q - p, r - p);
+  const WideInteger whole = dot(n, n);
+  if (whole == 0) return {1, 0, 0};
+  const auto share = [&](const IntegerVector& u, const IntegerVector& v) {
+    return nearest_double(dot(n, cross(u, v)), whole, 0);
+  };
+  return {share(q, r), share(r, p), share(p, q)};
 }
 
 ExpandingPolytope::ExactSupport ExpandingPolytope::exact_support(Index f) const {

@@ -74,6 +74,10 @@ class ExpandingPolytope {
   };
   [[nodiscard]] ExactSupport exact_support(Index f) const;
 
+  /// Where the foot of the origin lies in the facet's plane: its weights, which add up to 1, each off by 2^-53 of
+  /// itself. In doubles those of a needle would be rough.
+  [[nodiscard]] std::array<double, 3> weights_of_foot(Index f) const;
+
   /// The hull with a point that lies above the facet. False when the facets it sees are not a disc, which exact signs
   /// exclude.
   [[nodiscard]] bool add(const DifferencePoint& point, Index above);

@@ -90,6 +90,37 @@ TEST_P(PenetrationOverDecades, IsThatOfRationalArithmetic) {
   EXPECT_GE(asked, 10);
 }
 
+/// Empty when penetration is right of two hulls.
+std::string wrong_with_hulls(const ConvexHull& a, const ConvexHull& b) {
+  const oracle::ConvexSet set_a = set_of({a, {}}), set_b = set_of({b, {}});
+  return wrong_with(penetration(PosedConvex(a), PosedConvex(b)), set_a, set_b, size_of(set_a) + size_of(set_b));
+}
+
+TEST(PenetrationOfHulls, OfTheLeastDoubleIsNotTouching) {
+  constexpr double least = 4.9406564584124654e-324;
+  const ConvexHull crystal(std::vector<Vec3>{{0, -1, 0}, {-3, -2, 1}, {-3, 0, 0}, {0, 0, 2}, {0, 0, 0}});
+  const ConvexHull wedge(std::vector<Vec3>{{1.0000000000000002, -0.5, -least},
+                                           {1.9999999999999998, -0.5, 2.0000000000000004},
+                                           {-least, -0.5, 1},
+                                           {1.9999999999999998, -0.5, 3},
+                                           {3.0000000000000004, 2.5000000000000004, least}});
+  EXPECT_EQ(wrong_with_hulls(crystal, wedge), "");
+  EXPECT_GT(penetration(PosedConvex(crystal), PosedConvex(wedge)).upper, 0);
+}
+
+TEST(PenetrationOfHulls, HasPointsOnNeedlesToo) {
+  const ConvexHull needle(std::vector<Vec3>{{247512.59680693888, 313786.17459582741, 298113.54632768716},
+                                            {286896.65565502062, -1311175.2139875321, 469039.29893654305},
+                                            {252085.28096558433, 124871.32257117965, 317983.49390170228},
+                                            {267445.01367595705, -508228.82054603327, 384577.9998633705}});
+  const ConvexHull other(std::vector<Vec3>{{304006.03277913027, 247791.58401986345, 440381.19023119402},
+                                           {177092.04588284378, 396050.06763110717, 120773.39534112503},
+                                           {378131.32095386158, 161199.62216578913, 627051.68515052716},
+                                           {397916.94794586377, 138086.51652081939, 676877.8643783296},
+                                           {-122221.7247950106, 745702.99388842704, -632989.86240339105}});
+  EXPECT_EQ(wrong_with_hulls(needle, other), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, PenetrationOverDecades, testing::Values(3.0, 8.0, 20.0, 75.0));
 
 }  // namespace
