@@ -104,8 +104,12 @@ TEST(PenetrationOfHulls, OfTheLeastDoubleIsNotTouching) {
                                            {-least, -0.5, 1},
                                            {1.9999999999999998, -0.5, 3},
                                            {3.0000000000000004, 2.5000000000000004, least}});
-  EXPECT_EQ(wrong_with_hulls(crystal, wedge), "");
-  EXPECT_GT(penetration(PosedConvex(crystal), PosedConvex(wedge)).upper, 0);
+  const Penetration p = penetration(PosedConvex(crystal), PosedConvex(wedge));
+  const oracle::Depth depth(set_of({crystal, {}}), set_of({wedge, {}}));
+  EXPECT_GT(depth.compare(0), 0);
+  EXPECT_EQ(p.lower, 0);
+  EXPECT_LE(depth.compare(oracle::exact(p.upper)), 0);
+  EXPECT_LT(p.upper, 100 * least);
 }
 
 TEST(PenetrationOfHulls, HasPointsOnNeedlesToo) {
