@@ -49,8 +49,7 @@ PosedCapsule::PosedCapsule(const Capsule& shape, const Pose& pose)
   require_vertex(1, shape.end(), pose, "the capsule");
 }
 
-PosedBox::PosedBox(const Box& box, const Pose& box_pose) : shape(box), pose(box_pose) {
-  rigid = rigid_box(box, pose);
+PosedBox::PosedBox(const Box& box, const Pose& box_pose) : pose(box_pose), rigid(rigid_box(box, box_pose)), shape(box) {
   if (!(rigid.skew < 0x1p-4)) {
     require_finite(pose, "the box");
     require_regular(pose, "the box");

@@ -41,14 +41,14 @@ struct PosedCapsule {
 /// An oriented box. The set is the hull of the eight rounded world corners; the formulas look at the parallelepiped
 /// centre ± half_axis, and know how far the two may differ.
 struct PosedBox {
-  Box shape;
   Pose pose;
+  RigidBox rigid;  ///< as the formulas for two boxes see it, which read nothing but this and the pose
+  Box shape;
   Vec3 centre;
   std::array<Vec3, 3> half_axis;  ///< from the centre to the face's, along each axis of the shape
   Vec3 inverse_squared;           ///< 1 / |half_axis|², of each
   double size = 0;                ///< at least the sum of all coordinates' magnitudes of the half axes
   double corner_slack = 0;        ///< no world corner is farther than this from its counterpart
-  RigidBox rigid;                 ///< as the formulas for two boxes see it
 
   /// Throws Error when the pose or a world corner is not finite, or the pose is singular.
   explicit PosedBox(const Box& box, const Pose& box_pose = {});
