@@ -22,4 +22,7 @@ struct ContainmentAnswer {
 /// The world vertices span space, or there is a radius; exactly.
 [[nodiscard]] bool has_interior(const PosedConvex& shape);
 
+/// A solid that rounding has left without an interior at its place: others can touch it only.
+[[nodiscard]] inline bool is_flattened(const PosedConvex& shape) { return shape.solid() && !has_interior(shape); }
+
 }  // namespace toccata

@@ -84,8 +84,10 @@ class PairQuestion {
       if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
     }
     const GjkEnd end = search({}, no_goal);
-    if (const auto distance = distance_by(end, Cores::any)) return *distance;
-    const ExactNearest nearest = exact(end.simplex.pairs);
+    const bool is_plain = end.size <= largest_of_plain;
+    if (is_plain)
+      if (const auto distance = distance_by(end, Cores::any)) return *distance;
+    const ExactNearest nearest = exact(is_plain ? end.simplex.pairs : first_vertices());
     if (!nearest.meet)
       if (const auto distance = distance_by_formula(nearest.simplex)) return *distance;
     ++workspace_.counts.exact;
@@ -93,6 +95,8 @@ class PairQuestion {
   }
 
  private:
+  /// Products overflow beyond, and then it depends on how many vertices are compared at a time where the search ends.
+  static constexpr double largest_of_plain = 0x1p500;
   static constexpr double no_goal = std::numeric_limits<double>::quiet_NaN();
 
   /// Which answers are taken.

@@ -1,5 +1,6 @@
 #include "toccata/narrow/convex_half_space.hpp"
 
+#include "narrow/convex_containment.hpp"
 #include "narrow/half_space_heights.hpp"
 #include "narrow/pose_checks.hpp"
 #include "toccata/core/error.hpp"
@@ -55,7 +56,7 @@ Relation relation(const PosedConvex& a, const PosedHalfSpace& b) {
   const Sign below = reach_sign(lowest.position, a.radius(), b, Reach::below);
   if (below == Sign::negative) return result;
   result.kind = RelationKind::touching;
-  if (below == Sign::zero) return result;
+  if (below == Sign::zero || is_flattened(a)) return result;
   result.kind = a.solid() ? RelationKind::overlapping : RelationKind::crossing;
   const ExtremeVertex highest = extreme_vertex(a, b, Reach::above);
   const Sign above = reach_sign(highest.position, a.radius(), b, Reach::above);

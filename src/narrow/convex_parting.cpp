@@ -7,16 +7,6 @@
 #include "narrow/rounded_depth.hpp"
 
 namespace toccata {
-namespace {
-
-VertexPairs first_vertices() {
-  VertexPairs pairs;
-  pairs.append(0, 0);
-  return pairs;
-}
-
-}  // namespace
-
 Penetration grown(const CoreParting& core, double radius_a, double radius_b) {
   Penetration result{core.lower, core.upper, core.direction, core.on_a, core.on_b, core.status};
   if (radius_a == 0 && radius_b == 0) return result;

@@ -5,6 +5,7 @@
 
 #include "narrow/box_parting.hpp"
 #include "narrow/canonical_order.hpp"
+#include "narrow/convex_containment.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/solid_check.hpp"
 #include "toccata/core/error.hpp"
@@ -26,13 +27,22 @@ void require_solids(const PosedConvex& a, const PosedConvex& b) {
   require_solid(b, "second");
 }
 
+Penetration without_depth(const PosedConvex& a, const PosedConvex& b) {
+  if (!is_canonical_order(a, b)) return flipped(without_depth(b, a));
+  const Penetration parting = part_by_expansion(a, b).penetration;
+  const Distance common = distance(a, b);
+  return {0, 0, parting.direction, common.on_a, common.on_b, parting.status};
+}
+
 Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b) {
   require_solids(a, b);
+  if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
   if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
   return flipped(part_by_expansion(b, a).penetration);
 }
 
 Penetration penetration(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
   if (const std::optional<Penetration> of_boxes = penetration_of_boxes(a, b)) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return *of_boxes;

@@ -8,9 +8,6 @@
 namespace toccata {
 namespace {
 
-/// A solid whose interior is looked for must have one: a pose may have flattened it by rounding.
-bool may_be_entered(const PosedConvex& shape) { return !shape.solid() || has_interior(shape); }
-
 Containment flipped(Containment containment) {
   return containment == Containment::a_in_b ? Containment::b_in_a : containment;
 }
@@ -47,7 +44,7 @@ class RelationQuestion {
   /// relative interiors meet, and they do not lie in one plane. With radii that is: the cores are nearer than their
   /// sum.
   bool meet_deeply() {
-    if (!may_be_entered(a_) || !may_be_entered(b_)) return false;
+    if (is_flattened(a_) || is_flattened(b_)) return false;
     const VertexPairs simplex = kept_simplex(workspace_, a_, b_);
     if (a_.radius() > 0 || b_.radius() > 0) {
       const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);

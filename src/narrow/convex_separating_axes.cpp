@@ -7,6 +7,7 @@
 
 #include "narrow/box_axes.hpp"
 #include "narrow/canonical_order.hpp"
+#include "narrow/convex_containment.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/core_parting.hpp"
 #include "narrow/face_clipping.hpp"
@@ -91,6 +92,7 @@ bool overlap_by_separating_axes(const PosedConvex& a, const PosedConvex& b, Conv
 
 Penetration penetration_by_separating_axes(const PosedConvex& a, const PosedConvex& b) {
   require_solids(a, b);
+  if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
   return is_canonical_order(a, b) ? in_canonical_order(a, b) : flipped(in_canonical_order(b, a));
 }
 

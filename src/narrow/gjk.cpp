@@ -33,10 +33,10 @@ class Walk {
   /// Adds the pair if it is nearer along the present direction, by more than rounding; tells whether it did.
   bool step_to(Index a, Index b) {
     const Vec3 point = a_.vertex(a) - b_.vertex(b);
-    size_ = std::max(size_, largest(point));
+    end_.size = std::max(end_.size, largest(point));
     GjkSimplex& simplex = end_.simplex;
     if (simplex.pairs.size > 0) {
-      const double gain = squared_ - dot(end_.nearest, point), rounding = 0x1p-46 * size_;
+      const double gain = squared_ - dot(end_.nearest, point), rounding = 0x1p-46 * end_.size;
       // Less is rounding: of the vertices, and of the nearest point.
       if (!(gain > 0 && gain * gain > rounding * rounding * squared_) || has(simplex.pairs, a, b)) return false;
     }
@@ -70,7 +70,7 @@ class Walk {
   [[nodiscard]] bool goal_reached(const Vec3& direction, Index a, Index b) {
     if (std::isnan(goal_.gap)) return false;
     const double height = dot(direction, a_.vertex(a) - b_.vertex(b));
-    if (!(height > (goal_.gap + 0x1p-40 * size_) * std::sqrt(dot(direction, direction)))) return false;
+    if (!(height > (goal_.gap + 0x1p-40 * end_.size) * std::sqrt(dot(direction, direction)))) return false;
     end_.separating = direction;
     return true;
   }
@@ -81,7 +81,6 @@ class Walk {
   GjkEnd end_;
   Vec3 direction_;      // along end_.nearest
   double squared_ = 0;  // end_.nearest · end_.nearest
-  double size_ = 0;     // the largest coordinate of a difference so far
 };
 
 }  // namespace

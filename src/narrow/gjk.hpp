@@ -60,6 +60,7 @@ struct GjkEnd {
   bool inside = false;               ///< the origin seems to be in the simplex of four pairs
   Vec3 separating;                   ///< the direction that reached the goal; else zero
   std::uint64_t support_points = 0;  ///< searched for
+  double size = 0;                   ///< the largest coordinate of a difference that was seen
 };
 
 /// When a search may end before it has the nearest points.

@@ -4,6 +4,7 @@
 #include "math/bounded_number.hpp"
 #include "math/double_search.hpp"
 #include "math/exact.hpp"
+#include "narrow/convex_containment.hpp"
 #include "narrow/half_space_gap.hpp"
 #include "toccata/core/error.hpp"
 
@@ -110,7 +111,7 @@ Distance distance(const PosedHalfSpace& a, const PosedHalfSpace& b) {
 Penetration penetration(const PosedConvex& a, const PosedHalfSpace& b) {
   if (!a.solid()) throw Error("penetration: a surface has no interior that a half-space could leave; ask for distance");
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
-  if (reach_sign(lowest, a.radius(), b, Reach::below) != Sign::positive) return {};
+  if (reach_sign(lowest, a.radius(), b, Reach::below) != Sign::positive || is_flattened(a)) return {};
   const LikelyGap likely = likely_gap(lowest, a.radius(), b);
   if (const auto near = certain_neighbours(-likely.gap); near && likely.on_ball && likely.foot)
     return {near->lower, depth_that_parts(near->upper), -unit_normal(b), *likely.on_ball, *likely.foot, Status::exact};

@@ -22,10 +22,11 @@ struct BoxView {
 [[nodiscard]] inline BoxView view_of(const PosedBox& box) { return {&box.pose.linear, &box.rigid}; }
 
 /// As rigid as a shape with a radius has to be, and squares neither over- nor underflow: numbers are as good as if
-/// edges were normals.
+/// edges were normals. And thicker than rounding, so that there is an interior: the centre is in it.
 [[nodiscard]] inline bool is_rigid_and_plain(const BoxView& box) {
   const auto [x, y, z] = box.box->half_extents;
-  return box.box->skew <= 0x1p-40 && box.box->slack < 0x1p150 && std::min({x, y, z}) > 0x1p-200;
+  const double least = std::min({x, y, z}), slack = box.box->slack;
+  return box.box->skew <= 0x1p-40 && slack < 0x1p150 && least > 2 * slack && least > 0x1p-200;
 }
 
 using FourDoubles = std::array<double, 4>;  // three and one that is not to be looked at

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 
 /// Throws Error when one is a surface: penetration is not defined.
 void require_solids(const PosedConvex& a, const PosedConvex& b);
+
+/// The answer where one of them is flattened: solids that touch at most have no depth.
+[[nodiscard]] Penetration without_depth(const PosedConvex& a, const PosedConvex& b);
 
 }  // namespace toccata

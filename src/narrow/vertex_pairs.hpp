@@ -20,4 +20,11 @@ struct VertexPairs {
   }
 };
 
+/// What a search may begin with: those of two shapes always have these.
+inline VertexPairs first_vertices() {
+  VertexPairs pairs;
+  pairs.append(0, 0);
+  return pairs;
+}
+
 }  // namespace toccata

@@ -4,8 +4,12 @@
 #include <vector>
 
 #include "oracle/convex.hpp"
+#include "support/simd_levels.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
 
 // Sizes at which products of lengths leave the doubles.
@@ -62,6 +66,51 @@ TEST(ConvexExtremes, AManifoldHasTheDeepestPoint) {
     for (int i = 0; i < found.count; ++i) deepest = std::fmax(deepest, found.points[static_cast<std::size_t>(i)].depth);
     EXPECT_NEAR(deepest, penetration(*a, *b).upper, 1e-6);
   }
+}
+
+ConvexHull scaled_hull(std::vector<Vec3> points, double size) {
+  for (Vec3& point : points) point = size * point;
+  return ConvexHull(points);
+}
+
+TEST(ConvexExtremes, TheCommonPointOfHugeHullsIsTheSameAtEveryLevel) {
+  for (const double size : {1e150, 1e155, 1e200, 1e290}) {
+    const ConvexHull a = scaled_hull({{0, -1, 3}, {2, 3, -2}, {1, 3, 0}, {-3, -3, -3}, {-1, 3, 0}}, size);
+    const ConvexHull b = scaled_hull({{1, 1, -1}, {-2, 2, 3}, {0, 1, 0}, {3, -1, -2}, {-2, -3, -2}}, size);
+    Pose turned, beside;
+    turned.linear = beside.linear = rotation_about(Vec3{1, 2, 3}, 40);
+    beside.offset = {0.5 * size, 0, 0};
+    std::vector<Distance> answers;
+    test::at_every_simd_level(
+        [&](SimdLevel) { answers.push_back(distance(PosedConvex(a, turned), PosedConvex(b, beside))); });
+    EXPECT_EQ(answers.front().upper, 0);
+    for (const Distance& answer : answers) EXPECT_EQ(answer, answers.front()) << size;
+  }
+}
+
+/// Of height 1e-17, which vanishes beside the 1 of its place.
+PosedConvex sheet_that_rounding_made() { return PosedConvex(Box({1, 1, 1e-17}), Pose::translation(0, 0, 1)); }
+
+TEST(ConvexExtremes, ASolidThatRoundingHasFlattenedHasNoDepth) {
+  const PosedConvex sheet = sheet_that_rounding_made();
+  const Box big({2, 2, 3});
+  const ConvexHull cut(std::vector<Vec3>{{-2, -2, -3}, {2, -2, -3}, {-2, 2, -3}, {0, 0, 4}});
+  for (const PosedConvex& other : {PosedConvex(big), PosedConvex(cut), PosedConvex(Sphere(1, {0, 0, 1})), sheet}) {
+    ASSERT_EQ(relation(sheet, other).kind, RelationKind::touching);
+    for (const Penetration& p :
+         {penetration(sheet, other), penetration(other, sheet), penetration_by_expansion(sheet, other)}) {
+      EXPECT_EQ(p.lower, 0);
+      EXPECT_EQ(p.upper, 0);
+      EXPECT_EQ(p.on_a, p.on_b);
+    }
+  }
+  EXPECT_EQ(penetration(PosedBox(Box({1, 1, 1e-17}), Pose::translation(0, 0, 1)), PosedBox(big)).upper, 0);
+}
+
+TEST(ConvexExtremes, ASolidThatRoundingHasFlattenedOnlyTouchesAHalfSpace) {
+  const PosedHalfSpace below(HalfSpace({0, 0, 3}, {0, 0, 1}));
+  EXPECT_EQ(relation(sheet_that_rounding_made(), below).kind, RelationKind::touching);
+  EXPECT_EQ(penetration(sheet_that_rounding_made(), below).upper, 0);
 }
 
 }  // namespace
