@@ -57,6 +57,10 @@ Candidates candidates_of(const BoxContact& contact) {
     if (contact.corners[i].gap > gap || (i > 0 && are_the_same(contact.corners[i], before))) continue;
     candidates.number[candidates.count++] = static_cast<std::uint8_t>(i);
   }
+  // The polygon may end where it began.
+  if (candidates.count > 1 &&
+      are_the_same(contact.corners[candidates.number[0]], contact.corners[candidates.number[candidates.count - 1]]))
+    --candidates.count;
   return candidates;
 }
 

@@ -112,6 +112,16 @@ bool are_the_same(const ManifoldPoint& p, const ManifoldPoint& q) {
   return p.position == q.position || (p.on_a == q.on_a && p.on_b == q.on_b);
 }
 
+/// In place of the one that is the same, if there is one.
+void put(Points& points, const ManifoldPoint& point) {
+  const auto same =
+      std::find_if(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); });
+  if (same == points.end())
+    points.push_back(point);
+  else
+    *same = point;
+}
+
 Points face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_resource& memory) {
   const Vec3 outwards = faces.b_is_reference ? -normal : normal;
   const ContactPolygon polygon = clipped_incident(faces.reference(), faces.incident(), outwards, memory);
@@ -217,7 +227,7 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   // The deepest point may lie beside the reference face.
   double deepest = -std::numeric_limits<double>::infinity();
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
-  if (!(deepest >= (1 - 0x1p-20) * p.upper)) points.push_back(single_point(a, b, parting));
+  if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, parting));
   return made_of(p.direction, points);
 }
 

@@ -24,6 +24,8 @@ bool is_refused(const SeenCase& seen) {
 
 std::string check_bracket(const Penetration& p, const SeenCase& seen) {
   if (!(p.lower >= 0) || !(p.lower <= p.upper) || !std::isfinite(p.upper)) return "no bracket";
+  if (!oracle::is_solid(seen.set_a) || !oracle::is_solid(seen.set_b))
+    return p.upper == 0 ? "" : "what rounding has flattened has a depth";
   const oracle::Depth depth(seen.set_a, seen.set_b);
   if (depth.compare(oracle::exact(p.lower)) < 0) return "lower is too large";
   if (depth.compare(oracle::exact(p.upper)) > 0) return "upper is too small";

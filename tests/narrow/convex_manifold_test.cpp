@@ -139,5 +139,16 @@ TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
               1);
 }
 
+TEST(ConvexManifold, ATinyBallOnABoxHasOnePoint) {
+  const PosedConvex box(Box({0.1, 0.1, 0.1}));
+  for (int degrees = 0; degrees < 90; degrees += 7) {
+    const Mat3 turn = rotation_about(Vec3{1, 2, 3}, degrees);
+    const Vec3 beside = transform({turn, {}}, {0.03, 0.02, 0.1 + 4e-13});
+    const PosedConvex turned(Box({0.1, 0.1, 0.1}), {turn, {}}), ball(Sphere(5e-13, beside));
+    EXPECT_EQ(manifold(turned, ball).count, 1) << degrees;
+    EXPECT_EQ(manifold(ball, turned).count, 1) << degrees;
+  }
+}
+
 }  // namespace
 }  // namespace toccata
