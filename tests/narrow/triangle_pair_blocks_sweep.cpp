@@ -76,7 +76,7 @@ std::string describe(const PosedTrianglePairs& batch, std::size_t pair) {
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   const SimdLevel level_before = simd_level();
   SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  Random random(Random(seed).bits() + 1);
   while (result.cases < cases) {
     const PosedTrianglePairs batch =
         random_batch(family, random, std::min<std::uint64_t>(cases - result.cases, 1 + random.below(40)));

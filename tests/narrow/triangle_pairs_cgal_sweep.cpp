@@ -44,7 +44,7 @@ std::optional<std::string> check(const TrianglePair& pair) {
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 2);
+  Random random(Random(seed).bits() + 2);
   while (result.cases < cases) {
     const TrianglePair pair = triangle_pair(family, random);
     const std::optional<std::string> wrong = check(pair);

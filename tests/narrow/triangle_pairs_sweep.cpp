@@ -129,7 +129,7 @@ std::string check(const TrianglePair& pair) {
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
+  Random random(Random(seed).bits() + 1);
   for (; result.cases < cases; ++result.cases) {
     const TrianglePair pair = triangle_pair(family, random);
     const std::string wrong = check(pair);

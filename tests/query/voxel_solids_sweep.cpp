@@ -70,7 +70,7 @@ bool is_right(const Case& c) {
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    Random random(seed * 0x9e3779b97f4a7c15ULL + i);
+    Random random(Random(seed).bits() + i);
     ++result.cases;
     if (is_right(make_case(family, random))) continue;
     ++result.wrong;

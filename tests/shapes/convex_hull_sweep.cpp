@@ -19,7 +19,7 @@ std::string check(const std::vector<Vec3>& points) {
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
-  Random random(seed * 0x9e3779b97f4a7c15ULL + 5);
+  Random random(Random(seed).bits() + 5);
   for (; result.cases < cases; ++result.cases) {
     const std::size_t count = 1 + random.below(result.cases % 16 == 0 ? 100 : 24);
     const std::vector<Vec3> points = hull_points(family, random, count);
