@@ -57,7 +57,8 @@ struct Distance {
 /// The shortest way to part two solids that meet.
 struct Penetration {
   /// The exact depth, the length of the shortest translation after which the interiors do not meet, lies in
-  /// [lower, upper]. Both 0 when the shapes are apart or touch.
+  /// [lower, upper]. Both 0 when the shapes are apart or touch; one that rounding has flattened in the world can only
+  /// touch.
   double lower = 0;
   double upper = 0;
   /// Unit, from A to B: B moved by upper · direction, or A by −upper · direction, no longer overlaps.
