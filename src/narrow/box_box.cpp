@@ -1,6 +1,6 @@
 #include "toccata/narrow/box_box.hpp"
 
-#include "narrow/box_contact.hpp"
+#include "narrow/box_manifold.hpp"
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
 
@@ -9,11 +9,10 @@ namespace {
 
 PosedConvex as_convex(const PosedBox& box) { return PosedConvex(box.shape, box.pose); }
 
-Vec3 first_corner(const PosedBox& box) { return transform(box.pose, box.shape.corner(0)); }
-
-/// The order of canonical_order.hpp; nothing where the first corners do not tell.
-std::optional<bool> is_canonical_order(const PosedBox& a, const PosedBox& b) {
-  const Vec3 p = first_corner(a), q = first_corner(b);
+/// Nothing where neither centres nor first corners tell.
+std::optional<bool> is_first(const PosedBox& a, const PosedBox& b) {
+  if (const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b))) return by_centre;
+  const Vec3 p = transform(a.pose, a.shape.corner(0)), q = transform(b.pose, b.shape.corner(0));
   if (p == q) return {};
   return lexicographically_less(p, q);
 }
@@ -33,7 +32,7 @@ bool overlap(const PosedBox& a, const PosedBox& b) {
 }
 
 Penetration penetration(const PosedBox& a, const PosedBox& b) {
-  if (const std::optional<bool> is_ordered = is_canonical_order(a, b)) {
+  if (const std::optional<bool> is_ordered = is_first(a, b)) {
     const std::optional<Penetration> found = *is_ordered ? penetration_in_order(a, b) : penetration_in_order(b, a);
     if (found) return *is_ordered ? *found : flipped(*found);
   }
@@ -41,10 +40,16 @@ Penetration penetration(const PosedBox& a, const PosedBox& b) {
 }
 
 Manifold manifold(const PosedBox& a, const PosedBox& b) {
-  if (const std::optional<bool> is_ordered = is_canonical_order(a, b)) {
-    BoxManifold found =
-        *is_ordered ? manifold_of_rigid_boxes(view_of(a), view_of(b)) : manifold_of_rigid_boxes(view_of(b), view_of(a));
-    if (found.is_decided()) return *is_ordered ? found.manifold : flipped(found.manifold);
+  const std::optional<bool> is_ordered = is_first(a, b);
+  if (is_ordered && is_rigid_and_plain(view_of(a)) && is_rigid_and_plain(view_of(b))) {
+    const BoxView first = view_of(*is_ordered ? a : b), second = view_of(*is_ordered ? b : a);
+    RigidBoxAxes axes;
+    const Nearness nearness = nearness_of_rigid_boxes(first, second, axes);
+    if (nearness == Nearness::apart) return {};
+    if (nearness == Nearness::meet) {
+      const RigidBoxContact contact(first, second, axes);
+      if (contact.has_points()) return contact.manifold(!*is_ordered);
+    }
   }
   return manifold(as_convex(a), as_convex(b));
 }

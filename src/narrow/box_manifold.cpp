@@ -1,172 +1,127 @@
-#include <algorithm>
-#include <cmath>
+#include "narrow/box_manifold.hpp"
 
-#include "narrow/box_contact.hpp"
-#include "narrow/contact_faces.hpp"
-#include "narrow/plain_topology.hpp"
+#include <array>
+#include <utility>
 
 namespace toccata {
 namespace {
 
-/// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
-constexpr double gap_of_resting = 0x1p-10;
-
 /// An edge pair has to be this much less deep than the best face: faces give more points.
 constexpr double edge_share = 0.98;
 
-double squared_way(const BoxContactCorner& p, const BoxContactCorner& q) {
-  return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
-}
+using Kind = ConvexFeature::Kind;
 
-bool are_the_same(const BoxContactCorner& p, const BoxContactCorner& q) {
-  return p.x == q.x && p.y == q.y && p.gap == q.gap;
-}
+constexpr std::array<std::array<Index, 4>, 6> corners_of_face = {
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-/// The corners that are left to be taken, by number.
-struct Candidates {
-  std::array<std::uint8_t, BoxContact::capacity> number;
-  std::size_t count = 0;
-
-  /// Removes the one of the greatest measure; of several the first.
-  template <class Measure>
-  std::uint8_t take_greatest(const Measure& measure) {
-    std::size_t best = 0;
-    double greatest = measure(number[0]);
-    for (std::size_t k = 1; k < count; ++k) {
-      const double here = measure(number[k]);
-      if (!(here > greatest)) continue;
-      greatest = here;
-      best = k;
-    }
-    const std::uint8_t taken = number[best];
-    --count;
-    for (std::size_t k = best; k < count; ++k) number[k] = number[k + 1];
-    return taken;
+/// The lesser of the two half-edges between two corners, four to a face, as box_topology() has them.
+constexpr Index edge_between(Index p, Index q) {
+  for (Index h = 0; h < 24; ++h) {
+    const auto& corners = corners_of_face[h / 4];
+    const Index from = corners[h % 4], to = corners[(h + 1) % 4];
+    if ((from == p && to == q) || (from == q && to == p)) return h;
   }
+  return 24;
+}
+
+/// What a face consists of: itself, its corners, and its sides, in the order of a BoxFace.
+struct FaceFeatures {
+  static constexpr std::size_t corner = 1, side = 5;
+  std::array<ConvexFeature, 9> feature;
 };
 
-/// Those that touch or nearly do, each place once.
-Candidates candidates_of(const BoxContact& contact) {
-  double span = 0;
-  for (std::size_t i = 1; i < contact.count; ++i)
-    span = std::max(span, squared_way(contact.corners[0], contact.corners[i]));
-  const double gap = gap_of_resting * std::sqrt(span);
-  Candidates candidates;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    const BoxContactCorner& before = contact.corners[i == 0 ? contact.count - 1 : i - 1];
-    if (contact.corners[i].gap > gap || (i > 0 && are_the_same(contact.corners[i], before))) continue;
-    candidates.number[candidates.count++] = static_cast<std::uint8_t>(i);
+constexpr FaceFeatures features_of(Index face) {
+  const Index z = face / 2, x = (z + 1) % 3, y = (z + 2) % 3, base = face % 2 << z;
+  const std::array<Index, 4> corners = {base, base | 1U << x, base | 1U << x | 1U << y, base | 1U << y};
+  FaceFeatures features{};
+  features.feature[0] = {Kind::face, face};
+  for (std::size_t k = 0; k < 4; ++k) {
+    features.feature[FaceFeatures::corner + k] = {Kind::vertex, corners[k]};
+    features.feature[FaceFeatures::side + k] = {Kind::edge, edge_between(corners[k], corners[(k + 1) % 4])};
   }
-  // The polygon may end where it began.
-  if (candidates.count > 1 &&
-      are_the_same(contact.corners[candidates.number[0]], contact.corners[candidates.number[candidates.count - 1]]))
-    --candidates.count;
-  return candidates;
+  return features;
 }
 
-/// Up to four.
-struct Chosen {
-  std::array<std::uint8_t, 4> number;
-  std::size_t count = 0;
-};
+constexpr std::array<FaceFeatures, 6> features_of_faces = {features_of(0), features_of(1), features_of(2),
+                                                           features_of(3), features_of(4), features_of(5)};
 
-/// The deepest, the farthest from it, and the farthest to both sides of the line through these.
-Chosen chosen_of(const BoxContact& contact) {
-  Candidates candidates = candidates_of(contact);
-  Chosen chosen;
-  const auto take = [&](const auto& measure) { chosen.number[chosen.count++] = candidates.take_greatest(measure); };
-  const auto& corners = contact.corners;
-  if (candidates.count == 0) return chosen;
-  take([&](std::uint8_t i) { return -corners[i].gap; });
-  if (candidates.count == 0) return chosen;
-  const BoxContactCorner& deepest = corners[chosen.number[0]];
-  take([&](std::uint8_t i) { return squared_way(corners[i], deepest); });
-  if (candidates.count == 0) return chosen;
-  const BoxContactCorner& farthest = corners[chosen.number[1]];
-  const auto aside = [&](std::uint8_t i) {
-    return (farthest.x - deepest.x) * (corners[i].y - deepest.y) -
-           (farthest.y - deepest.y) * (corners[i].x - deepest.x);
-  };
-  take(aside);
-  if (candidates.count == 0) return chosen;
-  // To the other side of the line, or beyond the third.
-  const double turn = aside(chosen.number[2]) > 0 ? -1 : 1;
-  take([&](std::uint8_t i) { return turn * aside(i); });
-  return chosen;
-}
-
-/// Between the side that comes in and the one that leaves.
-struct CornerFeatures {
+/// Of one place of an overlay.
+struct PlaceFeatures {
   ConvexFeature on_reference;
   ConvexFeature on_incident;
 };
 
-CornerFeatures features_of(const BoxFacePair& faces, std::uint8_t in, std::uint8_t out, const HullTopology& topology) {
-  using Kind = ConvexFeature::Kind;
-  constexpr std::uint8_t of_reference = BoxContactCorner::of_reference;
-  const Index half_edge_in = in % of_reference, half_edge_out = out % of_reference;
-  if (in < of_reference && out < of_reference)
-    return {{Kind::face, faces.reference.number()}, {Kind::vertex, topology.origin[half_edge_out]}};
-  if (in >= of_reference && out >= of_reference) {
-    const bool follows = topology.next(half_edge_in) == half_edge_out;
-    return {{Kind::vertex, topology.origin[follows ? half_edge_out : half_edge_in]},
-            {Kind::face, faces.incident.number()}};
-  }
-  const Index side = in >= of_reference ? half_edge_in : half_edge_out,
-              edge = in >= of_reference ? half_edge_out : half_edge_in;
-  return {{Kind::edge, edge_number(topology, side)}, {Kind::edge, edge_number(topology, edge)}};
+// Without branches: nothing is harder to guess than which kind of corner comes next.
+PlaceFeatures features_of(const BoxContact& contact, Index place) {
+  constexpr std::array<Index, 4> on_reference = {0, FaceFeatures::side, FaceFeatures::side, FaceFeatures::corner};
+  constexpr std::array<Index, 4> on_incident = {FaceFeatures::corner, FaceFeatures::side, FaceFeatures::side, 0};
+  constexpr std::array<Index, 4> is_numbered_by_itself = {0, 0, 0, ~0U}, is_crossing = {0, ~0U, ~0U, 0};
+  constexpr std::array<Index, 4> has_incident_number = {~0U, ~0U, ~0U, 0};
+  const Index number = place & 3U, kind = place / 4;
+  const Index reference =
+      (number & is_numbered_by_itself[kind]) | (contact.overlay.crossed_side(place) & is_crossing[kind]);
+  return {features_of_faces[contact.faces.reference.number()].feature[on_reference[kind] + reference],
+          features_of_faces[contact.faces.incident.number()]
+              .feature[on_incident[kind] + (number & has_incident_number[kind])]};
 }
 
-ConvexFeature edge_of(const BoxView& box, int edge, const Vec3& direction, const HullTopology& topology) {
-  const Index bit = 1U << edge, low = farthest_corner(box, direction) & ~bit;
-  Index half_edge = topology.leaving[low];
-  while (topology.target(half_edge) != (low | bit)) half_edge = topology.next(topology.twin[half_edge]);
-  return {ConvexFeature::Kind::edge, edge_number(topology, half_edge)};
-}
+using EdgesOfCorner = std::array<Index, 3>;
 
-ManifoldPoint point_of_edges(const BoxView& a, const BoxView& b, const ChosenBoxAxis& axis,
-                             const HullTopology& topology) {
-  const EdgePoints at = points_of_edges(a, b, axis);
-  return {at.on_a + 0.5 * (at.on_b - at.on_a), axis.depth, edge_of(a, axis.edge_a, axis.direction, topology),
-          edge_of(b, axis.edge_b, -axis.direction, topology)};
-}
+/// [corner][axis]
+constexpr std::array<EdgesOfCorner, 8> edges_of_corners = [] {
+  std::array<EdgesOfCorner, 8> edges{};
+  for (Index corner = 0; corner < 8; ++corner)
+    for (Index axis = 0; axis < 3; ++axis) edges[corner][axis] = edge_between(corner, corner ^ 1U << axis);
+  return edges;
+}();
 
-/// Of boxes that are not certainly apart; without points where no face lies over another.
-void find_points(Manifold& result, const BoxView& a, const BoxView& b, const RigidBoxAxes& axes) {
-  const ChosenBoxAxis axis = least_axis(a, b, axes, edge_share);
-  const HullTopology topology = box_topology();
-  result.normal = axis.direction;
-  const BoxContact contact = contact_of_faces(a, b, axes, axis);
-  const Chosen chosen = chosen_of(contact);
-  if (chosen.count == 0) {
-    if (axis.edge_a < 3 && axis.edge_b < 3)
-      result.points[static_cast<std::size_t>(result.count++)] = point_of_edges(a, b, axis, topology);
-    return;
-  }
-  const bool b_is_reference = contact.faces.b_is_reference;
-  const BoxFacePlane plane(b_is_reference ? b : a, contact.faces.reference);
-  const Vec3 half_way = (b_is_reference ? -0.5 : 0.5) * axis.direction;
-  for (std::size_t k = 0; k < chosen.count; ++k) {
-    const std::size_t i = chosen.number[k];
-    const BoxContactCorner& p = contact.corners[i];
-    const CornerFeatures features =
-        features_of(contact.faces, contact.corners[i == 0 ? contact.count - 1 : i - 1].side, p.side, topology);
-    ManifoldPoint& point = result.points[static_cast<std::size_t>(result.count++)];
-    point.position = plane.at(p.x, p.y) + p.gap * half_way;
-    point.depth = 0 - p.gap;  // never −0
-    point.on_a = b_is_reference ? features.on_incident : features.on_reference;
-    point.on_b = b_is_reference ? features.on_reference : features.on_incident;
-  }
+/// The edge that lies farthest along a direction, of those along an axis.
+ConvexFeature farthest_edge(const BoxView& box, std::size_t axis, const Vec3& direction) {
+  return {Kind::edge, edges_of_corners[farthest_corner(box, direction)][axis]};
 }
 
 }  // namespace
 
-BoxManifold manifold_of_rigid_boxes(const BoxView& a, const BoxView& b) {
-  BoxManifold result;
-  if (!is_rigid_and_plain(a) || !is_rigid_and_plain(b)) return result;
-  RigidBoxAxes axes;
-  result.nearness = nearness_of_rigid_boxes(a, b, axes);
-  if (result.nearness != Nearness::apart) find_points(result.manifold, a, b, axes);
+RigidBoxContact::RigidBoxContact(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes)
+    : a_(a),
+      b_(b),
+      axis_(least_axis(a, b, axes, edge_share)),
+      contact_(contact_of_faces(a, b, axes, axis_)),
+      chosen_(chosen_places(contact_.overlay)) {}
+
+ManifoldPoint RigidBoxContact::point_of_edges() const {
+  const EdgePoints at = points_of_edges(a_, b_, axis_);
+  return {at.on_a + 0.5 * (at.on_b - at.on_a), axis_.depth, farthest_edge(a_, axis_.edge_a, axis_.direction),
+          farthest_edge(b_, axis_.edge_b, -axis_.direction)};
+}
+
+void RigidBoxContact::put_points_of_faces(Manifold& result, bool exchanged) const {
+  const bool b_is_reference = contact_.faces.b_is_reference, reference_is_second = b_is_reference != exchanged;
+  const BoxFacePlane plane(b_is_reference ? b_ : a_, contact_.faces.reference);
+  const Vec3 half_way = (b_is_reference ? -0.5 : 0.5) * axis_.direction;
+  const BoxOverlay& overlay = contact_.overlay;
+  for (std::size_t k = 0; k < chosen_.count; ++k) {
+    const Index i = chosen_.place[k];
+    const PlaceFeatures features = features_of(contact_, i);
+    ManifoldPoint& point = result.points[k];
+    point.position = plane.at(overlay.x[i], overlay.y[i]) + overlay.gap[i] * half_way;
+    point.depth = 0 - overlay.gap[i];  // never −0
+    point.on_a = reference_is_second ? features.on_incident : features.on_reference;
+    point.on_b = reference_is_second ? features.on_reference : features.on_incident;
+  }
+  result.count = static_cast<int>(chosen_.count);
+}
+
+Manifold RigidBoxContact::manifold(bool exchanged) const {
+  Manifold result;
+  result.normal = exchanged ? -axis_.direction : axis_.direction;
+  if (is_of_faces()) {
+    put_points_of_faces(result, exchanged);
+  } else {
+    result.points[0] = point_of_edges();
+    if (exchanged) std::swap(result.points[0].on_a, result.points[0].on_b);
+    result.count = 1;
+  }
   return result;
 }
 

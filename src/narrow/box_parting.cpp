@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "narrow/aligned_boxes.hpp"
 #include "narrow/box_contact.hpp"
@@ -12,53 +11,32 @@
 namespace toccata {
 namespace {
 
-/// Edges at a smaller angle make no axis: faces do as well.
-constexpr double least_sine = 0x1p-12;
-
-Vec3 column(const BoxView& box, int i) { return box.axes->column(i); }
-double half(const BoxView& box, int i) { return box.box->half_extents[i]; }
 double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
-
-Vec3 unit(const Vec3& v) {
-  const double length = std::sqrt(dot(v, v));
-  return {v.x / length, v.y / length, v.z / length};
-}
 
 std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
-/// Of the edges' angle.
-double squared_sine(const RigidBoxAxes& axes, std::size_t i, std::size_t j) {
-  const double c = axes.cosines[next(i)][j], d = axes.cosines[next(next(i))][j];
-  return c * c + d * d;
-}
+/// Where |v|² = 1 + ε, 1 / |v| is 1 − ε / 2 but for less than ε², which is below 2^-70 under a pose as rigid as here.
+Vec3 unit_of_nearly_unit(const Vec3& v) { return (1.5 - 0.5 * dot(v, v)) * v; }
 
-Vec3 face_normal(const BoxView& box, int i) {
-  const int k = i == 2 ? 0 : i + 1;
-  return unit(cross(column(box, k), column(box, 3 - i - k)));
-}
-
-/// The number of the least, of equals the first.
-int least_of(std::span<const double> values) {
-  int best = 0;
-  double least = values[0];
-  for (std::size_t k = 1; k < values.size(); ++k) {
-    const bool less = values[k] < least;
-    best = less ? static_cast<int>(k) : best;
-    least = less ? values[k] : least;
-  }
-  return best;
+Vec3 face_normal(const BoxView& box, std::size_t i) {
+  return unit_of_nearly_unit(cross(box.axis(next(i)), box.axis(next(next(i)))));
 }
 
 /// From A to B; where neither way is shorter, as the edge of A points, or against that of B.
 Vec3 direction_of(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& axis) {
-  const auto turned = [](const Vec3& v, const Vec3& edge, double sign) { return dot(v, edge) * sign < 0 ? -v : v; };
-  if (axis.edge_b == 3)
-    return turned(face_normal(a, axis.edge_a), column(a, axis.edge_a),
-                  axes.way_a[static_cast<std::size_t>(axis.edge_a)] < 0 ? -1 : 1);
-  if (axis.edge_a == 3)
-    return turned(face_normal(b, axis.edge_b), column(b, axis.edge_b),
-                  axes.way_b[static_cast<std::size_t>(axis.edge_b)] > 0 ? 1 : -1);
-  return turned(unit(cross(column(a, axis.edge_a), column(b, axis.edge_b))), b.box->centre - a.box->centre, 1);
+  const auto turned = [](const Vec3& v, double along) { return (along < 0 ? -1.0 : 1.0) * v; };
+  if (is_of_edges(axis)) {
+    const Vec3 normal = cross(a.axis(axis.edge_a), b.axis(axis.edge_b));
+    const double inverse = 1 / std::sqrt(dot(normal, normal));
+    return turned(inverse * normal, dot(normal, b.box->centre - a.box->centre));
+  }
+  const bool is_of_a = axis.edge_b == 3;
+  const BoxView& box = is_of_a ? a : b;
+  const std::size_t i = is_of_a ? axis.edge_a : axis.edge_b;
+  const bool is_along = is_of_a ? !(axes.way_a[i] < 0) : axes.way_b[i] > 0;
+  const Vec3 normal = face_normal(box, i);
+  const double along = dot(normal, box.axis(i));
+  return turned(normal, is_along ? along : -along);
 }
 
 /// Half of how far a box reaches along a direction.
@@ -80,16 +58,14 @@ class LowerBound {
   [[nodiscard]] double but_for(const ChosenBoxAxis& chosen, double start) const {
     double least = start;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!(chosen.edge_b == 3 && static_cast<std::size_t>(chosen.edge_a) == i))
-        least = std::min(least, axes_.overlap_a[i] - axes_.error);
-      if (!(chosen.edge_a == 3 && static_cast<std::size_t>(chosen.edge_b) == i))
-        least = std::min(least, axes_.overlap_b[i] - axes_.error);
+      if (!(chosen.edge_b == 3 && chosen.edge_a == i)) least = std::min(least, axes_.overlap_a[i] - axes_.error);
+      if (!(chosen.edge_a == 3 && chosen.edge_b == i)) least = std::min(least, axes_.overlap_b[i] - axes_.error);
     }
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) {
         // An edge pair's axis is no longer than 1.
         if (axes_.edge_overlap[i][j] - axes_.error >= (1 + rough_) * least) continue;
-        if (static_cast<std::size_t>(chosen.edge_a) == i && static_cast<std::size_t>(chosen.edge_b) == j) continue;
+        if (chosen.edge_a == i && chosen.edge_b == j) continue;
         least = std::min(least, of_edges(i, j));
       }
     return least;
@@ -97,9 +73,9 @@ class LowerBound {
 
  private:
   [[nodiscard]] double of_edges(std::size_t i, std::size_t j) const {
-    const double angle = std::sqrt(squared_sine(axes_, i, j)) + 4 * rough_;
+    const double angle = std::sqrt(axes_.squared_sine(i, j)) + 4 * rough_;
     const double direct = (axes_.edge_overlap[i][j] - axes_.error) / angle;
-    if (angle > least_sine) return direct;
+    if (angle > least_sine_of_edges) return direct;
     // As in rigid_box_axes.cpp: nearly parallel edges.
     const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
     const double four =
@@ -116,8 +92,8 @@ class LowerBound {
 std::optional<Vec3> deepest_corner(const BoxView& box, const Vec3& inwards) {
   const double same = 0x1p-30 * sum(box.box->half_extents);
   Vec3 corner = box.box->centre;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 edge = half(box, i) * column(box, i);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = box.half_extent(i) * box.axis(i);
     const double along = dot(edge, inwards);
     if (!(std::fabs(along) > same)) return {};
     corner = along > 0 ? corner + edge : corner - edge;
@@ -127,16 +103,19 @@ std::optional<Vec3> deepest_corner(const BoxView& box, const Vec3& inwards) {
 
 /// The middle of what lies deepest over the face.
 std::optional<Vec3> deepest_over_face(const BoxView& a, const BoxView& b, const BoxContact& contact) {
-  if (contact.count == 0) return {};
+  const BoxOverlay& overlay = contact.overlay;
+  if (overlay.points == 0) return {};
   const BoxView &reference = contact.faces.b_is_reference ? b : a, &incident = contact.faces.b_is_reference ? a : b;
-  double least = contact.corners[0].gap;
-  for (std::size_t i = 1; i < contact.count; ++i) least = std::min(least, contact.corners[i].gap);
+  const auto is_taken = [&](std::size_t i) { return (overlay.points >> i & 1U) != 0; };
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < BoxOverlay::capacity; ++i)
+    if (is_taken(i)) least = std::min(least, overlay.gap[i]);
   const double same = 0x1p-40 * (sum(incident.box->half_extents) + std::fabs(least));
   double x = 0, y = 0, count = 0;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    if (contact.corners[i].gap > least + same) continue;
-    x += contact.corners[i].x;
-    y += contact.corners[i].y;
+  for (std::size_t i = 0; i < BoxOverlay::capacity; ++i) {
+    if (!is_taken(i) || overlay.gap[i] > least + same) continue;
+    x += overlay.x[i];
+    y += overlay.y[i];
     ++count;
   }
   return BoxFacePlane(reference, contact.faces.reference).at(x / count, y / count);
@@ -162,59 +141,53 @@ bool find_points_of_face(CoreParting& parting, const BoxView& a, const BoxView& 
 
 }  // namespace
 
+std::optional<bool> is_order_of_centres(const BoxView& a, const BoxView& b) {
+  const Vec3 &p = a.box->centre, &q = b.box->centre;
+  if (p == q) return {};
+  return lexicographically_less(p, q);
+}
+
 Index farthest_corner(const BoxView& box, const Vec3& direction) {
   Index corner = 0;
-  for (int i = 0; i < 3; ++i)
-    if (dot(column(box, i), direction) > 0) corner |= 1U << i;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (dot(box.axis(i), direction) > 0) corner |= 1U << i;
   return corner;
 }
 
-// Signed squares of depths are compared, and the least found, without roots and branches.
 ChosenBoxAxis least_axis(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, double edge_share) {
-  std::array<double, 15> depth;
-  for (std::size_t i = 0; i < 3; ++i) {
-    depth[i] = axes.overlap_a[i];
-    depth[3 + i] = axes.overlap_b[i];
-  }
-  const int face = least_of({depth.data(), 6});
-  const double of_face = depth[static_cast<std::size_t>(face)];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double squared = squared_sine(axes, i, j), overlap = axes.edge_overlap[i][j];
-      const double signed_square = overlap * std::fabs(overlap) / squared;
-      depth[6 + 3 * i + j] = squared > least_sine * least_sine ? signed_square : HUGE_VAL;
-    }
-  const int edges = least_of({depth.data() + 6, 9});
   ChosenBoxAxis best;
-  best.depth = of_face;
+  const std::size_t face = axes.least_face;
+  best.depth = face < 3 ? axes.overlap_a[face] : axes.overlap_b[face - 3];
   best.edge_a = face < 3 ? face : 3;
   best.edge_b = face < 3 ? 3 : face - 3;
-  // Where the difference is mere rounding, edges may lie across a face.
-  const double limit = (of_face > 0 ? edge_share * of_face : of_face) - axes.error;
-  const double of_edges = depth[static_cast<std::size_t>(6 + edges)];
-  if (of_edges < limit * std::fabs(limit)) {
-    best.edge_a = edges / 3;
-    best.edge_b = edges % 3;
-    best.depth = std::copysign(std::sqrt(std::fabs(of_edges)), of_edges);
-    best.sine =
-        std::sqrt(squared_sine(axes, static_cast<std::size_t>(best.edge_a), static_cast<std::size_t>(best.edge_b)));
+  // Where the difference is mere rounding, edges may lie across a face. Signed squares are compared, without roots.
+  const double limit = (best.depth > 0 ? edge_share * best.depth : best.depth) - axes.error;
+  const std::size_t i = axes.least_edges / 3, j = axes.least_edges % 3;
+  const double overlap = axes.edge_overlap[i][j], squared = axes.squared_sine(i, j);
+  if (squared > least_sine_of_edges * least_sine_of_edges &&
+      overlap * std::fabs(overlap) < limit * std::fabs(limit) * squared) {
+    best.edge_a = i;
+    best.edge_b = j;
+    best.sine = std::sqrt(squared);
+    best.depth = overlap / best.sine;
   }
   best.direction = direction_of(a, b, axes, best);
   return best;
 }
 
 EdgePoints points_of_edges(const BoxView& a, const BoxView& b, const ChosenBoxAxis& axis) {
-  const Vec3 u = column(a, axis.edge_a), v = column(b, axis.edge_b);
+  const Vec3 u = a.axis(axis.edge_a), v = b.axis(axis.edge_b);
+  const double half_a = a.half_extent(axis.edge_a), half_b = b.half_extent(axis.edge_b);
   Vec3 p = a.box->centre, q = b.box->centre;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 of_a = column(a, k), of_b = column(b, k);
-    if (k != axis.edge_a) p = p + std::copysign(half(a, k), dot(of_a, axis.direction)) * of_a;
-    if (k != axis.edge_b) q = q - std::copysign(half(b, k), dot(of_b, axis.direction)) * of_b;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 of_a = a.axis(k), of_b = b.axis(k);
+    if (k != axis.edge_a) p = p + std::copysign(a.half_extent(k), dot(of_a, axis.direction)) * of_a;
+    if (k != axis.edge_b) q = q - std::copysign(b.half_extent(k), dot(of_b, axis.direction)) * of_b;
   }
   const Vec3 w = q - p;
-  const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w), determinant = 1 - uv * uv;
-  const double s = std::clamp((uw - uv * vw) / determinant, -half(a, axis.edge_a), half(a, axis.edge_a));
-  const double t = std::clamp((uv * uw - vw) / determinant, -half(b, axis.edge_b), half(b, axis.edge_b));
+  const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w), inverse = 1 / (1 - uv * uv);
+  const double s = std::clamp((uw - uv * vw) * inverse, -half_a, half_a);
+  const double t = std::clamp((uv * uw - vw) * inverse, -half_b, half_b);
   return {p + s * u, q + t * v};
 }
 
@@ -238,7 +211,7 @@ std::optional<CoreParting> part_rigid_boxes(const BoxView& a, const BoxView& b, 
   if (!(parting.lower > 0) ||
       !(parting.upper - parting.lower <= relative_width_of_depth * (parting.upper + reach_of_radii)))
     return {};
-  if (axis.edge_a == 3 || axis.edge_b == 3) {
+  if (!is_of_edges(axis)) {
     if (!find_points_of_face(parting, a, b, axes, axis)) return {};
     return parting;
   }
@@ -251,7 +224,8 @@ std::optional<CoreParting> part_rigid_boxes(const BoxView& a, const BoxView& b, 
 
 std::optional<Penetration> penetration_of_boxes(const PosedConvex& a, const PosedConvex& b) {
   if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
-  if (!is_canonical_order(a, b)) {
+  const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));
+  if (!(by_centre ? *by_centre : is_canonical_order(a, b))) {
     const std::optional<Penetration> exchanged = penetration_of_boxes(b, a);
     return exchanged ? flipped(*exchanged) : exchanged;
   }

@@ -8,14 +8,21 @@
 
 namespace toccata {
 
+/// Which of two boxes counts as the first, whose numbers are computed, and exchanged for the other order so that both
+/// have the same bits; nothing where the centres do not tell.
+[[nodiscard]] std::optional<bool> is_order_of_centres(const BoxView& a, const BoxView& b);
+
 /// One of the fifteen axes of two boxes under nearly rigid poses.
 struct ChosenBoxAxis {
-  int edge_a = 0;    ///< 0 to 2 for a face of A or an edge pair; 3: a face of B
-  int edge_b = 3;    ///< likewise
-  Vec3 direction{};  ///< unit, from A to B
-  double depth = 0;  ///< how far the boxes overlap along it, but for rounding
-  double sine = 1;   ///< of the angle between the edges
+  std::size_t edge_a = 0;  ///< 0 to 2 for a face of A or an edge pair; 3: a face of B
+  std::size_t edge_b = 3;  ///< likewise
+  Vec3 direction{};        ///< unit, from A to B
+  double depth = 0;        ///< how far the boxes overlap along it, but for rounding
+  double sine = 1;         ///< of the angle between the edges
 };
+
+/// Of an edge of each, not of a face.
+[[nodiscard]] inline bool is_of_edges(const ChosenBoxAxis& axis) { return axis.edge_a != 3 && axis.edge_b != 3; }
 
 /// The axis along which the boxes overlap the least; edge pairs only where they have less than `edge_share` of the best
 /// face's depth. Of equals faces of A come first, then faces of B. For boxes that are not certainly apart.

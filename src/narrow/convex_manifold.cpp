@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "narrow/box_axes.hpp"
-#include "narrow/box_contact.hpp"
+#include "narrow/box_manifold.hpp"
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/face_clipping.hpp"
@@ -237,21 +237,39 @@ Manifold of_any_size(const PosedConvex& a, const PosedConvex& b) {
   return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
 }
 
+bool are_boxes(const PosedConvex& a, const PosedConvex& b) {
+  return is_box(a) && is_box(b) && a.radius() == 0 && b.radius() == 0;
+}
+
 Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
   const auto any = [&] { return overlap(a, b, workspace) ? of_any_size(a, b) : Manifold{}; };
-  if (!is_box(a) || !is_box(b) || a.radius() > 0 || b.radius() > 0) return any();
-  const BoxManifold of_rigid = manifold_of_rigid_boxes(view_of(a), view_of(b));
-  if (of_rigid.is_decided()) return of_rigid.manifold;
-  if (of_rigid.manifold.count > 0) return overlap(a, b, workspace) ? of_rigid.manifold : Manifold{};
+  if (!are_boxes(a, b)) return any();
   const BoxAxes axes(a, b);
   if (!axes.is_of_plain_size()) return any();
   const std::optional<bool> meet = axes.meet();
   return (meet.has_value() ? *meet : overlap(a, b, workspace)) ? of_boxes(a, b, axes) : Manifold{};
 }
 
+/// Of two boxes; nothing where their formula finds no points.
+std::optional<Manifold> of_rigid_boxes(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
+  const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));
+  const bool is_first = by_centre ? *by_centre : is_canonical_order(a, b);
+  const BoxView first = view_of(is_first ? a : b), second = view_of(is_first ? b : a);
+  RigidBoxAxes axes;
+  const Nearness nearness = nearness_of_rigid_boxes(first, second, axes);
+  if (nearness == Nearness::apart) return Manifold{};
+  const RigidBoxContact contact(first, second, axes);
+  if (!contact.has_points()) return {};
+  if (nearness == Nearness::unknown && !overlap(a, b, workspace)) return Manifold{};
+  return contact.manifold(!is_first);
+}
+
 }  // namespace
 
 Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (are_boxes(a, b))
+    if (const std::optional<Manifold> found = of_rigid_boxes(a, b, workspace)) return *found;
   if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);
   return flipped(in_canonical_order(b, a, workspace));
 }

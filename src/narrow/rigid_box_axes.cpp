@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "narrow/rigid_box_axes.hpp"
+#include "narrow/rows.hpp"
 
 // Let r_i and s_j be the columns of the two poses, h and g the half extents, d the way between the centres, and δ the
 // greater |RᵀR − I| of the two. A row of vectors holds what belongs to the edges j of B, or to the edges i of A.
@@ -31,80 +32,6 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, 4>;
-using Number = hn::Vec<Tag>;
-constexpr Tag tag;
-constexpr std::size_t lanes = hn::MaxLanes(tag), parts = 4 / lanes;
-
-/// Three numbers and one that does not matter.
-struct Row {
-  Number part[parts];
-};
-
-template <class Function>
-HWY_INLINE Row each(const Function& function) {
-  Row result;
-  for (std::size_t k = 0; k < parts; ++k) result.part[k] = function(k);
-  return result;
-}
-
-HWY_INLINE Row load(const double* from) {
-  return each([&](std::size_t k) { return hn::LoadU(tag, from + k * lanes); });
-}
-HWY_INLINE void store(const Row& row, FourDoubles& to) {
-  for (std::size_t k = 0; k < parts; ++k) hn::StoreU(row.part[k], tag, to.data() + k * lanes);
-}
-HWY_INLINE Row operator+(const Row& u, const Row& v) {
-  return each([&](std::size_t k) { return hn::Add(u.part[k], v.part[k]); });
-}
-HWY_INLINE Row operator-(const Row& u, const Row& v) {
-  return each([&](std::size_t k) { return hn::Sub(u.part[k], v.part[k]); });
-}
-HWY_INLINE Row operator*(const Row& u, const Row& v) {
-  return each([&](std::size_t k) { return hn::Mul(u.part[k], v.part[k]); });
-}
-HWY_INLINE Row operator*(double s, const Row& v) {
-  return each([&](std::size_t k) { return hn::Mul(hn::Set(tag, s), v.part[k]); });
-}
-HWY_INLINE Row magnitude(const Row& v) {
-  return each([&](std::size_t k) { return hn::Abs(v.part[k]); });
-}
-HWY_INLINE Row least(const Row& u, const Row& v) {
-  return each([&](std::size_t k) { return hn::Min(u.part[k], v.part[k]); });
-}
-
-template <class Comparison>
-HWY_INLINE bool any_of_three(const Row& row, const Comparison& comparison) {
-  unsigned bits = 0;
-  for (std::size_t k = 0; k < parts; ++k) {
-    std::uint8_t few[8] = {};
-    hn::StoreMaskBits(tag, comparison(row.part[k]), few);
-    bits |= static_cast<unsigned>(few[0]) << (k * lanes);
-  }
-  return (bits & 7U) != 0;
-}
-HWY_INLINE bool is_any_less(const Row& row, double limit) {
-  return any_of_three(row, [&](const Number& x) { return hn::Lt(x, hn::Set(tag, limit)); });
-}
-HWY_INLINE bool is_any_at_most(const Row& row, double limit) {
-  return any_of_three(row, [&](const Number& x) { return hn::Le(x, hn::Set(tag, limit)); });
-}
-
-/// The number j + 1, of three, in place of the j-th.
-HWY_INLINE Row next(const Row& row) {
-#if HWY_TARGET <= HWY_AVX2
-  alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
-  return {{hn::TableLookupLanes(row.part[0], hn::SetTableIndices(tag, order))}};
-#else
-  alignas(64) double thrice[8];
-  for (std::size_t k = 0; k < parts; ++k) hn::StoreU(row.part[k], tag, thrice + k * lanes);
-  thrice[3] = thrice[0];
-  thrice[4] = thrice[1];
-  return load(thrice + 1);
-#endif
-}
-
 struct ThreeRows {
   Row row[3];
 };
@@ -121,64 +48,119 @@ HWY_INLINE ThreeRows transposed(const Row (&rows)[3]) {
 
 struct Axes {
   Row way_a, way_b, overlap_a, overlap_b;
-  Row cosines[3], edge_way[3], edge_overlap[3];
+  Row cosines[3], edge_overlap[3];
   double sizes, error;
 };
 
 HWY_INLINE double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
 
+/// A sum of rows.
+HWY_INLINE Row combined(const Vec3& weights, const Row& first, const Row& second, const Row& third) {
+  return (weights.x * first + weights.y * second) + weights.z * third;
+}
+
+HWY_INLINE Vec3 column(const Mat3& m, int j) { return {m[0][j], m[1][j], m[2][j]}; }
+
+// Nothing here is a loop, which compilers might keep.
 HWY_INLINE void look_along_faces(const BoxView& a, const BoxView& b, Axes& axes) {
   const Vec3 d = b.box->centre - a.box->centre, h = a.box->half_extents, g = b.box->half_extents;
   const Mat3 &r = *a.axes, &s = *b.axes;
   const Row r0 = load(&r[0].x), r1 = load(&r[1].x), r2 = load(&r[2].x);
   const Row s0 = load(&s[0].x), s1 = load(&s[1].x), s2 = load(&s[2].x);
-  axes.way_a = (d.x * r0 + d.y * r1) + d.z * r2;
-  axes.way_b = (d.x * s0 + d.y * s1) + d.z * s2;
-  Row reach_a = load(&a.box->half_extents.x), reach_b = load(&b.box->half_extents.x);
-  for (int i = 0; i < 3; ++i) {
-    axes.cosines[i] = (r[0][i] * s0 + r[1][i] * s1) + r[2][i] * s2;
-    reach_b = reach_b + h[i] * magnitude(axes.cosines[i]);
-  }
+  axes.way_a = combined(d, r0, r1, r2);
+  axes.way_b = combined(d, s0, s1, s2);
+  axes.cosines[0] = combined(column(r, 0), s0, s1, s2);
+  axes.cosines[1] = combined(column(r, 1), s0, s1, s2);
+  axes.cosines[2] = combined(column(r, 2), s0, s1, s2);
 #if HWY_TARGET <= HWY_AVX2
   const ThreeRows turned = transposed(axes.cosines);
 #else
-  ThreeRows turned;  // the same sums of the same products
-  for (int i = 0; i < 3; ++i) turned.row[i] = (s[0][i] * r0 + s[1][i] * r1) + s[2][i] * r2;
+  const ThreeRows turned = {{combined(column(s, 0), r0, r1, r2), combined(column(s, 1), r0, r1, r2),
+                             combined(column(s, 2), r0, r1, r2)}};  // the same sums of the same products
 #endif
-  for (int i = 0; i < 3; ++i) reach_a = reach_a + g[i] * magnitude(turned.row[i]);
-  axes.overlap_a = reach_a - magnitude(axes.way_a);
-  axes.overlap_b = reach_b - magnitude(axes.way_b);
+  const Row reach_b = combined(h, magnitude(axes.cosines[0]), magnitude(axes.cosines[1]), magnitude(axes.cosines[2]));
+  const Row reach_a = combined(g, magnitude(turned.row[0]), magnitude(turned.row[1]), magnitude(turned.row[2]));
+  axes.overlap_a = (load(&a.box->half_extents.x) + reach_a) - magnitude(axes.way_a);
+  axes.overlap_b = (load(&b.box->half_extents.x) + reach_b) - magnitude(axes.way_b);
   axes.sizes = (sum(h) + sum(g)) + ((std::fabs(d.x) + std::fabs(d.y)) + std::fabs(d.z));
   axes.error = (0x1p-47 + 16 * (a.box->skew + b.box->skew)) * axes.sizes + (a.box->slack + b.box->slack);
 }
 
-HWY_INLINE void look_along_edges(const BoxView& a, const BoxView& b, Axes& axes) {
-  const Vec3& h = a.box->half_extents;
-  const Row g = load(&b.box->half_extents.x), next_g = next(g), last_g = next(next_g);
-  FourDoubles way;
-  store(axes.way_a, way);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t k = i == 2 ? 0 : i + 1, l = 3 - i - k;
-    const Row here = magnitude(axes.cosines[i]), next_here = next(here), last_here = next(next_here);
-    axes.edge_way[i] = way[l] * axes.cosines[k] - way[k] * axes.cosines[l];
-    const Row reach_a =
-        h[static_cast<int>(k)] * magnitude(axes.cosines[l]) + h[static_cast<int>(l)] * magnitude(axes.cosines[k]);
-    const Row reach_b = next_g * last_here + last_g * next_here;
-    axes.edge_overlap[i] = (reach_a + reach_b) - magnitude(axes.edge_way[i]);
-  }
+/// What the edge pairs of all three rows have in common.
+struct EdgeSides {
+  FourDoubles way;           ///< along the edges of A
+  Row size[3];               ///< of the cosines
+  Row next_half, last_half;  ///< the half extents of B that are not those of the edge
+};
+
+/// Along the edge of A that is followed by two of the half extents `h_k` and `h_l`.
+template <std::size_t i, std::size_t k, std::size_t l>
+HWY_INLINE Row overlap_of_edges(const Axes& axes, const EdgeSides& sides, double h_k, double h_l) {
+  const Row way = sides.way[l] * axes.cosines[k] - sides.way[k] * axes.cosines[l];
+  const Row next_size = next(sides.size[i]), last_size = next(next_size);
+  const Row reach_a = h_k * sides.size[l] + h_l * sides.size[k];
+  const Row reach_b = sides.next_half * last_size + sides.last_half * next_size;
+  return (reach_a + reach_b) - magnitude(way);
 }
 
-void store_all(const Axes& axes, RigidBoxAxes& stored) {
+HWY_INLINE void look_along_edges(const BoxView& a, const BoxView& b, Axes& axes) {
+  const Vec3& h = a.box->half_extents;
+  EdgeSides sides;
+  store(axes.way_a, sides.way.data());
+  sides.size[0] = magnitude(axes.cosines[0]);
+  sides.size[1] = magnitude(axes.cosines[1]);
+  sides.size[2] = magnitude(axes.cosines[2]);
+  sides.next_half = next(load(&b.box->half_extents.x));
+  sides.last_half = next(sides.next_half);
+  axes.edge_overlap[0] = overlap_of_edges<0, 1, 2>(axes, sides, h.y, h.z);
+  axes.edge_overlap[1] = overlap_of_edges<1, 2, 0>(axes, sides, h.z, h.x);
+  axes.edge_overlap[2] = overlap_of_edges<2, 0, 1>(axes, sides, h.x, h.y);
+}
+
+/// The least of the first three, in all of them.
+HWY_INLINE Row least_of_three(const Row& row) {
+  const Row after = next(row);
+  return lesser(lesser(row, after), next(after));
+}
+
+HWY_INLINE unsigned places_of(const Row& least, const Row& row, unsigned first) {
+  return (bits_of(row == least) & 7U) << first;
+}
+
+HWY_INLINE Index first_of(unsigned bits) { return static_cast<Index>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)); }
+
+HWY_INLINE Index place_of_least_face(const Axes& axes) {
+  const Row least = least_of_three(lesser(axes.overlap_a, axes.overlap_b));
+  return first_of(places_of(least, axes.overlap_a, 0) | places_of(least, axes.overlap_b, 3) | 1U << 5);
+}
+
+/// Signed squares of depths are compared, without roots.
+HWY_INLINE Row squared_depth(const Row& overlap, const Row& cosine, const Row& other_cosine) {
+  const Row sine = cosine * cosine + other_cosine * other_cosine;
+  const RowMask makes_axis = row_of(least_sine_of_edges * least_sine_of_edges) < sine;
+  return select(makes_axis, overlap * magnitude(overlap) / sine, row_of(0x1p1000));
+}
+
+HWY_INLINE Index place_of_least_edges(const Axes& axes) {
+  const Row first = squared_depth(axes.edge_overlap[0], axes.cosines[1], axes.cosines[2]);
+  const Row second = squared_depth(axes.edge_overlap[1], axes.cosines[2], axes.cosines[0]);
+  const Row third = squared_depth(axes.edge_overlap[2], axes.cosines[0], axes.cosines[1]);
+  const Row least = least_of_three(lesser(lesser(first, second), third));
+  return first_of(places_of(least, first, 0) | places_of(least, second, 3) | places_of(least, third, 6) | 1U << 8);
+}
+
+HWY_INLINE void store_all(const Axes& axes, RigidBoxAxes& stored) {
   stored.error = axes.error;
-  store(axes.way_a, stored.way_a);
-  store(axes.way_b, stored.way_b);
-  store(axes.overlap_a, stored.overlap_a);
-  store(axes.overlap_b, stored.overlap_b);
-  for (std::size_t i = 0; i < 3; ++i) {
-    store(axes.cosines[i], stored.cosines[i]);
-    store(axes.edge_way[i], stored.edge_way[i]);
-    store(axes.edge_overlap[i], stored.edge_overlap[i]);
-  }
+  store(axes.way_a, stored.way_a.data());
+  store(axes.way_b, stored.way_b.data());
+  store(axes.overlap_a, stored.overlap_a.data());
+  store(axes.overlap_b, stored.overlap_b.data());
+  store(axes.cosines[0], stored.cosines[0].data());
+  store(axes.cosines[1], stored.cosines[1].data());
+  store(axes.cosines[2], stored.cosines[2].data());
+  store(axes.edge_overlap[0], stored.edge_overlap[0].data());
+  store(axes.edge_overlap[1], stored.edge_overlap[1].data());
+  store(axes.edge_overlap[2], stored.edge_overlap[2].data());
 }
 
 }  // namespace
@@ -186,15 +168,21 @@ void store_all(const Axes& axes, RigidBoxAxes& stored) {
 Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes& stored, Storing storing) {
   Axes axes;
   look_along_faces(a, b, axes);
-  const Row faces = least(axes.overlap_a, axes.overlap_b);
+  const auto is_any = [](const RowMask& mask) { return (bits_of(mask) & 7U) != 0; };
+  const Row faces = lesser(axes.overlap_a, axes.overlap_b);
   // Only where the faces part the boxes by far, so that the branch is easy to guess: less than that, and to look along
   // the edges as well costs less than a wrong guess.
-  if (is_any_less(faces, -(axes.error + 0x1p-5 * axes.sizes))) return Nearness::apart;
+  if (is_any(faces < row_of(-(axes.error + 0x1p-5 * axes.sizes)))) return Nearness::apart;
   look_along_edges(a, b, axes);
-  const Row edges = least(least(axes.edge_overlap[0], axes.edge_overlap[1]), axes.edge_overlap[2]);
-  if (is_any_less(least(faces, edges), -axes.error)) return Nearness::apart;
-  const bool sure = axes.error < 0x1p1000 && !is_any_at_most(least(faces, edges), axes.error);
+  const Row edges = lesser(lesser(axes.edge_overlap[0], axes.edge_overlap[1]), axes.edge_overlap[2]);
+  const Row all = lesser(faces, edges);
+  if (is_any(all < row_of(-axes.error))) return Nearness::apart;
+  const bool sure = axes.error < 0x1p1000 && !is_any(all <= row_of(axes.error));
   if (storing == Storing::always || !sure) store_all(axes, stored);
+  if (storing == Storing::always) {
+    stored.least_face = place_of_least_face(axes);
+    stored.least_edges = place_of_least_edges(axes);
+  }
   return sure ? Nearness::meet : Nearness::unknown;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "narrow/nearness.hpp"
 #include "toccata/narrow/posed_convex.hpp"
@@ -12,10 +13,19 @@
 // doubles, with a bound on the error; with vector instructions, the same bits at every level.
 namespace toccata {
 
+/// By number, found without branches.
+inline constexpr std::array<double Vec3::*, 3> coordinate = {&Vec3::x, &Vec3::y, &Vec3::z};
+
 /// A box as the axes see it. Four doubles can be read from the start of each vector and of each row.
 struct BoxView {
   const Mat3* axes;
   const RigidBox* box;
+
+  [[nodiscard]] Vec3 axis(std::size_t i) const {
+    const double Vec3::*const along = coordinate[i];
+    return {axes->row[0].*along, axes->row[1].*along, axes->row[2].*along};
+  }
+  [[nodiscard]] double half_extent(std::size_t i) const { return box->half_extents.*coordinate[i]; }
 };
 
 [[nodiscard]] inline BoxView view_of(const PosedConvex& box) { return {&box.pose().linear, &box.as_box()}; }
@@ -37,17 +47,29 @@ struct RigidBoxAxes {
   double error;              ///< of each overlap, corners' rounding included
   FourDoubles way_a, way_b;  ///< from A's centre to B's, along the edges of A and of B
   FourDoubles overlap_a, overlap_b;
-  std::array<FourDoubles, 3> cosines;   ///< [edge of A][edge of B]
-  std::array<FourDoubles, 3> edge_way;  ///< along edge of A × edge of B
+  std::array<FourDoubles, 3> cosines;  ///< [edge of A][edge of B]
   std::array<FourDoubles, 3> edge_overlap;
+
+  // Of equals the first. Depths are overlaps per length of the axis.
+  Index least_face;   ///< of the three of A, then of B
+  Index least_edges;  ///< 3 · edge of A + edge of B; a nearly parallel pair only where there is no other
+
+  /// The square of the sine of the angle between edges.
+  [[nodiscard]] double squared_sine(std::size_t i, std::size_t j) const {
+    const double c = cosines[i == 2 ? 0 : i + 1][j], d = cosines[i == 0 ? 2 : i - 1][j];
+    return c * c + d * d;
+  }
 };
+
+/// Edges at a smaller angle make no axis: faces do as well.
+inline constexpr double least_sine_of_edges = 0x1p-12;
 
 enum class Storing { where_unsure, always };
 
 /// Whether the boxes have a point in common; if so, their interiors have. Unknown where an infinite slack forbids it.
 [[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b);
 
-/// All of them, if the boxes are not certainly apart.
+/// All of the axes, if the boxes are not certainly apart.
 [[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes);
 
 }  // namespace toccata

@@ -1,0 +1,128 @@
+// A row of four doubles in as many vectors as a SIMD level needs for it; the same bits at every level. Included once
+// for each level, so its guard toggles with Highway's instead of letting it in only once.
+#if defined(TOCCATA_NARROW_ROWS_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TOCCATA_NARROW_ROWS_HPP
+#undef TOCCATA_NARROW_ROWS_HPP
+#else
+#define TOCCATA_NARROW_ROWS_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, 4>;
+using Number = hn::Vec<Tag>;
+constexpr Tag tag;
+constexpr std::size_t lanes = hn::MaxLanes(tag), parts = 4 / lanes;
+
+struct Row {
+  Number part[parts];
+};
+
+template <class Function>
+HWY_INLINE Row each(const Function& function) {
+  Row result;
+  for (std::size_t k = 0; k < parts; ++k) result.part[k] = function(k);
+  return result;
+}
+
+HWY_INLINE Row load(const double* from) {
+  return each([&](std::size_t k) { return hn::LoadU(tag, from + k * lanes); });
+}
+HWY_INLINE void store(const Row& row, double* to) {
+  for (std::size_t k = 0; k < parts; ++k) hn::StoreU(row.part[k], tag, to + k * lanes);
+}
+HWY_INLINE Row row_of(double value) {
+  return each([&](std::size_t) { return hn::Set(tag, value); });
+}
+HWY_INLINE Row operator+(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Add(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row operator-(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Sub(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row operator*(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Mul(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row operator*(double s, const Row& v) { return row_of(s) * v; }
+HWY_INLINE Row operator/(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Div(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row magnitude(const Row& v) {
+  return each([&](std::size_t k) { return hn::Abs(v.part[k]); });
+}
+HWY_INLINE Row lesser(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Min(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row greater(const Row& u, const Row& v) {
+  return each([&](std::size_t k) { return hn::Max(u.part[k], v.part[k]); });
+}
+
+/// Of which of the four something holds.
+struct RowMask {
+  hn::Mask<Tag> part[parts];
+};
+
+template <class Function>
+HWY_INLINE RowMask each_mask(const Function& function) {
+  RowMask result;
+  for (std::size_t k = 0; k < parts; ++k) result.part[k] = function(k);
+  return result;
+}
+HWY_INLINE RowMask operator<(const Row& u, const Row& v) {
+  return each_mask([&](std::size_t k) { return hn::Lt(u.part[k], v.part[k]); });
+}
+HWY_INLINE RowMask operator<=(const Row& u, const Row& v) {
+  return each_mask([&](std::size_t k) { return hn::Le(u.part[k], v.part[k]); });
+}
+HWY_INLINE RowMask operator==(const Row& u, const Row& v) {
+  return each_mask([&](std::size_t k) { return hn::Eq(u.part[k], v.part[k]); });
+}
+HWY_INLINE RowMask operator&(const RowMask& u, const RowMask& v) {
+  return each_mask([&](std::size_t k) { return hn::And(u.part[k], v.part[k]); });
+}
+HWY_INLINE RowMask operator|(const RowMask& u, const RowMask& v) {
+  return each_mask([&](std::size_t k) { return hn::Or(u.part[k], v.part[k]); });
+}
+HWY_INLINE Row select(const RowMask& mask, const Row& yes, const Row& no) {
+  return each([&](std::size_t k) { return hn::IfThenElse(mask.part[k], yes.part[k], no.part[k]); });
+}
+/// A bit each.
+HWY_INLINE unsigned bits_of(const RowMask& mask) {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < parts; ++k) {
+    std::uint8_t few[8] = {};
+    hn::StoreMaskBits(tag, mask.part[k], few);
+    bits |= static_cast<unsigned>(few[0]) << (k * lanes);
+  }
+  return bits;
+}
+
+/// Of the first three the number j + 1 in place of the j-th.
+HWY_INLINE Row next(const Row& row) {
+#if HWY_TARGET <= HWY_AVX2
+  alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
+  return {{hn::TableLookupLanes(row.part[0], hn::SetTableIndices(tag, order))}};
+#else
+  alignas(64) double thrice[8];
+  store(row, thrice);
+  thrice[3] = thrice[0];
+  thrice[4] = thrice[1];
+  return load(thrice + 1);
+#endif
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace toccata
+HWY_AFTER_NAMESPACE();
+
+#endif
