@@ -30,7 +30,7 @@ bool same_but_flipped(const Manifold& m, const Manifold& other) {
   return true;
 }
 
-std::string check_manifold(const Manifold& m, const SeenBoxes& seen, bool meet) {
+std::string check_manifold(const Manifold& m, const SeenBoxes& seen, const oracle::Depth& depth, bool meet) {
   if ((m.count > 0) != meet) return "count of points";
   if (!meet) return "";
   if (!is_unit(m.normal)) return "normal";
@@ -47,8 +47,8 @@ std::string check_manifold(const Manifold& m, const SeenBoxes& seen, bool meet) 
   // A face may be 2 % deeper than the edge pair that parts them soonest.
   const oracle::Rational most = oracle::exact(deepest / 0.98 + 0x1p-40 * size);
   const oracle::Rational least = oracle::exact(0.98 * deepest - 0x1p-40 * size);
-  if (oracle::compare_penetration(seen.set_a, seen.set_b, most) > 0) return "a point is missing that is as deep";
-  return oracle::compare_penetration(seen.set_a, seen.set_b, least) < 0 ? "a point is too deep" : "";
+  if (depth.compare(most) > 0) return "a point is missing that is as deep";
+  return depth.compare(least) < 0 ? "a point is too deep" : "";
 }
 
 std::string check(const SeenBoxes& seen) {
@@ -60,15 +60,16 @@ std::string check(const SeenBoxes& seen) {
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap of posed boxes";
   if (overlap_by_separating_axes(seen.a, seen.b) != meet) return "overlap by separating axes";
   if (static_cast<int>(relation(seen.a, seen.b).kind) != static_cast<int>(truth.kind)) return "relation";
+  const oracle::Depth depth(seen.set_a, seen.set_b);
   const Penetration p = penetration(seen.a, seen.b);
-  if (const std::string wrong = wrong_with(p, seen.set_a, seen.set_b, seen.size); !wrong.empty())
+  if (const std::string wrong = wrong_with(p, seen.set_a, seen.set_b, depth, seen.size); !wrong.empty())
     return "penetration: " + wrong;
   const bool is_same = same_shapes(seen.set_a, seen.set_b);
   const Penetration exchanged = penetration(seen.b, seen.a);
   if (!is_same && !(exchanged == Penetration{p.lower, p.upper, -p.direction, p.on_b, p.on_a, p.status}))
     return "penetration exchanged";
   const Manifold m = manifold(seen.a, seen.b);
-  if (const std::string wrong = check_manifold(m, seen, meet); !wrong.empty()) return "manifold: " + wrong;
+  if (const std::string wrong = check_manifold(m, seen, depth, meet); !wrong.empty()) return "manifold: " + wrong;
   if (!is_same && !same_but_flipped(m, manifold(seen.b, seen.a))) return "manifold exchanged";
   if (!(manifold(a, b) == m)) return "manifold of posed boxes";
   return penetration(a, b) == p ? "" : "penetration of posed boxes";

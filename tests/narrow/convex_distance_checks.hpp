@@ -22,15 +22,19 @@ inline std::string width_fault(const Distance& d) {
 }
 
 /// Empty when the interval contains the exact distance, and is narrow enough.
-inline std::string interval_fault(const Distance& d, const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
-  if (oracle::overlap(a, b)) return d.lower == 0 && d.upper == 0 ? "" : "meeting sets have a distance";
+inline std::string interval_fault(const Distance& d, const oracle::Separation& truth) {
+  if (truth.overlap()) return d.lower == 0 && d.upper == 0 ? "" : "meeting sets have a distance";
   if (d.upper == 0) return "sets apart have distance 0";
   const double infinity = std::numeric_limits<double>::infinity();
   if (d.lower == 0 && std::nextafter(0.0, infinity) != d.upper) return "sets apart have no distance below";
-  if (oracle::compare_distance(a, b, oracle::exact(d.lower)) < 0) return "lower is too large";
+  if (truth.compare(oracle::exact(d.lower)) < 0) return "lower is too large";
   if (d.upper == infinity) return d.lower == std::numeric_limits<double>::max() ? "" : "infinite without need";
-  if (oracle::compare_distance(a, b, oracle::exact(d.upper)) > 0) return "upper is too small";
+  if (truth.compare(oracle::exact(d.upper)) > 0) return "upper is too small";
   return width_fault(d);
+}
+
+inline std::string interval_fault(const Distance& d, const oracle::ConvexSet& a, const oracle::ConvexSet& b) {
+  return interval_fault(d, oracle::Separation(a, b));
 }
 
 /// The greatest magnitude of a coordinate of the sets' vertices, with the radii.
@@ -85,12 +89,13 @@ inline Distance exchanged(const Distance& d) { return {d.lower, d.upper, d.on_b,
 inline std::string distance_fault(const ConvexCase& pair) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
-  const bool meet = oracle::overlap(set_a, set_b);
+  const oracle::Separation truth(set_a, set_b);
+  const bool meet = truth.overlap();
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap is wrong";
   const Distance d = distance(a, b);
   if (distance(b, a) != exchanged(d)) return "the order of the arguments shows";
-  for (const std::string& fault : {interval_fault(d, set_a, set_b), witness_fault(d, set_a, set_b),
-                                   exact_witness_fault(d, a, b, size_of(set_a, set_b))})
+  for (const std::string& fault :
+       {interval_fault(d, truth), witness_fault(d, set_a, set_b), exact_witness_fault(d, a, b, size_of(set_a, set_b))})
     if (!fault.empty()) return fault;
   return "";
 }

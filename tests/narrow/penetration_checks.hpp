@@ -13,9 +13,9 @@ namespace toccata::test {
 
 /// The greatest magnitude of a coordinate, or the radius.
 inline double size_of(const oracle::ConvexSet& set) {
-  double size = set.radius.convert_to<double>();
+  double size = set.radius.to_double();
   for (const oracle::RationalPoint& p : set.vertices)
-    for (const oracle::Rational& c : {p.x, p.y, p.z}) size = std::max(size, std::fabs(c.convert_to<double>()));
+    for (const oracle::Rational& c : {p.x, p.y, p.z}) size = std::max(size, std::fabs(c.to_double()));
   return size;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "oracle/hull_boundary.hpp"
+
 namespace toccata::oracle {
 namespace {
 
@@ -36,26 +38,39 @@ std::vector<RationalPoint> separating_part(std::vector<RationalPoint> face, cons
   return face;
 }
 
-/// Normals n, not 0, with n · d ≥ 0 for every d in A − B: the cone they form, cut by the surface of the cube [−1, 1]³,
-/// as the extreme points of its (at most six) polygons.
-std::vector<RationalPoint> weakly_separating_normals(const ConvexSet& a, const ConvexSet& b) {
-  std::vector<RationalPoint> result;
+/// The faces of the cube [−1, 1]³.
+std::vector<std::vector<RationalPoint>> cube_faces() {
+  std::vector<std::vector<RationalPoint>> faces;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = -1; side <= 1; side += 2) {
-      std::vector<RationalPoint> face;
+      std::vector<RationalPoint>& face = faces.emplace_back();
       for (const auto& [u, v] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}})
         face.push_back(axis == 0   ? RationalPoint{side, u, v}
                        : axis == 1 ? RationalPoint{v, side, u}
                                    : RationalPoint{u, v, side});
-      const std::vector<RationalPoint> part = separating_part(std::move(face), a, b);
-      result.insert(result.end(), part.begin(), part.end());
     }
+  return faces;
+}
+
+/// Normals n, not 0, with n · d ≥ 0 for every d in A − B: the cone they form, cut by the surface of the cube [−1, 1]³,
+/// as the extreme points of its (at most six) polygons.
+std::vector<RationalPoint> weakly_separating_normals(const ConvexSet& a, const ConvexSet& b) {
+  std::vector<RationalPoint> result;
+  for (const std::vector<RationalPoint>& face : cube_faces()) {
+    const std::vector<RationalPoint> part = separating_part(face, a, b);
+    result.insert(result.end(), part.begin(), part.end());
+  }
   return result;
 }
 
 /// No plane separates the hulls, not even weakly. For two bodies: their interiors meet. For a body and a flat hull:
 /// the hull meets the body's interior (R. T. Rockafellar, "Convex Analysis", 1970, §11).
-bool no_plane_separates(const ConvexSet& a, const ConvexSet& b) { return weakly_separating_normals(a, b).empty(); }
+bool no_plane_separates(const ConvexSet& a, const ConvexSet& b, const Nearness& nearness) {
+  if (nearness.squared_distance > 0) return false;
+  return nearness.inseparable || std::ranges::all_of(cube_faces(), [&](const std::vector<RationalPoint>& face) {
+           return separating_part(face, a, b).empty();
+         });
+}
 
 /// Every weakly separating plane contains both hulls (Rockafellar, theorem 11.3).
 bool relative_interiors_meet(const ConvexSet& a, const ConvexSet& b) {
@@ -70,36 +85,35 @@ std::vector<RationalPoint> joined(const ConvexSet& a, const ConvexSet& b) {
   return result;
 }
 
-/// The planes of the facets of a body's hull, as the half-spaces that hold it.
-std::vector<HalfSpace> facets(const ConvexSet& body) {
-  const auto& v = body.vertices;
-  std::vector<HalfSpace> result;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    for (std::size_t j = 0; j < v.size(); ++j)
-      for (std::size_t k = 0; k < v.size(); ++k) {
-        const HalfSpace candidate = half_space(v[i], cross(v[j] - v[i], v[k] - v[i]));
-        if (is_zero(candidate.normal)) continue;
-        if (std::ranges::all_of(v, [&](const RationalPoint& p) { return height_above(candidate, p) <= 0; }))
-          result.push_back(candidate);
-      }
-  return result;
+/// In some direction, of a few, the set a reaches farther than b, so that it is no subset.
+bool reaches_farther(const ConvexSet& a, const ConvexSet& b) {
+  for (const RationalPoint& axis : {RationalPoint{1, 0, 0}, RationalPoint{0, 1, 0}, RationalPoint{0, 0, 1}})
+    for (const RationalPoint& way : {axis, -axis}) {
+      const auto along = [&](const RationalPoint& v) { return dot(v, way); };
+      const auto reach = [&](const ConvexSet& set) {
+        return along(*std::ranges::max_element(set.vertices, {}, along)) + set.radius;
+      };
+      if (reach(a) > reach(b)) return true;
+    }
+  return false;
 }
 
 /// The solid a is a subset of the solid b. A common radius may be taken off both (cancellation law of Minkowski sums of
 /// compact convex sets).
 bool is_subset(const ConvexSet& a, const ConvexSet& b) {
+  if (reaches_farther(a, b)) return false;
   if (a.radius <= b.radius) {
     const ConvexSet shrunk{b.vertices, b.radius - a.radius};
     return std::ranges::all_of(a.vertices, [&](const RationalPoint& p) { return side_of(p, shrunk) <= 0; });
   }
   // What is left of a is round, so b's core must be a body that holds it.
-  const ConvexSet core{b.vertices, 0};
-  if (!is_solid(core)) return false;
+  const std::vector<RationalPoint> four = spanning(b.vertices);
+  if (four.size() < 4) return false;
   const Rational radius_squared = (a.radius - b.radius) * (a.radius - b.radius);
-  for (const HalfSpace& facet : facets(core))
+  for (const BoundaryTriangle& facet : boundary(b.vertices, four))
     for (const RationalPoint& p : a.vertices) {
-      const Rational height = height_above(facet, p);
-      if (height > 0 || height * height < radius_squared * dot(facet.normal, facet.normal)) return false;
+      const Rational height = height_above(facet.behind, p);
+      if (height > 0 || height * height < radius_squared * dot(facet.behind.normal, facet.behind.normal)) return false;
     }
   return true;
 }
@@ -165,7 +179,7 @@ ConvexSet box_set(std::span<const Vec3> eight_corners) {
 bool is_solid(const ConvexSet& set) { return set.radius > 0 || !are_coplanar(set.vertices); }
 
 Separation::Separation(const ConvexSet& a, const ConvexSet& b)
-    : squared_(nearest_points(a, b).squared_distance), radii_(a.radius + b.radius) {}
+    : squared_(squared_distance(a, b)), radii_(a.radius + b.radius) {}
 
 int Separation::compare(const Rational& gap) const {
   const Rational reach = radii_ + gap;
@@ -191,22 +205,20 @@ bool overlap(const HalfSpace& a, const HalfSpace& b) { return relation(a, b).kin
 
 bool interiors_meet(const ConvexSet& a, const ConvexSet& b) {
   const Rational reach = a.radius + b.radius;
-  if (reach > 0) {
-    const Rational squared = nearest_points(a, b).squared_distance;
-    return squared < reach * reach && is_solid(a) && is_solid(b);
-  }
-  return is_solid(a) && is_solid(b) && no_plane_separates(a, b);
+  const Nearness near = nearness(a, b);
+  const bool deep = reach > 0 ? near.squared_distance < reach * reach : no_plane_separates(a, b, near);
+  return deep && is_solid(a) && is_solid(b);
 }
 
 Relation relation(const ConvexSet& a, const ConvexSet& b) { return relation(a, is_solid(a), b, is_solid(b)); }
 
 Relation relation(const ConvexSet& a, bool a_solid, const ConvexSet& b, bool b_solid) {
   if (!a_solid && !b_solid) return relation_of_surfaces(a, b);
-  const Rational squared = nearest_points(a, b).squared_distance;
-  const Rational reach = a.radius + b.radius;
+  const Nearness near = nearness(a, b);
+  const Rational &squared = near.squared_distance, reach = a.radius + b.radius;
   if (squared > reach * reach) return {};
   // A set with a radius meets another's interior as soon as the cores are nearer than the radii reach.
-  const bool deep = reach > 0 ? squared < reach * reach : no_plane_separates(a, b);
+  const bool deep = reach > 0 ? squared < reach * reach : no_plane_separates(a, b, near);
   const bool flattened = (a_solid && !is_solid(a)) || (b_solid && !is_solid(b));  // no interior is left to meet
   if (!deep || flattened) return {RelationKind::touching};
   if (a_solid && b_solid) return {RelationKind::overlapping, containment_of(is_subset(a, b), is_subset(b, a))};
@@ -237,10 +249,10 @@ Relation relation(const HalfSpace& a, const HalfSpace& b) {
 
 int side_of(const RationalPoint& p, const ConvexSet& set) {
   const ConvexSet point{{p}, 0};
-  const Rational squared = nearest_points(point, set).squared_distance;
-  if (set.radius > 0) return Rational(squared - set.radius * set.radius).sign();
-  if (squared > 0) return 1;
-  return is_solid(set) && no_plane_separates(point, set) ? -1 : 0;
+  const Nearness near = nearness(point, set);
+  if (set.radius > 0) return Rational(near.squared_distance - set.radius * set.radius).sign();
+  if (near.squared_distance > 0) return 1;
+  return is_solid(set) && no_plane_separates(point, set, near) ? -1 : 0;
 }
 
 }  // namespace toccata::oracle

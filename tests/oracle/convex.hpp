@@ -50,6 +50,16 @@ struct NearestPoints {
 /// Oracle of the nearest points of two polytopes. Proved by its own certificate: with x = on_a − on_b, no vertex pair
 /// has (a − b) · x < x · x; throws std::logic_error otherwise.
 NearestPoints nearest_points(const ConvexSet& a, const ConvexSet& b);
+/// What the search for the nearest points proves besides them.
+struct Nearness {
+  Rational squared_distance;
+  /// The origin lies inside of a tetrahedron of points of A − B, so no plane separates the hulls, not even weakly.
+  /// Where this is false, a plane may or may not.
+  bool inseparable = false;
+};
+
+Nearness nearness(const ConvexSet& a, const ConvexSet& b);
+Rational squared_distance(const ConvexSet& a, const ConvexSet& b);
 
 /// How far two sets are apart, for several questions.
 class Separation {

@@ -310,10 +310,9 @@ Relation relation(const MeshSet& a, const MeshSet& b) {
 Rational squared_distance(const MeshSet& a, const MeshSet& b) {
   if (overlap(a, b)) return 0;
   const auto hull = [](const RationalTriangle& t) { return ConvexSet{{t.vertex.begin(), t.vertex.end()}, 0}; };
-  Rational least = nearest_points(hull(a.triangles[0]), hull(b.triangles[0])).squared_distance;
+  Rational least = squared_distance(hull(a.triangles[0]), hull(b.triangles[0]));
   for (const RationalTriangle& s : a.triangles)
-    for (const RationalTriangle& t : b.triangles)
-      least = std::min<Rational>(least, nearest_points(hull(s), hull(t)).squared_distance);
+    for (const RationalTriangle& t : b.triangles) least = std::min<Rational>(least, squared_distance(hull(s), hull(t)));
   return least;
 }
 

@@ -10,8 +10,6 @@
 namespace toccata::oracle {
 namespace {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-
 template <class Number>
 struct Vector {
   Number x{}, y{}, z{};
@@ -168,7 +166,7 @@ Hulls<double> rounded(const std::vector<RationalPoint>& a, const std::vector<Rat
     std::vector<Vector<double>> result;
     for (const RationalPoint& p : points) {
       const RationalPoint v = p - a[0];
-      result.push_back({v.x.convert_to<double>(), v.y.convert_to<double>(), v.z.convert_to<double>()});
+      result.push_back({v.x.to_double(), v.y.to_double(), v.z.to_double()});
     }
     return result;
   };
@@ -182,20 +180,28 @@ Hulls<double> rounded(const std::vector<RationalPoint>& a, const std::vector<Rat
   return result;
 }
 
-/// A number that makes every coordinate whole.
-Integer common_denominator(const std::vector<RationalPoint>& a, const std::vector<RationalPoint>& b) {
-  Integer result = 1;
+/// Coordinates as whole numbers: each is times 2^exponent / denominator.
+struct Unit {
+  Integer denominator = 1;
+  long exponent = 0;
+};
+
+Unit common_unit(const std::vector<RationalPoint>& a, const std::vector<RationalPoint>& b) {
+  Unit unit;
   for (const auto* points : {&a, &b})
     for (const RationalPoint& p : *points)
       for (const Rational* c : {&p.x, &p.y, &p.z}) {
-        const Integer d = denominator(*c);
-        if (result % d != 0) result = lcm(result, d);
+        unit.exponent = std::min(unit.exponent, c->exponent());
+        if (!c->is_dyadic()) unit.denominator = lcm(unit.denominator, c->denominator());
       }
-  return result;
+  return unit;
 }
 
-std::vector<Vector<Integer>> whole(const std::vector<RationalPoint>& points, const Integer& scale) {
-  const auto of = [&](const Rational& c) { return Integer(numerator(c) * (scale / denominator(c))); };
+std::vector<Vector<Integer>> whole(const std::vector<RationalPoint>& points, const Unit& unit) {
+  const auto of = [&](const Rational& c) {
+    const Integer value = shifted(c.numerator(), c.exponent() - unit.exponent);
+    return unit.denominator == 1 ? value : Integer(value * (unit.denominator / c.denominator()));
+  };
   std::vector<Vector<Integer>> result;
   for (const RationalPoint& p : points) result.push_back({of(p.x), of(p.y), of(p.z)});
   return result;
@@ -205,32 +211,63 @@ std::vector<Vector<Integer>> whole(const std::vector<RationalPoint>& points, con
 Support<Integer> start(const Hulls<Integer>& hulls, const Simplex<double>& found) {
   Simplex<Integer> few;
   for (const Corner<double>& c : found) few.push_back(corner(hulls, c.on_a, c.on_b));
+  Support<Integer> all = supported(few);
+  if (is_between(all)) return all;
   std::optional<Support<Integer>> support = nearest_of_few(few, Subsets::all);
   if (!support) throw std::logic_error("oracle: a hull without a nearest point");
   return *support;
 }
 
-RationalPoint mean(const std::vector<RationalPoint>& points, const Support<Integer>& support,
+/// The search with its proof, and what its whole numbers stand for.
+struct Found {
+  Hulls<Integer> hulls;
+  Unit unit;
+  Support<Integer> support;
+};
+
+Found found(const ConvexSet& a, const ConvexSet& b) {
+  const Hulls<double> near = rounded(a.vertices, b.vertices);
+  const Simplex<double> simplex = descended(near, supported(Simplex<double>{corner(near, 0, 0)})).simplex;
+  const Unit unit = common_unit(a.vertices, b.vertices);
+  const Hulls<Integer> hulls{whole(a.vertices, unit), whole(b.vertices, unit)};
+  const Support<Integer> support = descended(hulls, start(hulls, simplex));
+  if (!is_behind(farthest_against(support.nearest, hulls).difference, support))
+    throw std::logic_error("oracle: the distance did not fall");
+  return {hulls, unit, support};
+}
+
+Rational squared_distance(const Found& result) {
+  const Integer length = result.support.total * result.unit.denominator;
+  const Integer squared = dot(result.support.nearest, result.support.nearest);
+  return Rational(squared, Integer(length * length)).scaled(2 * result.unit.exponent);
+}
+
+RationalPoint mean(const std::vector<Vector<Integer>>& points, const Found& result,
                    std::size_t Corner<Integer>::*vertex) {
-  RationalPoint sum;
-  for (std::size_t i = 0; i < support.simplex.size(); ++i)
-    sum = sum + Rational(support.weights[i], support.total) * points[support.simplex[i].*vertex];
-  return sum;
+  Vector<Integer> sum;
+  for (std::size_t i = 0; i < result.support.simplex.size(); ++i) {
+    const Integer& w = result.support.weights[i];
+    const Vector<Integer>& p = points[result.support.simplex[i].*vertex];
+    sum = {sum.x + w * p.x, sum.y + w * p.y, sum.z + w * p.z};
+  }
+  const Integer length = result.support.total * result.unit.denominator;
+  const auto of = [&](const Integer& c) { return Rational(c, length).scaled(result.unit.exponent); };
+  return {of(sum.x), of(sum.y), of(sum.z)};
 }
 
 }  // namespace
 
 NearestPoints nearest_points(const ConvexSet& a, const ConvexSet& b) {
-  const Hulls<double> near = rounded(a.vertices, b.vertices);
-  const Simplex<double> found = descended(near, supported(Simplex<double>{corner(near, 0, 0)})).simplex;
-  const Integer scale = common_denominator(a.vertices, b.vertices);
-  const Hulls<Integer> hulls{whole(a.vertices, scale), whole(b.vertices, scale)};
-  const Support<Integer> support = descended(hulls, start(hulls, found));
-  if (!is_behind(farthest_against(support.nearest, hulls).difference, support))
-    throw std::logic_error("oracle: the distance did not fall");
-  const Integer length = support.total * scale;
-  return {mean(a.vertices, support, &Corner<Integer>::on_a), mean(b.vertices, support, &Corner<Integer>::on_b),
-          Rational(dot(support.nearest, support.nearest), Integer(length * length))};
+  const Found result = found(a, b);
+  return {mean(result.hulls.a, result, &Corner<Integer>::on_a), mean(result.hulls.b, result, &Corner<Integer>::on_b),
+          squared_distance(result)};
 }
+
+Nearness nearness(const ConvexSet& a, const ConvexSet& b) {
+  const Found result = found(a, b);
+  return {squared_distance(result), result.support.simplex.size() == 4};
+}
+
+Rational squared_distance(const ConvexSet& a, const ConvexSet& b) { return nearness(a, b).squared_distance; }
 
 }  // namespace toccata::oracle

@@ -1,83 +1,15 @@
 #include "oracle/penetration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "oracle/hull_boundary.hpp"
 
 namespace toccata::oracle {
 namespace {
 
 using Points = std::vector<RationalPoint>;
-
-/// Directions in which the hull of some points has edges, and the normals of its facets; perhaps some more than once,
-/// and of a flat hull more than those.
-struct Directions {
-  Points edges;
-  Points normals;
-};
-
-/// Four points that span space, or fewer that span as much as there is.
-Points spanning(const Points& points) {
-  Points few{points[0]};
-  for (const RationalPoint& p : points) {
-    if (few.size() == 1 && !(p == few[0])) few.push_back(p);
-    if (few.size() == 2 && !is_zero(cross(few[1] - few[0], p - few[0]))) few.push_back(p);
-    if (few.size() == 3 && !orientation(few[0], few[1], few[2], p).is_zero()) few.push_back(p);
-  }
-  return few;
-}
-
-using Corners = std::array<RationalPoint, 3>;
-
-bool is_above(const Corners& face, const RationalPoint& p) { return orientation(face[0], face[1], face[2], p) > 0; }
-
-/// Triangles that bound the hull, seen counter-clockwise from outside: begins with a tetrahedron, and each point takes
-/// the place of the triangles that it lies strictly above.
-std::vector<Corners> boundary(const Points& points, Points four) {
-  if (orientation(four[0], four[1], four[2], four[3]) > 0) std::swap(four[0], four[1]);
-  std::vector<Corners> faces{{four[0], four[1], four[2]},
-                             {four[0], four[3], four[1]},
-                             {four[1], four[3], four[2]},
-                             {four[2], four[3], four[0]}};
-  for (const RationalPoint& p : points) {
-    const auto hidden = std::partition(faces.begin(), faces.end(), [&](const Corners& f) { return !is_above(f, p); });
-    std::vector<std::pair<RationalPoint, RationalPoint>> open;
-    for (auto face = hidden; face != faces.end(); ++face)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::pair edge{(*face)[i], (*face)[(i + 1) % 3]};
-        const auto twin = std::ranges::find(open, std::pair{edge.second, edge.first});
-        if (twin == open.end())
-          open.push_back(edge);
-        else
-          open.erase(twin);
-      }
-    faces.erase(hidden, faces.end());
-    for (const auto& edge : open) faces.push_back({edge.first, edge.second, p});
-  }
-  return faces;
-}
-
-Directions directions_of_flat(const Points& points, const Points& few) {
-  Directions result;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j) result.edges.push_back(points[j] - points[i]);
-  if (few.size() == 3) result.normals.push_back(cross(few[1] - few[0], few[2] - few[0]));
-  return result;
-}
-
-Directions directions_of(const Points& points) {
-  const Points few = spanning(points);
-  if (few.size() < 4) return directions_of_flat(points, few);
-  Directions result;
-  for (const Corners& face : boundary(points, few)) {
-    result.normals.push_back(cross(face[1] - face[0], face[2] - face[0]));
-    for (std::size_t i = 0; i < 3; ++i)  // each edge is seen from two faces, in opposite directions
-      if (face[i] < face[(i + 1) % 3]) result.edges.push_back(face[(i + 1) % 3] - face[i]);
-  }
-  return result;
-}
 
 /// How far A − B reaches along n, not divided by the length of n.
 Rational reach(const RationalPoint& n, const ConvexSet& a, const ConvexSet& b) {
@@ -171,7 +103,7 @@ ConvexSet moved(ConvexSet set, const RationalPoint& by) {
 
 Depth::Depth(const ConvexSet& a, const ConvexSet& b)
     : radii_(a.radius + b.radius),
-      squared_distance_(nearest_points(a, b).squared_distance),
+      squared_distance_(squared_distance(a, b)),
       squared_core_depth_(squared_distance_ > 0 ? Rational(0) : squared_core_depth(a, b)) {}
 
 int Depth::compare(const Rational& depth) const {

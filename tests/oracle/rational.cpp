@@ -28,7 +28,7 @@ RationalPoint centroid(const std::vector<RationalPoint>& points) {
   return Rational(1, points.size()) * sum;
 }
 
-Rational exact(double value) { return Rational(value); }  // GMP's mpq_set_d, which does not round
+Rational exact(double value) { return Rational(value); }
 
 RationalPoint exact(const Vec3& point) { return {exact(point.x), exact(point.y), exact(point.z)}; }
 

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
 #include <vector>
 
+#include "oracle/rational_number.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
 
 /// The truth page (docs/truth.md) as slow, obvious code in rational arithmetic. Uses nothing of the library but the
 /// plain structs that hold input: Vec3, Pose, Triangle, TriangleMesh.
 namespace toccata::oracle {
-
-/// GMP's, which the library itself never uses: an oracle with other arithmetic, and a much faster one.
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// A point or a vector with exact coordinates.
 struct RationalPoint {

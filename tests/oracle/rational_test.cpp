@@ -15,7 +15,7 @@ TEST(OracleRational, DoublesKeepTheirValue) {
   EXPECT_EQ(exact(-0.0), Rational(0));
   EXPECT_NE(exact(0.1), Rational(1, 10));
   for (const double value : {5e-324, -2.5e-310, 1e-300, 0.1, 1e300, std::numeric_limits<double>::max()})
-    EXPECT_EQ(exact(value).convert_to<double>(), value) << value;
+    EXPECT_EQ(exact(value).to_double(), value) << value;
 }
 
 TEST(OracleRational, WorldVertexIsTheLibrarysBitForBit) {
