@@ -14,7 +14,8 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return run_cell(cell, seed, cases, check);
 }
 
-const bool known = register_sweep({"casts", cells_of(convex_kinds()), cell_goal, cell_slice, run, cell_shard});
+const bool known =
+    register_sweep({"casts", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test

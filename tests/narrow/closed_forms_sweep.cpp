@@ -31,7 +31,8 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return run_cell(cell, seed, cases, fault_of);
 }
 
-const bool known = register_sweep({"closed-forms", cells_of(kinds), cell_goal, 5 * cell_slice, run, 10 * cell_shard});
+const bool known =
+    register_sweep({"closed-forms", cells_of(kinds), cell_goal, cell_slice, run, 10 * cell_shard, 5 * cell_round});
 
 }  // namespace
 }  // namespace toccata::test

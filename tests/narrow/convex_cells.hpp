@@ -51,7 +51,8 @@ SweepResult run_cell(const std::string& cell, std::uint64_t seed, std::uint64_t 
 }
 
 constexpr std::uint64_t cell_goal = 100'000;  ///< over all regimes
-constexpr std::uint64_t cell_slice = 15;      ///< every regime once
+constexpr std::uint64_t cell_round = 15;      ///< every regime once
+constexpr std::uint64_t cell_slice = 67 * cell_round;
 constexpr std::uint64_t cell_shard = 1500;
 
 }  // namespace toccata::test

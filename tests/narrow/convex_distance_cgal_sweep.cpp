@@ -54,7 +54,7 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
 }
 
 const bool known =
-    register_sweep({"convex-distance-cgal", cells_of(polytopes), cell_goal, cell_slice, run, cell_shard});
+    register_sweep({"convex-distance-cgal", cells_of(polytopes), cell_goal, cell_round, run, cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

@@ -80,7 +80,7 @@ SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases
   return result;
 }
 
-const bool known = register_sweep({"convex-half-space", convex_kinds(), 100'000, 90, run, 9'000});
+const bool known = register_sweep({"convex-half-space", convex_kinds(), 100'000, 1005, run, 9'000, 90});
 
 }  // namespace
 }  // namespace toccata::test

@@ -68,7 +68,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"convex-manifold", convex_kinds(), 100'000, 250, run, 2000});
+const bool known = register_sweep({"convex-manifold", convex_kinds(), 100'000, 1050, run, 2000, 250});
 
 }  // namespace
 }  // namespace toccata::test

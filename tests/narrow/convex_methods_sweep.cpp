@@ -42,8 +42,8 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return run_cell(cell, seed, cases, check);
 }
 
-const bool known =
-    register_sweep({"convex-methods", cells_of(convex_kinds()), cell_goal, cell_slice, run, 2 * cell_shard});
+const bool known = register_sweep(
+    {"convex-methods", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run, 2 * cell_shard, cell_round});
 
 // The lecture's ways for spheres.
 
@@ -103,7 +103,7 @@ SweepResult run_sphere(const std::string& cell, std::uint64_t seed, std::uint64_
 }
 
 const bool sphere_known = register_sweep(
-    {"sphere-ways", {"sphere/triangle", "sphere/box"}, 10 * cell_goal, 20 * cell_slice, run_sphere, 20 * cell_shard});
+    {"sphere-ways", {"sphere/triangle", "sphere/box"}, 10 * cell_goal, 20 * cell_round, run_sphere, 20 * cell_shard});
 
 }  // namespace
 }  // namespace toccata::test

@@ -40,8 +40,8 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return run_cell(cell, seed, cases, check);
 }
 
-const bool known =
-    register_sweep({"convex-penetration", cells_of(solid_kinds), cell_goal, cell_slice, run, cell_shard});
+const bool known = register_sweep(
+    {"convex-penetration", cells_of(solid_kinds), cell_goal, 4 * cell_round, run, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test

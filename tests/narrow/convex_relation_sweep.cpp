@@ -37,8 +37,8 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return run_convex_cases(cell, seed, cases, check);
 }
 
-const bool known =
-    register_sweep({"convex-relation", cells_of(convex_kinds()), cell_goal, 2 * cell_slice, run, cell_shard});
+const bool known = register_sweep(
+    {"convex-relation", cells_of(convex_kinds()), cell_goal, cell_slice, run, cell_shard, 2 * cell_round});
 
 }  // namespace
 }  // namespace toccata::test

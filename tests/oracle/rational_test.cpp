@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "toccata/core/random.hpp"
@@ -16,6 +17,48 @@ TEST(OracleRational, DoublesKeepTheirValue) {
   EXPECT_NE(exact(0.1), Rational(1, 10));
   for (const double value : {5e-324, -2.5e-310, 1e-300, 0.1, 1e300, std::numeric_limits<double>::max()})
     EXPECT_EQ(exact(value).to_double(), value) << value;
+}
+
+TEST(OracleRational, CountsAsGmpDoes) {
+  using Gmp = boost::multiprecision::mpq_rational;
+  const std::uint64_t seed = 12;
+  Random random(seed);
+  for (int round = 0; round < 300; ++round) {
+    Rational own = 1;
+    Gmp gmp = 1;
+    for (int step = 0; step < 12; ++step) {
+      const double x = std::ldexp(random.between(-1, 1), static_cast<int>(random.below(200)) - 100);
+      const double y = random.below(4) == 0 ? std::round(8 * x) : x;
+      if (y == 0) continue;
+      const Rational own_before = own;
+      const Gmp gmp_before = gmp;
+      switch (random.below(5)) {
+        case 0:
+          own = own + exact(y), gmp = gmp + Gmp(y);
+          break;
+        case 1:
+          own = own - exact(y), gmp = gmp - Gmp(y);
+          break;
+        case 2:
+          own = own * exact(y), gmp = gmp * Gmp(y);
+          break;
+        case 3:
+          own = own / exact(y), gmp = gmp / Gmp(y);
+          break;
+        default:
+          own = -own / 3, gmp = -gmp / 3;
+      }
+      ASSERT_EQ(own.sign(), gmp.sign()) << "seed " << seed << " round " << round;
+      ASSERT_EQ(own < own_before, gmp < gmp_before) << "seed " << seed << " round " << round;
+      ASSERT_EQ(own == own_before, gmp == gmp_before) << "seed " << seed << " round " << round;
+      ASSERT_NEAR(own.to_double() / gmp.convert_to<double>(), 1, 1e-15) << "seed " << seed << " round " << round;
+      // Each is the value of the other: numerator / denominator · 2^exponent.
+      const Gmp fraction(Gmp(own.numerator().str()) / Gmp(own.denominator().str()));
+      const long e = own.exponent();
+      const Gmp power(boost::multiprecision::mpz_int(1) << static_cast<unsigned>(std::abs(e)));
+      ASSERT_EQ(e < 0 ? Gmp(fraction / power) : Gmp(fraction * power), gmp) << "seed " << seed << " round " << round;
+    }
+  }
 }
 
 TEST(OracleRational, WorldVertexIsTheLibrarysBitForBit) {

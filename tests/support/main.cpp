@@ -18,13 +18,26 @@ namespace {
 
 constexpr std::uint64_t slice_seed = 0;
 
+#if defined(TOCCATA_TEST_SANITIZED) || !defined(__OPTIMIZE__)
+constexpr bool built_to_be_slow = true;
+#else
+constexpr bool built_to_be_slow = false;
+#endif
+
+const char* simd_level_of_environment() { return std::getenv("TOCCATA_SIMD"); }
+
+std::uint64_t slice_of(const Sweep& sweep) {
+  const bool thin = built_to_be_slow || simd_level_of_environment() != nullptr;
+  return fewer_under_tsan(thin && sweep.thin_slice > 0 ? sweep.thin_slice : sweep.slice);
+}
+
 /// Some families of a sweep.
 class SweepSlice : public testing::Test {
  public:
   SweepSlice(const Sweep& sweep, std::vector<std::string> families) : sweep_(sweep), families_(std::move(families)) {}
 
   void TestBody() override {
-    const std::uint64_t cases = fewer_under_tsan(sweep_.slice);
+    const std::uint64_t cases = slice_of(sweep_);
     for (const std::string& family : families_) {
       const SweepResult result = sweep_.run(family, slice_seed, cases);
       EXPECT_GT(result.cases, 0U);
@@ -54,7 +67,7 @@ void register_slices() {
 
 /// The SIMD level that the environment's TOCCATA_SIMD names is used in all tests. False where the machine lacks it.
 bool use_level_of_environment() {
-  const char* name = std::getenv("TOCCATA_SIMD");
+  const char* name = simd_level_of_environment();
   if (name == nullptr) return true;
   for (const SimdLevel level : simd_levels())
     if (name_of(level) == std::string_view(name)) {

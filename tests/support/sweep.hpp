@@ -24,6 +24,9 @@ struct Sweep {
   std::uint64_t slice = 1000;         ///< cases per family in the quick run
   std::function<SweepResult(const std::string& family, std::uint64_t seed, std::uint64_t cases)> run;
   std::uint64_t shard = 10'000;  ///< cases per shard: no more than a minute or two
+  /// Cases per family where the quick run is slow, or not the first: under sanitizers, without optimisation, at a lower
+  /// SIMD level. 0: as many as in the slice.
+  std::uint64_t thin_slice = 0;
 };
 
 /// Makes a sweep known; call it from a static initialiser: `const bool known = register_sweep({…});`.

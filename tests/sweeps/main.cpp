@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <future>
-#include <optional>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -21,32 +22,22 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* usage =
-    "usage: toccata-sweeps --evidence DIR [--name SWEEP] [--minutes M] [--scale F] [--threads N] [--commit ID]\n"
+    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID]\n"
+    "Runs shards of the families that are farthest from their goals, until all have reached them.\n"
     "  --evidence DIR  folder of the evidence files, one per sweep\n"
-    "  --name SWEEP    only this sweep\n"
+    "  --name SWEEP    only this sweep; may be given several times\n"
     "  --minutes M     start no shard after M minutes (default: run until every goal is reached)\n"
     "  --scale F       multiply every goal by F\n"
-    "  --threads N     shards at a time (default: one per core)\n"
+    "  --threads N     families at a time (default: one per core)\n"
     "  --commit ID     the commit this program was built from, kept in the evidence\n";
 
 struct Options {
   std::filesystem::path evidence;
-  std::optional<std::string> name;
+  std::vector<std::string> names;  ///< empty: all
   double minutes = 1e9;
   double scale = 1;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
-};
-
-struct Shard {
-  std::string family;
-  std::uint64_t seed = 0;
-  std::uint64_t cases = 0;
-};
-
-struct ShardAnswer {
-  SweepResult result;
-  double seconds = 0;
 };
 
 Options parse(int argument_count, char** arguments) {
@@ -58,7 +49,7 @@ Options parse(int argument_count, char** arguments) {
     if (option == "--evidence")
       options.evidence = value;
     else if (option == "--name")
-      options.name = value;
+      options.names.push_back(value);
     else if (option == "--minutes")
       options.minutes = std::stod(value);
     else if (option == "--scale")
@@ -74,44 +65,73 @@ Options parse(int argument_count, char** arguments) {
   return options;
 }
 
-/// The next shard of every family that has not reached the goal.
-std::vector<Shard> next_round(const Sweep& sweep, const Evidence& evidence, std::uint64_t goal) {
-  std::vector<Shard> round;
-  for (const std::string& family : sweep.families) {
-    const FamilyEvidence& done = evidence.family(family);
-    if (done.cases() < goal) round.push_back({family, done.next_shard(), std::min(goal, sweep.shard)});
-  }
-  return round;
-}
+/// A family on the way to its goal.
+struct Lane {
+  const Sweep* sweep;
+  std::string family;
+  bool busy = false;
+};
 
-ShardAnswer run_shard(const Sweep& sweep, const Shard& shard) {
-  const Clock::time_point start = Clock::now();
-  const SweepResult result = sweep.run(shard.family, shard.seed, shard.cases);
-  if (result.cases == 0) throw std::runtime_error(sweep.name + "/" + shard.family + " ran no case");
-  return {result, std::chrono::duration<double>(Clock::now() - start).count()};
-}
-
-/// Runs shards of one sweep, as many at a time as there are threads, until the goal or the deadline.
-void run_sweep(const Sweep& sweep, const Options& options, Clock::time_point deadline) {
-  const std::filesystem::path file = options.evidence / (sweep.name + ".json");
-  Evidence evidence = Evidence::read(file, sweep.name);
-  const auto goal = static_cast<std::uint64_t>(static_cast<double>(sweep.goal) * options.scale);
-  for (auto round = next_round(sweep, evidence, goal); !round.empty(); round = next_round(sweep, evidence, goal)) {
-    for (std::size_t first = 0; first < round.size(); first += options.threads) {
-      if (Clock::now() >= deadline) return;
-      const std::size_t end = std::min(first + options.threads, round.size());
-      std::vector<std::future<ShardAnswer>> answers;
-      for (std::size_t i = first; i < end; ++i) {
-        answers.push_back(std::async(std::launch::async, run_shard, std::cref(sweep), std::cref(round[i])));
-      }
-      for (std::size_t i = first; i < end; ++i) {
-        const ShardAnswer answer = answers[i - first].get();
-        evidence.add(round[i].family, round[i].seed, answer.result, answer.seconds, version, options.commit);
-      }
-      evidence.write(file);
+/// Runs shards of chosen sweeps on some threads; the evidence files are complete after every shard.
+class Run {
+ public:
+  Run(const std::vector<const Sweep*>& chosen, const Options& options, Clock::time_point deadline)
+      : options_(options), deadline_(deadline) {
+    for (const Sweep* sweep : chosen) {
+      evidence_.emplace(sweep, Evidence::read(file_of(*sweep), sweep->name));
+      for (const std::string& family : sweep->families) lanes_.push_back({sweep, family});
     }
   }
-}
+
+  void run() {
+    std::vector<std::future<void>> workers;
+    for (std::size_t i = 0; i < options_.threads; ++i)
+      workers.push_back(std::async(std::launch::async, [this] { work(); }));
+    for (std::future<void>& worker : workers) worker.get();
+  }
+
+ private:
+  std::filesystem::path file_of(const Sweep& sweep) const { return options_.evidence / (sweep.name + ".json"); }
+
+  /// The part of its goal that a family has reached.
+  double progress(const Lane& lane) const {
+    const auto done = static_cast<double>(evidence_.at(lane.sweep).family(lane.family).cases());
+    return done / (static_cast<double>(lane.sweep->goal) * options_.scale);
+  }
+
+  /// The family that is farthest from its goal; nothing when all have reached it, or there is no time left.
+  Lane* next() {
+    if (Clock::now() >= deadline_) return nullptr;
+    Lane* least = nullptr;
+    for (Lane& lane : lanes_)
+      if (!lane.busy && progress(lane) < 1 && (least == nullptr || progress(lane) < progress(*least))) least = &lane;
+    return least;
+  }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (Lane* lane = next()) {
+      lane->busy = true;
+      const Sweep& sweep = *lane->sweep;
+      const std::uint64_t seed = evidence_.at(&sweep).family(lane->family).next_shard();
+      lock.unlock();
+      const Clock::time_point start = Clock::now();
+      const SweepResult result = sweep.run(lane->family, seed, std::min(sweep.goal, sweep.shard));
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      lock.lock();
+      if (result.cases == 0) throw std::runtime_error(sweep.name + "/" + lane->family + " ran no case");
+      evidence_.at(&sweep).add(lane->family, seed, result, seconds, version, options_.commit);
+      evidence_.at(&sweep).write(file_of(sweep));
+      lane->busy = false;
+    }
+  }
+
+  const Options& options_;
+  Clock::time_point deadline_;
+  std::mutex mutex_;  ///< of what follows
+  std::map<const Sweep*, Evidence> evidence_;
+  std::vector<Lane> lanes_;
+};
 
 /// One line per family, and whether no case was wrong.
 bool report(const Sweep& sweep, const Options& options) {
@@ -131,19 +151,24 @@ bool report(const Sweep& sweep, const Options& options) {
   return right;
 }
 
+std::vector<const Sweep*> chosen_sweeps(const std::vector<std::string>& names) {
+  std::vector<const Sweep*> chosen;
+  for (const Sweep& sweep : sweeps())
+    if (names.empty() || std::ranges::count(names, sweep.name) > 0) chosen.push_back(&sweep);
+  for (const std::string& name : names)
+    if (std::ranges::none_of(chosen, [&](const Sweep* sweep) { return sweep->name == name; }))
+      throw std::runtime_error("no sweep is named " + name);
+  return chosen;
+}
+
 int run_all(const Options& options) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(60 * std::min(options.minutes, 1e6)));
   std::filesystem::create_directories(options.evidence);
+  const std::vector<const Sweep*> chosen = chosen_sweeps(options.names);
+  Run(chosen, options, deadline).run();
   bool right = true;
-  bool found = false;
-  for (const Sweep& sweep : sweeps()) {
-    if (options.name && *options.name != sweep.name) continue;
-    found = true;
-    run_sweep(sweep, options, deadline);
-    right = report(sweep, options) && right;
-  }
-  if (options.name && !found) throw std::runtime_error("no sweep is named " + *options.name);
+  for (const Sweep* sweep : chosen) right = report(*sweep, options) && right;
   return right ? 0 : 1;
 }
 
