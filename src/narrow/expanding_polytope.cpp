@@ -99,14 +99,14 @@ Index ExpandingPolytope::add_facet(Index p, Index q, Index r) {
   return f;
 }
 
-void ExpandingPolytope::settle(Index f, const Vec3& unit_normal, double distance, double distance_error) {
+void ExpandingPolytope::settle(Index f, const Vec3& unit_normal, double distance, double lower, double upper) {
   PolytopeFacet& facet = facets_[f];
   facet.precise = true;
   facet.normal = unit_normal;
   facet.offset = distance;
   facet.error = 0x1p-47 * body_.extent();
-  facet.lower = distance - distance_error;
-  facet.upper = distance + distance_error;
+  facet.lower = lower;
+  facet.upper = upper;
   enqueue(f);
 }
 
@@ -122,7 +122,7 @@ void ExpandingPolytope::make_precise(Index f) {
   if (!(length > 0x1p-40 * edges) || !(length > 0x1p-450)) return make_exact(f);
   const double distance = dot(n, p).high / length;
   const double error = 0x1p-97 * edges * body_.extent() / length + 0x1p-50 * std::fabs(distance);
-  settle(f, (1 / length) * rounded, distance, error);
+  settle(f, (1 / length) * rounded, distance, distance - error, distance + error);
 }
 
 void ExpandingPolytope::make_exact(Index f) {
@@ -133,10 +133,14 @@ void ExpandingPolytope::make_exact(Index f) {
   const WideInteger squared = dot(plane.normal, plane.normal);
   const double distance = body_.scaled_length(quotient_by_root(plane.offset, squared, body_.exact_exponent()));
   facets_[f].exact = static_cast<Index>(planes_.size());
-  // Rounding takes the last denormal digits; where the origin lies behind the plane, `upper` says so however near it
-  // is.
-  const double underflow = plane.offset > 0 ? std::numeric_limits<double>::denorm_min() : 0;
-  settle(f, unit_vector(plane.normal), distance, 0x1p-51 * std::fabs(distance) + underflow);
+  // Rounding takes the last denormal digits, but not the side on which the origin lies, however near it is: or a facet
+  // that has the origin behind it could pass for one that is nearer than another that has it before it.
+  const Sign side = sign_of(plane.offset);
+  const double underflow = side == Sign::zero ? 0 : std::numeric_limits<double>::denorm_min();
+  const double error = 0x1p-51 * std::fabs(distance) + underflow;
+  const double lower = side == Sign::positive ? std::max(distance - error, 0.0) : distance - error;
+  const double upper = side == Sign::negative ? std::min(distance + error, 0.0) : distance + error;
+  settle(f, unit_vector(plane.normal), distance, lower, upper);
   planes_.push_back(std::move(plane));
 }
 

@@ -108,7 +108,7 @@ class ExpandingPolytope {
   [[nodiscard]] Sign orientation(const std::array<DifferencePoint, 4>& points) const;
   Index add_facet(Index p, Index q, Index r);
   void measure(PolytopeFacet& facet) const;
-  void settle(Index f, const Vec3& unit_normal, double distance, double distance_error);
+  void settle(Index f, const Vec3& unit_normal, double distance, double lower, double upper);
   void enqueue(Index f);
   [[nodiscard]] bool completes_parallelogram(Index f, const DifferencePoint& p) const;
   [[nodiscard]] Sign height_sign(Index f, const DifferencePoint& p);

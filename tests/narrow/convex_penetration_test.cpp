@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "toccata/core/error.hpp"
@@ -73,6 +74,19 @@ TEST(ConvexPenetration, OfACapsuleInABoxIsDefinedForItsFlatCore) {
 TEST(ConvexPenetration, OfShapesApartIsZero) {
   expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), at(5, 5, 5)), 0);
   expect_depth(PosedConvex(Sphere(1)), PosedConvex(Sphere(1), at(5, 5, 5)), 0);
+}
+
+// Apart by less than the least double: of the facets of their difference one has the origin before it, and another,
+// which doubles cannot tell from it, has it behind.
+TEST(ConvexPenetration, OfShapesApartByLessThanADoubleIsZero) {
+  const double hair = std::numeric_limits<double>::denorm_min();
+  const std::vector<Vec3> of_a{{3, -1 + 0x1p-53, 6}, {4, 0, 7},  {2, -hair, 5}, {4, -2 + 0x1p-52, 6}, {3, 0, 5},
+                               {4, -3 + 0x1p-51, 6}, {2, -1, 5}, {3, -3, 5},    {3, -2 - 0x1p-51, 4}};
+  const std::vector<Vec3> of_b{{4, 3, 5}, {4, 2, 2}, {5, 0, 3}, {2, 0, 5}, {5, 0, 4}, {2, 0, 4}};
+  const ConvexHull a(of_a), b(of_b);
+  EXPECT_FALSE(overlap(PosedConvex(a), PosedConvex(b)));
+  EXPECT_EQ(penetration(PosedConvex(a), PosedConvex(b)).upper, 0);
+  EXPECT_EQ(penetration_by_separating_axes(PosedConvex(a), PosedConvex(b)).upper, 0);
 }
 
 TEST(ConvexPenetration, DoesNotDependOnWhereAndHowLargeTheShapesAre) {
