@@ -181,6 +181,55 @@ class ToccataOwnForms : public ConvexLibrary {
   std::vector<PlacedAs<B>> placed_b_;
 };
 
+/// Does the pair's own function take shapes and poses for this task?
+template <class A, class B>
+bool takes_given(ConvexTask task) {
+  if (task == ConvexTask::distance) return requires(const A& a, const B& b, const Pose& pose) {
+      distance(a, pose, b, pose);
+    };
+  return task == ConvexTask::overlap && requires(const A& a, const B& b, const Pose& pose) {
+    overlap(a, pose, b, pose);
+  };
+}
+
+/// The functions that take shapes and poses.
+template <class A, class B>
+class ToccataGiven : public ConvexLibrary {
+ public:
+  Description description() const override {
+    return {"toccata", "the pair's own, shapes and poses given", version,
+            fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+  }
+
+  void prepare(const ConvexWork& work) override {
+    work_ = &work;
+    for (const ConvexPair& pair : work.pairs) {
+      a_.push_back(std::get<A>(pair.a));
+      b_.push_back(std::get<B>(pair.b));
+    }
+  }
+
+  void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = answer_to(work_->questions[first + i]);
+  }
+
+ private:
+  ConvexAnswer answer_to(const ConvexQuestion& question) const {
+    const A& a = a_[question.pair];
+    const B& b = b_[question.pair];
+    if constexpr (requires { distance(a, question.a, b, question.b); })
+      if (work_->task == ConvexTask::distance) {
+        const Distance d = distance(a, question.a, b, question.b);
+        return {d.upper == 0, d.lower, d.upper};
+      }
+    return {overlap(a, question.a, b, question.b)};
+  }
+
+  const ConvexWork* work_ = nullptr;
+  std::vector<A> a_;
+  std::vector<B> b_;
+};
+
 template <class Placed>
 struct ArrayFor {};
 template <>
@@ -258,6 +307,8 @@ ConvexOffer toccata_convex(const ConvexWork& work) {
       if (has_own_form<A, B>(work.task))
         for (const Posing posing : {Posing::for_each_question, Posing::before})
           offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>(posing));
+    if constexpr (requires(const A& a, const B& b, const Pose& pose) { overlap(a, pose, b, pose); })
+      if (takes_given<A, B>(work.task)) offer.libraries.push_back(std::make_unique<ToccataGiven<A, B>>());
     if constexpr (HasOwnForms<A, B>)
       if constexpr (HasArrays<A, B>)
         if (has_arrays) offer.libraries.push_back(std::make_unique<ToccataArrays<A, B>>());

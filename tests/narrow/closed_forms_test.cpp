@@ -8,6 +8,7 @@
 #include "support/convex_cases.hpp"
 #include "support/fewer_cases.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/simd.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/sphere.hpp"
@@ -218,6 +219,70 @@ TEST(PosedShapes, BadOnesAreRefused) {
   EXPECT_THROW(PosedBox(Box({1, 1, 1}), Pose{Mat3{{Vec3{}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}}), Error);
   EXPECT_THROW(PosedBox(Box({1e308, 1, 1}), stretching), Error);
   EXPECT_THROW(PosedSphere(Sphere(1), Pose::translation(HUGE_VAL, 0, 0)), Error);
+}
+
+// --- shapes and poses given
+
+const std::vector<std::pair<std::string, std::string>> pairs_of_given = {
+    {"sphere", "sphere"}, {"sphere", "triangle"}, {"sphere", "box"}, {"sphere", "capsule"}, {"capsule", "capsule"}};
+
+TEST(ShapesAndPoses, AnswerAsPosedOnesAtEveryLevel) {
+  const SimdLevel before = simd_level();
+  for (const SimdLevel level : simd_levels()) {
+    use_simd_level(level);
+    std::uint64_t seed = 0;
+    for (const auto& [kind_a, kind_b] : pairs_of_given)
+      for (const std::string& regime : test::convex_regimes())
+        for (int round = 0; round < test::fewer_under_tsan(20); ++round) {
+          Random random(++seed);
+          const ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
+          const std::optional<bool> given = test::overlap_of_given(pair);
+          ASSERT_TRUE(given.has_value());
+          ASSERT_EQ(*given, overlap(test::posed(pair.a), test::posed(pair.b)))
+              << name_of(level) << ", seed " << seed << ", " << to_text(pair);
+        }
+  }
+  use_simd_level(before);
+}
+
+TEST(ShapesAndPoses, BadOnesAreRefused) {
+  const Pose stretching{Mat3{{Vec3{2, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}};
+  const Pose lost = Pose::translation(std::nan(""), 0, 0), endless = Pose::translation(0, HUGE_VAL, 0);
+  const Sphere ball(1);
+  const Box box({1, 1, 1});
+  const Capsule capsule({0, 0, -1}, {0, 0, 1}, 1);
+  const Triangle triangle{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}};
+  const auto message_of = [](const auto& question) -> std::string {
+    try {
+      static_cast<void>(question());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const Pose& bad : {stretching, lost, endless}) {
+    const std::string of_ball = message_of([&] { return PosedSphere(ball, bad); });
+    ASSERT_NE(of_ball, "");
+    EXPECT_EQ(message_of([&] { return overlap(ball, bad, ball, {}); }), of_ball);
+    EXPECT_EQ(message_of([&] { return overlap(ball, {}, ball, bad); }), of_ball);
+    EXPECT_EQ(message_of([&] { return overlap(ball, bad, box, {}); }), of_ball);
+    EXPECT_EQ(message_of([&] { return overlap(ball, bad, triangle, {}); }), of_ball);
+    EXPECT_EQ(message_of([&] { return overlap(ball, bad, capsule, {}); }), of_ball);
+    const std::string of_capsule = message_of([&] { return PosedCapsule(capsule, bad); });
+    EXPECT_EQ(message_of([&] { return overlap(ball, {}, capsule, bad); }), of_capsule);
+    EXPECT_EQ(message_of([&] { return overlap(capsule, bad, capsule, {}); }), of_capsule);
+    EXPECT_EQ(message_of([&] { return overlap(capsule, {}, capsule, bad); }), of_capsule);
+  }
+  for (const Pose& bad : {lost, endless}) {
+    EXPECT_EQ(message_of([&] { return overlap(ball, {}, box, bad); }), message_of([&] { return PosedBox(box, bad); }));
+    EXPECT_EQ(message_of([&] { return overlap(ball, {}, triangle, bad); }),
+              message_of([&] { return PosedConvex(triangle, bad); }));
+  }
+  // A box may be stretched, but not flattened, and no corner may be beyond all numbers.
+  EXPECT_TRUE(overlap(ball, Pose::translation(3, 0, 0), box, stretching));
+  EXPECT_FALSE(overlap(ball, Pose::translation(std::nextafter(3, 4), 0, 0), box, stretching));
+  EXPECT_NE(message_of([&] { return overlap(ball, {}, box, Pose{Mat3{{Vec3{}, Vec3{}, Vec3{}}}, {}}); }), "");
+  EXPECT_NE(message_of([&] { return overlap(ball, {}, Box({1e308, 1, 1}), Pose::translation(1.7e308, 0, 0)); }), "");
 }
 
 }  // namespace

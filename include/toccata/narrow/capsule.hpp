@@ -11,6 +11,9 @@ namespace toccata {
 [[nodiscard]] bool overlap(const PosedCapsule& a, const Triangle& b);
 [[nodiscard]] bool overlap(const PosedCapsule& a, const PosedBox& b);
 
+/// Of two capsules and their poses; throws Error as the posed ones do.
+[[nodiscard]] bool overlap(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
+
 [[nodiscard]] Distance distance(const PosedCapsule& a, const PosedCapsule& b);
 [[nodiscard]] Distance distance(const PosedCapsule& a, const Segment& b);
 [[nodiscard]] Distance distance(const PosedCapsule& a, const Triangle& b);

@@ -16,6 +16,14 @@ namespace toccata {
 [[nodiscard]] bool overlap(const PosedSphere& a, const PosedCapsule& b);
 [[nodiscard]] bool overlap(const PosedSphere& a, const Plane& b);
 
+// The same of shapes and poses, of which only what is needed is computed: faster than to pose them for one question.
+// Throw Error as the posed shapes do.
+[[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b);
+/// The triangle in its own frame.
+[[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b);
+[[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+[[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
+
 /// With the nearest points, as for any two convex shapes.
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedSphere& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const Triangle& b);

@@ -1,0 +1,201 @@
+// Spheres, capsules, boxes and triangles under rigid poses, without posing them: formulas that answer nearly always.
+// Compiled once for every SIMD level; Highway includes this file into itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "narrow/rigid_overlap.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "math/world_vertex.hpp"
+#include "narrow/closed_forms.hpp"
+#include "narrow/pose_checks.hpp"
+#include "toccata/narrow/capsule.hpp"
+
+// Nothing is said here unless both poses are rigid but for rounding: every |RᵀR − I| below 2^-42 in its diagonal and
+// below 2^-43 beside it, so that its norm is below δ = 2^-40.9, the roundings of the check included. Such a pose
+// deforms nothing, is not singular, and is finite but for its offset. R = U H with U orthogonal and |H − I| < δ / 2.
+//
+// A sphere's centre c is the rounded world vertex. Box and triangle stay in their own frame, where the centre is
+// l = Rᵀ(c − t). Let v be the magnitudes of what the shape is made of, w = c − t, u = 2^-53. Then
+// - Uᵀw, which is as far from H · (the shape) as c from R · (the shape) + t, differs from Rᵀw by δ / 2 · |w|, and l
+// from
+//   that by 7u |w|;
+// - H · (the shape) differs from the shape by δ / 2 · |v|;
+// - the world vertices are rounded, which moves them by less than 32u (|v| + |t|) (rigid_box.cpp).
+// So the distance in the shape's frame is off by less than 2^-41 (|w| + |v|) + 2^-48 |t|. What is not finite makes this
+// bound NaN or infinite, and the answer unknown.
+HWY_BEFORE_NAMESPACE();
+namespace toccata {
+namespace HWY_NAMESPACE {
+namespace {
+
+constexpr double frame_error = 0x1p-40, offset_error = 0x1p-48;  // the first is twice what is needed
+constexpr double rigid_bound = 0x1p-42;
+
+#if HWY_TARGET <= HWY_AVX2
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::FixedTag<double, 4>;
+using Number = hn::Vec<Tag>;
+constexpr Tag tag;
+
+/// Three numbers and 0.
+HWY_INLINE Number load(const Vec3& v) { return hn::MaskedLoad(hn::FirstN(tag, 3), tag, &v.x); }
+
+/// The number j + 1, of three, in place of the j-th.
+HWY_INLINE Number next(const Number& v) {
+  alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
+  return hn::TableLookupLanes(v, hn::SetTableIndices(tag, order));
+}
+
+struct Rows {
+  Number x, y, z;
+};
+
+HWY_INLINE Rows rows_of(const Pose& pose) { return {load(pose.linear[0]), load(pose.linear[1]), load(pose.linear[2])}; }
+
+/// Of each column the square of its length, less 1, and twice its product with the next: magnitudes.
+HWY_INLINE Number skew_of(const Rows& r) {
+  alignas(32) static constexpr double ones[4] = {1, 1, 1, 0};
+  const Number squares = hn::Add(hn::Add(hn::Mul(r.x, r.x), hn::Mul(r.y, r.y)), hn::Mul(r.z, r.z));
+  const Number products = hn::Add(hn::Add(hn::Mul(r.x, next(r.x)), hn::Mul(r.y, next(r.y))), hn::Mul(r.z, next(r.z)));
+  return hn::Add(hn::Abs(hn::Sub(squares, hn::Load(tag, ones))), hn::Abs(hn::Add(products, products)));
+}
+
+HWY_INLINE bool are_rigid(const Rows& a, const Rows& b) {
+  return hn::AllTrue(tag, hn::Lt(hn::Add(skew_of(a), skew_of(b)), hn::Set(tag, rigid_bound)));
+}
+
+HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) { return are_rigid(rows_of(a), rows_of(b)); }
+
+/// Rᵀ v, of which the last number is 0.
+HWY_INLINE Number turned_back(const Rows& r, const Vec3& v) {
+  return hn::Add(hn::Add(hn::Mul(r.x, hn::Set(tag, v.x)), hn::Mul(r.y, hn::Set(tag, v.y))),
+                 hn::Mul(r.z, hn::Set(tag, v.z)));
+}
+
+HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
+  alignas(32) double result[4];
+  hn::Store(turned_back(rows_of(pose), v), tag, result);
+  return {result[0], result[1], result[2]};
+}
+
+/// How far, squared, a point is beyond the box, given from the offset of its pose.
+HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& from_offset) {
+  const Number local = hn::Sub(turned_back(rows_of(pose), from_offset), load(box.centre()));
+  const Number beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
+  return hn::GetLane(hn::SumOfLanes(tag, hn::Mul(beyond, beyond)));
+}
+#else
+HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) {
+  return is_surely_rigid(a.linear) && is_surely_rigid(b.linear);
+}
+
+HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
+  return (v.x * pose.linear[0] + v.y * pose.linear[1]) + v.z * pose.linear[2];
+}
+
+HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& from_offset) {
+  const Vec3 local = turned_back(pose, from_offset) - box.centre();
+  Vec3 beyond;
+  for (int axis = 0; axis < 3; ++axis)
+    beyond[axis] = clamped(std::fabs(local[axis]) - box.half_extents()[axis], 0, HUGE_VAL);
+  return dot(beyond, beyond);
+}
+#endif
+
+/// The world vertex. Shapes are mostly around the origin of their frame.
+HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& local) {
+  return local == Vec3{} ? pose.offset : world_vertex(pose, local);
+}
+
+HWY_INLINE double size_of(const Box& box) {
+  return sum_of_magnitudes(box.half_extents()) + sum_of_magnitudes(box.centre());
+}
+
+}  // namespace
+
+Nearness sphere_sphere(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
+  if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
+  return nearness_of_points(placed(pose_a, a.centre()), placed(pose_b, b.centre()), a.radius() + b.radius());
+}
+
+/// Compared with squares of radii that are larger or smaller by the error: the few roundings of these and of the sum
+/// are less than what `frame_error` has to spare.
+Nearness sphere_box(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
+  const Vec3 from_offset = placed(pose_a, a.centre()) - pose_b.offset;
+  const double squared = squared_beyond(b, pose_b, from_offset);
+  const double sizes = (sum_of_magnitudes(from_offset) + size_of(b)) + a.radius();
+  const double error = frame_error * sizes + (offset_error * sum_of_magnitudes(pose_b.offset) + 0x1p-480);
+  const double inner = a.radius() - error, outer = a.radius() + error;
+  // Without a branch between the two: which of them it is, no processor foresees.
+  const bool meets = (inner > 0) & (squared < inner * inner), apart = squared > outer * outer;
+  if (!(meets | apart)) return Nearness::unknown;
+  return meets ? Nearness::meet : Nearness::apart;
+}
+
+Nearness sphere_triangle(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
+  if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
+  const Vec3 local = turned_back(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
+  const double sizes =
+      (sum_of_magnitudes(local) + sum_of_magnitudes(b[0])) + (sum_of_magnitudes(b[1]) + sum_of_magnitudes(b[2]));
+  const double slack = frame_error * sizes + offset_error * sum_of_magnitudes(pose_b.offset);
+  return nearness_of_point_triangle(local, b, a.radius(), slack);
+}
+
+Nearness sphere_capsule(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+  if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
+  return nearness_of_point_segment(placed(pose_a, a.centre()), world_vertex(pose_b, b.start()),
+                                   world_vertex(pose_b, b.end()), a.radius() + b.radius());
+}
+
+Nearness capsule_capsule(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+  if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
+  return nearness_of_segments(world_vertex(pose_a, a.start()), world_vertex(pose_a, a.end()),
+                              world_vertex(pose_b, b.start()), world_vertex(pose_b, b.end()), a.radius() + b.radius());
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace toccata
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace toccata {
+
+HWY_EXPORT(sphere_sphere);
+HWY_EXPORT(sphere_box);
+HWY_EXPORT(sphere_triangle);
+HWY_EXPORT(sphere_capsule);
+HWY_EXPORT(capsule_capsule);
+
+bool overlap(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_sphere)(a, pose_a, b, pose_b);
+  if (found != Nearness::unknown) return found == Nearness::meet;
+  return overlap(PosedSphere(a, pose_a), PosedSphere(b, pose_b));
+}
+
+bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_box)(a, pose_a, b, pose_b);
+  if (found != Nearness::unknown) return found == Nearness::meet;
+  return overlap(PosedSphere(a, pose_a), PosedBox(b, pose_b));
+}
+
+bool overlap(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_triangle)(a, pose_a, b, pose_b);
+  if (found != Nearness::unknown) return found == Nearness::meet;
+  return overlap(PosedConvex(a, pose_a), PosedConvex(b, pose_b));
+}
+
+bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_capsule)(a, pose_a, b, pose_b);
+  if (found != Nearness::unknown) return found == Nearness::meet;
+  return overlap(PosedSphere(a, pose_a), PosedCapsule(b, pose_b));
+}
+
+bool overlap(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+  const Nearness found = HWY_DYNAMIC_DISPATCH(capsule_capsule)(a, pose_a, b, pose_b);
+  if (found != Nearness::unknown) return found == Nearness::meet;
+  return overlap(PosedCapsule(a, pose_a), PosedCapsule(b, pose_b));
+}
+
+}  // namespace toccata
+#endif
