@@ -1,0 +1,283 @@
+#include "toccata/bounds/kdop.hpp"
+
+#include "bounds/normals.hpp"
+#include "bounds/point_clouds.hpp"
+#include "bounds/polytope_measure.hpp"
+#include "bounds/posed_bounds.hpp"
+#include "bounds/separation.hpp"
+
+namespace toccata {
+
+template <std::size_t k>
+Directions face_normals(const Kdop<k>&) {
+  Directions normals;
+  for (const Vec3& n : kdop_normals<k>()) normals.direction[normals.count++] = n;
+  return normals;
+}
+
+namespace {
+
+/// No less than normal · point; exact along an axis.
+double height_bound(const Vec3& normal, const Vec3& point) {
+  const double components = std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z);
+  if (components == 1) return dot(normal, point);
+  UpperSum sum;
+  sum.add(normal, point);
+  return sum.bound();
+}
+
+template <std::size_t k>
+Kdop<k> fit_kdop(std::span<const Vec3> points) {
+  static constexpr auto normals = kdop_normals<k>();
+  Kdop<k> fitted;
+  if (is_empty(checked_box(points))) return fitted;
+  for (const Vec3& p : points)
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      fitted.upper[i] = std::max(fitted.upper[i], height_bound(normals[i], p));
+      fitted.lower[i] = std::min(fitted.lower[i], -height_bound(-normals[i], p));
+    }
+  return fitted;
+}
+
+/// A non-negative multiple of a normal that points outwards, and the offset of its plane.
+struct Part {
+  double factor = 0;
+  Vec3 normal;
+  double offset = 0;
+};
+
+/// The direction as a sum of three such.
+using Parts = std::array<Part, 3>;
+
+/// The same for a direction with x ≥ y ≥ z ≥ 0, without offsets. The normals of every k cut the sphere of directions
+/// into triangles; each case is one of them.
+template <std::size_t k>
+Parts sorted_parts(const Vec3& d) {
+  if constexpr (k == 6) return {{{d.x, {1, 0, 0}}, {d.y, {0, 1, 0}}, {d.z, {0, 0, 1}}}};
+  if constexpr (k == 14)
+    return {{{d.x - d.y, {1, 0, 0}}, {0.5 * (d.y + d.z), {1, 1, 1}}, {0.5 * (d.y - d.z), {1, 1, -1}}}};
+  if constexpr (k == 26) return {{{d.x - d.y, {1, 0, 0}}, {d.y - d.z, {1, 1, 0}}, {d.z, {1, 1, 1}}}};
+  const double rest = (d.x - d.y) - d.z;
+  if (rest >= 0) return {{{rest, {1, 0, 0}}, {d.y, {1, 1, 0}}, {d.z, {1, 0, 1}}}};
+  return {{{0.5 * ((d.x + d.y) - d.z), {1, 1, 0}}, {0.5 * ((d.x - d.y) + d.z), {1, 0, 1}}, {-0.5 * rest, {0, 1, 1}}}};
+}
+
+/// The axes by descending magnitude of the direction's component.
+std::array<int, 3> descending_axes(const Vec3& d) {
+  std::array<int, 3> axes{0, 1, 2};
+  const auto order = [&](std::size_t i, std::size_t j) {
+    if (std::fabs(d[axes[i]]) < std::fabs(d[axes[j]])) std::swap(axes[i], axes[j]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return axes;
+}
+
+/// The offset of the plane with this normal, which is one of the normals or its opposite.
+template <std::size_t k>
+double offset_of(const Kdop<k>& v, const Vec3& normal) {
+  static constexpr auto normals = kdop_normals<k>();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (normals[i] == normal) return v.upper[i];
+    if (normals[i] == -normal) return -v.lower[i];
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+template <std::size_t k>
+Parts parts_of(const Kdop<k>& v, const Vec3& direction) {
+  const std::array<int, 3> axes = descending_axes(direction);
+  Parts parts =
+      sorted_parts<k>({std::fabs(direction[axes[0]]), std::fabs(direction[axes[1]]), std::fabs(direction[axes[2]])});
+  for (Part& part : parts) {
+    const Vec3 sorted = part.normal;
+    for (int i = 0; i < 3; ++i) {
+      const int axis = axes[static_cast<std::size_t>(i)];
+      part.normal[axis] = direction[axis] < 0 ? -sorted[i] : sorted[i];
+    }
+    part.offset = offset_of(v, part.normal);
+  }
+  return parts;
+}
+
+/// How far from a point a point of the polytope can be, as a sum over the axes.
+template <std::size_t k>
+double reach_bound(const Kdop<k>& v, const Vec3& from) {
+  double reach = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = from[static_cast<int>(i)];
+    reach += std::max(std::fabs(v.lower[i] - x), std::fabs(v.upper[i] - x));
+  }
+  return rounded_up(reach);
+}
+
+/// In units of `size`.
+struct ScaledMeasure {
+  PolytopeMeasure measure;
+  double size = 0;
+};
+
+template <std::size_t k>
+ScaledMeasure scaled_measure(const Kdop<k>& v) {
+  static constexpr auto normals = kdop_normals<k>();
+  if (is_empty(v)) return {};
+  const Vec3 centre = middle(v);
+  std::vector<PlaneBound> planes;
+  double size = reach_bound(v, centre);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const double height = dot(normals[i], centre);
+    planes.push_back({normals[i], v.upper[i] - height});
+    planes.push_back({-normals[i], height - v.lower[i]});
+    size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
+  }
+  if (!(size <= std::numeric_limits<double>::max())) return {{size, size}, 1};
+  for (PlaneBound& plane : planes) plane.offset /= size;
+  return {measure_within(planes), size};
+}
+
+}  // namespace
+
+template <>
+Kdop<6> fit<Kdop<6>>(std::span<const Vec3> points) {
+  return fit_kdop<6>(points);
+}
+template <>
+Kdop<14> fit<Kdop<14>>(std::span<const Vec3> points) {
+  return fit_kdop<14>(points);
+}
+template <>
+Kdop<18> fit<Kdop<18>>(std::span<const Vec3> points) {
+  return fit_kdop<18>(points);
+}
+template <>
+Kdop<26> fit<Kdop<26>>(std::span<const Vec3> points) {
+  return fit_kdop<26>(points);
+}
+template <>
+Kdop<6> fit<Kdop<6>>(std::span<const Triangle> triangles) {
+  return fit_kdop<6>(corners_of(triangles));
+}
+template <>
+Kdop<14> fit<Kdop<14>>(std::span<const Triangle> triangles) {
+  return fit_kdop<14>(corners_of(triangles));
+}
+template <>
+Kdop<18> fit<Kdop<18>>(std::span<const Triangle> triangles) {
+  return fit_kdop<18>(corners_of(triangles));
+}
+template <>
+Kdop<26> fit<Kdop<26>>(std::span<const Triangle> triangles) {
+  return fit_kdop<26>(corners_of(triangles));
+}
+
+template <std::size_t k>
+double support_bound(const Kdop<k>& v, const Vec3& direction, const Vec3& from) {
+  if (is_empty(v)) return -std::numeric_limits<double>::infinity();
+  UpperSum sum;
+  for (const Part& part : parts_of(v, direction)) {
+    if (part.factor == 0) continue;
+    sum.add(part.factor, part.offset);
+    for (int axis = 0; axis < 3; ++axis) sum.add(-part.factor * part.normal[axis], from[axis]);
+  }
+  // What is left of the direction: each component of the sum has met a few roundings.
+  sum.add_slack(0x1p-48 * largest_magnitude(direction) * reach_bound(v, from));
+  return sum.bound();
+}
+
+template <std::size_t k>
+Vec3 farthest_point(const Kdop<k>& v, const Vec3& direction) {
+  const Parts p = parts_of(v, direction);
+  const Vec3 from = middle(v);
+  const auto height = [&](const Part& part) { return part.offset - dot(part.normal, from); };
+  const Vec3 across = cross(p[1].normal, p[2].normal);
+  const Vec3 sum = (height(p[0]) * across + height(p[1]) * cross(p[2].normal, p[0].normal)) +
+                   height(p[2]) * cross(p[0].normal, p[1].normal);
+  return from + (1 / dot(p[0].normal, across)) * sum;
+}
+
+template <std::size_t k>
+Vec3 middle(const Kdop<k>& v) {
+  return middle(box_around(v));
+}
+
+template <std::size_t k>
+Kdop<k> merge(const Kdop<k>& a, const Kdop<k>& b) {
+  Kdop<k> merged;
+  for (std::size_t i = 0; i < Kdop<k>::slabs; ++i) {
+    merged.lower[i] = std::min(a.lower[i], b.lower[i]);
+    merged.upper[i] = std::max(a.upper[i], b.upper[i]);
+  }
+  return merged;
+}
+
+template <std::size_t k>
+bool contains(const Kdop<k>& v, const Vec3& point) {
+  static constexpr auto normals = kdop_normals<k>();
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (!(height_bound(normals[i], point) <= v.upper[i] && height_bound(-normals[i], point) <= -v.lower[i]))
+      return false;
+  return true;
+}
+
+template <std::size_t k>
+bool overlap(const Kdop<k>& a, const Kdop<k>& b) {
+  if (is_empty(a) || is_empty(b)) return false;
+  for (std::size_t i = 0; i < Kdop<k>::slabs; ++i)
+    if (a.upper[i] < b.lower[i] || b.upper[i] < a.lower[i]) return false;
+  return true;
+}
+
+template <std::size_t k>
+Kdop<k> posed(const Kdop<k>& v, const Pose& pose) {
+  static constexpr auto normals = kdop_normals<k>();
+  Kdop<k> turned;
+  if (is_empty(v)) return turned;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    turned.upper[i] = posed_support(v, pose, normals[i], {});
+    turned.lower[i] = -posed_support(v, pose, -normals[i], {});
+  }
+  return turned;
+}
+
+template <std::size_t k>
+Aabb box_around(const Kdop<k>& v) {
+  return {{v.lower[0], v.lower[1], v.lower[2]}, {v.upper[0], v.upper[1], v.upper[2]}};
+}
+
+template <std::size_t k>
+double measure(const Kdop<k>& v) {
+  const ScaledMeasure scaled = scaled_measure(v);
+  return scaled.measure.volume * scaled.size * scaled.size * scaled.size;
+}
+
+template <std::size_t k>
+double surface_area(const Kdop<k>& v) {
+  const ScaledMeasure scaled = scaled_measure(v);
+  return scaled.measure.area * scaled.size * scaled.size;
+}
+
+template <std::size_t k>
+double half_area(const Kdop<k>& v) {
+  return half_area(box_around(v));
+}
+
+#define TOCCATA_INSTANTIATE_KDOP(V)                                  \
+  template double support_bound(const V&, const Vec3&, const Vec3&); \
+  template Vec3 farthest_point(const V&, const Vec3&);               \
+  template Vec3 middle(const V&);                                    \
+  template V merge(const V&, const V&);                              \
+  template bool contains(const V&, const Vec3&);                     \
+  template V posed(const V&, const Pose&);                           \
+  template Aabb box_around(const V&);                                \
+  template double measure(const V&);                                 \
+  template double surface_area(const V&);                            \
+  template double half_area(const V&);                               \
+  TOCCATA_INSTANTIATE_VOLUME(V)
+
+TOCCATA_INSTANTIATE_KDOP(Kdop<6>);
+TOCCATA_INSTANTIATE_KDOP(Kdop<14>);
+TOCCATA_INSTANTIATE_KDOP(Kdop<18>);
+TOCCATA_INSTANTIATE_KDOP(Kdop<26>);
+
+}  // namespace toccata

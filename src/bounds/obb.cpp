@@ -1,0 +1,139 @@
+#include "toccata/bounds/obb.hpp"
+
+#include <array>
+
+#include "bounds/frame.hpp"
+#include "bounds/normals.hpp"
+#include "bounds/point_clouds.hpp"
+#include "bounds/posed_bounds.hpp"
+#include "bounds/separation.hpp"
+#include "toccata/bounds/principal_axes.hpp"
+#include "toccata/math/symmetric_eigen.hpp"
+
+namespace toccata {
+namespace {
+
+/// Grown by what `contains` may be off by: for boxes that are known by their supports, and not by points it has seen.
+Vec3 grown(const Vec3& half) {
+  const double slack = 0x1p-43 * largest_magnitude(half);
+  return {rounded_up(half.x + slack), rounded_up(half.y + slack), rounded_up(half.z + slack)};
+}
+
+/// The box with these axes around whatever the function `support(direction, from)` bounds.
+template <class Support>
+Obb around(const Mat3& axes, const Vec3& near, const Support& support) {
+  Vec3 middle_along, half;
+  for (int axis = 0; axis < 3; ++axis)
+    middle_along[axis] = 0.5 * support(axes[axis], near) - 0.5 * support(-axes[axis], near);
+  const Vec3 centre = point_in_frame(axes, near, middle_along);
+  // Anew from the centre, which rounding need not have left in the middle.
+  for (int axis = 0; axis < 3; ++axis)
+    half[axis] = std::max({0.0, support(axes[axis], centre), support(-axes[axis], centre)});
+  return {centre, axes, grown(half)};
+}
+
+const Obb& smaller(const Obb& a, const Obb& b) { return half_area(b) < half_area(a) ? b : a; }
+
+std::array<Vec3, 8> corners_of(const Obb& box) {
+  std::array<Vec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    const auto along = [&](unsigned axis) {
+      const double half = box.half[static_cast<int>(axis)];
+      return (i >> axis & 1U) != 0 ? half : -half;
+    };
+    corners[i] = point_in_frame(box.axes, box.centre, {along(0), along(1), along(2)});
+  }
+  return corners;
+}
+
+/// Principal axes of the corners; those of the world where the corners are out of range.
+Mat3 common_axes(const Obb& a, const Obb& b) {
+  std::vector<Vec3> corners;
+  for (const Obb* box : {&a, &b})
+    for (const Vec3& corner : corners_of(*box)) corners.push_back(corner);
+  for (const Vec3& corner : corners)
+    if (!(largest_magnitude(corner) <= greatest_fitted_coordinate)) return {};
+  return principal_axes(corners).axes;
+}
+
+}  // namespace
+
+Directions face_normals(const Obb& box) { return directions_of(box.axes); }
+
+Obb fit_obb(std::span<const Vec3> points, const Mat3& axes) {
+  const Aabb box = checked_box(points);
+  if (is_empty(box)) return {};
+  const Vec3 near = centre_of(box);
+  Aabb along;
+  for (const Vec3& p : points) {
+    const Vec3 y = p - near;
+    along = merge(along, Vec3{dot(axes[0], y), dot(axes[1], y), dot(axes[2], y)});
+  }
+  Obb fitted{points.size() == 1 ? near : point_in_frame(axes, near, centre_of(along)), axes, {}};
+  for (const Vec3& p : points) fitted.half = larger(fitted.half, coordinate_bounds(axes, fitted.centre, p));
+  return fitted;
+}
+
+template <>
+Obb fit<Obb>(std::span<const Vec3> points) {
+  return smaller(fit_obb(points, principal_axes(points).axes), fit_obb(points, {}));
+}
+
+template <>
+Obb fit<Obb>(std::span<const Triangle> triangles) {
+  const std::vector<Vec3> corners = corners_of(triangles);
+  return smaller(fit_obb(corners, principal_axes(triangles).axes), fit_obb(corners, {}));
+}
+
+double support_bound(const Obb& box, const Vec3& direction, const Vec3& from) {
+  if (is_empty(box)) return -std::numeric_limits<double>::infinity();
+  UpperSum sum;
+  sum.add(direction, box.centre - from);
+  for (int axis = 0; axis < 3; ++axis) {
+    UpperSum along;
+    along.add(direction, box.axes[axis]);
+    sum.add(along.magnitude_bound(), box.half[axis]);
+  }
+  return sum.bound();
+}
+
+Vec3 farthest_point(const Obb& box, const Vec3& direction) {
+  const auto along = [&](int axis) { return dot(direction, box.axes[axis]) < 0 ? -box.half[axis] : box.half[axis]; };
+  return point_in_frame(box.axes, box.centre, {along(0), along(1), along(2)});
+}
+
+Obb merge(const Obb& a, const Obb& b) {
+  if (is_empty(a) || is_empty(b)) return is_empty(a) ? b : a;
+  const auto both = [&](const Vec3& direction, const Vec3& from) {
+    return std::max(support_bound(a, direction, from), support_bound(b, direction, from));
+  };
+  const Obb as_a = around(a.axes, a.centre, both), as_b = around(b.axes, b.centre, both);
+  return smaller(smaller(as_a, as_b), around(common_axes(a, b), a.centre, both));
+}
+
+bool contains(const Obb& box, const Vec3& point) {
+  if (is_empty(box)) return false;
+  const Vec3 bounds = coordinate_bounds(box.axes, box.centre, point);
+  return bounds.x <= box.half.x && bounds.y <= box.half.y && bounds.z <= box.half.z;
+}
+
+Obb posed(const Obb& box, const Pose& pose) {
+  if (is_empty(box)) return {};
+  const Pose turn{pose.linear, {}};
+  const Mat3 axes = orthonormal_axes(transform(turn, box.axes[0]), transform(turn, box.axes[1]));
+  return around(axes, transform(pose, box.centre),
+                [&](const Vec3& direction, const Vec3& from) { return posed_support(box, pose, direction, from); });
+}
+
+Aabb box_around(const Obb& box) { return box_by_supports(box); }
+
+double measure(const Obb& box) { return is_empty(box) ? 0 : 8 * box.half.x * box.half.y * box.half.z; }
+double half_area(const Obb& box) {
+  const Vec3& half = box.half;
+  return is_empty(box) ? 0 : 4 * ((half.x * half.y + half.y * half.z) + half.z * half.x);
+}
+double surface_area(const Obb& box) { return 2 * half_area(box); }
+
+TOCCATA_INSTANTIATE_VOLUME(Obb);
+
+}  // namespace toccata

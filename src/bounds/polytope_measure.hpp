@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "toccata/math/vec3.hpp"
+
+namespace toccata {
+
+/// All points with normal · x ≤ offset.
+struct PlaneBound {
+  Vec3 normal;
+  double offset = 0;
+};
+
+struct PolytopeMeasure {
+  double volume = 0;
+  double area = 0;
+};
+
+/// Of the polytope within the planes, rounded. It contains the origin and reaches about 1 from it.
+[[nodiscard]] PolytopeMeasure measure_within(std::span<const PlaneBound> planes);
+
+}  // namespace toccata
