@@ -31,6 +31,12 @@ bool overlap(const PosedBox& a, const PosedBox& b) {
   return overlap(as_convex(a), as_convex(b));
 }
 
+bool overlap(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  const Nearness nearness = nearness_of_boxes(a, pose_a, b, pose_b);
+  if (nearness != Nearness::unknown) return nearness == Nearness::meet;
+  return overlap(PosedBox(a, pose_a), PosedBox(b, pose_b));
+}
+
 Penetration penetration(const PosedBox& a, const PosedBox& b) {
   if (const std::optional<bool> is_ordered = is_first(a, b)) {
     const std::optional<Penetration> found = *is_ordered ? penetration_in_order(a, b) : penetration_in_order(b, a);

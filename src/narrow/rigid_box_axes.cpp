@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/world_vertex.hpp"
+
 #include "narrow/rigid_box_axes.hpp"
 #include "narrow/rows.hpp"
 
@@ -46,13 +48,27 @@ HWY_INLINE ThreeRows transposed(const Row (&rows)[3]) {
 }
 #endif
 
+/// What the axes depend on.
+struct TwoBoxes {
+  const Mat3& axes_a;
+  const Mat3& axes_b;
+  const Vec3& half_a;
+  const Vec3& half_b;
+  const Vec3& centre_a;
+  const Vec3& centre_b;
+  // The same, and from A to B.
+  Row row_a, row_b, way;
+};
+
 struct Axes {
   Row way_a, way_b, overlap_a, overlap_b;
   Row cosines[3], edge_overlap[3];
-  double sizes, error;
 };
 
-HWY_INLINE double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
+/// Of each overlap; `sizes` are all extents and the way.
+struct AxesError {
+  double sizes, error;
+};
 
 /// A sum of rows.
 HWY_INLINE Row combined(const Vec3& weights, const Row& first, const Row& second, const Row& third) {
@@ -62,13 +78,13 @@ HWY_INLINE Row combined(const Vec3& weights, const Row& first, const Row& second
 HWY_INLINE Vec3 column(const Mat3& m, int j) { return {m[0][j], m[1][j], m[2][j]}; }
 
 // Nothing here is a loop, which compilers might keep.
-HWY_INLINE void look_along_faces(const BoxView& a, const BoxView& b, Axes& axes) {
-  const Vec3 d = b.box->centre - a.box->centre, h = a.box->half_extents, g = b.box->half_extents;
-  const Mat3 &r = *a.axes, &s = *b.axes;
+HWY_INLINE void look_along_faces(const TwoBoxes& boxes, Axes& axes) {
+  const Mat3 &r = boxes.axes_a, &s = boxes.axes_b;
   const Row r0 = load(&r[0].x), r1 = load(&r[1].x), r2 = load(&r[2].x);
   const Row s0 = load(&s[0].x), s1 = load(&s[1].x), s2 = load(&s[2].x);
-  axes.way_a = combined(d, r0, r1, r2);
-  axes.way_b = combined(d, s0, s1, s2);
+  const Vec3 way = boxes.centre_b - boxes.centre_a;
+  axes.way_a = combined(way, r0, r1, r2);
+  axes.way_b = combined(way, s0, s1, s2);
   axes.cosines[0] = combined(column(r, 0), s0, s1, s2);
   axes.cosines[1] = combined(column(r, 1), s0, s1, s2);
   axes.cosines[2] = combined(column(r, 2), s0, s1, s2);
@@ -78,12 +94,12 @@ HWY_INLINE void look_along_faces(const BoxView& a, const BoxView& b, Axes& axes)
   const ThreeRows turned = {{combined(column(s, 0), r0, r1, r2), combined(column(s, 1), r0, r1, r2),
                              combined(column(s, 2), r0, r1, r2)}};  // the same sums of the same products
 #endif
-  const Row reach_b = combined(h, magnitude(axes.cosines[0]), magnitude(axes.cosines[1]), magnitude(axes.cosines[2]));
-  const Row reach_a = combined(g, magnitude(turned.row[0]), magnitude(turned.row[1]), magnitude(turned.row[2]));
-  axes.overlap_a = (load(&a.box->half_extents.x) + reach_a) - magnitude(axes.way_a);
-  axes.overlap_b = (load(&b.box->half_extents.x) + reach_b) - magnitude(axes.way_b);
-  axes.sizes = (sum(h) + sum(g)) + ((std::fabs(d.x) + std::fabs(d.y)) + std::fabs(d.z));
-  axes.error = (0x1p-47 + 16 * (a.box->skew + b.box->skew)) * axes.sizes + (a.box->slack + b.box->slack);
+  const Row reach_b =
+      combined(boxes.half_a, magnitude(axes.cosines[0]), magnitude(axes.cosines[1]), magnitude(axes.cosines[2]));
+  const Row reach_a =
+      combined(boxes.half_b, magnitude(turned.row[0]), magnitude(turned.row[1]), magnitude(turned.row[2]));
+  axes.overlap_a = (boxes.row_a + reach_a) - magnitude(axes.way_a);
+  axes.overlap_b = (boxes.row_b + reach_b) - magnitude(axes.way_b);
 }
 
 /// What the edge pairs of all three rows have in common.
@@ -103,14 +119,14 @@ HWY_INLINE Row overlap_of_edges(const Axes& axes, const EdgeSides& sides, double
   return (reach_a + reach_b) - magnitude(way);
 }
 
-HWY_INLINE void look_along_edges(const BoxView& a, const BoxView& b, Axes& axes) {
-  const Vec3& h = a.box->half_extents;
+HWY_INLINE void look_along_edges(const TwoBoxes& boxes, Axes& axes) {
+  const Vec3& h = boxes.half_a;
   EdgeSides sides;
   store(axes.way_a, sides.way.data());
   sides.size[0] = magnitude(axes.cosines[0]);
   sides.size[1] = magnitude(axes.cosines[1]);
   sides.size[2] = magnitude(axes.cosines[2]);
-  sides.next_half = next(load(&b.box->half_extents.x));
+  sides.next_half = next(boxes.row_b);
   sides.last_half = next(sides.next_half);
   axes.edge_overlap[0] = overlap_of_edges<0, 1, 2>(axes, sides, h.y, h.z);
   axes.edge_overlap[1] = overlap_of_edges<1, 2, 0>(axes, sides, h.z, h.x);
@@ -149,8 +165,8 @@ HWY_INLINE Index place_of_least_edges(const Axes& axes) {
   return first_of(places_of(least, first, 0) | places_of(least, second, 3) | places_of(least, third, 6) | 1U << 8);
 }
 
-HWY_INLINE void store_all(const Axes& axes, RigidBoxAxes& stored) {
-  stored.error = axes.error;
+HWY_INLINE void store_all(const Axes& axes, double error, RigidBoxAxes& stored) {
+  stored.error = error;
   store(axes.way_a, stored.way_a.data());
   store(axes.way_b, stored.way_b.data());
   store(axes.overlap_a, stored.overlap_a.data());
@@ -163,27 +179,95 @@ HWY_INLINE void store_all(const Axes& axes, RigidBoxAxes& stored) {
   store(axes.edge_overlap[2], stored.edge_overlap[2].data());
 }
 
-}  // namespace
-
-Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes& stored, Storing storing) {
-  Axes axes;
-  look_along_faces(a, b, axes);
+/// Fills in the axes, but for those of edges where faces part the boxes by far.
+HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& error, Axes& axes) {
   const auto is_any = [](const RowMask& mask) { return (bits_of(mask) & 7U) != 0; };
+  look_along_faces(boxes, axes);
   const Row faces = lesser(axes.overlap_a, axes.overlap_b);
   // Only where the faces part the boxes by far, so that the branch is easy to guess: less than that, and to look along
   // the edges as well costs less than a wrong guess.
-  if (is_any(faces < row_of(-(axes.error + 0x1p-5 * axes.sizes)))) return Nearness::apart;
-  look_along_edges(a, b, axes);
+  if (is_any(faces < row_of(-(error.error + 0x1p-5 * error.sizes)))) return Nearness::apart;
+  look_along_edges(boxes, axes);
   const Row edges = lesser(lesser(axes.edge_overlap[0], axes.edge_overlap[1]), axes.edge_overlap[2]);
   const Row all = lesser(faces, edges);
-  if (is_any(all < row_of(-axes.error))) return Nearness::apart;
-  const bool sure = axes.error < 0x1p1000 && !is_any(all <= row_of(axes.error));
-  if (storing == Storing::always || !sure) store_all(axes, stored);
+  if (is_any(all < row_of(-error.error))) return Nearness::apart;
+  return error.error < 0x1p1000 && !is_any(all <= row_of(error.error)) ? Nearness::meet : Nearness::unknown;
+}
+
+HWY_INLINE double sizes_of(const TwoBoxes& boxes) {
+  return sum_of_three((boxes.row_a + boxes.row_b) + magnitude(boxes.way));
+}
+
+HWY_INLINE AxesError error_of(const BoxView& a, const BoxView& b, const TwoBoxes& boxes) {
+  const double sizes = sizes_of(boxes);
+  return {sizes, (0x1p-47 + 16 * (a.box->skew + b.box->skew)) * sizes + (a.box->slack + b.box->slack)};
+}
+
+/// The entries of |RᵀR − I| in and beside its diagonal, three and three added.
+HWY_INLINE Row skews_of(const Mat3& r) {
+  const Row r0 = load(&r[0].x), r1 = load(&r[1].x), r2 = load(&r[2].x);
+  const Row squares = (r0 * r0 + r1 * r1) + r2 * r2;
+  const Row products = (r0 * next(r0) + r1 * next(r1)) + r2 * next(r2);
+  return magnitude(squares - row_of(1)) + magnitude(products);
+}
+
+/// As for boxes that were posed before, but rougher. All entries of |RᵀR − I| together are more than the greatest, and
+/// what they are off by is less than a sixteenth of them and 2^-50. No corner or centre is off by more than 32 · 2^-53
+/// of the local and the pose's coordinates that it was made of (rigid_box.cpp).
+HWY_INLINE AxesError error_of(const Pose& pose_a, const Pose& pose_b, const TwoBoxes& boxes, const Row& places) {
+  const double skew = sum_of_three(skews_of(pose_a.linear) + skews_of(pose_b.linear)), sizes = sizes_of(boxes);
+  const Row offsets = magnitude(load_three(pose_a.offset)) + magnitude(load_three(pose_b.offset));
+  const double slack = 0x1p-48 * (sizes + sum_of_three(places + offsets)) + 0x1p-999;
+  const bool is_rigid = skew < 0x1p-21 && slack < 0x1p900;
+  return {sizes, is_rigid ? (0x1p-45 + 17 * skew) * sizes + slack : HUGE_VAL};
+}
+
+}  // namespace
+
+Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes& stored, Storing storing) {
+  const RigidBox &p = *a.box, &q = *b.box;
+  const TwoBoxes boxes{*a.axes,
+                       *b.axes,
+                       p.half_extents,
+                       q.half_extents,
+                       p.centre,
+                       q.centre,
+                       load(&p.half_extents.x),
+                       load(&q.half_extents.x),
+                       load(&q.centre.x) - load(&p.centre.x)};
+  const AxesError error = error_of(a, b, boxes);
+  Axes axes;
+  const Nearness nearness = look_along_axes(boxes, error, axes);
+  if (nearness == Nearness::apart) return nearness;
+  if (storing == Storing::always || nearness == Nearness::unknown) store_all(axes, error.error, stored);
   if (storing == Storing::always) {
     stored.least_face = place_of_least_face(axes);
     stored.least_edges = place_of_least_edges(axes);
   }
-  return sure ? Nearness::meet : Nearness::unknown;
+  return nearness;
+}
+
+Nearness boxes_along_axes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  const Row places = magnitude(load_three(a.centre())) + magnitude(load_three(b.centre()));
+  const Vec3 *centre_a = &pose_a.offset, *centre_b = &pose_b.offset;
+  Vec3 moved_a, moved_b;
+  if ((bits_of(places == row_of(0)) & 7U) != 7) {
+    moved_a = world_vertex(pose_a, a.centre());
+    moved_b = world_vertex(pose_b, b.centre());
+    centre_a = &moved_a;
+    centre_b = &moved_b;
+  }
+  const TwoBoxes boxes{pose_a.linear,
+                       pose_b.linear,
+                       a.half_extents(),
+                       b.half_extents(),
+                       *centre_a,
+                       *centre_b,
+                       load_three(a.half_extents()),
+                       load_three(b.half_extents()),
+                       load_three(*centre_b) - load_three(*centre_a)};
+  Axes axes;
+  return look_along_axes(boxes, error_of(pose_a, pose_b, boxes, places), axes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -195,6 +279,7 @@ namespace toccata {
 namespace {
 
 HWY_EXPORT(rigid_boxes_along_axes);
+HWY_EXPORT(boxes_along_axes);
 
 /// The edge pairs without length.
 bool nearly_parallel_edges_do_not_matter(const RigidBoxAxes& axes, const Vec3& half_extents_b) {
@@ -230,6 +315,10 @@ Nearness nearness_with(const BoxView& a, const BoxView& b, RigidBoxAxes& axes, S
 Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b) {
   RigidBoxAxes axes;
   return nearness_with(a, b, axes, Storing::where_unsure);
+}
+
+Nearness nearness_of_boxes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  return HWY_DYNAMIC_DISPATCH(boxes_along_axes)(a, pose_a, b, pose_b);
 }
 
 Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes) {

@@ -69,6 +69,9 @@ enum class Storing { where_unsure, always };
 /// Whether the boxes have a point in common; if so, their interiors have. Unknown where an infinite slack forbids it.
 [[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b);
 
+/// Likewise of boxes that nobody has posed. If they are found to meet or apart, both can be posed.
+[[nodiscard]] Nearness nearness_of_boxes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+
 /// All of the axes, if the boxes are not certainly apart.
 [[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes);
 

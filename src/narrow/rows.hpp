@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "toccata/math/vec3.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
@@ -36,6 +38,15 @@ HWY_INLINE Row each(const Function& function) {
 
 HWY_INLINE Row load(const double* from) {
   return each([&](std::size_t k) { return hn::LoadU(tag, from + k * lanes); });
+}
+/// Of three doubles, and 0.
+HWY_INLINE Row load_three(const Vec3& v) {
+#if HWY_TARGET <= HWY_AVX2
+  return {{hn::MaskedLoad(hn::FirstN(tag, 3), tag, &v.x)}};
+#else
+  alignas(32) const double four[4] = {v.x, v.y, v.z, 0};
+  return load(four);
+#endif
 }
 HWY_INLINE void store(const Row& row, double* to) {
   for (std::size_t k = 0; k < parts; ++k) hn::StoreU(row.part[k], tag, to + k * lanes);
@@ -118,6 +129,12 @@ HWY_INLINE Row next(const Row& row) {
   thrice[4] = thrice[1];
   return load(thrice + 1);
 #endif
+}
+
+/// Of the first three.
+HWY_INLINE double sum_of_three(const Row& row) {
+  const Row after = next(row);
+  return hn::GetLane(((row + after) + next(after)).part[0]);
 }
 
 }  // namespace

@@ -58,6 +58,9 @@ std::string check(const SeenBoxes& seen) {
   const bool meet = truth.kind != oracle::RelationKind::apart;
   if (overlap(seen.a, seen.b) != meet) return "overlap";
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap of posed boxes";
+  if (overlap(std::get<Box>(seen.given.a.shape), seen.given.a.pose, std::get<Box>(seen.given.b.shape),
+              seen.given.b.pose) != meet)
+    return "overlap of boxes and poses";
   if (overlap_by_separating_axes(seen.a, seen.b) != meet) return "overlap by separating axes";
   if (static_cast<int>(relation(seen.a, seen.b).kind) != static_cast<int>(truth.kind)) return "relation";
   const oracle::Depth depth(seen.set_a, seen.set_b);

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "support/convex_cases.hpp"
 #include "support/simd_levels.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
 
@@ -60,6 +62,25 @@ TEST(BoxBox, NeedsTheEdgePairs) {
   EXPECT_TRUE(overlap(below, above));
   EXPECT_NEAR(penetration(below, above).upper, 2 * 0.70710678118654752 - 1.41, 1e-12);
   EXPECT_EQ(manifold(below, above).points[0].on_a.kind, ConvexFeature::Kind::edge);
+}
+
+TEST(BoxBox, TakesBoxesAndPosesWherePosedBoxesAreTaken) {
+  const Mat3 turned = rotation_about({1, 2, 3}, 40);
+  const Box box({1, 1, 0.5}, {10, 0, 0});
+  const Vec3 beside = turned.column(0);
+  EXPECT_TRUE(overlap(box, {turned, {}}, box, {turned, 1.9375 * beside}));
+  EXPECT_FALSE(overlap(box, {turned, {}}, box, {turned, 2.0625 * beside}));
+  EXPECT_TRUE(overlap(Box({1, 1, 1}), {}, Box({1, 1, 1}), at(0, 0, 2)));
+  EXPECT_FALSE(overlap(Box({1, 1, 1}), {}, Box({1, 1, 1}), at(0, 0, 2.0000000000000004)));
+  Pose stretched;
+  stretched.linear[0].x = 3;
+  EXPECT_TRUE(overlap(Box({1, 1, 1}), stretched, Box({1, 1, 1}), at(3.75, 0, 0)));
+  EXPECT_FALSE(overlap(Box({1, 1, 1}), stretched, Box({1, 1, 1}), at(4.25, 0, 0)));
+  Pose flat;
+  flat.linear[2].z = 0;
+  EXPECT_THROW(static_cast<void>(overlap(box, flat, box, {})), Error);
+  EXPECT_THROW(static_cast<void>(overlap(box, {}, box, at(0, 0, HUGE_VAL))), Error);
+  EXPECT_THROW(static_cast<void>(overlap(box, {}, box, at(0, NAN, 0))), Error);
 }
 
 // Stacked alike and turned: all edges are parallel, so that three edge pairs have no axis.
