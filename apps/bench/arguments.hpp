@@ -48,6 +48,16 @@ struct ConvexArguments {
   bool json = false;
 };
 
+struct RaysArguments {
+  std::string mesh;
+  std::vector<std::string> peers;
+  std::size_t count = 100000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -69,6 +79,7 @@ struct WalkerArguments {
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
 int run_convex(const ConvexArguments& arguments);
+int run_rays(const RaysArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

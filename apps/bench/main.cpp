@@ -17,6 +17,7 @@ struct Options {
   MeshArguments mesh;
   TriangleArguments triangle;
   ConvexArguments convex;
+  RaysArguments rays;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -102,6 +103,15 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
   convex->footer("Example:\n  ./toccata bench convex --pair hull --vertices 32 --task distance --peer bullet,fcl");
 }
 
+void add_rays(CLI::App& app, RaysArguments& arguments) {
+  CLI::App* rays = app.add_subcommand("rays", "where rays first meet a mesh, taken as a surface");
+  rays->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  rays->add_option("--count", arguments.count, "rays")->check(CLI::PositiveNumber)->capture_default_str();
+  add_peers(*rays, arguments.peers, {"embree"});
+  add_common(*rays, arguments);
+  rays->footer("Example:\n  ./toccata bench rays --mesh gen:torus-knot --peer embree");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -144,6 +154,7 @@ int main_of(int argc, char** argv) {
   add_mesh(app, options.mesh);
   add_triangle(app, options.triangle);
   add_convex(app, options.convex);
+  add_rays(app, options.rays);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -156,6 +167,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return run_mesh(options.mesh);
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
   if (app.got_subcommand("convex")) return run_convex(options.convex);
+  if (app.got_subcommand("rays")) return run_rays(options.rays);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

@@ -1,9 +1,11 @@
 #include "toccata/query/batch.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "query/ask_each.hpp"
+#include "query/ray_search.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/overlap.hpp"
 
@@ -93,6 +95,19 @@ std::vector<typename Ask::Answer> ask_of_pairs(std::span<const Pair> pairs, cons
   });
 }
 
+/// What all rays are cast at, where that is one and the same.
+std::unique_ptr<const RaySearch> common_search(std::span<const RayQuery> queries, const Model& target) {
+  const auto same = [&](const RayQuery& query) {
+    return query.pose == queries[0].pose && query.solid == queries[0].solid;
+  };
+  if (queries.size() < 2 || !std::all_of(queries.begin(), queries.end(), same)) return {};
+  try {
+    return std::make_unique<const RaySearch>(target, queries[0].pose, queries[0].solid);
+  } catch (const Error&) {
+    return {};  // query 0 will say why
+  }
+}
+
 std::vector<bool> as_bits(const std::vector<char>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 }  // namespace
@@ -169,15 +184,18 @@ std::vector<Cast> cast_shape_each(std::span<const CastPair> pairs, const BatchOp
   return ask_of_pairs<AskCast>(pairs, options);
 }
 
-std::vector<Cast> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
-  return ask_each<Cast>(queries, "query", options, [&](const RayQuery& query, Workspace&) {
-    return cast_ray(query.origin, query.motion, target, query.pose);
+std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
+  const std::unique_ptr<const RaySearch> common = common_search(queries, target);
+  return ask_each<RayHit>(queries, "query", options, [&](const RayQuery& query, Workspace&) {
+    return common ? common->first_hit(query.origin, query.motion)
+                  : cast_ray(query.origin, query.motion, target, query.pose, query.solid);
   });
 }
 
-std::vector<Cast> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
-  return ask_each<Cast>(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
-    return cast_ray(pair.query.origin, pair.query.motion, pair.target, pair.query.pose);
+std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
+  return ask_each<RayHit>(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
+    const RayQuery& query = pair.query;
+    return cast_ray(query.origin, query.motion, pair.target, query.pose, query.solid);
   });
 }
 

@@ -14,15 +14,6 @@ void keep_earlier(std::optional<Cast>& earliest, const Cast& found) {
   if (!earliest || (found.hit && (!earliest->hit || found.upper < earliest->upper))) earliest = found;
 }
 
-struct AskRay {
-  Cast operator()(const PosedConvex& target) const { return cast_ray(origin, motion, target); }
-  Cast operator()(const PosedHalfSpace& target) const { return cast_ray(origin, motion, target); }
-  Cast operator()(const PosedTriangles&) const { return {}; }  // the table was asked before
-
-  const Vec3& origin;
-  const Vec3& motion;
-};
-
 /// A shape that stands while the other moves the opposite way: what meets, meets at the same time, farther on.
 Cast seen_from_target(const Cast& cast, const Vec3& motion) {
   Cast result = cast;
@@ -49,18 +40,6 @@ struct AskCast {
 };
 
 }  // namespace
-
-Cast cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose) {
-  const PosedModel posed = pose_model(target, pose, Solid::automatic, "the target");
-  std::optional<Cast> earliest;
-  for (const PosedPart& part : posed.parts) {
-    const PairCell cell = pair_cell(ShapeQuestion::cast_ray, ShapeKind::point, part.kind);
-    if (cell.state != PairState::defined)
-      throw Error(fmt::format("cast-ray at a {} is not answered: {}", name_of(part.kind), cell.text));
-    keep_earlier(earliest, std::visit(AskRay{origin, motion}, part.shape));
-  }
-  return *earliest;
-}
 
 Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
   Workspace workspace;

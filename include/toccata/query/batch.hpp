@@ -98,6 +98,7 @@ struct RayQuery {
   Vec3 origin;
   Vec3 motion;
   Pose pose{};
+  Solid solid = Solid::automatic;
 };
 
 struct RayPair {
@@ -105,8 +106,8 @@ struct RayPair {
   Model target;
 };
 
-[[nodiscard]] std::vector<Cast> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
-                                              const BatchOptions& options = {});
-[[nodiscard]] std::vector<Cast> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options = {});
+[[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
+                                                const BatchOptions& options = {});
+[[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options = {});
 
 }  // namespace toccata

@@ -8,11 +8,21 @@
 
 namespace toccata {
 
+/// A ray's first meeting with a model, and with what of it: the element (the triangle of a mesh) and the face of the
+/// file. Both are 0 where nothing is met, and where the ray starts inside.
+struct RayHit : Cast {
+  Index element = 0;
+  Index face = 0;
+  friend constexpr bool operator==(const RayHit&, const RayHit&) = default;
+};
+
 /// The first meeting of the ray from `origin` to `origin + motion` (world) with the posed model; the time is the
-/// fraction of the way. Of a compound it is the earliest of its parts, by (upper, element). This version answers it for
-/// convex shapes, half-spaces and compounds of them. Throws Error for other models, when a number is not finite or the
-/// motion is zero, and for poses as `overlap` does.
-[[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose = {});
+/// fraction of the way. Of meshes, height fields and compounds it is the earliest of their elements, by (upper,
+/// element). A solid is met at once by a ray that starts inside; `solid` says whether a closed mesh is one, and with
+/// Solid::none its surface alone is met. No ray passes between two triangles that share an edge or a corner. Throws
+/// Error when a number is not finite or the motion is zero, and for poses as `overlap` does.
+[[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose = {},
+                              Solid solid = Solid::automatic);
 
 /// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of compounds
 /// the earliest of their parts, by (upper, element of A, element of B). Throws like `overlap`, Error when the motion is

@@ -130,6 +130,10 @@ constexpr PairCell cast(ShapeClass a, ShapeClass b) {
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_advance;
 }
 
+constexpr PairCell ray(ShapeClass target) {
+  return target == ShapeClass::triangles ? by_tree_alone : cast(ShapeClass::convex, target);
+}
+
 }  // namespace pair_cells
 
 /// The same for (b, a).
@@ -143,7 +147,7 @@ constexpr PairCell cast(ShapeClass a, ShapeClass b) {
     case ShapeQuestion::manifold:
       return pair_cells::manifold(a, b);
     case ShapeQuestion::cast_ray:
-      return pair_cells::cast(ShapeClass::convex, b);
+      return pair_cells::ray(b);
     case ShapeQuestion::cast_shape:
       return pair_cells::cast(a, b);
     default:

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "arguments.hpp"
+#include "oracle/rays.hpp"
+#include "rays.hpp"
+#include "report.hpp"
+#include "single_mesh.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/core/random.hpp"
+
+namespace toccata::bench {
+namespace {
+
+constexpr std::size_t block = 1000;
+
+Vec3 as_floats(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+
+/// The mesh with coordinates that floats hold, which is what peers take.
+TriangleMesh of_floats(const TriangleMesh& mesh) {
+  std::vector<Vec3> vertices;
+  for (const Vec3& v : mesh.vertices()) vertices.push_back(as_floats(v));
+  return {std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()}};
+}
+
+Vec3 direction(Random& random) {
+  const double z = random.between(-1, 1), turn = random.between(0, 2 * std::numbers::pi), s = std::sqrt(1 - z * z);
+  return {s * std::cos(turn), s * std::sin(turn), z};
+}
+
+/// From a sphere of twice the size of the mesh's box, through a point of the box and beyond.
+std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
+  const Aabb box = fit_aabb(mesh.vertices());
+  const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
+  const double reach = std::sqrt(dot(size, size));
+  Random random(seed);
+  std::vector<RayQuestion> rays;
+  while (rays.size() < count) {
+    const Vec3 origin = as_floats(centre + reach * direction(random));
+    Vec3 through;
+    for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
+    rays.push_back({origin, as_floats(3.0 * (through - origin))});
+  }
+  return rays;
+}
+
+struct Measured {
+  Result result;
+  std::vector<RayAnswer> answers;
+};
+
+Measured measured(RayLibrary& library, const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, int rounds) {
+  Measured one;
+  one.result.build_ms = 1e3 * seconds_of([&] { library.prepare(mesh, rays); });
+  one.answers.resize(rays.size());
+  std::vector<double> fastest((rays.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < fastest.size(); ++i) {
+      const auto answers = std::span(one.answers).subspan(i * block, std::min(block, rays.size() - i * block));
+      const double seconds = seconds_of([&] { library.answer(i * block, answers); });
+      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
+    }
+  summarise(std::move(fastest), one.result);
+  one.result.who = library.description();
+  one.result.task = "rays";
+  one.result.queries = rays.size();
+  return one;
+}
+
+/// A millionth of the way, and what floats tell of it.
+bool agree(const RayAnswer& a, const RayAnswer& b) {
+  return a.hit == b.hit && (!a.hit || std::fabs(a.time - b.time) <= 2e-6);
+}
+
+/// Every triangle in rationals.
+RayAnswer truth(const TriangleMesh& mesh, const RayQuestion& ray) {
+  std::optional<oracle::Rational> first;
+  for (const auto& corner : mesh.triangles()) {
+    oracle::RationalTriangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) triangle.vertex[i] = oracle::exact(mesh.vertices()[corner[i]]);
+    const auto time = oracle::time_of_hit(oracle::exact(ray.origin), oracle::exact(ray.motion), triangle);
+    if (time && (!first || *time < *first)) first = time;
+  }
+  return {first.has_value(), first ? static_cast<double>(*first) : 0};
+}
+
+void judge(const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, bool all, std::vector<Measured>& measured) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    bool differ = false;
+    for (Measured& one : measured)
+      if (!agree(one.answers[i], measured.front().answers[i])) {
+        differ = true;
+        ++one.result.disagreements;
+      }
+    if (differ) ++measured.front().result.disagreements;
+    if (!differ && !all) continue;
+    const RayAnswer right = truth(mesh, rays[i]);
+    for (Measured& one : measured)
+      if (!agree(one.answers[i], right)) ++one.result.wrong;
+  }
+}
+
+}  // namespace
+
+int run_rays(const RaysArguments& arguments) {
+  RayLibraries libraries = toccata_ray_libraries();
+  for (const std::string& peer : arguments.peers)
+    for (auto& library : peer == "embree" ? embree_ray_libraries() : RayLibraries{})
+      libraries.push_back(std::move(library));
+  const TriangleMesh mesh = of_floats(*single_mesh(arguments.mesh));
+  const std::vector<RayQuestion> rays = rays_at(mesh, arguments.count, arguments.seed);
+  std::vector<Measured> all;
+  for (auto& library : libraries) {
+    all.push_back(measured(*library, mesh, rays, arguments.rounds));
+    library.reset();
+  }
+  judge(mesh, rays, arguments.verify, all);
+  Measurements measurements;
+  for (const Measured& one : all) measurements.results.push_back(one.result);
+  const auto hits = std::ranges::count(all.front().answers, true, &RayAnswer::hit);
+  auto report = report_of("rays", {{"mesh", arguments.mesh},
+                                   {"triangles", mesh.triangle_count()},
+                                   {"seed", arguments.seed},
+                                   {"block", block},
+                                   {"rounds", arguments.rounds},
+                                   {"hits", hits}});
+  return print_results(std::move(report), measurements, arguments.json);
+}
+
+}  // namespace toccata::bench

@@ -1,0 +1,168 @@
+#include "query/mesh_rays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/world_vertex.hpp"
+#include "query/cull_bounds.hpp"
+#include "query/world_search.hpp"
+#include "trees/wide_ray.hpp"
+
+// The names and bounds are those of docs/design/rays.md.
+namespace toccata {
+namespace {
+
+Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+inline double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
+double sum_of(const Vec3& v) { return (v.x + v.y) + v.z; }
+inline Vec3 product(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+Mat3 inverse(const Mat3& m, double scale) {
+  const Vec3 x = cross(m.column(1), m.column(2)), y = cross(m.column(2), m.column(0)),
+             z = cross(m.column(0), m.column(1));
+  const double factor = scale / dot(m.column(0), x);
+  Mat3 result;
+  result[0] = factor * x;
+  result[1] = factor * y;
+  result[2] = factor * z;
+  return result;
+}
+
+/// The part of the way on which a line is within a box, up to what rounding adds; empty when it never is.
+struct Stretch {
+  double from = 0;
+  double to = 1;
+};
+
+inline Stretch stretch_within(const Aabb& box, double around, const Vec3& origin, const Vec3& motion) {
+  constexpr double slack = 0x1p-50;
+  Stretch stretch;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = (box.lower[axis] - around) - origin[axis], high = (box.upper[axis] + around) - origin[axis];
+    if (motion[axis] == 0) {
+      if (low > 0 || high < 0) return {1, 0};
+      continue;
+    }
+    const double inverse = 1 / motion[axis];
+    const double s = low * inverse, t = high * inverse;
+    const double enter = std::min(s, t), leave = std::max(s, t);
+    stretch.from = std::max(stretch.from, enter - slack * std::fabs(enter));
+    stretch.to = std::min(stretch.to, leave + slack * std::fabs(leave));
+  }
+  return stretch;
+}
+
+/// A search for the first of the triangles that it is told of.
+class FirstHit {
+ public:
+  FirstHit(const PreparedRay& ray, const Stretch& stretch)
+      : ray_(ray),
+        from_(stretch.from),
+        per_length_(stretch.to - stretch.from > 0x1p-60 ? 1 / (stretch.to - stretch.from) : HUGE_VAL) {}
+
+  void consider(const Triangle& triangle, Index number) {
+    const RayTime time = ray_time(ray_, triangle);
+    if (!time.hit || time.upper > best_.time.upper) return;
+    if (time.upper == best_.time.upper && best_.time.hit && best_.triangle < number) return;
+    best_ = {time, number};
+    // As a part of the stretch; not less. NaN becomes 1.
+    const double part = std::fmax(0, (time.upper - from_) * per_length_);
+    limit_ = part < 1 ? static_cast<float>(part) + 0x1p-19F : 1;
+  }
+
+  /// What is met later than at this part of the stretch is of no interest.
+  [[nodiscard]] float limit() const { return limit_; }
+  [[nodiscard]] const TriangleHit& best() const { return best_; }
+
+ private:
+  const PreparedRay& ray_;
+  double from_;
+  double per_length_;
+  float limit_ = 1;
+  TriangleHit best_{{false, 0, HUGE_VAL}};
+};
+
+Aabb region_of(const PreparedRay& ray) {
+  Aabb region;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = ray.origin[axis], to = from + ray.motion[axis];
+    region.lower[axis] = std::min(from, std::nextafter(to, -HUGE_VAL));
+    region.upper[axis] = std::max(from, std::nextafter(to, HUGE_VAL));
+  }
+  return region;
+}
+
+}  // namespace
+
+RayTarget::RayTarget(const PosedMesh& mesh)
+    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_tree()) {
+  const double scale = 1 / tree_.unit;
+  back_ = inverse(mesh.pose().linear, scale);
+  origin_ = scale * tree_.origin;
+  box_ = {scale * tree_.box.lower - origin_, scale * tree_.box.upper - origin_};
+  const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 magnitude = magnitudes(back_[i]);
+    double off =
+        16 * unit_roundoff * (dot(magnitude, sizes) + std::fabs(origin_[i])) + 8 * smallest_double * sum_of(magnitude);
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 column = mesh.pose().linear.column(j);
+      const double error = std::fabs(dot(back_[i], column) - (i == j ? scale : 0)) +
+                           8 * unit_roundoff * (scale + dot(magnitude, magnitudes(column)));
+      off += error * rho[j];
+    }
+    off_ = std::max(off_, 2 * off);
+    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of(magnitude));
+  }
+  off_ += off_by_size_ * greatest_of(mesh.pose().offset) + 0x1p-100;
+  invertible_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
+}
+
+TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
+  constexpr double longest = 0x1p46, most_off = 1;
+  const Vec3 motion = product(back_, ray.motion);
+  const double off = off_ + off_by_size_ * (greatest_of(ray.origin) + ray.largest);
+  if (!invertible_ || !(greatest_of(motion) < longest) || !(off < most_off)) return search_in_world(ray);
+  return search_in_tree(ray, product(back_, ray.origin - posed_.pose().offset) - origin_, motion, off);
+}
+
+TriangleHit RayTarget::search_in_tree(const PreparedRay& ray, const Vec3& origin, const Vec3& motion,
+                                      double off) const {
+  const Stretch stretch = stretch_within(box_, off + 0x1p-40, origin, motion);
+  if (stretch.from > stretch.to) return {};
+  // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
+  WideRay in_tree{{}, {}, static_cast<float>(off + 0x1p-20 + 0x1p-50 * (greatest_of(origin) + greatest_of(motion)))};
+  const double length = stretch.to - stretch.from;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    in_tree.origin[i] = static_cast<float>(origin[axis] + stretch.from * motion[axis]);
+    in_tree.motion[i] = static_cast<float>(length * motion[axis]);
+  }
+  FirstHit hit(ray, stretch);
+  walk_ray(tree_, in_tree, [&](Index place) {
+    const Index number = tree_.items[place];
+    hit.consider(world_triangle(number), number);
+    return hit.limit();
+  });
+  return hit.best();
+}
+
+Triangle RayTarget::world_triangle(Index number) const {
+  const auto& corner = mesh_.triangles()[number];
+  const Vec3* vertices = mesh_.vertices().data();
+  const Pose& pose = posed_.pose();
+  return {{world_vertex(pose, vertices[corner[0]]), world_vertex(pose, vertices[corner[1]]),
+           world_vertex(pose, vertices[corner[2]])}};
+}
+
+TriangleHit RayTarget::search_in_world(const PreparedRay& ray) const {
+  FirstHit hit(ray, {});
+  visit_triangles_near(posed_, region_of(ray), [&](Index triangle) {
+    hit.consider(world_triangle(triangle), triangle);
+    return true;
+  });
+  return hit.best();
+}
+
+}  // namespace toccata

@@ -1,0 +1,81 @@
+#include "query/ray_search.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "query/relation_locality.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+RayHit numbered(const Cast& cast, Index element = 0, Index face = 0) {
+  RayHit hit{cast};
+  hit.element = element;
+  hit.face = face;
+  return hit;
+}
+
+bool starts_inside(const PosedTriangles& target, const Vec3& origin) {
+  const Aabb point{origin, origin};
+  return target.solid && overlap(target.mesh.box(), point) && is_interior(origin, target.mesh);
+}
+
+RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
+  if (starts_inside(target, ray.origin)) {
+    RayHit hit;
+    hit.hit = true;
+    hit.point = ray.origin;
+    return hit;
+  }
+  const TriangleHit found = search.first_hit(ray);
+  if (!found.time.hit) return {};
+  return numbered(ray_hit(ray, search.world_triangle(found.triangle), found.time), found.triangle,
+                  target.mesh.model().mesh().face_of(found.triangle));
+}
+
+void require_answered(ShapeKind target) {
+  const PairCell cell = pair_cell(ShapeQuestion::cast_ray, ShapeKind::point, target);
+  if (cell.state != PairState::defined)
+    throw Error(fmt::format("cast-ray at a {} is not answered: {}", name_of(target), cell.text));
+}
+
+}  // namespace
+
+RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
+    : posed_(pose_model(target, pose, solid, "the target")) {
+  for (const PosedPart& part : posed_.parts) {
+    require_answered(part.kind);
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) meshes_.emplace_back(triangles->mesh);
+  }
+}
+
+RayHit RaySearch::first_hit(const Vec3& origin, const Vec3& motion) const {
+  const PreparedRay ray(origin, motion);
+  if (posed_.parts.size() == 1) return hit_of_part(posed_.parts[0], 0, ray);
+  RayHit earliest;
+  std::size_t mesh = 0;
+  for (const PosedPart& part : posed_.parts) {
+    RayHit found = hit_of_part(part, mesh, ray);
+    if (std::holds_alternative<PosedTriangles>(part.shape)) ++mesh;
+    if (!found.hit || (earliest.hit && found.upper >= earliest.upper)) continue;
+    found.element += part.first_element;
+    found.face += part.first_face;
+    earliest = found;
+  }
+  return earliest;
+}
+
+RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const {
+  if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) return hit_of(*triangles, meshes_[mesh], ray);
+  if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
+    return numbered(cast_ray(ray.origin, ray.motion, *half_space));
+  return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedConvex>(part.shape)));
+}
+
+RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
+  return RaySearch(target, pose, solid).first_hit(origin, motion);
+}
+
+}  // namespace toccata

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "query/mesh_rays.hpp"
+#include "query/posed_shape.hpp"
+#include "toccata/query/casts.hpp"
+
+namespace toccata {
+
+/// A model at its place, made ready for many rays. It refers to the model. Throws as cast_ray does of the model.
+class RaySearch {
+ public:
+  RaySearch(const Model& target, const Pose& pose, Solid solid);
+  RaySearch(const RaySearch&) = delete;
+  RaySearch& operator=(const RaySearch&) = delete;
+
+  /// Throws as cast_ray does of the ray.
+  [[nodiscard]] RayHit first_hit(const Vec3& origin, const Vec3& motion) const;
+
+ private:
+  [[nodiscard]] RayHit hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const;
+
+  PosedModel posed_;
+  std::vector<RayTarget> meshes_;  ///< of the parts that are meshes, in their order
+};
+
+}  // namespace toccata

@@ -1,0 +1,200 @@
+#include "trees/wide_ray.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trees/wide_ray.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes before
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#ifndef TOCCATA_WIDE_RAY_PENDING
+#define TOCCATA_WIDE_RAY_PENDING
+namespace toccata {
+namespace {
+
+/// A block or an item (as WideBlock::child), and when its box is met.
+struct Pending {
+  float when;
+  std::int32_t child;
+};
+
+/// As much as the usual walk needs; a deeper one takes memory from elsewhere. Places are written before they are
+/// claimed, so there is always room for a block's children.
+class PendingStack {
+ public:
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  Pending pop() { return place_[--size_]; }
+  void make_room() {
+    if (size_ + WideBlock::width > capacity_) grow();
+  }
+  /// Among the last `count`, so that the earliest comes last.
+  void insert(const Pending& one, std::size_t count) {
+    std::size_t at = size_++;
+    for (; count > 0 && place_[at - 1].when < one.when; --at, --count) place_[at] = place_[at - 1];
+    place_[at] = one;
+  }
+
+ private:
+  void grow() {
+    std::vector<Pending> more(2 * capacity_);
+    std::copy_n(place_, size_, more.begin());
+    further_ = std::move(more);
+    place_ = further_.data();
+    capacity_ = further_.size();
+  }
+
+  std::array<Pending, 256> first_;
+  std::vector<Pending> further_;
+  Pending* place_ = first_.data();
+  std::size_t size_ = 0, capacity_ = first_.size();
+};
+
+}  // namespace
+}  // namespace toccata
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, WideBlock::width>;
+constexpr std::size_t lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(float));
+constexpr std::size_t parts = WideBlock::width / lanes;
+constexpr unsigned part_mask = (1U << lanes) - 1U;
+
+/// A part of the way, as in docs/design/rays.md: times are off by that, relatively.
+constexpr float of_times = 1 + 0x1p-20F;
+
+/// The ray along one axis.
+struct Along {
+  float origin;
+  float inverse;
+};
+
+/// Motions along an axis that are too small to tell anything are made larger; the pad covers it, as it does what is
+/// rounded in a sum of a few numbers that are at most 8.
+constexpr float of_sums = 0x1p-18F;
+
+Along along(const WideRay& ray, std::size_t axis) {
+  constexpr float least = 0x1p-30F;
+  const float motion = ray.motion[axis];
+  return {ray.origin[axis], 1 / (std::fabs(motion) >= least ? motion : least)};
+}
+
+struct Span {
+  hn::Vec<Floats> enter, leave;
+};
+
+HWY_INLINE Span within(const Along& ray, hn::Vec<Floats> centre, hn::Vec<Floats> reach) {
+  const Floats d;
+  const auto middle = hn::Sub(centre, hn::Set(d, ray.origin)), inverse = hn::Set(d, ray.inverse);
+  const auto s = hn::Mul(hn::Sub(middle, reach), inverse), t = hn::Mul(hn::Add(middle, reach), inverse);
+  return {hn::Min(s, t), hn::Max(s, t)};
+}
+
+class RayWalk {
+ public:
+  RayWalk(const WideTree& tree, const WideRay& ray)
+      : tree_(tree), ray_{along(ray, 0), along(ray, 1), along(ray, 2)}, pad_(ray.pad + of_sums) {}
+
+  void run(FunctionRef<float(Index)> visit) {
+    std::int32_t child = 0;
+    while (true) {
+      const bool leads_on = child >= 0 ? open(tree_.blocks[static_cast<std::size_t>(child)], child)
+                                       : see(visit(~static_cast<Index>(child)));
+      if (!leads_on && !next(child)) return;
+    }
+  }
+
+ private:
+  /// What is of interest ends earlier now. Nothing follows from an item.
+  bool see(float limit) {
+    limit_ = std::min(limit_, limit);
+    return false;
+  }
+
+  /// The earliest child that is met becomes the next; the others wait. False where none is met.
+  bool open(const WideBlock& block, std::int32_t& child) {
+    alignas(64) std::array<float, WideBlock::width> when;
+    unsigned met = 0;
+    for (std::size_t part = 0; part < parts; ++part) met |= meet(block, part * lanes, when) << part * lanes;
+    met &= (1U << block.count) - 1U;
+    if (met == 0) return false;
+    const auto first = static_cast<std::size_t>(std::countr_zero(met));
+    met &= met - 1;
+    if (met == 0) {
+      child = block.child[first];
+      return true;
+    }
+    pending_.make_room();
+    pending_.insert({when[first], block.child[first]}, 0);
+    for (std::size_t count = 1; met != 0; met &= met - 1, ++count) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+      pending_.insert({when[lane], block.child[lane]}, count);
+    }
+    child = pending_.pop().child;
+    return true;
+  }
+
+  /// The next that waits and is still of interest. None is when the limit is less than 0.
+  bool next(std::int32_t& child) {
+    while (!pending_.empty()) {
+      const Pending one = pending_.pop();
+      child = one.child;
+      if (!(one.when > limit_ * of_times)) return limit_ >= 0;
+    }
+    return false;
+  }
+
+  /// Which lanes are met, and when. What is not a number keeps the lane.
+  HWY_INLINE unsigned meet(const WideBlock& block, std::size_t first, std::array<float, WideBlock::width>& when) const {
+    const Floats d;
+    const auto on = [&](std::size_t axis) HWY_ATTR {
+      return within(ray_[axis], hn::Load(d, block.centre[axis].data() + first),
+                    hn::Add(hn::Load(d, block.extent[axis].data() + first), hn::Set(d, pad_)));
+    };
+    const Span x = on(0), y = on(1), z = on(2);
+    const auto enter = hn::Max(hn::Max(x.enter, y.enter), hn::Max(z.enter, hn::Zero(d)));
+    const auto leave = hn::Min(hn::Min(x.leave, y.leave), hn::Min(z.leave, hn::Set(d, limit_)));
+    hn::Store(enter, d, when.data() + first);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Gt(enter, hn::Mul(leave, hn::Set(d, of_times))), bits);
+    return ~static_cast<unsigned>(bits[0]) & part_mask;
+  }
+
+  const WideTree& tree_;
+  std::array<Along, 3> ray_;
+  float pad_;
+  float limit_ = 1;
+  PendingStack pending_;
+};
+
+void run_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit) {
+  RayWalk(tree, ray).run(visit);
+}
+
+}  // namespace
+}  // namespace toccata::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace toccata {
+namespace {
+
+HWY_EXPORT(run_ray);
+
+}  // namespace
+
+void walk_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit) {
+  if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_ray)(tree, ray, visit);
+}
+
+}  // namespace toccata
+#endif

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "query/ray_checks.hpp"
+#include "support/simd_levels.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/query/batch.hpp"
+
+namespace toccata {
+namespace {
+
+TEST(Ray, AgreesWithTheOracleAtEverySimdLevel) {
+  test::at_every_simd_level([](SimdLevel level) {
+    std::uint64_t seed = 0;
+    for (const std::string& family : test::ray_families())
+      for (int i = 0; i < 12; ++i) {
+        Random random(++seed);
+        const test::RayCase c = test::ray_case(family, random);
+        const RayHit hit = cast_ray(c.origin, c.motion, Model(c.mesh), c.pose, Solid::none);
+        ASSERT_EQ(test::ray_fault(c, hit), "") << family << ", seed " << seed << ", " << name_of(level);
+      }
+  });
+}
+
+const Model ball(generate_mesh("icosphere", {{"subdivisions", 2}}));
+
+TEST(Ray, NoneSlipsThroughAnEdgeOrACorner) {
+  // From the middle of a closed surface to its corners and to the middles of its edges.
+  const TriangleMesh& mesh = ball.mesh();
+  const Pose pose{rotation_about({1, 2, 3}, 33), {7, -5, 3}};
+  const Vec3 middle = pose.offset + Vec3{0.01, 0.02, 0.03};
+  for (const auto& corner : mesh.triangles())
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 p = transform(pose, mesh.vertices()[corner[i]]);
+      const Vec3 q = transform(pose, mesh.vertices()[corner[(i + 1) % 3]]);
+      for (const Vec3& to : {p, 0.5 * (p + q)}) {
+        const RayHit hit = cast_ray(middle, 2.0 * (to - middle), ball, pose, Solid::none);
+        ASSERT_TRUE(hit.hit);
+        ASSERT_NEAR(hit.upper, 0.5, 1e-9);
+      }
+    }
+}
+
+TEST(Ray, ASolidIsMetAtOnceFromItsInside) {
+  const Vec3 inside{0.1, 0.2, 0.3};
+  const RayHit as_solid = cast_ray(inside, {5, 0, 0}, ball);
+  EXPECT_TRUE(as_solid.hit);
+  EXPECT_EQ(as_solid.upper, 0);
+  EXPECT_EQ(as_solid.point, inside);
+  const RayHit as_surface = cast_ray(inside, {5, 0, 0}, ball, {}, Solid::none);
+  EXPECT_TRUE(as_surface.hit);
+  EXPECT_GT(as_surface.lower, 0.1);
+  EXPECT_LT(as_surface.normal.x, -0.8);  // against the ray
+}
+
+TEST(Ray, TellsElementAndFaceOfACompound) {
+  const std::vector<CompoundPart> parts{{Sphere(1), Pose::translation(-5, 0, 0)},
+                                        {ball.shape(), Pose::translation(5, 0, 0)}};
+  const Model model((Compound(parts)));
+  const RayHit left = cast_ray({-9, 0.1, 0.1}, {30, 0, 0}, model);
+  EXPECT_EQ(left.element, 0U);
+  const RayHit right = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, model);
+  EXPECT_TRUE(right.hit);
+  EXPECT_GE(right.element, 1U);
+  EXPECT_EQ(right.face, right.element);
+  EXPECT_NEAR(right.normal.x, 1, 0.1);
+  const RayHit alone = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, ball, Pose::translation(5, 0, 0));
+  EXPECT_EQ(alone.element + 1, right.element);
+}
+
+TEST(Ray, BatchIsTheSameAsOneByOne) {
+  const Model knot(generate_mesh("torus-knot"));
+  const Pose pose{rotation_about({3, 1, 2}, 70), {1, 2, 3}};
+  std::vector<RayQuery> rays;
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 from = pose.offset + test::some_point(random, 5);
+    rays.push_back({from, 2.0 * (pose.offset + test::some_point(random, 1) - from), pose, Solid::none});
+  }
+  const auto same_pose = cast_ray_each(rays, knot);
+  rays.push_back({{9, 9, 9}, {1, 1, 1}, {}});  // so that the poses differ
+  const auto each_pose = cast_ray_each(rays, knot);
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < same_pose.size(); ++i) {
+    ASSERT_EQ(same_pose[i], each_pose[i]) << i;
+    ASSERT_EQ(same_pose[i], cast_ray(rays[i].origin, rays[i].motion, knot, pose, Solid::none)) << i;
+    hits += same_pose[i].hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, 100U);
+  EXPECT_LT(hits, 1900U);
+}
+
+TEST(Ray, BadInputIsRefused) {
+  EXPECT_THROW(static_cast<void>(cast_ray({NAN, 0, 0}, {1, 0, 0}, ball)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {HUGE_VAL, 0, 0}, ball)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, ball)), Error);
+  Pose lost;
+  lost.offset.x = NAN;
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {1, 0, 0}, ball, lost)), Error);
+}
+
+}  // namespace
+}  // namespace toccata
