@@ -12,6 +12,7 @@
 #include "toccata/bounds/principal_axes.hpp"
 #include "toccata/bounds/rectangle.hpp"
 #include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/bounds/tightness.hpp"
 #include "toccata/bounds/volume.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/error.hpp"

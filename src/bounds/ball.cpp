@@ -83,10 +83,16 @@ Ball merge(const Ball& a, const Ball& b) {
 
 bool contains(const Ball& ball, const Vec3& point) { return length_bound(point - ball.centre) <= ball.radius; }
 
+bool contains(const Ball& outer, const Ball& inner) {
+  return is_empty(inner) || rounded_up(length_bound(inner.centre - outer.centre) + inner.radius) <= outer.radius;
+}
+
 Ball posed(const Ball& ball, const Pose& pose) {
   if (is_empty(ball)) return {};
   const double slack = length_bound(posing_slack(pose, box_around(ball)));
-  return {transform(pose, ball.centre), rounded_up(stretch_bound(pose.linear) * ball.radius + slack)};
+  const Vec3 centre = transform(pose, ball.centre);
+  if (!is_finite(centre)) return {{}, std::numeric_limits<double>::infinity()};
+  return {centre, rounded_up(stretch_bound(pose.linear) * ball.radius + slack)};
 }
 
 Aabb box_around(const Ball& ball) { return box_by_supports(ball); }

@@ -14,6 +14,7 @@ double distance_bound(const Vec3& centre, const Vec3& point) { return rounded_up
 Cube around(const Aabb& box) {
   if (is_empty(box)) return {};
   const Vec3 centre = centre_of(box);
+  if (!is_finite(centre)) return {{}, std::numeric_limits<double>::infinity()};
   // Both corners, since rounding need not leave the centre in the middle.
   return {centre, std::max(distance_bound(centre, box.lower), distance_bound(centre, box.upper))};
 }

@@ -146,6 +146,9 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   double size = slack;
   for (const Image& image : images) size = std::max(size, size_of(image));
   if (size == 0) return {near, {}, {}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!is_finite(near) || !(size <= std::numeric_limits<double>::max()))
+    return {{}, {}, {infinity, infinity, infinity}};
   const double unit = std::clamp(size, 0x1p-1000, 0x1p1000);
   std::vector<Image> small;
   for (const Image& image : images) small.push_back(scaled(image, 1 / unit));
@@ -236,6 +239,7 @@ double measure(const EllipsoidBound& v) {
 double surface_area(const EllipsoidBound& v) {
   const double size = largest_magnitude(v.half);
   if (is_empty(v) || size == 0) return 0;
+  if (!(size <= std::numeric_limits<double>::max())) return size;
   constexpr double power = 1.6075;
   const double x = std::pow(v.half.x / size, power), y = std::pow(v.half.y / size, power);
   const double z = std::pow(v.half.z / size, power);

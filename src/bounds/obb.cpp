@@ -29,7 +29,10 @@ Obb around(const Mat3& axes, const Vec3& near, const Support& support) {
   // Anew from the centre, which rounding need not have left in the middle.
   for (int axis = 0; axis < 3; ++axis)
     half[axis] = std::max({0.0, support(axes[axis], centre), support(-axes[axis], centre)});
-  return {centre, axes, grown(half)};
+  half = grown(half);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!is_finite(centre) || !is_finite(half)) return {{}, {}, {infinity, infinity, infinity}};
+  return {centre, axes, half};
 }
 
 const Obb& smaller(const Obb& a, const Obb& b) { return half_area(b) < half_area(a) ? b : a; }

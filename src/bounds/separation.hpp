@@ -117,7 +117,8 @@ inline constexpr bool is_round = std::same_as<V, Ball> || std::same_as<V, PointV
 template <class A, class B>
 inline constexpr bool found_at_once = (is_aligned<A> && is_aligned<B>) || (is_round<A> && is_round<B>);
 
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 bool overlap(const A& a, const B& b) {
   if (is_empty(a) || is_empty(b)) return false;
   bool apart = false;
@@ -127,7 +128,8 @@ bool overlap(const A& a, const B& b) {
   return !apart;
 }
 
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 double gap(const A& a, const B& b) {
   if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
   double best = 0;
@@ -167,7 +169,8 @@ struct TimeSpan {
 
 /// Cuts by planes that touch the volumes where they are nearest, first at the start and then where the last cuts have
 /// led: for smooth volumes that is Newton's method, and stays before the meeting as they are convex.
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 double sweep_entry(const A& a, const Vec3& motion, const B& b) {
   constexpr double never = std::numeric_limits<double>::infinity();
   constexpr int rounds = 8;

@@ -67,6 +67,8 @@ SweptSphere<dimension> around(const Mat3& axes, const Vec3& near, std::span<cons
     if (is_empty(best) || half_area(next) < half_area(best)) best = next;
     if (thickness == 0) break;
   }
+  // Where centres are not finite, neither is any distance to them.
+  if (!is_finite(best.centre)) best = {{}, {}, {}, std::numeric_limits<double>::infinity()};
   return best;
 }
 
@@ -218,6 +220,7 @@ Sizes sizes_of(const SweptSphere<dimension>& v) {
   double unit = v.radius;
   for (const double half : v.half) unit = std::max(unit, half);
   if (!(unit > 0)) return {};
+  if (!(unit <= std::numeric_limits<double>::max())) return {unit, 1, 1, 1};
   Sizes sizes{unit, v.radius / unit, 0, 0};
   for (const double half : v.half) sizes.perimeter += 4 * (half / unit);
   if constexpr (dimension == 2) sizes.area = 4 * (v.half[0] / unit) * (v.half[1] / unit);

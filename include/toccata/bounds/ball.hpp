@@ -24,7 +24,7 @@ Ball fit<Ball>(std::span<const Triangle> triangles);
 /// bounding sphere", 1990). Measured anew as well.
 [[nodiscard]] Ball fit_ball_fast(std::span<const Vec3> points);
 
-[[nodiscard]] constexpr bool is_empty(const Ball& ball) { return !(ball.radius >= 0); }
+[[nodiscard]] constexpr bool is_empty(const Ball& ball) { return ball.radius < 0; }
 [[nodiscard]] double support_bound(const Ball& ball, const Vec3& direction, const Vec3& from);
 [[nodiscard]] Vec3 farthest_point(const Ball& ball, const Vec3& direction);
 [[nodiscard]] inline Vec3 middle(const Ball& ball) { return ball.centre; }
@@ -32,6 +32,8 @@ Ball fit<Ball>(std::span<const Triangle> triangles);
 /// The smallest ball around both, but for rounding.
 [[nodiscard]] Ball merge(const Ball& a, const Ball& b);
 [[nodiscard]] bool contains(const Ball& ball, const Vec3& point);
+/// Proved; false also where it is a matter of the last places. An empty ball is in every one.
+[[nodiscard]] bool contains(const Ball& outer, const Ball& inner);
 /// The radius grows by what the pose can stretch: not at all, but for rounding, under a rotation.
 [[nodiscard]] Ball posed(const Ball& ball, const Pose& pose);
 [[nodiscard]] Aabb box_around(const Ball& ball);

@@ -18,7 +18,7 @@ Cube fit<Cube>(std::span<const Vec3> points);
 template <>
 Cube fit<Cube>(std::span<const Triangle> triangles);
 
-[[nodiscard]] constexpr bool is_empty(const Cube& cube) { return !(cube.half >= 0); }
+[[nodiscard]] constexpr bool is_empty(const Cube& cube) { return cube.half < 0; }
 [[nodiscard]] double support_bound(const Cube& cube, const Vec3& direction, const Vec3& from);
 [[nodiscard]] Vec3 farthest_point(const Cube& cube, const Vec3& direction);
 [[nodiscard]] inline Vec3 middle(const Cube& cube) { return cube.centre; }

@@ -22,9 +22,7 @@ EllipsoidBound fit<EllipsoidBound>(std::span<const Vec3> points);
 template <>
 EllipsoidBound fit<EllipsoidBound>(std::span<const Triangle> triangles);
 
-[[nodiscard]] constexpr bool is_empty(const EllipsoidBound& v) {
-  return !(v.half.x >= 0 && v.half.y >= 0 && v.half.z >= 0);
-}
+[[nodiscard]] constexpr bool is_empty(const EllipsoidBound& v) { return v.half.x < 0 || v.half.y < 0 || v.half.z < 0; }
 [[nodiscard]] double support_bound(const EllipsoidBound& v, const Vec3& direction, const Vec3& from);
 [[nodiscard]] Vec3 farthest_point(const EllipsoidBound& v, const Vec3& direction);
 [[nodiscard]] inline Vec3 middle(const EllipsoidBound& v) { return v.centre; }

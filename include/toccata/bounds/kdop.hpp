@@ -80,6 +80,11 @@ template <std::size_t k>
 [[nodiscard]] Kdop<k> merge(const Kdop<k>& a, const Kdop<k>& b);
 template <std::size_t k>
 [[nodiscard]] bool contains(const Kdop<k>& v, const Vec3& point);
+/// Every slab of the outer one holds that of the inner one.
+template <std::size_t k>
+[[nodiscard]] bool contains(const Kdop<k>& outer, const Kdop<k>& inner) {
+  return merge(outer, inner) == outer;
+}
 /// True when all slabs overlap, which polytopes that are apart may do: edges are not tried against edges.
 template <std::size_t k>
 [[nodiscard]] bool overlap(const Kdop<k>& a, const Kdop<k>& b);

@@ -26,9 +26,7 @@ Obb fit<Obb>(std::span<const Triangle> triangles);
 /// Along given axes.
 [[nodiscard]] Obb fit_obb(std::span<const Vec3> points, const Mat3& axes);
 
-[[nodiscard]] constexpr bool is_empty(const Obb& box) {
-  return !(box.half.x >= 0 && box.half.y >= 0 && box.half.z >= 0);
-}
+[[nodiscard]] constexpr bool is_empty(const Obb& box) { return box.half.x < 0 || box.half.y < 0 || box.half.z < 0; }
 [[nodiscard]] double support_bound(const Obb& box, const Vec3& direction, const Vec3& from);
 [[nodiscard]] Vec3 farthest_point(const Obb& box, const Vec3& direction);
 [[nodiscard]] inline Vec3 middle(const Obb& box) { return box.centre; }

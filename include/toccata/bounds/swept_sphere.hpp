@@ -43,7 +43,7 @@ Rss fit<Rss>(std::span<const Triangle> triangles);
 
 template <std::size_t dimension>
 [[nodiscard]] constexpr bool is_empty(const SweptSphere<dimension>& v) {
-  return !(v.radius >= 0);
+  return v.radius < 0;
 }
 template <std::size_t dimension>
 [[nodiscard]] double support_bound(const SweptSphere<dimension>& v, const Vec3& direction, const Vec3& from);

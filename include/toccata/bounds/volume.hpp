@@ -19,7 +19,8 @@
 //  proved.
 //  - posed(v, pose): contains the world vertex (docs/truth.md) of every point of v, under any finite pose.
 //
-// No answer is ever NaN. Where numbers overflow, the answer is the safe one.
+// No answer is ever NaN. Where numbers overflow, the answer is the safe one, and a volume becomes one of infinite size
+// around the origin, that holds everything.
 namespace toccata {
 
 /// The tightest Volume this library knows to make around points, in their units. No points: an empty volume. Throws
@@ -73,13 +74,20 @@ concept BoundingVolume = SupportedVolume<V> && std::default_initializable<V> && 
   { half_area(v) } -> std::same_as<double>;
 };
 
-// The questions about pairs, for the volumes of this library; a, b may be of one type, or a point and a volume.
+/// Two volumes of one type, or a volume and a point. Other pairs do not compile.
+template <class A, class B>
+concept VolumePair = SupportedVolume<A> && SupportedVolume<B> &&
+    ((std::same_as<A, B> && !std::same_as<A, PointVolume>) ||
+     std::same_as<A, PointVolume> != std::same_as<B, PointVolume>);
 
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 [[nodiscard]] double gap(const A& a, const B& b);
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 [[nodiscard]] bool overlap(const A& a, const B& b);
-template <SupportedVolume A, SupportedVolume B>
+template <class A, class B>
+requires VolumePair<A, B>
 [[nodiscard]] double sweep_entry(const A& a, const Vec3& motion, const B& b);
 
 /// A lower bound of the first t ≥ 0 at which origin + t · direction is in the volume; +∞ is proved.
