@@ -24,7 +24,7 @@ struct NearPoints {
   Number squared;  ///< d · d
   Number spread;   ///< ε · spread is at least what rounding makes of d · (the error of d)
   Number loss;     ///< |d| − loss / |d| is less than the exact distance of the cores, but for the errors above
-  Number slack;    ///< the points may be beside the cores by this
+  Number slack;    ///< the points may be beside the cores, and d off in any direction, by this in all
   Mask placed;     ///< the exact nearest points are as near to these as is promised of witnesses
   Mask tight;      ///< `loss` is right; else it is only known that the points exist
 };
@@ -46,6 +46,11 @@ HWY_INLINE Number residual_floor(const Vector& spread, const Number& squared) {
   return hn::Mul(all(0x1p-100), hn::Add(dot(spread, spread), hn::Mul(all(16), squared)));
 }
 
+/// At least the length of the error of d. Where d is no longer than that, its spread along d tells nothing.
+HWY_INLINE Number length_of_rounding(const Vector& spread) {
+  return hn::Mul(all(0x1.01p-53), hn::Add(hn::Add(spread.x, spread.y), spread.z));
+}
+
 HWY_INLINE NearPoints near_of_points(const Vector& p, const Vector& q) {
   const Vector d = minus(p, q);
   const Number squared = dot(d, d), zero = hn::Zero(Tag());
@@ -63,7 +68,8 @@ HWY_INLINE NearPoints near_of_point_segment(const Vector& p, const Vector& start
   const Vector spread = plus(plus(magnitudes_of(from), plus(step_size, step_size)), magnitudes_of(d));
   const Mask placed = hn::And(is_moderate(from_squared), is_moderate(edge_squared));
   const Mask tight = hn::Gt(squared, hn::Mul(all(0x1p-40), from_squared));
-  return {p, plus(start, step), d, squared, dot(magnitudes_of(d), spread), zero, zero, placed, tight};
+  return {p,    plus(start, step),          d,      squared, dot(magnitudes_of(d), spread),
+          zero, length_of_rounding(spread), placed, tight};
 }
 
 /// One of the two segments as its nearest point sees it.
@@ -116,7 +122,7 @@ HWY_INLINE NearPoints near_of_segments(const Vector& p, const Vector& p_end, con
           squared,
           dot(magnitudes_of(d), spread),
           zero,
-          zero,
+          length_of_rounding(spread),
           hn::And(plain, near_enough),
           loses_little};
 }
@@ -218,7 +224,7 @@ HWY_INLINE NearPoints near_of_point_triangle(const Vector& p, const Vector& va, 
           squared,
           dot(magnitudes_of(d), spread),
           zero,
-          zero,
+          length_of_rounding(spread),
           hn::And(plain, near_enough),
           loses_little};
 }
@@ -305,12 +311,15 @@ HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
   const Number bend_squared = hn::Mul(rest.bend, rest.bend);
   const Number bent =
       hn::Mul(hn::Mul(all(64), bend_squared), hn::Add(all(1), hn::Mul(all(16), hn::Mul(squared, inverses))));
-  const Number all_residual = hn::Add(hn::Mul(all(16), residual), hn::Add(residual_floor(spread, squared), bent));
+  const Number floor = residual_floor(spread, squared);
+  const Number all_residual = hn::Add(hn::Mul(all(16), residual), hn::Add(floor, bent));
   const Mask near_enough = hn::Le(all_residual, hn::Mul(all(0x1p-81 / 12), size));
   const Mask like_a_box = hn::Le(hn::Add(skew, hn::Mul(bend_squared, inverses)), all(0x1p-12));
   // Within the box the point is its own nearest one, but for rounding.
   const Mask within = hn::Le(hn::Add(squared, bend_squared), hn::Mul(all(0x1p-90), size));
   const Mask beside = hn::And(hn::Not(free), hn::And(near_enough, like_a_box));
+  // What d is off by across itself is of second order then.
+  const Mask long_enough = hn::Le(floor, hn::Mul(all(0x1p-50), squared));
   const Number drift_error = hn::Mul(all(0x1p-51), dot(step_sizes, magnitudes_of(d)));
   return {p,
           plus(p, d),
@@ -318,9 +327,9 @@ HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
           squared,
           dot(magnitudes_of(d), spread),
           hn::Sub(hn::Add(drift, drift_error), rest.lowest),
-          rest.bend,
+          hn::Add(rest.bend, length_of_rounding(spread)),
           hn::And(is_moderate(size), hn::Or(within, beside)),
-          hn::Not(free)};
+          hn::And(hn::Not(free), long_enough)};
 }
 
 }  // namespace

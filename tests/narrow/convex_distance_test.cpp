@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "narrow/convex_distance_checks.hpp"
@@ -60,6 +61,26 @@ TEST(ConvexDistance, HoldsThatOfExactArithmetic) {
     const oracle::Rational size = test::size_of(test::set_of(pair.a), test::set_of(pair.b));
     ASSERT_EQ(test::exact_witness_fault(fast, a, b, size), "") << number << ": " << to_text(pair);
   });
+}
+
+// Balls just above an edge that is turned about the way to it: what rounding does to that way is mostly across it, and
+// may be longer than the way itself and the radius.
+TEST(ConvexDistance, IsRightWhereRoundingIsAcrossIt) {
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Pose pose{turned(random.between(0, 6)), {}};
+    const Vec3 h{random.between(0.5, 1.5), random.between(0.5, 1.5), random.between(0.5, 1.5)};
+    const Vec3 on_edge = transform(pose, {random.between(-h.x, h.x), h.y, h.z});
+    const auto ball_at = [&](double gap) {
+      const Vec3 above = on_edge + Vec3{0, 0, gap};
+      return test::PlacedConvex{Sphere(gap * std::pow(10, random.between(-6, 0)), above), {}};
+    };
+    const ConvexCase box{ball_at(std::pow(10, random.between(-14, -8))), {Box(h), pose}};
+    ASSERT_EQ(test::distance_fault(box), "") << i << ": " << to_text(box);
+    const Segment edge({-h.x, h.y, h.z}, {h.x, h.y, h.z});
+    const ConvexCase segment{ball_at(std::pow(10, random.between(-18, -8))), {edge, pose}};
+    ASSERT_EQ(test::distance_fault(segment), "") << i << ": " << to_text(segment);
+  }
 }
 
 TEST(ConvexDistance, DoesNotChangeWhileAWorkspaceIsKept) {
