@@ -6,22 +6,22 @@
 namespace toccata {
 namespace {
 
+PosedCapsule segment_of(const PosedConvex& shape) { return {shape.vertex(0), shape.vertex(1), shape.radius()}; }
+
 Distance of_point(const PosedConvex& a, const PosedConvex& b) {
-  const RoundPoint point{a.vertex(0), a.radius()};
+  const PosedSphere point(a.vertex(0), a.radius());
   switch (b.vertex_count()) {
     case 1:
-      return formula_distance(point, RoundPoint{b.vertex(0), b.radius()});
+      return formula_distance(point, PosedSphere(b.vertex(0), b.radius()));
     case 2:
-      return formula_distance(point, RoundSegment{b.vertex(0), b.vertex(1), b.radius()});
+      return formula_distance(point, segment_of(b));
     case 3:
-      return formula_distance(point, RoundTriangle{{{b.vertex(0), b.vertex(1), b.vertex(2)}}, b.radius()});
+      return formula_distance(point, Triangle{{b.vertex(0), b.vertex(1), b.vertex(2)}}, b.radius());
     default:
       if (!is_box(b)) return unknown_distance();
       return formula_distance(point, RoundBox{{b.along(0), b.along(1), b.along(2)}, b.radius()});
   }
 }
-
-RoundSegment segment_of(const PosedConvex& shape) { return {shape.vertex(0), shape.vertex(1), shape.radius()}; }
 
 }  // namespace
 

@@ -98,8 +98,8 @@ HWY_INLINE NearPoints near_of_segments(const Vector& p, const Vector& p_end, con
   const Number inverse_u = hn::Div(all(1), hn::Add(uu, all(0x1p-1000))),
                inverse_v = hn::Div(all(1), hn::Add(vv, all(0x1p-1000)));
   const Number first_s = clamped_share(hn::Div(hn::Sub(hn::Mul(uv, along_v), hn::Mul(along_u, vv)), determinant));
-  const Number t = clamped_share(hn::Mul(hn::Add(hn::Mul(uv, first_s), along_v), inverse_v));
-  const Number s = clamped_share(hn::Mul(hn::Sub(hn::Mul(uv, t), along_u), inverse_u));
+  const Number t = clamped_share(hn::Add(hn::Mul(hn::Mul(uv, inverse_v), first_s), hn::Mul(along_v, inverse_v)));
+  const Number s = clamped_share(hn::Sub(hn::Mul(hn::Mul(uv, inverse_u), t), hn::Mul(along_u, inverse_u)));
   const Vector step_u = times(s, u), step_v = times(t, v);
   const Vector d = minus(plus(w, step_u), step_v);
   const Number squared = dot(d, d), zero = hn::Zero(Tag());
@@ -134,10 +134,9 @@ struct Foot {
   Number second, third;
 };
 
-HWY_INLINE Foot nearer(const Foot& x, const Foot& y) {
-  const Mask first = hn::Lt(dot(x.at, x.at), dot(y.at, y.at));
-  return {select(first, x.at, y.at), select(first, x.spread, y.spread), hn::IfThenElse(first, x.second, y.second),
-          hn::IfThenElse(first, x.third, y.third)};
+HWY_INLINE Foot select(const Mask& mask, const Foot& yes, const Foot& no) {
+  return {select(mask, yes.at, no.at), select(mask, yes.spread, no.spread), hn::IfThenElse(mask, yes.second, no.second),
+          hn::IfThenElse(mask, yes.third, no.third)};
 }
 
 /// The share of the nearest point to the origin of the segment from + [0, 1] · edge.
@@ -162,7 +161,8 @@ HWY_INLINE Foot foot_on_edges(const Vector& a, const Vector& b, const TriangleEd
   const Foot of_ab = foot_on_edge(a, times(on_ab, e.ab), on_ab, zero);
   const Foot of_ac = foot_on_edge(a, times(on_ac, e.ac), zero, on_ac);
   const Foot of_bc = foot_on_edge(b, times(on_bc, e.bc), hn::Sub(all(1), on_bc), on_bc);
-  return nearer(nearer(of_ab, of_ac), of_bc);
+  const Number to_ab = dot(of_ab.at, of_ab.at), to_ac = dot(of_ac.at, of_ac.at), to_bc = dot(of_bc.at, of_bc.at);
+  return select(hn::Lt(lesser(to_ab, to_ac), to_bc), select(hn::Lt(to_ab, to_ac), of_ab, of_ac), of_bc);
 }
 
 HWY_INLINE Foot foot_on_face(const Vector& a, const TriangleEdges& e, const Number& second, const Number& third) {
@@ -202,9 +202,7 @@ HWY_INLINE NearPoints near_of_point_triangle(const Vector& p, const Vector& va, 
   const Number inverse = hn::Div(all(1), area);
   const Number second = clamped_share(hn::Mul(of_b, inverse));
   const Number third = clamped_between(hn::Mul(of_c, inverse), zero, hn::Sub(all(1), second));
-  const Foot face = foot_on_face(a, e, second, third), edge = foot_on_edges(a, b, e);
-  const Foot foot{select(on_face, face.at, edge.at), select(on_face, face.spread, edge.spread),
-                  hn::IfThenElse(on_face, face.second, edge.second), hn::IfThenElse(on_face, face.third, edge.third)};
+  const Foot foot = select(on_face, foot_on_face(a, e, second, third), foot_on_edges(a, b, e));
 
   const Vector& d = foot.at;
   const Vector spread = plus(foot.spread, magnitudes_of(d));
@@ -242,8 +240,9 @@ HWY_INLINE BoxSides sides_of(const Vector& p, const Vector& origin, const std::a
   const Vector from = minus(p, origin);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector edge = minus(neighbour[k], origin);
-    sides.inverse_squared[k] = hn::Div(all(1), dot(edge, edge));
-    sides.far[k] = hn::Gt(hn::Mul(dot(from, edge), sides.inverse_squared[k]), all(0.5));
+    const Number squared = dot(edge, edge);
+    sides.inverse_squared[k] = hn::Div(all(1), squared);
+    sides.far[k] = hn::Gt(dot(from, edge), hn::Mul(all(0.5), squared));
   }
   return sides;
 }
@@ -258,6 +257,12 @@ HWY_INLINE Number certain_height(const Vector& from_first, const Vector& d, cons
   return hn::Sub(dot(from_first, d), hn::Mul(all(0x1p-51), dot(magnitudes_of(from_first), size_of_d)));
 }
 
+/// The nearest corner, and the three edges that leave it.
+struct BoxCorner {
+  Vector at;
+  std::array<Vector, 3> edge;
+};
+
 HWY_INLINE BoxRest rest_of_box(const Corners& c, const std::array<Vector, 3>& edge, const Vector& d) {
   BoxRest rest{hn::Zero(Tag()), hn::Zero(Tag())};
   const Vector size_of_d = magnitudes_of(d);
@@ -269,17 +274,18 @@ HWY_INLINE BoxRest rest_of_box(const Corners& c, const std::array<Vector, 3>& ed
     for (std::size_t k = 0; k < 3; ++k)
       if ((i >> k & 1) != 0) bent = minus(bent, edge[k]);
     const Vector size = magnitudes_of(bent);
-    rest.bend = greater(rest.bend, hn::Add(hn::Add(size.x, size.y), size.z));
+    rest.bend = greater(rest.bend, sum_of(size));
   }
   return rest;
 }
 
-/// The corners are numbered from the one nearest to p, which is corner 0.
-HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
-                                            const std::array<Number, 3>& inverse_squared) {
+/// `rest_along(d)` gives the rest.
+template <class RestAlong>
+HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& corner,
+                                           const std::array<Number, 3>& inverse_squared, const RestAlong& rest_along) {
   const Number zero = hn::Zero(Tag());
-  const std::array<Vector, 3> edge{minus(c[1], c[0]), minus(c[2], c[0]), minus(c[4], c[0])};
-  const Vector from = minus(c[0], p);
+  const std::array<Vector, 3>& edge = corner.edge;
+  const Vector from = minus(corner.at, p);
   std::array<Number, 3> share;
   std::array<Vector, 3> step;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -291,7 +297,7 @@ HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
   const Vector step_sizes = plus(plus(magnitudes_of(step[0]), magnitudes_of(step[1])), magnitudes_of(step[2]));
   const Vector spread = plus(plus(magnitudes_of(from), times(all(4), step_sizes)), magnitudes_of(d));
 
-  const BoxRest rest = rest_of_box(c, edge, d);
+  const BoxRest rest = rest_along(d);
   Number drift = zero, residual = zero, size = greater(hn::Mul(all(4), dot(p, p)), squared), inverses = zero;
   Mask free = hn::Eq(zero, zero);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -330,6 +336,14 @@ HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
           hn::Add(rest.bend, length_of_rounding(spread)),
           hn::And(is_moderate(size), hn::Or(within, beside)),
           hn::And(hn::Not(free), long_enough)};
+}
+
+/// The corners are numbered from the one nearest to p, which is corner 0.
+HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
+                                            const std::array<Number, 3>& inverse_squared) {
+  const BoxCorner corner{c[0], {minus(c[1], c[0]), minus(c[2], c[0]), minus(c[4], c[0])}};
+  return near_of_point_corner(p, corner, inverse_squared,
+                              [&](const Vector& d) { return rest_of_box(c, corner.edge, d); });
 }
 
 }  // namespace

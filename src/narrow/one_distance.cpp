@@ -6,62 +6,199 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cmath>
+
+#include "narrow/box_corners.hpp"
+#include "narrow/convex_of.hpp"
 #include "narrow/grown_cores.hpp"
 #include "narrow/pair_distances.hpp"
+#include "toccata/narrow/capsule.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE Vector lanes_of(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 HWY_INLINE double first_of(const Number& value) { return hn::GetLane(value); }
-HWY_INLINE Vec3 first_of(const Vector& v) { return {first_of(v.x), first_of(v.y), first_of(v.z)}; }
+HWY_INLINE bool is_set(const Mask& mask) { return hn::AllTrue(Tag(), mask); }
 
+#if HWY_TARGET <= HWY_AVX2
+HWY_INLINE Vector lanes_of(const Vec3& v) {
+  return {hn::MaskedLoad(hn::FirstN(Coordinates(), 3), Coordinates(), &v.x)};
+}
+HWY_INLINE Vector vector_of(double x, double y, double z) {
+  constexpr hn::Half<Coordinates> two;
+  return {hn::Combine(Coordinates(), hn::Set(two, z), hn::InterleaveLower(two, hn::Set(two, x), hn::Set(two, y)))};
+}
+HWY_INLINE void store(const Vector& v, Vec3& to) {
+  hn::StoreU(hn::LowerHalf(v.xyz), hn::Half<Coordinates>(), &to.x);
+  to.z = first_of(z_of(v));
+}
+#else
+HWY_INLINE Vector vector_of(double x, double y, double z) { return {all(x), all(y), all(z)}; }
+HWY_INLINE Vector lanes_of(const Vec3& v) { return vector_of(v.x, v.y, v.z); }
+HWY_INLINE void store(const Vector& v, Vec3& to) { to = {first_of(v.x), first_of(v.y), first_of(v.z)}; }
+#endif
+
+/// The formula tells nothing.
+HWY_INLINE Found nothing() {
+  const Vector none = vector_of(0, 0, 0);
+  return {hn::Zero(Tag()), all(std::numeric_limits<double>::quiet_NaN()), none, none};
+}
+
+/// The same as `found_of`, with branches: which of the three cases it is, is mostly foreseen, and nothing waits for it.
+/// `common` gives the common point of cores that meet.
+template <class Common>
+HWY_INLINE Found foreseen(const NearPoints& near, const Number& radius_a, const Number& radius_b,
+                          const Common& common) {
+  const Reached how = reached(near, radius_a, radius_b);
+  if (is_set(how.apart)) {
+    const Ends ends = ends_of(near, how, radius_a, radius_b);
+    return {how.lower, how.upper, ends.on_a, ends.on_b};
+  }
+  if (!is_set(how.meets)) return nothing();
+  const Vector point = common(how);
+  return {hn::Zero(Tag()), hn::Zero(Tag()), point, point};
+}
+
+HWY_INLINE Found foreseen(const NearPoints& near, double radius_a, double radius_b) {
+  const Number a = all(radius_a), b = all(radius_b);
+  return foreseen(near, a, b, [&](const Reached& how) { return common_point(near, how, a); });
+}
+
+/// Made in one place, so that it is written once.
 HWY_INLINE Distance answer_of(const Found& found) {
-  return {first_of(found.lower), first_of(found.upper), first_of(found.on_a), first_of(found.on_b), Status::exact};
+  Distance answer;
+  answer.lower = first_of(found.lower);
+  answer.upper = first_of(found.upper);
+  store(found.on_a, answer.on_a);
+  store(found.on_b, answer.on_b);
+  return answer;
 }
 
-HWY_INLINE Distance one(const RoundPoint& a, const RoundPoint& b) {
-  return answer_of(found_of(Ball{lanes_of(a.at), all(a.radius)}, Ball{lanes_of(b.at), all(b.radius)}));
-}
+// The eight corners of a box, one in each lane.
 
-HWY_INLINE Distance one(const RoundPoint& a, const RoundSegment& b) {
-  const NearPoints near = near_of_point_segment(lanes_of(a.at), lanes_of(b.start), lanes_of(b.end));
-  return answer_of(grown(near, all(a.radius), all(b.radius)));
-}
+using Eight = hn::CappedTag<double, 8>;
+constexpr std::size_t lanes = hn::MaxLanes(Eight()), parts = 8 / lanes;
 
-HWY_INLINE Distance one(const RoundPoint& a, const RoundTriangle& b) {
-  const NearPoints near =
-      near_of_point_triangle(lanes_of(a.at), lanes_of(b.core[0]), lanes_of(b.core[1]), lanes_of(b.core[2]));
-  return answer_of(grown(near, all(a.radius), all(b.radius)));
-}
+/// 1 for each corner whose bit `axis` is set, or, in the second row, is not.
+alignas(64) constexpr double weight[2][3][8] = {
+    {{0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}},
+    {{1, 0, 1, 0, 1, 0, 1, 0}, {1, 1, 0, 0, 1, 1, 0, 0}, {1, 1, 1, 1, 0, 0, 0, 0}}};
 
-HWY_INLINE Distance one(const RoundPoint& a, const RoundBox& b) {
-  const auto corner = [&](std::size_t i) {
-    return Vector{all(b.corner[0][i]), all(b.corner[1][i]), all(b.corner[2][i])};
+/// `rest_of_box`, of the corners as they are; the nearest one is number `nearest`.
+struct RestOfCorners {
+  const std::array<const double*, 3>& corner;
+  std::size_t nearest;
+  const std::array<Vector, 3>& edge;
+
+  HWY_INLINE BoxRest operator()(const Vector& d) const;
+};
+
+HWY_INLINE BoxRest RestOfCorners::operator()(const Vector& d) const {
+  using Lanes = hn::Vec<Eight>;
+  const Eight eight;
+  const auto coordinates = [](const Vector& v) {
+    return std::array<double, 3>{first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))};
   };
-  const Vector p = lanes_of(a.at);
+  const std::array<double, 3> along = coordinates(d);
+  Lanes lowest = hn::Zero(eight), bend = hn::Zero(eight);
+  for (std::size_t part = 0; part < parts; ++part) {
+    Lanes height = hn::Zero(eight), size = hn::Zero(eight), bent = hn::Zero(eight);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Lanes from_first = hn::Sub(hn::LoadU(eight, corner[i] + part * lanes), hn::Set(eight, corner[i][nearest]));
+      const Lanes product = hn::Mul(from_first, hn::Set(eight, along[i]));
+      // 0 + x is x
+      height = hn::Add(height, product);
+      size = hn::Add(size, hn::Mul(hn::Abs(from_first), hn::Set(eight, std::fabs(along[i]))));
+      Lanes rest = from_first;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto set = hn::Load(eight, weight[nearest >> k & 1][k] + part * lanes);
+        rest = hn::Sub(rest, hn::Mul(set, hn::Set(eight, coordinates(edge[k])[i])));
+      }
+      bent = hn::Add(bent, hn::Abs(rest));
+    }
+    lowest = hn::Min(lowest, hn::Sub(height, hn::Mul(hn::Set(eight, 0x1p-51), size)));
+    bend = hn::Max(bend, bent);
+  }
+  return {all(hn::GetLane(hn::MinOfLanes(eight, lowest))), all(hn::GetLane(hn::MaxOfLanes(eight, bend)))};
+}
+
+HWY_INLINE Found of_point_box(const PosedSphere& a, const RoundBox& b) {
+  const auto corner = [&](std::size_t i) { return vector_of(b.corner[0][i], b.corner[1][i], b.corner[2][i]); };
+  const Vector p = lanes_of(a.centre);
   const BoxSides sides = sides_of(p, corner(0), {corner(1), corner(2), corner(4)});
   std::size_t nearest = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) nearest |= std::size_t{hn::AllTrue(Tag(), sides.far[axis])} << axis;
-  Corners corners;
-  for (std::size_t i = 0; i < 8; ++i) corners[i] = corner(i ^ nearest);
-  return answer_of(grown(near_of_point_corners(p, corners, sides.inverse_squared), all(a.radius), all(b.radius)));
+  for (std::size_t axis = 0; axis < 3; ++axis) nearest |= std::size_t{is_set(sides.far[axis])} << axis;
+  const Vector first = corner(nearest);
+  const BoxCorner at{
+      first, {minus(corner(nearest ^ 1), first), minus(corner(nearest ^ 2), first), minus(corner(nearest ^ 4), first)}};
+  return foreseen(near_of_point_corner(p, at, sides.inverse_squared, RestOfCorners{b.corner, nearest, at.edge}),
+                  a.radius, b.radius);
 }
 
-HWY_INLINE Distance one(const RoundSegment& a, const RoundSegment& b) {
-  return answer_of(found_of(Rod{lanes_of(a.start), lanes_of(a.end), all(a.radius)},
-                            Rod{lanes_of(b.start), lanes_of(b.end), all(b.radius)}));
+/// `world_corners`, bit by bit.
+HWY_INLINE void place_corners_at_once(const Box& box, const Pose& pose, BoxCorners& corners) {
+  const Eight eight;
+  const Vec3 lower = box.centre() - box.half_extents(), upper = box.centre() + box.half_extents();
+  for (std::size_t part = 0; part < parts; ++part) {
+    const auto local = [&](int axis) {
+      const auto set = hn::Load(eight, weight[0][axis] + part * lanes);
+      return hn::IfThenElse(hn::Gt(set, hn::Zero(eight)), hn::Set(eight, upper[axis]), hn::Set(eight, lower[axis]));
+    };
+    const auto x = local(0), y = local(1), z = local(2);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& row = pose.linear[i];
+      const auto in_plane = hn::Add(hn::Mul(hn::Set(eight, row.x), x), hn::Mul(hn::Set(eight, row.y), y));
+      const auto turned = hn::Add(in_plane, hn::Mul(hn::Set(eight, row.z), z));
+      hn::Store(hn::Add(turned, hn::Set(eight, pose.offset[i])), eight,
+                corners.coordinate[static_cast<std::size_t>(i)].data() + part * lanes);
+    }
+  }
 }
 
 }  // namespace
 
-Distance points(const RoundPoint& a, const RoundPoint& b) { return one(a, b); }
-Distance point_segment(const RoundPoint& a, const RoundSegment& b) { return one(a, b); }
-Distance point_triangle(const RoundPoint& a, const RoundTriangle& b) { return one(a, b); }
-Distance point_box(const RoundPoint& a, const RoundBox& b) { return one(a, b); }
-Distance segments(const RoundSegment& a, const RoundSegment& b) { return one(a, b); }
+Distance points(const PosedSphere& a, const PosedSphere& b) {
+  const Vector p = lanes_of(a.centre), q = lanes_of(b.centre);
+  const NearPoints near = near_of_points(p, q);
+  return answer_of(foreseen(near, all(a.radius), all(b.radius), [&](const Reached& how) {
+    if (is_set(comes_after(p, q))) return common_point(near_of_points(q, p), how, all(b.radius));
+    return common_point(near, how, all(a.radius));
+  }));
+}
+
+Distance point_segment(const PosedSphere& a, const PosedCapsule& b) {
+  const NearPoints near = near_of_point_segment(lanes_of(a.centre), lanes_of(b.start), lanes_of(b.end));
+  return answer_of(foreseen(near, a.radius, b.radius));
+}
+
+Distance point_triangle(const PosedSphere& a, const Triangle& b, double radius_b) {
+  const NearPoints near = near_of_point_triangle(lanes_of(a.centre), lanes_of(b[0]), lanes_of(b[1]), lanes_of(b[2]));
+  return answer_of(foreseen(near, a.radius, radius_b));
+}
+
+Distance point_corners(const PosedSphere& a, const RoundBox& b) { return answer_of(of_point_box(a, b)); }
+
+Distance point_box(const PosedSphere& a, const PosedBox& b) {
+  BoxCorners corners;
+  place_corners_at_once(b.shape, b.pose, corners);
+  return answer_of(of_point_box(a, {corners.along(), 0}));
+}
+
+Distance segments(const PosedCapsule& a, const PosedCapsule& b) {
+  const Vector start_a = lanes_of(a.start), start_b = lanes_of(b.start);
+  Mask exchange = hn::Lt(all(b.start.x), all(a.start.x));
+  if (a.start.x == b.start.x) {
+    if (a.start == b.start) return answer_of(nothing());
+    exchange = comes_after(start_a, start_b);
+  }
+  const Rod rod_a{start_a, lanes_of(a.end), all(a.radius)}, rod_b{start_b, lanes_of(b.end), all(b.radius)};
+  const Rod first = chosen(exchange, rod_b, rod_a), second = chosen(exchange, rod_a, rod_b);
+  const NearPoints near = near_of_segments(first.start, first.end, second.start, second.end);
+  const auto common = [&](const Reached& how) { return common_point(near, how, first.radius); };
+  return answer_of(exchanged(exchange, foreseen(near, first.radius, second.radius, common)));
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace toccata
@@ -73,18 +210,57 @@ namespace toccata {
 HWY_EXPORT(points);
 HWY_EXPORT(point_segment);
 HWY_EXPORT(point_triangle);
+HWY_EXPORT(point_corners);
 HWY_EXPORT(point_box);
 HWY_EXPORT(segments);
 
-Distance formula_distance(const RoundPoint& a, const RoundPoint& b) { return HWY_DYNAMIC_DISPATCH(points)(a, b); }
-Distance formula_distance(const RoundPoint& a, const RoundSegment& b) {
+Distance formula_distance(const PosedSphere& a, const PosedSphere& b) { return HWY_DYNAMIC_DISPATCH(points)(a, b); }
+Distance formula_distance(const PosedSphere& a, const PosedCapsule& b) {
   return HWY_DYNAMIC_DISPATCH(point_segment)(a, b);
 }
-Distance formula_distance(const RoundPoint& a, const RoundTriangle& b) {
-  return HWY_DYNAMIC_DISPATCH(point_triangle)(a, b);
+Distance formula_distance(const PosedSphere& a, const Triangle& b, double radius_b) {
+  return HWY_DYNAMIC_DISPATCH(point_triangle)(a, b, radius_b);
 }
-Distance formula_distance(const RoundPoint& a, const RoundBox& b) { return HWY_DYNAMIC_DISPATCH(point_box)(a, b); }
-Distance formula_distance(const RoundSegment& a, const RoundSegment& b) { return HWY_DYNAMIC_DISPATCH(segments)(a, b); }
+Distance formula_distance(const PosedSphere& a, const RoundBox& b) { return HWY_DYNAMIC_DISPATCH(point_corners)(a, b); }
+Distance formula_distance(const PosedCapsule& a, const PosedCapsule& b) { return HWY_DYNAMIC_DISPATCH(segments)(a, b); }
+
+// The formula's answer, or that of the search.
+
+Distance distance(const PosedSphere& a, const PosedSphere& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(points)(a, b);
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
+
+Distance distance(const PosedSphere& a, const PosedCapsule& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(point_segment)(a, b);
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
+
+Distance distance(const PosedSphere& a, const Triangle& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(point_triangle)(a, b, 0);
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
+
+Distance distance(const PosedSphere& a, const PosedBox& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(point_box)(a, b);
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
+
+Distance distance(const PosedCapsule& a, const PosedCapsule& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(segments)(a, b);
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
+
+Distance distance(const PosedCapsule& a, const Segment& b) {
+  Distance found = HWY_DYNAMIC_DISPATCH(segments)(a, {b.start(), b.end(), 0});
+  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
+  return found;
+}
 
 }  // namespace toccata
 #endif

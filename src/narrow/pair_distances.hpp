@@ -6,6 +6,7 @@
 
 #include "narrow/pair_kernels.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/posed_shapes.hpp"
 #include "toccata/shapes/triangle.hpp"
 
 // Distances of pairs of simple cores, each grown by a radius, by formulas in doubles. Where these do not prove
@@ -18,33 +19,18 @@ namespace toccata {
 /// Where there is no formula, or it does not prove itself.
 [[nodiscard]] inline Distance unknown_distance() { return {.upper = std::numeric_limits<double>::quiet_NaN()}; }
 
-struct RoundPoint {
-  Vec3 at;
-  double radius = 0;
-};
-
-struct RoundSegment {
-  Vec3 start;
-  Vec3 end;
-  double radius = 0;
-};
-
-struct RoundTriangle {
-  Triangle core;
-  double radius = 0;
-};
-
 /// The hull of eight corners, numbered as a box's; coordinates along each axis.
 struct RoundBox {
   std::array<const double*, 3> corner;
   double radius = 0;
 };
 
-[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundPoint& b);
-[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundSegment& b);
-[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundTriangle& b);
-[[nodiscard]] Distance formula_distance(const RoundPoint& a, const RoundBox& b);
-[[nodiscard]] Distance formula_distance(const RoundSegment& a, const RoundSegment& b);
+// A radius may be 0 here.
+[[nodiscard]] Distance formula_distance(const PosedSphere& a, const PosedSphere& b);
+[[nodiscard]] Distance formula_distance(const PosedSphere& a, const PosedCapsule& b);
+[[nodiscard]] Distance formula_distance(const PosedSphere& a, const Triangle& b, double radius_b);
+[[nodiscard]] Distance formula_distance(const PosedSphere& a, const RoundBox& b);
+[[nodiscard]] Distance formula_distance(const PosedCapsule& a, const PosedCapsule& b);
 
 /// For two shapes, if there is a formula for the pair and it proves itself.
 [[nodiscard]] Distance distance_of_primitives(const PosedConvex& a, const PosedConvex& b);

@@ -2,10 +2,8 @@
 
 #include "math/filter.hpp"
 #include "math/wide_integer.hpp"
-#include "narrow/box_corners.hpp"
 #include "narrow/closed_forms.hpp"
 #include "narrow/convex_of.hpp"
-#include "narrow/pair_distances.hpp"
 #include "toccata/narrow/capsule.hpp"
 
 namespace toccata {
@@ -16,16 +14,6 @@ template <class A, class B>
 bool decided(Nearness nearness, const A& a, const B& b) {
   if (nearness != Nearness::unknown) return nearness == Nearness::meet;
   return overlap(convex_of(a), convex_of(b));
-}
-
-RoundPoint point_of(const PosedSphere& s) { return {s.centre, s.radius}; }
-RoundSegment segment_of(const PosedCapsule& c) { return {c.start, c.end, c.radius}; }
-
-template <class CoreA, class CoreB, class A, class B>
-Distance decided_distance(const CoreA& core_a, const CoreB& core_b, const A& a, const B& b) {
-  Distance found = formula_distance(core_a, core_b);
-  if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
-  return found;
 }
 
 /// The sign of (radius · |normal|)² − height², for the point's height over the plane's unscaled normal.
@@ -69,20 +57,6 @@ bool overlap(const PosedConvex& a, const Plane& b) {
   return false;
 }
 
-Distance distance(const PosedSphere& a, const PosedSphere& b) {
-  return decided_distance(point_of(a), point_of(b), a, b);
-}
-Distance distance(const PosedSphere& a, const Triangle& b) {
-  return decided_distance(point_of(a), RoundTriangle{b, 0}, a, b);
-}
-Distance distance(const PosedSphere& a, const PosedBox& b) {
-  const BoxCorners corners = world_corners(b.shape, b.pose);
-  return decided_distance(point_of(a), RoundBox{corners.along(), 0}, a, b);
-}
-Distance distance(const PosedSphere& a, const PosedCapsule& b) {
-  return decided_distance(point_of(a), segment_of(b), a, b);
-}
-
 bool overlap(const PosedCapsule& a, const PosedCapsule& b) {
   return decided(nearness_of_segments(a.start, a.end, b.start, b.end, a.radius + b.radius), a, b);
 }
@@ -94,12 +68,6 @@ bool overlap(const PosedCapsule& a, const Segment& b) {
 bool overlap(const PosedCapsule& a, const Triangle& b) { return overlap(convex_of(a), convex_of(b)); }
 bool overlap(const PosedCapsule& a, const PosedBox& b) { return overlap(convex_of(a), convex_of(b)); }
 
-Distance distance(const PosedCapsule& a, const PosedCapsule& b) {
-  return decided_distance(segment_of(a), segment_of(b), a, b);
-}
-Distance distance(const PosedCapsule& a, const Segment& b) {
-  return decided_distance(segment_of(a), RoundSegment{b.start(), b.end(), 0}, a, b);
-}
 Distance distance(const PosedCapsule& a, const Triangle& b) { return distance(convex_of(a), convex_of(b)); }
 Distance distance(const PosedCapsule& a, const PosedBox& b) { return distance(convex_of(a), convex_of(b)); }
 
