@@ -47,9 +47,7 @@ HWY_INLINE Number residual_floor(const Vector& spread, const Number& squared) {
 }
 
 /// At least the length of the error of d. Where d is no longer than that, its spread along d tells nothing.
-HWY_INLINE Number length_of_rounding(const Vector& spread) {
-  return hn::Mul(all(0x1.01p-53), hn::Add(hn::Add(spread.x, spread.y), spread.z));
-}
+HWY_INLINE Number length_of_rounding(const Vector& spread) { return hn::Mul(all(0x1.01p-53), sum_of(spread)); }
 
 HWY_INLINE NearPoints near_of_points(const Vector& p, const Vector& q) {
   const Vector d = minus(p, q);
