@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "query/ask.hpp"
+#include "query/mesh_distance.hpp"
 #include "query/search_scratch.hpp"
 
 namespace toccata {
@@ -14,9 +15,22 @@ struct AskDistance {
   Distance operator()(const PosedConvex& a, const PosedConvex& b) const { return distance(a, b, &scratch.convex); }
   Distance operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return distance(a, b); }
   Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  template <class Other>
+  Distance operator()(const PosedTriangles& a, const Other& b) const {
+    return distance(a, b, scratch);
+  }
 
   SearchScratch& scratch;
 };
+
+/// Counted from where those of the parts begin.
+Distance numbered(Distance d, const PosedPart& a, const PosedPart& b) {
+  d.element_a += a.first_element;
+  d.element_b += b.first_element;
+  d.face_a += a.first_face;
+  d.face_b += b.first_face;
+  return d;
+}
 
 }  // namespace
 
@@ -31,8 +45,8 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Worksp
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
     const Distance found = ask(AskDistance{workspace.scratch()}, part_a, part_b);
     // The first counts among those of one upper end; parts come in their order.
-    if (!least || found.upper < least->upper) least = found;
-    return true;
+    if (!least || found.upper < least->upper) least = numbered(found, part_a, part_b);
+    return least->upper > 0;
   });
   return *least;
 }

@@ -12,6 +12,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/build.hpp"
+#include "trees/oriented_boxes.hpp"
 
 namespace toccata {
 namespace {
@@ -50,8 +51,9 @@ struct Model::Parts {
   std::vector<Model> models;  ///< of a compound
 
   // What not every question needs, made by the first that does.
-  mutable std::once_flag tree_made, parts_found, closed_known;
+  mutable std::once_flag tree_made, oriented_made, parts_found, closed_known;
   mutable Tree<Aabb> tree;
+  mutable std::vector<OrientedBlock> oriented_boxes;
   mutable MeshParts mesh_parts;
   mutable bool closed = false;
 };
@@ -118,6 +120,13 @@ const Tree<Aabb>& Model::tree() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->tree_made, [&] { parts_->tree = build_tree(boxes_of(triangles)); });
   return parts_->tree;
+}
+
+std::span<const OrientedBlock> Model::oriented_boxes() const {
+  const TriangleMesh& triangles = mesh();
+  std::call_once(parts_->oriented_made,
+                 [&] { parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_tree, triangles); });
+  return parts_->oriented_boxes;
 }
 
 const MeshParts& Model::mesh_parts() const {

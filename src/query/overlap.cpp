@@ -1,27 +1,17 @@
 #include "toccata/query/overlap.hpp"
 
-#include <algorithm>
-#include <vector>
-
 #include "query/ask.hpp"
 #include "query/pair_search.hpp"
+#include "query/part_inside.hpp"
 #include "query/posed_pair.hpp"
-#include "query/relation_locality.hpp"
 #include "query/triangles_shape.hpp"
 
 namespace toccata {
 namespace {
 
-/// The surfaces do not meet, so every connected part of one lies as a whole inside the other or outside it.
-bool has_part_inside(const PosedMesh& mesh, const PosedMesh& solid) {
-  const std::vector<Index>& parts = mesh.model().mesh_parts().first_triangle;
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](Index triangle) { return is_interior(mesh.triangle(triangle)[0], solid); });
-}
-
 bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b_solid, SearchScratch& scratch) {
   return overlap(a.box(), b.box()) &&
-         (surfaces_meet(a, b, scratch) || (b_solid && has_part_inside(a, b)) || (a_solid && has_part_inside(b, a)));
+         (surfaces_meet(a, b, scratch) || (b_solid && part_inside(a, b)) || (a_solid && part_inside(b, a)));
 }
 
 struct AskOverlap {

@@ -11,6 +11,7 @@
 #include "query/posed_shape.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
+#include "trees/near_walk.hpp"
 #include "trees/wide_walk.hpp"
 
 namespace toccata {
@@ -32,6 +33,13 @@ struct PairRange {
   [[nodiscard]] bool contains(std::uint64_t number) const { return first <= number && number < end; }
 };
 
+/// Two elements whose distance is known to lie between these.
+struct NearCandidate {
+  double lower;
+  double upper;
+  ItemPair pair;
+};
+
 /// Memory that searches need and keep: see Workspace.
 struct SearchScratch {
   SearchPart main;
@@ -45,6 +53,8 @@ struct SearchScratch {
   std::vector<Contact> all_contacts;            ///< of all parts of two models
   std::vector<Index> triangles;                 ///< that meet a shape
   std::vector<std::pair<Index, Index>> faces;   ///< that meet
+  NearFrontier near;
+  std::vector<NearCandidate> candidates;  ///< for the nearest pair
   WalkCounts counts;
   ConvexWorkspace convex;  ///< of the last pair of convex shapes
 };

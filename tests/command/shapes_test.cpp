@@ -38,11 +38,14 @@ TEST_F(ShapeCommands, DistanceTellsAllPairsOfAScene) {
   EXPECT_EQ(report["pairs"][1]["upper"], 0);
 }
 
-TEST_F(ShapeCommands, DistanceRefusesMeshesWithTheReason) {
-  const auto run = run_command({"distance", "gen:box", "gen:icosphere"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find("convex shapes and half-spaces"), std::string::npos) << run.err;
+TEST_F(ShapeCommands, DistanceOfMeshes) {
+  const auto run = run_command({"distance", "gen:box", "gen:icosphere", "--pose-b", "1", "0", "0", "0", "1", "0", "0",
+                                "0", "1", "5", "0", "0", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Json pair = Json::parse(run.out)["pairs"][0];
+  EXPECT_GT(pair["lower"], 3);
+  EXPECT_LT(pair["upper"], 5);
+  EXPECT_EQ(run_command({"distance", "gen:box", "gen:icosphere"}).exit_code, 1);
 }
 
 TEST_F(ShapeCommands, CheckTakesShapes) {

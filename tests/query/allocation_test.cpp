@@ -79,6 +79,13 @@ TEST(Allocation, AWarmWorkspaceAnswersWithoutForMeshes) {
                         [&](Workspace& w) { EXPECT_TRUE(first_contact(m.ring, m.ball, m.meeting, w)); });
   expect_none_when_warm("contacts",
                         [&](Workspace& w) { EXPECT_GT(contacts(m.ring, m.ball, m.meeting, w).size(), 100U); });
+  const PairQuery apart_far{.pose_b = Pose::translation(5, 1, 0)};
+  expect_none_when_warm("distance, apart",
+                        [&](Workspace& w) { EXPECT_GT(distance(m.ring, m.ball, apart_far, w).lower, 1); });
+  expect_none_when_warm("distance, nested surfaces",
+                        [&](Workspace& w) { EXPECT_GT(distance(m.ball, m.small, m.apart_surfaces, w).lower, 0.5); });
+  expect_none_when_warm("distance, meeting",
+                        [&](Workspace& w) { EXPECT_EQ(distance(m.ring, m.ball, m.meeting, w).upper, 0); });
   expect_none_when_warm("relation of surfaces, meeting", [&](Workspace& w) {
     EXPECT_EQ(relation(m.ring, m.ball, m.meeting_surfaces, w).kind, RelationKind::crossing);
   });

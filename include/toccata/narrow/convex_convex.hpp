@@ -27,6 +27,8 @@ struct ConvexWorkspace {
   std::array<Index, 4> vertex_a{};
   std::array<Index, 4> vertex_b{};
   int simplex_size = 0;
+  Index element_a = 0;  ///< of models of more than one: the nearest
+  Index element_b = 0;
   ConvexCounts counts{};  ///< of all questions asked with it
 };
 
@@ -43,6 +45,10 @@ struct Distance {
   Vec3 on_a{};
   Vec3 on_b{};
   Status status = Status::exact;
+  Index element_a = 0;  ///< of models of more than one element (see Model), such as triangles: which
+  Index element_b = 0;
+  Index face_a = 0;  ///< the file's own face, counted from 0
+  Index face_b = 0;
   friend constexpr bool operator==(const Distance&, const Distance&) = default;
 };
 

@@ -7,9 +7,10 @@
 
 namespace toccata {
 
-/// The distance of the two posed models, certified; 0 when they meet. Of a compound it is the least of its parts, by
-/// (upper, element of A, element of B). This version answers it for convex shapes, half-spaces and compounds of them.
-/// Throws like `overlap`, and Error for meshes and height fields.
+/// The distance of the two posed models, certified; 0 when they meet, also when one lies within a solid. Of meshes it
+/// is the least of their triangles, of a compound the least of its parts, by (upper, element of A, element of B); what
+/// lies inside a mesh taken as a surface is at a distance from it. Of a model within a solid mesh the element named is
+/// one of the part that lies inside, and of the solid the first. Throws like `overlap`.
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.

@@ -32,7 +32,9 @@ namespace toccata {
   return contacts;
 }
 
-[[nodiscard]] constexpr Distance flipped(const Distance& d) { return {d.lower, d.upper, d.on_b, d.on_a, d.status}; }
+[[nodiscard]] constexpr Distance flipped(const Distance& d) {
+  return {d.lower, d.upper, d.on_b, d.on_a, d.status, d.element_b, d.element_a, d.face_b, d.face_a};
+}
 
 [[nodiscard]] constexpr Penetration flipped(const Penetration& p) {
   return {p.lower, p.upper, -p.direction, p.on_b, p.on_a, p.status};

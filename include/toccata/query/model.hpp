@@ -14,6 +14,8 @@
 
 namespace toccata {
 
+struct OrientedBlock;
+
 /// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
 template <class S>
 concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::same_as<S, Triangle> ||
@@ -59,6 +61,10 @@ class Model {
 
   /// Over the triangles: the tree that questions use.
   [[nodiscard]] const WideTree& wide_tree() const;
+
+  /// Turned boxes for the lanes of its blocks, for questions of distance; made when first asked for. Some 75 bytes a
+  /// triangle. For the library itself.
+  [[nodiscard]] std::span<const OrientedBlock> oriented_boxes() const;
 
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
   [[nodiscard]] const Tree<Aabb>& tree() const;

@@ -90,6 +90,7 @@ inline constexpr PairCell by_features{PairState::defined, "clipped features"};
 inline constexpr PairCell by_normals{PairState::defined, "exact signs of separating normals"};
 inline constexpr PairCell by_tree{PairState::defined, "tree, exact pairs, winding numbers"};
 inline constexpr PairCell by_tree_alone{PairState::defined, "tree, exact pairs"};
+inline constexpr PairCell nearest_by_tree{PairState::defined, "turned boxes, nearest first; certified pairs"};
 inline constexpr PairCell one_contact{PairState::defined, "one pair, by overlap; its points are the manifold"};
 inline constexpr PairCell by_advance{PairState::defined, "certified interval, else exact arithmetic"};
 
@@ -104,8 +105,8 @@ constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
 }
 
 constexpr PairCell distance(ShapeClass a, ShapeClass b) {
-  if (has(ShapeClass::triangles, a, b)) return mesh_later;
   if (has(ShapeClass::compound, a, b)) return least_part;
+  if (has(ShapeClass::triangles, a, b)) return nearest_by_tree;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_gjk;
 }
 

@@ -1,0 +1,290 @@
+#include "query/mesh_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "narrow/triangle_gaps.hpp"
+#include "query/near_view.hpp"
+#include "query/pair_search.hpp"
+#include "query/part_inside.hpp"
+#include "query/triangles_shape.hpp"
+#include "query/world_search.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What is kept of every pair is an interval around its distance, of at most this relative width or from one double to
+/// the next, that depends on the pair alone. The least of the upper ends is the distance of the meshes up to that
+/// width, and the first pair that has it the nearest one, in whichever order they were found.
+constexpr double interval_width = 0.99e-12;
+
+/// A distance that lies in an interval of that width and is less than `upper`, or has an interval with a lesser upper
+/// end, is not above this.
+double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), infinity); }
+
+/// The lower end that goes with the least upper one.
+double lower_from(double upper) {
+  return upper == 0 ? 0 : std::min(upper * (1 - 0.995e-12), std::nextafter(upper, 0.0));
+}
+
+PosedConvex convex(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
+
+void put(TrianglePairBlock::Corners& corners, std::size_t lane, const Triangle& triangle) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) corners[i][static_cast<std::size_t>(axis)][lane] = triangle.vertex[i][axis];
+}
+
+/// Keeps the pairs of triangles that may be the nearest.
+class NearestTriangles final : public NearQuestion {
+ public:
+  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
+      : a_(a), b_(b), block_(scratch.main.blocks[0]), candidates_(scratch.candidates) {
+    candidates_.clear();
+  }
+
+  [[nodiscard]] double limit() const override { return limit_; }
+
+  void visit(std::span<const ItemPair> pairs) override {
+    for (; !pairs.empty(); pairs = pairs.subspan(std::min(TrianglePairBlock::lanes, pairs.size())))
+      bound(pairs.first(std::min(TrianglePairBlock::lanes, pairs.size())));
+  }
+
+  /// Of all pairs that were seen.
+  Distance nearest() {
+    Key best{infinity, {}};
+    std::sort(candidates_.begin(), candidates_.end(),
+              [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
+    for (const NearCandidate& candidate : candidates_) {
+      if (candidate.lower > limit_) break;
+      const Key key{upper_of(candidate), candidate.pair};
+      limit_ = std::min(limit_, limit_from(key.upper));
+      if (key < best) best = key;
+    }
+    Distance result = exact(best.pair);
+    result.upper = std::min(result.upper, best.upper);
+    result.lower = lower_from(result.upper);
+    result.element_a = best.pair.first;
+    result.element_b = best.pair.second;
+    return result;
+  }
+
+ private:
+  struct Key {
+    double upper;
+    ItemPair pair;
+    bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
+  };
+
+  [[nodiscard]] Distance exact(const ItemPair& pair) const {
+    return distance(convex(a_, pair.first), convex(b_, pair.second));
+  }
+
+  static bool is_narrow(double lower, double upper) { return upper - lower <= 0.9 * interval_width * upper; }
+
+  /// The upper end of the pair's own interval.
+  [[nodiscard]] double upper_of(const NearCandidate& candidate) const {
+    return is_narrow(candidate.lower, candidate.upper) ? candidate.upper : exact(candidate.pair).upper;
+  }
+
+  void bound(std::span<const ItemPair> pairs) {
+    for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
+      const Triangle x = a_.triangle(pairs[lane].first), y = b_.triangle(pairs[lane].second);
+      // The triangles do not meet, so it is told which comes first, and the interval is the same either way round.
+      const bool in_order = lexicographically_less(x[0], y[0]);
+      put(block_.a, lane, in_order ? x : y);
+      put(block_.b, lane, in_order ? y : x);
+    }
+    bound_gaps(block_, gaps_);
+    for (std::size_t lane = 0; lane < pairs.size(); ++lane) keep(pairs[lane], gaps_.lower[lane], gaps_.upper[lane]);
+  }
+
+  void keep(const ItemPair& pair, double lower, double upper) {
+    if (lower > limit_) return;
+    if (upper == infinity) {
+      const Distance found = exact(pair);
+      lower = found.lower;
+      upper = found.upper;
+    }
+    limit_ = std::min(limit_, limit_from(upper));
+    if (!(lower > limit_)) candidates_.push_back({lower, upper, pair});
+  }
+
+  const PosedMesh& a_;
+  const PosedMesh& b_;
+  TrianglePairBlock& block_;
+  TriangleGaps gaps_{};
+  std::vector<NearCandidate>& candidates_;
+  double limit_ = infinity;
+};
+
+/// The nearest triangle to a convex shape.
+class NearestToShape final : public NearQuestion {
+ public:
+  NearestToShape(const PosedMesh& mesh, const PosedConvex& shape, ConvexWorkspace& workspace)
+      : mesh_(mesh), shape_(shape), workspace_(workspace) {}
+
+  /// Of the shape's core, which boxes are compared with.
+  [[nodiscard]] double limit() const override { return std::nextafter(limit_ + shape_.radius(), infinity); }
+
+  void visit(std::span<const ItemPair> pairs) override {
+    for (const ItemPair& pair : pairs) {
+      Distance found = distance(convex(mesh_, pair.first), shape_, &workspace_);
+      found.element_a = pair.first;
+      if (best && std::tie(best->upper, best->element_a) <= std::tie(found.upper, found.element_a)) continue;
+      best = found;
+      limit_ = limit_from(found.upper);
+    }
+  }
+
+  std::optional<Distance> best;
+
+ private:
+  const PosedMesh& mesh_;
+  const PosedConvex& shape_;
+  ConvexWorkspace& workspace_;
+  double limit_ = infinity;
+};
+
+Distance with_faces(Distance d, const PosedMesh& a) {
+  d.face_a = a.model().mesh().face_of(d.element_a);
+  return d;
+}
+
+Distance at_common_point(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
+
+std::optional<Distance> common_point(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
+  if (!overlap(a.mesh.box(), b.mesh.box())) return {};
+  if (surfaces_meet(a.mesh, b.mesh, scratch)) {
+    const Contact contact = *first_surface_contact(a.mesh, b.mesh, scratch);
+    Distance found = distance(convex(a.mesh, contact.triangle_a), convex(b.mesh, contact.triangle_b));
+    found.element_a = contact.triangle_a;
+    found.element_b = contact.triangle_b;
+    return found;
+  }
+  if (b.solid)
+    if (const auto triangle = part_inside(a.mesh, b.mesh)) {
+      Distance found = at_common_point(a.mesh.triangle(*triangle)[0]);
+      found.element_a = *triangle;
+      return found;
+    }
+  if (a.solid)
+    if (const auto triangle = part_inside(b.mesh, a.mesh)) {
+      Distance found = at_common_point(b.mesh.triangle(*triangle)[0]);
+      found.element_b = *triangle;
+      return found;
+    }
+  return {};
+}
+
+Distance surface_distance(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  const NearFrame frame_a = near_frame(a), frame_b = near_frame(b);
+  const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items},
+                      {b.model().oriented_boxes(), b.model().wide_tree().items}, near_view(frame_a, frame_b),
+                      near_view(frame_b, frame_a));
+  NearestTriangles question(a, b, scratch);
+  ConvexWorkspace& kept = scratch.convex;
+  const ItemPair warm{kept.element_a, kept.element_b};
+  if (warm.first < a.model().element_count() && warm.second < b.model().element_count()) question.visit({&warm, 1});
+  walk.run(scratch.near, question);
+  scratch.counts = scratch.near.counts;
+  const Distance nearest = question.nearest();
+  kept.element_a = nearest.element_a;
+  kept.element_b = nearest.element_b;
+  return nearest;
+}
+
+/// Where a shape meets triangles or lies inside the solid.
+template <class Shape>
+std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& b, SearchScratch& scratch) {
+  const auto meeting = triangles_meeting(a.mesh, b, scratch);
+  if (meeting.empty()) return {};
+  Distance found = distance(convex(a.mesh, meeting.front()), b);
+  found.element_a = meeting.front();
+  return with_faces(found, a.mesh);
+}
+
+Distance outer_distance(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
+  const ConvexNearTree shape(b);
+  const NearFrame frame = near_frame(a);
+  const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items}, shape.tree(),
+                      near_view(frame, shape.frame), near_view(shape.frame, frame));
+  NearestToShape question(a, b, scratch.convex);
+  const ItemPair warm{scratch.convex.element_a, 0};
+  if (warm.first < a.model().element_count()) question.visit({&warm, 1});
+  walk.run(scratch.near, question);
+  scratch.counts = scratch.near.counts;
+  scratch.convex.element_a = question.best->element_a;
+  question.best->lower = lower_from(question.best->upper);
+  return with_faces(*question.best, a);
+}
+
+/// The triangle with the corner that is lowest over the half-space, but for rounding.
+Index lowest_triangle(const PosedMesh& a, const PosedHalfSpace& b) {
+  Index lowest = 0;
+  double least = infinity;
+  for (Index i = 0; i < a.model().element_count(); ++i)
+    for (const Vec3& corner : a.triangle(i).vertex) {
+      const double height = dot(corner - b.point, b.normal);
+      if (!(height < least)) continue;
+      least = height;
+      lowest = i;
+    }
+  return lowest;
+}
+
+/// Contains all that is within the distance of the half-space.
+PosedHalfSpace widened(PosedHalfSpace b, double by) {
+  const double length = std::sqrt(dot(b.normal, b.normal));
+  const double size = std::max({std::abs(b.point.x), std::abs(b.point.y), std::abs(b.point.z)});
+  b.point = b.point + ((by + 1e-9 * (by + size)) / length) * b.normal;
+  return b;
+}
+
+Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
+  std::optional<Distance> best;
+  const auto see = [&](Index triangle) {
+    Distance found = distance(convex(a, triangle), b);
+    found.element_a = triangle;
+    if (!best || std::tie(found.upper, found.element_a) < std::tie(best->upper, best->element_a)) best = found;
+    return true;
+  };
+  see(lowest_triangle(a, b));
+  const PosedHalfSpace region = widened(b, best->upper);
+  if (is_finite(region.point))
+    visit_triangles_near(a, region, see);
+  else
+    for (Index i = 0; i < a.model().element_count(); ++i) see(i);
+  best->lower = lower_from(best->upper);
+  return with_faces(*best, a);
+}
+
+}  // namespace
+
+Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
+  scratch.counts = {};
+  const std::optional<Distance> common = common_point(a, b, scratch);
+  Distance found = common ? *common : surface_distance(a.mesh, b.mesh, scratch);
+  found.face_b = b.mesh.model().mesh().face_of(found.element_b);
+  return with_faces(found, a.mesh);
+}
+
+Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch) {
+  scratch.counts = {};
+  if (const auto common = at_least_triangle(a, b, scratch)) return *common;
+  if (a.solid && is_interior(b.vertex(0), a.mesh)) return with_faces(at_common_point(b.vertex(0)), a.mesh);
+  return outer_distance(a.mesh, b, scratch);
+}
+
+Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch) {
+  scratch.counts = {};
+  if (const auto common = at_least_triangle(a, b, scratch)) return *common;
+  return outer_distance(a.mesh, b);
+}
+
+}  // namespace toccata

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "oracle/meshes.hpp"
+#include "support/mesh_distances.hpp"
+#include "support/mesh_pairs.hpp"
+#include "support/mesh_soups.hpp"
+#include "support/simd_levels.hpp"
+#include "toccata/toccata.hpp"
+
+namespace toccata {
+namespace {
+
+/// B moved off, now and then far.
+PairQuery apart(PairQuery query, Random& random) {
+  const double way = std::exp2(random.between(-12, 6));
+  query.pose_b.offset = query.pose_b.offset + way * Vec3{random.between(-1, 1), random.between(-1, 1), 1};
+  return query;
+}
+
+TEST(MeshDistance, IsThatOfTheOracle) {
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(family + ", seed " + std::to_string(seed));
+      Random random(seed);
+      PairQuery query = test::random_poses(family, random);
+      if (seed > 0) query = apart(query, random);
+      query.solid_a = query.solid_b = Solid::none;
+      const double grid = seed % 2 == 0 ? 8 : 0;
+      const Model a(test::random_soup(random, 6, 0.3, grid)), b(test::random_soup(random, 6, 0.3, grid));
+      const Distance d = distance(a, b, query);
+      const oracle::Rational squared = oracle::squared_distance(oracle::surface_set(a.mesh(), query.pose_a),
+                                                                oracle::surface_set(b.mesh(), query.pose_b));
+      const oracle::Rational lower(d.lower), upper(d.upper);
+      EXPECT_LE(lower * lower, squared);
+      EXPECT_GE(upper * upper, squared);
+    }
+}
+
+TEST(MeshDistance, IsTheLeastOfAllPairs) {
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      Random random(seed);
+      PairQuery query = test::random_poses(family, random);
+      if (seed % 3 > 0) query = apart(query, random);
+      const double grid = seed % 2 == 0 ? 8 : 0;
+      const Model a(test::random_soup(random, 20, 0.2, grid)), b(test::random_soup(random, 40, 0.1, grid));
+      EXPECT_EQ(test::fault_of_surface_distance(a, b, query), "") << family << ", seed " << seed;
+    }
+}
+
+TEST(MeshDistance, IsTheSameAtEverySimdLevelWithTheSameCounts) {
+  const Model ball(icosphere_mesh(1, 4)), ring(torus_mesh({.radius = 3, .tube_radius = 0.5}));
+  const PairQuery query{.pose_b = {rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}}};
+  const Distance truth = distance(ball, ring, query);
+  EXPECT_GT(truth.upper, 0.5);
+  Workspace first;
+  static_cast<void>(distance(ball, ring, query, first));
+  test::at_every_simd_level([&](SimdLevel level) {
+    Workspace workspace;
+    EXPECT_EQ(distance(ball, ring, query, workspace), truth) << name_of(level);
+    EXPECT_EQ(workspace.counts(), first.counts()) << name_of(level);
+  });
+}
+
+TEST(MeshDistance, OfSolidsIsZeroWhereOneContainsTheOther) {
+  const Model outer(icosphere_mesh(2, 3)), inner(icosphere_mesh(0.5, 2));
+  EXPECT_EQ(distance(outer, inner).upper, 0);
+  EXPECT_EQ(distance(inner, outer).upper, 0);
+  const Distance within = distance(outer, inner, {.solid_a = Solid::none, .solid_b = Solid::none});
+  EXPECT_GT(within.lower, 1.3);
+  EXPECT_LT(within.upper, 1.5);
+}
+
+TEST(MeshDistance, OfBoxesIsThatOfTheBoxes) {
+  const Model a(test::box_mesh({0, 0, 0}, {1, 1, 1})), b(test::box_mesh({3, 0, 0}, {4, 1, 1}));
+  const Distance d = distance(a, b);
+  EXPECT_EQ(d.upper, 2);
+  EXPECT_EQ(d.on_a.x, 1);
+  EXPECT_EQ(d.on_b.x, 3);
+  EXPECT_EQ(distance(a, a).upper, 0);
+}
+
+/// Of a mesh and another shape, the least over the triangles.
+void expect_least_of_triangles(const Model& mesh, const Model& shape, const PairQuery& query) {
+  const Distance found = distance(mesh, shape, query);
+  double lower = std::numeric_limits<double>::infinity(), upper = lower;
+  for (Index i = 0; i < mesh.element_count(); ++i) {
+    const Distance d = distance(world_triangle(mesh, query.pose_a, i), shape, {.pose_b = query.pose_b});
+    lower = std::min(lower, d.lower);
+    upper = std::min(upper, d.upper);
+  }
+  EXPECT_LE(found.lower, upper);
+  EXPECT_LE(lower, found.upper);
+  EXPECT_LE(found.upper, upper);
+  EXPECT_LE(found.upper - found.lower, 1e-12 * found.upper);
+  const Distance other = distance(shape, mesh, test::exchanged(query));
+  EXPECT_EQ(flipped(other), found);
+}
+
+TEST(MeshDistance, ToOtherShapesIsTheLeastOfItsTriangles) {
+  Random random(1);
+  const Model mesh(test::random_soup(random, 60, 0.2, 0));
+  const std::vector<Model> shapes{Model(Sphere(0.3)), Model(Capsule({0, 0, -0.5}, {0, 0, 0.5}, 0.2)),
+                                  Model(Box{{0.3, 0.2, 0.1}}), Model(Point{{0, 0, 0}}),
+                                  Model(HalfSpace{{0, 0, 0}, {0.6, 0, 0.8}})};
+  for (const Model& shape : shapes)
+    for (int i = 0; i < 6; ++i) {
+      SCOPED_TRACE(std::string(name_of(shape.shape())) + ", pose " + std::to_string(i));
+      const Vec3 from{random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
+      expect_least_of_triangles(mesh, shape, {.pose_b = {test::random_rotation(random), from}, .solid_a = Solid::none});
+    }
+}
+
+TEST(MeshDistance, OfAFieldAndACompound) {
+  const std::vector<double> heights{0, 0, 0, 0, 1, 0, 0, 0, 0};
+  const Model field(HeightField(3, 3, 1, 1, heights));
+  const Distance above = distance(field, Sphere{0.25}, {.pose_b = Pose::translation(1, 1, 2)});
+  EXPECT_LE(above.lower, 0.75);
+  EXPECT_GE(above.upper, 0.75);
+  const std::vector<CompoundPart> parts{{Sphere{0.25}, Pose::translation(9, 9, 9)},
+                                        {Sphere{0.25}, Pose::translation(1, 1, 2)}};
+  const Distance of_parts = distance(field, Model(Compound(parts)));
+  EXPECT_EQ(of_parts.element_b, 1U);
+  EXPECT_EQ(of_parts.upper, above.upper);
+}
+
+}  // namespace
+}  // namespace toccata
