@@ -134,13 +134,22 @@ class RayWalk {
       return true;
     }
     pending_.make_room();
+    prefetch(block.child[first]);
     pending_.insert({when[first], block.child[first]}, 0);
     for (std::size_t count = 1; met != 0; met &= met - 1, ++count) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(met));
+      prefetch(block.child[lane]);
       pending_.insert({when[lane], block.child[lane]}, count);
     }
     child = pending_.pop().child;
     return true;
+  }
+
+  /// Asks for the memory of a block before its turn comes.
+  HWY_INLINE void prefetch(std::int32_t child) const {
+    if (child < 0) return;
+    const auto* bytes = reinterpret_cast<const char*>(&tree_.blocks[static_cast<std::size_t>(child)]);
+    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
   }
 
   /// The next that waits and is still of interest. None is when the limit is less than 0.
