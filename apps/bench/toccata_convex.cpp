@@ -187,9 +187,13 @@ bool takes_given(ConvexTask task) {
   if (task == ConvexTask::distance) return requires(const A& a, const B& b, const Pose& pose) {
       distance(a, pose, b, pose);
     };
-  return task == ConvexTask::overlap && requires(const A& a, const B& b, const Pose& pose) {
-    overlap(a, pose, b, pose);
-  };
+  if (task == ConvexTask::penetration) return requires(const A& a, const B& b, const Pose& pose) {
+      penetration(a, pose, b, pose);
+    };
+  if (task == ConvexTask::manifold) return requires(const A& a, const B& b, const Pose& pose) {
+      manifold(a, pose, b, pose);
+    };
+  return requires(const A& a, const B& b, const Pose& pose) { overlap(a, pose, b, pose); };
 }
 
 /// The functions that take shapes and poses.
@@ -221,6 +225,16 @@ class ToccataGiven : public ConvexLibrary {
       if (work_->task == ConvexTask::distance) {
         const Distance d = distance(a, question.a, b, question.b);
         return {d.upper == 0, d.lower, d.upper};
+      }
+    if constexpr (requires { penetration(a, question.a, b, question.b); })
+      if (work_->task == ConvexTask::penetration) {
+        const Penetration p = penetration(a, question.a, b, question.b);
+        return {p.upper > 0, p.lower, p.upper, p.direction};
+      }
+    if constexpr (requires { manifold(a, question.a, b, question.b); })
+      if (work_->task == ConvexTask::manifold) {
+        const Manifold m = manifold(a, question.a, b, question.b);
+        return {m.count > 0, 0, 0, m.normal, m.count};
       }
     return {overlap(a, question.a, b, question.b)};
   }

@@ -1,6 +1,5 @@
 #include "toccata/narrow/rigid_box.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace toccata {
@@ -11,12 +10,14 @@ constexpr double largest_skew = 0x1p-20;
 
 double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
 
-/// An entry is a sum of three products that add up to 1.01 at most in magnitude where it is of use: off by 3 · 2^-53.
+/// All entries in and beside the diagonal are added: more than the greatest, without choices. An entry is a sum of
+/// three products that add up to 1.01 at most in magnitude where it is of use, off by 3 · 2^-53; to add them loses
+/// less.
 double skew_of(const Mat3& m) {
   const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
-  const double lengths = std::max({std::fabs(dot(x, x) - 1), std::fabs(dot(y, y) - 1), std::fabs(dot(z, z) - 1)});
-  const double angles = std::max({std::fabs(dot(x, y)), std::fabs(dot(y, z)), std::fabs(dot(z, x))});
-  return std::max(lengths, angles) + 0x1p-51;
+  const double lengths = (std::fabs(dot(x, x) - 1) + std::fabs(dot(y, y) - 1)) + std::fabs(dot(z, z) - 1);
+  const double angles = (std::fabs(dot(x, y)) + std::fabs(dot(y, z))) + std::fabs(dot(z, x));
+  return (lengths + angles) + 0x1p-50;
 }
 
 /// Let u = 2^-53, M the sum of |R| (|c| + h) over all products and |t| the sum of the offset's magnitudes. A world

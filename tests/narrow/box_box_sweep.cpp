@@ -58,9 +58,8 @@ std::string check(const SeenBoxes& seen) {
   const bool meet = truth.kind != oracle::RelationKind::apart;
   if (overlap(seen.a, seen.b) != meet) return "overlap";
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap of posed boxes";
-  if (overlap(std::get<Box>(seen.given.a.shape), seen.given.a.pose, std::get<Box>(seen.given.b.shape),
-              seen.given.b.pose) != meet)
-    return "overlap of boxes and poses";
+  const Box &box_a = a.shape, &box_b = b.shape;
+  if (overlap(box_a, a.pose, box_b, b.pose) != meet) return "overlap of boxes and poses";
   if (overlap_by_separating_axes(seen.a, seen.b) != meet) return "overlap by separating axes";
   if (static_cast<int>(relation(seen.a, seen.b).kind) != static_cast<int>(truth.kind)) return "relation";
   const oracle::Depth depth(seen.set_a, seen.set_b);
@@ -75,7 +74,9 @@ std::string check(const SeenBoxes& seen) {
   if (const std::string wrong = check_manifold(m, seen, depth, meet); !wrong.empty()) return "manifold: " + wrong;
   if (!is_same && !same_but_flipped(m, manifold(seen.b, seen.a))) return "manifold exchanged";
   if (!(manifold(a, b) == m)) return "manifold of posed boxes";
-  return penetration(a, b) == p ? "" : "penetration of posed boxes";
+  if (!(penetration(a, b) == p)) return "penetration of posed boxes";
+  if (!(manifold(box_a, a.pose, box_b, b.pose) == m)) return "manifold of boxes and poses";
+  return penetration(box_a, a.pose, box_b, b.pose) == p ? "" : "penetration of boxes and poses";
 }
 
 SweepResult run(const std::string& regime, std::uint64_t seed, std::uint64_t cases) {

@@ -81,6 +81,9 @@ TEST(BoxBox, TakesBoxesAndPosesWherePosedBoxesAreTaken) {
   EXPECT_THROW(static_cast<void>(overlap(box, flat, box, {})), Error);
   EXPECT_THROW(static_cast<void>(overlap(box, {}, box, at(0, 0, HUGE_VAL))), Error);
   EXPECT_THROW(static_cast<void>(overlap(box, {}, box, at(0, NAN, 0))), Error);
+  EXPECT_THROW(static_cast<void>(penetration(box, flat, box, {})), Error);
+  EXPECT_THROW(static_cast<void>(manifold(box, {}, box, at(0, NAN, 0))), Error);
+  EXPECT_EQ(manifold(Box({1, 1, 1}), {}, Box({1, 1, 1}), at(0, 0, 2)).count, 4);
 }
 
 // Stacked alike and turned: all edges are parallel, so that three edge pairs have no axis.

@@ -12,12 +12,14 @@ namespace toccata {
 /// Do they have a point in common? Touching counts. Exact.
 [[nodiscard]] bool overlap(const PosedBox& a, const PosedBox& b);
 
-/// Of boxes that are asked about once: faster than to pose them before. Throws Error as PosedBox does.
-[[nodiscard]] bool overlap(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
-
 [[nodiscard]] Penetration penetration(const PosedBox& a, const PosedBox& b);
 
 /// Empty exactly when the boxes are apart.
 [[nodiscard]] Manifold manifold(const PosedBox& a, const PosedBox& b);
+
+// The same of boxes that are asked about once: faster than to pose them before. Throw Error as PosedBox does.
+[[nodiscard]] bool overlap(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+[[nodiscard]] Penetration penetration(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+[[nodiscard]] Manifold manifold(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 
 }  // namespace toccata

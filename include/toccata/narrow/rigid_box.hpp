@@ -18,7 +18,7 @@ struct RigidBox {
   double skew = 0;  ///< at least every |RᵀR − I|
 };
 
-/// Precondition: the pose is finite.
+/// Without slack where the pose has a number that is not finite.
 [[nodiscard]] RigidBox rigid_box(const Box& box, const Pose& pose);
 
 }  // namespace toccata
