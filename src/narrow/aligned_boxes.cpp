@@ -18,18 +18,32 @@ struct Interval {
 
 using Extents = std::array<Interval, 3>;
 
-/// Of a box whose corners, numbered as those of Box, have only two coordinates along every axis.
+/// A coordinate that depends on one bit of a corner's number only; the bit is 0 where there is none.
+struct AlignedCoordinate {
+  Interval interval;
+  int bit = 0;
+};
+
+AlignedCoordinate aligned(const double* along) {
+  for (const int bit : {1, 2, 4}) {
+    const auto is_told_by_bit = [=](int corner) { return along[corner] == along[corner & bit]; };
+    if (std::ranges::all_of(std::array{1, 2, 3, 4, 5, 6, 7}, is_told_by_bit))
+      return {{std::min(along[0], along[bit]), std::max(along[0], along[bit])}, bit};
+  }
+  return {};
+}
+
+/// Of a box whose corners have only two coordinates along every axis, whichever of its edges is along which.
 std::optional<Extents> extents(const PosedConvex& box) {
   if (box.vertex_count() != 8 || !box.in_world() || box.radius() != 0) return {};
   Extents extents;
+  int bits = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double* along = box.along(axis);
-    const int bit = 1 << axis;
-    for (int corner = 0; corner < 8; ++corner)
-      if (along[corner] != along[corner & bit]) return {};
-    extents[static_cast<std::size_t>(axis)] = {std::min(along[0], along[bit]), std::max(along[0], along[bit])};
+    const AlignedCoordinate coordinate = aligned(box.along(axis));
+    bits |= coordinate.bit;
+    extents[static_cast<std::size_t>(axis)] = coordinate.interval;
   }
-  return extents;
+  return bits == 7 ? std::optional(extents) : std::nullopt;
 }
 
 /// The least points of two intervals that are as near as possible.

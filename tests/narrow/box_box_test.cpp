@@ -111,6 +111,15 @@ TEST(BoxBox, PenetrationAlongTheAxesOfTheWorldIsTheLeastDifferenceOfCoordinates)
   EXPECT_EQ(workspace.counts.closed_forms, 1U);
 }
 
+// A turn by a right angle keeps a box along the axes.
+TEST(BoxBox, PenetrationOfBoxesTurnedByRightAnglesIsADifferenceOfCoordinatesToo) {
+  const Mat3 turned = {{{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}}}};
+  const PosedConvex below(Box({3, 1, 2}), {turned, {}}), above(Box({1, 2, 2}), at(0, 0, 5 - 0x1p-50));
+  ConvexWorkspace workspace;
+  EXPECT_EQ(penetration(below, above, &workspace).upper, 0x1p-50);
+  EXPECT_EQ(workspace.counts.closed_forms, 1U);
+}
+
 // Squares of these sizes over- or underflow.
 TEST(BoxBox, ManifoldsOfHugeAndTinyBoxesHaveTheirPoints) {
   for (const double size : {5e-324, 1e-300, 1e-154, 1e154, 1e160, 8e307}) {
