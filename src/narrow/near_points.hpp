@@ -171,7 +171,16 @@ HWY_INLINE Foot foot_on_face(const Vector& a, const TriangleEdges& e, const Numb
           second, third};
 }
 
-/// How far the heights of the three corners over the plane through the foot, across d, tell that it is not the nearest.
+/// How far the heights of the three corners over the plane through the foot, across d, tell that it is not the nearest:
+/// W, the sum of what they are beside 0 where the foot has a share of the corner, and below 0 where it has none.
+///
+/// The ω that repairs them lies in the triangle's plane, where ω · (corner − foot) is what that height is off by: the
+/// gradient of a function with these values at the corners, at most W over the least altitude, and |ω|² at most
+/// W² · longest / area, both squared. Of ε = 2^-53, L² = longest and spread: a slope is off by 4 ε L |d|, the heights
+/// made of two slopes by 14 ε L |d|, and for the rounding of d by ε L |spread|; all three heights by a δ with
+/// δ² ≤ 9 · 2 ε² L² (196 |d|² + |spread|²), and (W + δ)² ≤ 2 W² + 2 δ². What is summed up below, 8 W² + 512 ε² L²
+/// (|spread|² + 16 |d|²), is more than a quarter of that; so the limits, which are 2^-82 for 2^-80 and 2^-54 for 2^-53,
+/// hold with a factor of two or more to spare.
 HWY_INLINE Number triangle_violation(const Foot& foot, const Number& slope_b, const Number& slope_c,
                                      const Mask& on_face) {
   const Number zero = hn::Zero(Tag());
@@ -246,9 +255,21 @@ HWY_INLINE BoxSides sides_of(const Vector& p, const Vector& origin, const std::a
 }
 
 /// What the corners but the first and its neighbours add to the proof for a box.
+///
+/// A height is off by 4 ε of the sum of its magnitudes: the difference of corners, the product and two sums are
+/// rounded. Second orders, and the rounding of the height less its error, are below 2^-8 ε |d|² where an interval turns
+/// out narrow: 4 ε of the magnitudes are then below 10^-12 |d|², and so are the heights; `reached` has half an ε |d|²
+/// to spare.
+///
+/// A corner's bend b is c_i − (c_0 + its edges), |b| ≤ β. Let K be the hull of the corners, K' the parallelepiped of
+/// the first four, y and y' their points nearest to p, d = y' − p. y = Σ w_i c_i = x + b with x in K', |b| ≤ β. Moving
+/// weight along edges turns x into y' and changes Σ w_i b_i by at most 2β Σ |x − y'| · 1.1 / |e_k| = 2.2 β S |x − y'|;
+/// so as y is no farther from p than that point of K, and |x − p|² ≥ |d|² + |x − y'|²,
+///   |x − y'|² ≤ 2 (2.2 β S |x − y'|) (|d| + β) + 2 β |x − y'|, and |y − y'| ≤ 3 β + 4.4 β S (|d| + β).
+/// With S² ≤ 3 Σ 1 / |e_k|² the square is at most 18 β² + 117 β² |d|² Σ 1 / |e_k|² but for higher powers of β.
 struct BoxRest {
   Number lowest;  ///< the least height along d over the first corner, less what it may be off by
-  Number bend;    ///< how far corners are from the parallelepiped of the first four
+  Number bend;    ///< how far corners are from the parallelepiped of the first four, but for rounding
 };
 
 HWY_INLINE Number certain_height(const Vector& from_first, const Vector& d, const Vector& size_of_d) {
@@ -312,9 +333,11 @@ HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& cor
   const Number skew = hn::Add(hn::Add(hn::Mul(hn::Mul(x, x), hn::Mul(inverse_squared[0], inverse_squared[1])),
                                       hn::Mul(hn::Mul(y, y), hn::Mul(inverse_squared[1], inverse_squared[2]))),
                               hn::Mul(hn::Mul(z, z), hn::Mul(inverse_squared[2], inverse_squared[0])));
-  const Number bend_squared = hn::Mul(rest.bend, rest.bend);
+  // Made of differences of corners and edges, the bend is off by 4 ε of the edges' magnitudes.
+  const Number edge_sizes = sum_of(plus(plus(magnitudes_of(edge[0]), magnitudes_of(edge[1])), magnitudes_of(edge[2])));
+  const Number bend = hn::Add(rest.bend, hn::Mul(all(0x1.1p-51), edge_sizes)), bend_squared = hn::Mul(bend, bend);
   const Number bent =
-      hn::Mul(hn::Mul(all(64), bend_squared), hn::Add(all(1), hn::Mul(all(16), hn::Mul(squared, inverses))));
+      hn::Mul(hn::Mul(all(32), bend_squared), hn::Add(all(1), hn::Mul(all(4), hn::Mul(squared, inverses))));
   const Number floor = residual_floor(spread, squared);
   const Number all_residual = hn::Add(hn::Mul(all(16), residual), hn::Add(floor, bent));
   const Mask near_enough = hn::Le(all_residual, hn::Mul(all(0x1p-81 / 12), size));
@@ -331,7 +354,7 @@ HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& cor
           squared,
           dot(magnitudes_of(d), spread),
           hn::Sub(hn::Add(drift, drift_error), rest.lowest),
-          hn::Add(rest.bend, length_of_rounding(spread)),
+          hn::Add(bend, length_of_rounding(spread)),
           hn::And(is_moderate(size), hn::Or(within, beside)),
           hn::And(hn::Not(free), long_enough)};
 }

@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 #include "math/world_vertex.hpp"
 #include "narrow/closed_forms.hpp"
 #include "narrow/pose_checks.hpp"
@@ -22,7 +24,8 @@
 // - H · (the shape) differs from the shape by δ / 2 · |v|;
 // - the world vertices are rounded, which moves them by less than 32u (|v| + |t|) (rigid_box.cpp).
 // So the distance in the shape's frame is off by less than 2^-41 (|w| + |v|) + 2^-48 |t|. What is not finite makes this
-// bound NaN or infinite, and the answer unknown.
+// bound NaN or infinite, and the answer unknown. Nothing of this needs the same bits everywhere, so products may be
+// fused.
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
@@ -55,8 +58,8 @@ HWY_INLINE Rows rows_of(const Pose& pose) { return {load(pose.linear[0]), load(p
 /// Of each column the square of its length, less 1, and twice its product with the next: magnitudes.
 HWY_INLINE Number skew_of(const Rows& r) {
   alignas(32) static constexpr double ones[4] = {1, 1, 1, 0};
-  const Number squares = hn::Add(hn::Add(hn::Mul(r.x, r.x), hn::Mul(r.y, r.y)), hn::Mul(r.z, r.z));
-  const Number products = hn::Add(hn::Add(hn::Mul(r.x, next(r.x)), hn::Mul(r.y, next(r.y))), hn::Mul(r.z, next(r.z)));
+  const Number squares = hn::MulAdd(r.x, r.x, hn::MulAdd(r.y, r.y, hn::Mul(r.z, r.z)));
+  const Number products = hn::MulAdd(r.x, next(r.x), hn::MulAdd(r.y, next(r.y), hn::Mul(r.z, next(r.z))));
   return hn::Add(hn::Abs(hn::Sub(squares, hn::Load(tag, ones))), hn::Abs(hn::Add(products, products)));
 }
 
@@ -68,14 +71,7 @@ HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) { return are_rigid(rows_
 
 /// Rᵀ v, of which the last number is 0.
 HWY_INLINE Number turned_back(const Rows& r, const Vec3& v) {
-  return hn::Add(hn::Add(hn::Mul(r.x, hn::Set(tag, v.x)), hn::Mul(r.y, hn::Set(tag, v.y))),
-                 hn::Mul(r.z, hn::Set(tag, v.z)));
-}
-
-HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
-  alignas(32) double result[4];
-  hn::Store(turned_back(rows_of(pose), v), tag, result);
-  return {result[0], result[1], result[2]};
+  return hn::MulAdd(r.x, hn::Set(tag, v.x), hn::MulAdd(r.y, hn::Set(tag, v.y), hn::Mul(r.z, hn::Set(tag, v.z))));
 }
 
 /// How far, squared, a point is beyond the box, given from the offset of its pose.
@@ -84,6 +80,78 @@ HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& f
   const Number beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
   return hn::GetLane(hn::SumOfLanes(tag, hn::Mul(beyond, beyond)));
 }
+/// A coordinate each of the three corners of a triangle, seen from the sphere's centre.
+struct Corners {
+  Number x, y, z;
+};
+
+HWY_INLINE Corners transposed(const Number& a, const Number& b, const Number& c) {
+  const Number even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
+  return {hn::ConcatLowerLower(tag, c, even), hn::ConcatLowerLower(tag, hn::InterleaveUpper(tag, c, c), odd),
+          hn::ConcatUpperUpper(tag, c, even)};
+}
+HWY_INLINE Corners next(const Corners& v) { return {next(v.x), next(v.y), next(v.z)}; }
+HWY_INLINE Corners minus(const Corners& u, const Corners& v) {
+  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
+}
+HWY_INLINE Number dot(const Corners& u, const Corners& v) {
+  return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
+}
+HWY_INLINE Corners cross(const Corners& u, const Corners& v) {
+  return {hn::MulSub(u.y, v.z, hn::Mul(u.z, v.y)), hn::MulSub(u.z, v.x, hn::Mul(u.x, v.z)),
+          hn::MulSub(u.x, v.y, hn::Mul(u.y, v.x))};
+}
+HWY_INLINE Number first_everywhere(const Number& v) { return hn::Set(tag, hn::GetLane(v)); }
+
+HWY_INLINE std::uint64_t bits_of(const hn::Mask<Tag>& mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
+  return bits[0] & 7U;
+}
+
+/// The point of each edge that is nearest to the origin, and the normal: whichever of them proves something does, and
+/// nothing has to be chosen. Only a foot within the face is not looked at.
+HWY_INLINE Nearness nearness_of_corners(const Number& a, const Number& b, const Number& c, double reach, double error) {
+  const double inner = reach - error, outer = reach + error;
+  const Number near_squared = hn::Set(tag, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
+  const Number far_squared = hn::Set(tag, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(tag);
+
+  const Corners v = transposed(a, b, c), w = next(v), edge = minus(w, v);
+  const Number share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
+  const Number within = hn::Min(hn::Max(share, zero), hn::Set(tag, 1));  // NaN becomes 0
+  const Corners foot{hn::MulAdd(within, edge.x, v.x), hn::MulAdd(within, edge.y, v.y), hn::MulAdd(within, edge.z, v.z)};
+  const Number squared = dot(foot, foot);
+  const Number gap = hn::Min(hn::Min(dot(v, foot), dot(w, foot)), dot(next(w), foot));
+  const auto apart = hn::And(hn::Gt(gap, zero), hn::Gt(hn::Mul(gap, gap), hn::Mul(far_squared, squared)));
+
+  const Corners normals = cross(edge, next(edge));
+  const Corners normal{first_everywhere(normals.x), first_everywhere(normals.y), first_everywhere(normals.z)};
+  const Number height = dot(v, normal), needed = hn::Mul(far_squared, dot(normal, normal));
+  const std::uint64_t high = bits_of(hn::Gt(hn::Mul(height, height), needed)), above = bits_of(hn::Gt(height, zero));
+
+  if (bits_of(apart) != 0 || (high == 7 && (above == 7 || above == 0))) return Nearness::apart;
+  return bits_of(hn::Lt(squared, near_squared)) != 0 ? Nearness::meet : Nearness::unknown;
+}
+
+/// A sphere around `centre` and a triangle, in one frame, when all is off by `error` at most, what `judge` adds
+/// included. The formula for feet within the face has many branches.
+HWY_INLINE Nearness nearness_of_triangle(const Number& centre, const Triangle& b, double reach, double error) {
+  const Nearness found = nearness_of_corners(hn::Sub(load(b[0]), centre), hn::Sub(load(b[1]), centre),
+                                             hn::Sub(load(b[2]), centre), reach, error);
+  if (found != Nearness::unknown) return found;
+  alignas(32) double p[4];
+  hn::Store(centre, tag, p);
+  return nearness_of_point_triangle({p[0], p[1], p[2]}, b, reach, error);
+}
+
+HWY_INLINE Number local_point(const Pose& pose, const Vec3& from_offset) {
+  return turned_back(rows_of(pose), from_offset);
+}
+
+HWY_INLINE double sizes_of(const Number& centre, const Triangle& b) {
+  const Number corners = hn::Add(hn::Abs(load(b[0])), hn::Add(hn::Abs(load(b[1])), hn::Abs(load(b[2]))));
+  return hn::GetLane(hn::SumOfLanes(tag, hn::Add(hn::Abs(centre), corners)));
+}
 #else
 HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) {
   return is_surely_rigid(a.linear) && is_surely_rigid(b.linear);
@@ -91,6 +159,16 @@ HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) {
 
 HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
   return (v.x * pose.linear[0] + v.y * pose.linear[1]) + v.z * pose.linear[2];
+}
+
+HWY_INLINE Vec3 local_point(const Pose& pose, const Vec3& from_offset) { return turned_back(pose, from_offset); }
+
+HWY_INLINE double sizes_of(const Vec3& centre, const Triangle& b) {
+  return (sum_of_magnitudes(centre) + sum_of_magnitudes(b[0])) + (sum_of_magnitudes(b[1]) + sum_of_magnitudes(b[2]));
+}
+
+HWY_INLINE Nearness nearness_of_triangle(const Vec3& centre, const Triangle& b, double reach, double error) {
+  return nearness_of_point_triangle(centre, b, reach, error);
 }
 
 HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& from_offset) {
@@ -135,11 +213,11 @@ Nearness sphere_box(const Sphere& a, const Pose& pose_a, const Box& b, const Pos
 
 Nearness sphere_triangle(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
-  const Vec3 local = turned_back(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
-  const double sizes =
-      (sum_of_magnitudes(local) + sum_of_magnitudes(b[0])) + (sum_of_magnitudes(b[1]) + sum_of_magnitudes(b[2]));
-  const double slack = frame_error * sizes + offset_error * sum_of_magnitudes(pose_b.offset);
-  return nearness_of_point_triangle(local, b, a.radius(), slack);
+  const auto local = local_point(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
+  // What the formulas add, 2^-46 of the corners seen from the centre, is less than what `frame_error` has to spare.
+  const double error =
+      frame_error * (sizes_of(local, b) + a.radius()) + (offset_error * sum_of_magnitudes(pose_b.offset) + 0x1p-480);
+  return nearness_of_triangle(local, b, a.radius(), error);
 }
 
 Nearness sphere_capsule(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
