@@ -74,15 +74,27 @@ std::array<int, 3> descending_axes(const Vec3& d) {
   return axes;
 }
 
+/// A normal as a number: its components are −1, 0 and 1.
+constexpr std::size_t code_of(const Vec3& normal) {
+  return static_cast<std::size_t>((normal.x + 1) * 9 + (normal.y + 1) * 3 + (normal.z + 1));
+}
+
+/// Of every normal, the number of its slab.
+template <std::size_t k>
+constexpr std::array<std::size_t, 27> slab_numbers() {
+  std::array<std::size_t, 27> numbers{};
+  const auto normals = kdop_normals<k>();
+  for (std::size_t i = 0; i < normals.size(); ++i) numbers[code_of(normals[i])] = numbers[code_of(-normals[i])] = i;
+  return numbers;
+}
+
 /// The offset of the plane with this normal, which is one of the normals or its opposite.
 template <std::size_t k>
 double offset_of(const Kdop<k>& v, const Vec3& normal) {
-  static constexpr auto normals = kdop_normals<k>();
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    if (normals[i] == normal) return v.upper[i];
-    if (normals[i] == -normal) return -v.lower[i];
-  }
-  return std::numeric_limits<double>::infinity();
+  static constexpr auto numbers = slab_numbers<k>();
+  // Of a normal and its opposite the one with the greater code is listed: its first component but zeros is 1.
+  const std::size_t code = code_of(normal), slab = numbers[code];
+  return code > 13 ? v.upper[slab] : -v.lower[slab];
 }
 
 template <std::size_t k>
@@ -229,13 +241,34 @@ bool overlap(const Kdop<k>& a, const Kdop<k>& b) {
 }
 
 template <std::size_t k>
+double gap(const Kdop<k>& a, const Kdop<k>& b) {
+  if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
+  static constexpr auto normals = kdop_normals<k>();
+  double best = 0;
+  for (std::size_t i = 0; i < Kdop<k>::slabs; ++i) {
+    const double parted = std::max(b.lower[i] - a.upper[i], a.lower[i] - b.upper[i]);
+    if (parted > 0) best = std::max(best, rounded_down(parted / length_bound(normals[i])));
+  }
+  if (best == 0) return 0;
+  const auto look = [&](const Vec3& direction) {
+    best = std::max(best, gap_along(a, b, direction));
+    return false;
+  };
+  const Vec3 from_box = scaled_direction(between(box_around(a), box_around(b)));
+  if (!(from_box == Vec3{})) look(from_box);
+  search_directions(a, b, {}, from_box == Vec3{} ? Vec3{1, 0, 0} : from_box, look);
+  return best;
+}
+
+template <std::size_t k>
 Kdop<k> posed(const Kdop<k>& v, const Pose& pose) {
   static constexpr auto normals = kdop_normals<k>();
   Kdop<k> turned;
   if (is_empty(v)) return turned;
+  const PosedSupport support(v, pose);
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    turned.upper[i] = posed_support(v, pose, normals[i], {});
-    turned.lower[i] = -posed_support(v, pose, -normals[i], {});
+    turned.upper[i] = support(normals[i], {});
+    turned.lower[i] = -support(-normals[i], {});
   }
   return turned;
 }

@@ -9,6 +9,7 @@
 #include "narrow/gjk_simplex.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/cube.hpp"
+#include "toccata/bounds/swept_sphere.hpp"
 #include "toccata/bounds/volume.hpp"
 
 // Any two convex sets, by the least they need to tell. Whatever directions are tried, each gives a valid bound: so the
@@ -48,15 +49,34 @@ inline Vec3 between(const Aabb& a, const Aabb& b) {
   return way;
 }
 
-/// Calls `use(direction)` with every direction that might part two volumes, until it returns true; tells whether one
-/// did. First from box to box and from middle to middle, then normals, then across pairs of edges.
+/// Whether the first direction is that of the nearest points.
+template <class V>
+inline constexpr bool is_aligned = std::same_as<V, Aabb> || std::same_as<V, Cube> || std::same_as<V, PointVolume>;
+template <class V>
+inline constexpr bool is_round = std::same_as<V, Ball> || std::same_as<V, Pss> || std::same_as<V, PointVolume>;
+template <class A, class B>
+inline constexpr bool found_at_once = (is_aligned<A> && is_aligned<B>) || (is_round<A> && is_round<B>);
+
+/// Whether the normals, and edges, are all directions that such volumes can be parted by, or that are meant to be
+/// tried.
+template <class A, class B>
+inline constexpr bool parted_by_normals = (HasNormals<A> && HasNormals<B> && std::same_as<A, B>) ||
+                                          (HasNormals<A> && std::same_as<B, PointVolume>) ||
+                                          (std::same_as<A, PointVolume> && HasNormals<B>);
+
+/// The one that is cheap to find; zero where there is none.
+template <class A, class B>
+Vec3 first_direction(const A& a, const B& b) {
+  if constexpr (is_aligned<A> && is_aligned<B>)
+    return scaled_direction(between(box_around(a), box_around(b)));
+  else
+    return scaled_direction(middle(b) - middle(a));
+}
+
+/// Calls `use(direction)` with the normals of both volumes, and with what is at right angles to an edge of each, until
+/// it returns true; tells whether it did.
 template <class A, class B, class Use>
-bool any_direction(const A& a, const B& b, const Use& use) {
-  const auto use_scaled = [&](const Vec3& way) {
-    const Vec3 direction = scaled_direction(way);
-    return !(direction == Vec3{}) && use(direction);
-  };
-  if (use_scaled(between(box_around(a), box_around(b))) || use_scaled(middle(b) - middle(a))) return true;
+bool any_normal(const A& a, const B& b, const Use& use) {
   const auto use_normals = [&](const auto& volume) {
     if constexpr (HasNormals<std::remove_cvref_t<decltype(volume)>>) {
       const Directions normals = face_normals(volume);
@@ -77,6 +97,16 @@ bool any_direction(const A& a, const B& b, const Use& use) {
   return false;
 }
 
+/// A volume that is a core grown by a ball is searched by its core: the directions are the same, and a core with
+/// corners needs fewer steps.
+template <class V>
+Vec3 search_point(const V& volume, const Vec3& direction) {
+  if constexpr (requires { farthest_core_point(volume, direction); })
+    return farthest_core_point(volume, direction);
+  else
+    return farthest_point(volume, direction);
+}
+
 /// Where the search of E. G. Gilbert, D. W. Johnson, S. S. Keerthi ("A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988) leads, in doubles: the directions from a to b of ever
 /// nearer points, handed to `use` until it returns true; a is moved before. Smooth volumes need more steps than these
@@ -86,36 +116,22 @@ void search_directions(const A& a, const B& b, const Vec3& a_moved, Vec3 directi
   constexpr int steps = 24;
   const Vec3 from = middle(a);
   double factor = 0;
+  NearestFace face;
   GjkSimplex simplex;
   for (int step = 0; step < steps; ++step) {
-    Vec3 point = (farthest_point(b, -direction) - from) - (farthest_point(a, direction) - from) - a_moved;
+    Vec3 point = (search_point(b, -direction) - from) - (search_point(a, direction) - from) - a_moved;
     if (factor == 0) factor = 1 / std::clamp(largest_magnitude(point), 0x1p-1000, 0x1p1000);
     point = factor * point;
     if (!is_finite(point)) return;
-    for (Index i = 0; i < simplex.pairs.size; ++i)
-      if (simplex.point[i] == point) return;
+    // No point is nearer by more than this along the direction of the nearest.
+    if (step > 0 && face.squared - dot(face.nearest, point) <= 1e-12 * face.squared) return;
     simplex.append(0, static_cast<Index>(step), point);
-    const NearestFace face = nearest_face(simplex);
+    face = nearest_face(simplex);
     direction = scaled_direction(face.nearest);
-    if (face.kept == 15 || direction == Vec3{}) return;
-    if (use(direction)) return;
+    if (face.kept == 15 || direction == Vec3{} || use(direction)) return;
     simplex.keep(face.kept);
   }
 }
-
-/// Whether the directions tried first are all that such volumes can be parted by, or all that are meant to be tried.
-template <class A, class B>
-inline constexpr bool parted_by_normals = (HasNormals<A> && HasNormals<B> && std::same_as<A, B>) ||
-                                          (HasNormals<A> && std::same_as<B, PointVolume>) ||
-                                          (std::same_as<A, PointVolume> && HasNormals<B>);
-
-/// Whether the way from box to box, or from middle to middle, is that of the nearest points.
-template <class V>
-inline constexpr bool is_aligned = std::same_as<V, Aabb> || std::same_as<V, Cube> || std::same_as<V, PointVolume>;
-template <class V>
-inline constexpr bool is_round = std::same_as<V, Ball> || std::same_as<V, PointVolume>;
-template <class A, class B>
-inline constexpr bool found_at_once = (is_aligned<A> && is_aligned<B>) || (is_round<A> && is_round<B>);
 
 template <class A, class B>
 requires VolumePair<A, B>
@@ -123,8 +139,11 @@ bool overlap(const A& a, const B& b) {
   if (is_empty(a) || is_empty(b)) return false;
   bool apart = false;
   const auto parts = [&](const Vec3& direction) { return apart = parting(a, b, direction) > 0; };
-  if (any_direction(a, b, parts)) return false;
-  if constexpr (!parted_by_normals<A, B> && !found_at_once<A, B>) search_directions(a, b, {}, {1, 0, 0}, parts);
+  const Vec3 first = first_direction(a, b);
+  if (!(first == Vec3{}) && parts(first)) return false;
+  if constexpr (found_at_once<A, B>) return true;
+  if (any_normal(a, b, parts)) return false;
+  if constexpr (!parted_by_normals<A, B>) search_directions(a, b, {}, {1, 0, 0}, parts);
   return !apart;
 }
 
@@ -133,18 +152,17 @@ requires VolumePair<A, B>
 double gap(const A& a, const B& b) {
   if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
   double best = 0;
-  Vec3 best_direction{1, 0, 0};
   const auto look = [&](const Vec3& direction) {
-    const double along = gap_along(a, b, direction);
-    if (along > best) {
-      best = along;
-      best_direction = direction;
-    }
+    best = std::max(best, gap_along(a, b, direction));
     return false;
   };
-  any_direction(a, b, look);
-  if constexpr (!found_at_once<A, B>)
-    if (best > 0 || !parted_by_normals<A, B>) search_directions(a, b, {}, best_direction, look);
+  const Vec3 first = first_direction(a, b);
+  if (!(first == Vec3{})) look(first);
+  if constexpr (!found_at_once<A, B>) {
+    search_directions(a, b, {}, first == Vec3{} ? Vec3{1, 0, 0} : first, look);
+    // Where they are nearly in touch, the search may have met its rounding.
+    if (best == 0) any_normal(a, b, look);
+  }
   return best;
 }
 
@@ -182,7 +200,9 @@ double sweep_entry(const A& a, const Vec3& motion, const B& b) {
     times.cut(parting(a, b, direction), rate.bound());
     return times.is_empty();
   };
-  if (any_direction(a, b, cut)) return never;
+  const Vec3 first = first_direction(a, b);
+  if (!(first == Vec3{}) && cut(first)) return never;
+  if (any_normal(a, b, cut)) return never;
   for (int round = 0; round < rounds; ++round) {
     const double before = times.first;
     search_directions(a, b, before * motion, {1, 0, 0}, cut);

@@ -151,13 +151,18 @@ double support_bound(const SweptSphere<dimension>& v, const Vec3& direction, con
 }
 
 template <std::size_t dimension>
-Vec3 farthest_point(const SweptSphere<dimension>& v, const Vec3& direction) {
+Vec3 farthest_core_point(const SweptSphere<dimension>& v, const Vec3& direction) {
   Vec3 s;
   for (std::size_t i = 0; i < dimension; ++i) {
     const int axis = static_cast<int>(i);
     s[axis] = dot(direction, v.axes[axis]) < 0 ? -v.half[i] : v.half[i];
   }
-  return farthest_point(Ball{core_point(v, s), v.radius}, direction);
+  return core_point(v, s);
+}
+
+template <std::size_t dimension>
+Vec3 farthest_point(const SweptSphere<dimension>& v, const Vec3& direction) {
+  return farthest_point(Ball{farthest_core_point(v, direction), v.radius}, direction);
 }
 
 template <std::size_t dimension>

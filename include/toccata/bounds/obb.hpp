@@ -8,9 +8,9 @@ namespace toccata {
 /// An oriented box: all centre + Σ s_i · axis_i with |s_i| ≤ half_i, in real numbers. The axes are the rows, of unit
 /// length and at right angles to within 2⁻⁴⁶, as `orthonormal_axes` makes them. Empty while a half extent is negative.
 ///
-/// Two are parted along 15 directions: three normals of each, and nine across an edge of each; before these along the
-/// axes of the world and from centre to centre, which settles most (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a
-/// hierarchical structure for rapid interference detection", 1996).
+/// Two are parted along 15 directions: three normals of each, and nine across an edge of each (S. Gottschalk, M. C.
+/// Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996). Boxes along the
+/// world's axes around them, `box_around`, settle the easy cases for less where they are kept.
 struct Obb {
   Vec3 centre;
   Mat3 axes;
@@ -35,6 +35,8 @@ Obb fit<Obb>(std::span<const Triangle> triangles);
 /// least surface.
 [[nodiscard]] Obb merge(const Obb& a, const Obb& b);
 [[nodiscard]] bool contains(const Obb& box, const Vec3& point);
+/// By the 15 directions.
+[[nodiscard]] bool overlap(const Obb& a, const Obb& b);
 /// A rotation turns it as it is, but for rounding; other poses are followed by a box around the image.
 [[nodiscard]] Obb posed(const Obb& box, const Pose& pose);
 [[nodiscard]] Aabb box_around(const Obb& box);
