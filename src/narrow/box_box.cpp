@@ -1,5 +1,7 @@
 #include "toccata/narrow/box_box.hpp"
 
+#include <array>
+
 #include "narrow/box_manifold.hpp"
 #include "narrow/canonical_order.hpp"
 #include "narrow/convex_parting.hpp"
@@ -38,7 +40,8 @@ Penetration penetration_of(const GivenBox& a, const GivenBox& b) {
 Manifold manifold_of(const GivenBox& a, const GivenBox& b) {
   const std::optional<bool> is_ordered = is_first(a, b);
   if (is_ordered && is_rigid_and_plain(a.view) && is_rigid_and_plain(b.view)) {
-    const BoxView first = *is_ordered ? a.view : b.view, second = *is_ordered ? b.view : a.view;
+    const std::array<BoxView, 2> both = {a.view, b.view};  // which is first cannot be guessed
+    const BoxView &first = both[*is_ordered ? 0 : 1], &second = both[*is_ordered ? 1 : 0];
     RigidBoxAxes axes;
     const Nearness nearness = nearness_of_rigid_boxes(first, second, axes);
     if (nearness == Nearness::apart) return {};

@@ -8,7 +8,22 @@ namespace {
 
 constexpr double cosine_of_face_contact = 0.9995;
 
-std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
+// Which face it is cannot be guessed: it is looked up and not asked for.
+constexpr std::array<std::size_t, 3> next_of = {1, 2, 0};
+constexpr std::array<double, 2> sign_of = {1, -1};  // of what is not low, or turned; of what is
+
+std::size_t next(std::size_t i) { return next_of[i]; }
+double sign(bool is_negative) { return sign_of[is_negative ? 1 : 0]; }
+
+/// What the table of axes says, seen from the box of the reference face.
+struct SeenAxes {
+  const FourDoubles* cosines;  ///< [edge of the reference box][edge of the incident box]
+  const FourDoubles& way;      ///< from A to B
+};
+
+SeenAxes seen_axes(const RigidBoxAxes& axes, bool b_is_reference) {
+  return {b_is_reference ? axes.turned_cosines.data() : axes.cosines.data(), b_is_reference ? axes.way_b : axes.way_a};
+}
 
 /// The face whose normal is nearest to the direction.
 struct FacingFace {
@@ -40,49 +55,41 @@ BoxFacePair facing_of_edges(const BoxView& a, const BoxView& b, const Vec3& dire
   return {of_a.face, of_b.face, false};
 }
 
-/// Of an edge of the reference box and one of the incident box.
-double cosine(const RigidBoxAxes& axes, bool b_is_reference, std::size_t of_reference, std::size_t of_incident) {
-  return axes.cosines[b_is_reference ? of_incident : of_reference][b_is_reference ? of_reference : of_incident];
+std::size_t place_of_greatest(double x, double y, double z) {
+  const std::size_t of_two = y > x ? 1 : 0;
+  return z > (y > x ? y : x) ? 2 : of_two;
 }
 
 /// The face of the other box that turns most against the chosen one.
 BoxFacePair facing_of_face(const RigidBoxAxes& axes, const ChosenBoxAxis& along) {
   const bool b_is_reference = along.edge_b != 3;
   const std::size_t i = b_is_reference ? along.edge_b : along.edge_a;
-  const bool low = b_is_reference ? axes.way_b[i] > 0 : axes.way_a[i] < 0;
-  std::size_t most = 0;
-  double greatest = -1, turn = 0;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const double here = cosine(axes, b_is_reference, i, j);
-    const bool is_greater = std::fabs(here) > greatest;
-    most = is_greater ? j : most;
-    turn = is_greater ? here : turn;
-    greatest = is_greater ? std::fabs(here) : greatest;
-  }
-  return {{i, low}, {most, low ? turn < 0 : turn > 0}, b_is_reference};
+  const SeenAxes seen = seen_axes(axes, b_is_reference);
+  const bool low = std::signbit(sign(b_is_reference) * seen.way[i]);  // as the direction, where both are 0 too
+  const FourDoubles& cosines = seen.cosines[i];
+  const std::size_t most = place_of_greatest(std::fabs(cosines[0]), std::fabs(cosines[1]), std::fabs(cosines[2]));
+  return {{i, low}, {most, sign(low) * cosines[most] > 0}, b_is_reference};
 }
 
 /// In the frame of the reference face: x and y along its edges, z outwards.
-SeenFace seen_from_reference(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const BoxFacePair& faces) {
+SeenFace seen_from_reference(const BoxView& reference, const BoxView& incident, const RigidBoxAxes& axes,
+                             const BoxFacePair& faces) {
   const std::size_t z = faces.reference.axis, x = next(z), y = next(x);
-  const double up = faces.reference.low ? -1 : 1, turn = faces.b_is_reference ? -1 : 1;
-  const FourDoubles& way = faces.b_is_reference ? axes.way_b : axes.way_a;
-  const BoxView &reference = faces.b_is_reference ? b : a, &incident = faces.b_is_reference ? a : b;
+  const double up = sign(faces.reference.low), turn = sign(faces.b_is_reference);
+  const SeenAxes seen = seen_axes(axes, faces.b_is_reference);
   const auto half_edge = [&](std::size_t j) {
-    const auto along = [&](std::size_t i) { return cosine(axes, faces.b_is_reference, i, j); };
-    return incident.half_extent(j) * Vec3{along(x), along(y), up * along(z)};
+    return incident.half_extent(j) * Vec3{seen.cosines[x][j], seen.cosines[y][j], up * seen.cosines[z][j]};
   };
   const std::size_t across = faces.incident.axis, first = next(across);
-  const Vec3 middle{turn * way[x], turn * way[y], turn * up * way[z]};
-  const Vec3 to_face = (faces.incident.low ? -1.0 : 1.0) * half_edge(across);
-  return {middle + to_face, half_edge(first), half_edge(next(first)), reference.half_extent(x),
-          reference.half_extent(y)};
+  const Vec3 middle{turn * seen.way[x], turn * seen.way[y], turn * up * seen.way[z]};
+  return {middle + sign(faces.incident.low) * half_edge(across), half_edge(first), half_edge(next(first)),
+          reference.half_extent(x), reference.half_extent(y)};
 }
 
 /// Moves everything along the normal into the plane of the reference face: z becomes the way to go.
 void lean(SeenFace& seen, const BoxView& reference, const BoxFace& face, const Vec3& outwards) {
   const std::size_t x = next(face.axis);
-  const double up = face.low ? -1 : 1;
+  const double up = sign(face.low);
   const double steepness = 1 / (up * dot(reference.axis(face.axis), outwards));
   const double lean_x = dot(reference.axis(x), outwards), lean_y = dot(reference.axis(next(x)), outwards);
   for (Vec3* v : {&seen.centre, &seen.along_x, &seen.along_y}) {
@@ -96,14 +103,14 @@ void lean(SeenFace& seen, const BoxView& reference, const BoxFace& face, const V
 BoxFacePlane::BoxFacePlane(const BoxView& box, const BoxFace& face)
     : along_x_(box.axis(next(face.axis))),
       along_y_(box.axis(next(next(face.axis)))),
-      middle_(box.box->centre + ((face.low ? -1 : 1) * box.half_extent(face.axis)) * box.axis(face.axis)) {}
+      middle_(box.box->centre + (sign(face.low) * box.half_extent(face.axis)) * box.axis(face.axis)) {}
 
 BoxContact contact_of_faces(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& along) {
   const bool of_edges = is_of_edges(along);
   if (of_edges && !turns_to_a_face(axes, along.edge_a, along.edge_b)) return {};
   const BoxFacePair faces = of_edges ? facing_of_edges(a, b, along.direction) : facing_of_face(axes, along);
-  const BoxView& reference = faces.b_is_reference ? b : a;
-  SeenFace seen = seen_from_reference(a, b, axes, faces);
+  const BoxView &reference = faces.b_is_reference ? b : a, &incident = faces.b_is_reference ? a : b;
+  SeenFace seen = seen_from_reference(reference, incident, axes, faces);
   // The plane of the face, not of the middle.
   seen.centre.z -= reference.half_extent(faces.reference.axis);
   if (of_edges) lean(seen, reference, faces.reference, faces.b_is_reference ? -along.direction : along.direction);

@@ -46,10 +46,7 @@ constexpr std::array<FaceFeatures, 6> features_of_faces = {features_of(0), featu
                                                            features_of(3), features_of(4), features_of(5)};
 
 /// Of one place of an overlay.
-struct PlaceFeatures {
-  ConvexFeature on_reference;
-  ConvexFeature on_incident;
-};
+using PlaceFeatures = std::array<ConvexFeature, 2>;  // on the reference face and on the incident one
 
 // Without branches: nothing is harder to guess than which kind of corner comes next.
 PlaceFeatures features_of(const BoxContact& contact, Index place) {
@@ -95,34 +92,30 @@ ManifoldPoint RigidBoxContact::point_of_edges() const {
           farthest_edge(b_, axis_.edge_b, -axis_.direction)};
 }
 
-void RigidBoxContact::put_points_of_faces(Manifold& result, bool exchanged) const {
-  const bool b_is_reference = contact_.faces.b_is_reference, reference_is_second = b_is_reference != exchanged;
-  const BoxFacePlane plane(b_is_reference ? b_ : a_, contact_.faces.reference);
-  const Vec3 half_way = (b_is_reference ? -0.5 : 0.5) * axis_.direction;
+ManifoldPoint RigidBoxContact::point_of_faces(std::size_t k, const BoxFacePlane& plane, const Vec3& half_way,
+                                              bool exchanged) const {
+  if (k >= chosen_.count) return {};
   const BoxOverlay& overlay = contact_.overlay;
-  for (std::size_t k = 0; k < chosen_.count; ++k) {
-    const Index i = chosen_.place[k];
-    const PlaceFeatures features = features_of(contact_, i);
-    ManifoldPoint& point = result.points[k];
-    point.position = plane.at(overlay.x[i], overlay.y[i]) + overlay.gap[i] * half_way;
-    point.depth = 0 - overlay.gap[i];  // never −0
-    point.on_a = reference_is_second ? features.on_incident : features.on_reference;
-    point.on_b = reference_is_second ? features.on_reference : features.on_incident;
-  }
-  result.count = static_cast<int>(chosen_.count);
+  const Index i = chosen_.place[k];
+  const PlaceFeatures features = features_of(contact_, i);
+  const std::size_t first = contact_.faces.b_is_reference != exchanged ? 1 : 0;  // is the incident face, or not
+  const double depth = 0 - overlay.gap[i];                                       // never −0
+  return {plane.at(overlay.x[i], overlay.y[i]) + overlay.gap[i] * half_way, depth, features[first],
+          features[1 - first]};
 }
 
 Manifold RigidBoxContact::manifold(bool exchanged) const {
-  Manifold result;
-  result.normal = exchanged ? -axis_.direction : axis_.direction;
-  if (is_of_faces()) {
-    put_points_of_faces(result, exchanged);
-  } else {
-    result.points[0] = point_of_edges();
+  const Vec3 normal = (exchanged ? -1.0 : 1.0) * axis_.direction;
+  if (!is_of_faces()) {
+    Manifold result{normal, {point_of_edges()}, 1};
     if (exchanged) std::swap(result.points[0].on_a, result.points[0].on_b);
-    result.count = 1;
+    return result;
   }
-  return result;
+  const bool b_is_reference = contact_.faces.b_is_reference;
+  const BoxFacePlane plane(b_is_reference ? b_ : a_, contact_.faces.reference);
+  const Vec3 half_way = (b_is_reference ? -0.5 : 0.5) * axis_.direction;
+  const auto point = [&](std::size_t k) { return point_of_faces(k, plane, half_way, exchanged); };
+  return {normal, {point(0), point(1), point(2), point(3)}, static_cast<int>(chosen_.count)};
 }
 
 }  // namespace toccata

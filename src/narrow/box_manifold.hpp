@@ -19,7 +19,9 @@ class RigidBoxContact {
 
  private:
   [[nodiscard]] bool is_of_faces() const { return chosen_.count > 0; }
-  void put_points_of_faces(Manifold& result, bool exchanged) const;
+  /// The k-th of four; without content where there are fewer.
+  [[nodiscard]] ManifoldPoint point_of_faces(std::size_t k, const BoxFacePlane& plane, const Vec3& half_way,
+                                             bool exchanged) const;
   [[nodiscard]] ManifoldPoint point_of_edges() const;
 
   BoxView a_, b_;

@@ -192,7 +192,6 @@ ChosenPlaces four_of(const BoxOverlay& overlay, unsigned candidates) {
 BoxOverlay overlay_at_level(const SeenFace& face) {
   const Vec3 &c = face.centre, &p = face.along_x, &q = face.along_y;
   BoxOverlay overlay;
-  overlay.points = 0;
   overlay.size = face.width + face.height;
   const double border = 0x1p-36 * overlay.size, parallel = 0x1p-60 * overlay.size;
   const Row to_x = load(sign_x), to_y = load(sign_y), along_x = load(way_x), along_y = load(way_y);

@@ -25,12 +25,16 @@ struct SeenFace {
 /// The common part's corners, at places that tell what they are.
 struct BoxOverlay {
   static constexpr std::size_t capacity = 16;
+
+  /// Without a point; nothing is written that nobody reads.
+  BoxOverlay() {}
+
   static constexpr Index first_entry = 4;    ///< before it the parallelogram's corners that are over the rectangle
   static constexpr Index first_exit = 8;     ///< before it where the parallelogram's sides come over the rectangle
   static constexpr Index first_corner = 12;  ///< before it where they leave it; from here on the rectangle's corners
 
   std::array<double, capacity> x, y, gap;  ///< gap: z, the height over the rectangle
-  unsigned points;                         ///< a bit for each place that is taken
+  unsigned points = 0;                     ///< a bit for each place that is taken
   /// Two corners may be the same but for rounding; where not, all of them are farther from each other than that.
   bool may_have_doubles;
   double size;  ///< the sum of width and height

@@ -1,6 +1,7 @@
 #include "narrow/box_parting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "narrow/aligned_boxes.hpp"
@@ -13,7 +14,10 @@ namespace {
 
 double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
 
-std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
+std::size_t next(std::size_t i) {
+  constexpr std::array<std::size_t, 3> next_of = {1, 2, 0};
+  return next_of[i];
+}
 
 /// Where |v|² = 1 + ε, 1 / |v| is 1 − ε / 2 but for less than ε², which is below 2^-70 under a pose as rigid as here.
 Vec3 unit_of_nearly_unit(const Vec3& v) { return (1.5 - 0.5 * dot(v, v)) * v; }
@@ -22,21 +26,17 @@ Vec3 face_normal(const BoxView& box, std::size_t i) {
   return unit_of_nearly_unit(cross(box.axis(next(i)), box.axis(next(next(i)))));
 }
 
-/// From A to B; where neither way is shorter, as the edge of A points, or against that of B.
-Vec3 direction_of(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& axis) {
-  const auto turned = [](const Vec3& v, double along) { return (along < 0 ? -1.0 : 1.0) * v; };
-  if (is_of_edges(axis)) {
-    const Vec3 normal = cross(a.axis(axis.edge_a), b.axis(axis.edge_b));
-    const double inverse = 1 / std::sqrt(dot(normal, normal));
-    return turned(inverse * normal, dot(normal, b.box->centre - a.box->centre));
-  }
-  const bool is_of_a = axis.edge_b == 3;
-  const BoxView& box = is_of_a ? a : b;
-  const std::size_t i = is_of_a ? axis.edge_a : axis.edge_b;
-  const bool is_along = is_of_a ? !(axes.way_a[i] < 0) : axes.way_b[i] > 0;
+/// From A to B, as the way along the edge across the face goes.
+Vec3 direction_of_face(const BoxView& box, std::size_t i, double way) {
   const Vec3 normal = face_normal(box, i);
-  const double along = dot(normal, box.axis(i));
-  return turned(normal, is_along ? along : -along);
+  return std::copysign(1, way) * std::copysign(1, dot(normal, box.axis(i))) * normal;
+}
+
+/// From A to B.
+Vec3 direction_of_edges(const BoxView& a, const BoxView& b, std::size_t i, std::size_t j) {
+  const Vec3 normal = cross(a.axis(i), b.axis(j));
+  const double inverse = 1 / std::sqrt(dot(normal, normal));
+  return std::copysign(inverse, dot(normal, b.box->centre - a.box->centre)) * normal;
 }
 
 /// Half of how far a box reaches along a direction.
@@ -155,23 +155,26 @@ Index farthest_corner(const BoxView& box, const Vec3& direction) {
 }
 
 ChosenBoxAxis least_axis(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, double edge_share) {
-  ChosenBoxAxis best;
-  const std::size_t face = axes.least_face;
-  best.depth = face < 3 ? axes.overlap_a[face] : axes.overlap_b[face - 3];
-  best.edge_a = face < 3 ? face : 3;
-  best.edge_b = face < 3 ? 3 : face - 3;
+  const std::size_t face = axes.least_face, i = axes.least_edges / 3, j = axes.least_edges % 3;
+  const double of_face = face < 3 ? axes.overlap_a[face] : axes.overlap_b[face - 3];
   // Where the difference is mere rounding, edges may lie across a face. Signed squares are compared, without roots.
-  const double limit = (best.depth > 0 ? edge_share * best.depth : best.depth) - axes.error;
-  const std::size_t i = axes.least_edges / 3, j = axes.least_edges % 3;
+  const double limit = (of_face > 0 ? edge_share * of_face : of_face) - axes.error;
   const double overlap = axes.edge_overlap[i][j], squared = axes.squared_sine(i, j);
+  ChosenBoxAxis best;
   if (squared > least_sine_of_edges * least_sine_of_edges &&
       overlap * std::fabs(overlap) < limit * std::fabs(limit) * squared) {
     best.edge_a = i;
     best.edge_b = j;
     best.sine = std::sqrt(squared);
     best.depth = overlap / best.sine;
+    best.direction = direction_of_edges(a, b, i, j);
+  } else {
+    best.edge_a = face < 3 ? face : 3;
+    best.edge_b = face < 3 ? 3 : face - 3;
+    best.depth = of_face;
+    best.direction =
+        face < 3 ? direction_of_face(a, face, axes.way_a[face]) : direction_of_face(b, face - 3, axes.way_b[face - 3]);
   }
-  best.direction = direction_of(a, b, axes, best);
   return best;
 }
 

@@ -62,7 +62,7 @@ struct TwoBoxes {
 
 struct Axes {
   Row way_a, way_b, overlap_a, overlap_b;
-  Row cosines[3], edge_overlap[3];
+  Row cosines[3], turned[3], edge_overlap[3];
 };
 
 /// Of each overlap; `sizes` are all extents and the way.
@@ -94,6 +94,9 @@ HWY_INLINE void look_along_faces(const TwoBoxes& boxes, Axes& axes) {
   const ThreeRows turned = {{combined(column(s, 0), r0, r1, r2), combined(column(s, 1), r0, r1, r2),
                              combined(column(s, 2), r0, r1, r2)}};  // the same sums of the same products
 #endif
+  axes.turned[0] = turned.row[0];
+  axes.turned[1] = turned.row[1];
+  axes.turned[2] = turned.row[2];
   const Row reach_b =
       combined(boxes.half_a, magnitude(axes.cosines[0]), magnitude(axes.cosines[1]), magnitude(axes.cosines[2]));
   const Row reach_a =
@@ -174,6 +177,9 @@ HWY_INLINE void store_all(const Axes& axes, double error, RigidBoxAxes& stored) 
   store(axes.cosines[0], stored.cosines[0].data());
   store(axes.cosines[1], stored.cosines[1].data());
   store(axes.cosines[2], stored.cosines[2].data());
+  store(axes.turned[0], stored.turned_cosines[0].data());
+  store(axes.turned[1], stored.turned_cosines[1].data());
+  store(axes.turned[2], stored.turned_cosines[2].data());
   store(axes.edge_overlap[0], stored.edge_overlap[0].data());
   store(axes.edge_overlap[1], stored.edge_overlap[1].data());
   store(axes.edge_overlap[2], stored.edge_overlap[2].data());

@@ -47,7 +47,8 @@ struct RigidBoxAxes {
   double error;              ///< of each overlap, corners' rounding included
   FourDoubles way_a, way_b;  ///< from A's centre to B's, along the edges of A and of B
   FourDoubles overlap_a, overlap_b;
-  std::array<FourDoubles, 3> cosines;  ///< [edge of A][edge of B]
+  std::array<FourDoubles, 3> cosines;         ///< [edge of A][edge of B]
+  std::array<FourDoubles, 3> turned_cosines;  ///< [edge of B][edge of A]
   std::array<FourDoubles, 3> edge_overlap;
 
   // Of equals the first. Depths are overlaps per length of the axis.
@@ -56,7 +57,8 @@ struct RigidBoxAxes {
 
   /// The square of the sine of the angle between edges.
   [[nodiscard]] double squared_sine(std::size_t i, std::size_t j) const {
-    const double c = cosines[i == 2 ? 0 : i + 1][j], d = cosines[i == 0 ? 2 : i - 1][j];
+    constexpr std::array<std::size_t, 5> next = {0, 1, 2, 0, 1};
+    const double c = cosines[next[i + 1]][j], d = cosines[next[i + 2]][j];
     return c * c + d * d;
   }
 };

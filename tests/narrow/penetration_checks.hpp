@@ -56,7 +56,7 @@ inline std::string wrong_with(const Penetration& p, const oracle::ConvexSet& a, 
   if (meet != (p.lower > 0) || meet != (p.upper > 0)) return "depth and relation";
   if (!meet) return "";
   if (!is_parted_by(a, b, exact(p.upper) * exact(p.direction))) return "not parted by upper";
-  if (is_parted_by(a, b, exact(0.999 * p.lower) * exact(p.direction))) return "parted by less";
+  if (is_parted_by(a, b, exact(0.999) * exact(p.lower) * exact(p.direction))) return "parted by less";
   return points_fit(p, a, b, size) ? "" : "points";
 }
 
