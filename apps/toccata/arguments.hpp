@@ -40,6 +40,12 @@ struct CheckArguments : PosedArguments {
 
 struct DistanceArguments : PosedArguments {};
 
+struct RayArguments : PosedArguments {
+  std::optional<Vec3> from;
+  std::optional<Vec3> to;
+  std::string rays;  ///< a file of rays; empty: the one from `from` to `to`
+};
+
 struct InspectArguments {
   InputArguments input;
   Format format = Format::table;
@@ -62,6 +68,7 @@ int run_check_self(const CheckArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);
 int run_distance_poses(const DistanceArguments& arguments);
+int run_ray(const RayArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

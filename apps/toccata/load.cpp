@@ -62,6 +62,15 @@ void append(Scene& whole, const Scene& part, const std::string& file, bool file_
   }
 }
 
+template <std::size_t count>
+std::array<double, count> parse_doubles(const std::vector<std::string>& words, const std::string& option,
+                                        std::string_view what) {
+  if (words.size() != count) throw Error(fmt::format("{} takes {}; here are {}", option, what, words.size()));
+  std::array<double, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = parse_double(words[i], option);
+  return numbers;
+}
+
 }  // namespace
 
 LoadedScene load(const InputArguments& input) {
@@ -89,14 +98,12 @@ LoadedScene load(const InputArguments& input) {
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
-  std::vector<double> numbers;
-  numbers.reserve(words.size());
-  for (const std::string& word : words) numbers.push_back(parse_double(word, option));
-  std::array<double, 12> twelve{};
-  if (numbers.size() != twelve.size())
-    throw Error(fmt::format("{} takes 12 numbers, R row by row and then t; here are {}", option, numbers.size()));
-  std::copy(numbers.begin(), numbers.end(), twelve.begin());
-  return Pose::from_numbers(twelve);
+  return Pose::from_numbers(parse_doubles<12>(words, option, "12 numbers, R row by row and then t"));
+}
+
+Vec3 parse_point(const std::vector<std::string>& words, const std::string& option) {
+  const auto [x, y, z] = parse_doubles<3>(words, option, "three numbers");
+  return {x, y, z};
 }
 
 }  // namespace toccata::command

@@ -21,4 +21,7 @@ LoadedScene load(const InputArguments& input);
 /// Twelve numbers: R row by row, then t. `option` names them in errors.
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option);
 
+/// Three numbers. `option` names them in errors.
+Vec3 parse_point(const std::vector<std::string>& words, const std::string& option);
+
 }  // namespace toccata::command

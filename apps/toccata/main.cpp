@@ -21,6 +21,9 @@ constexpr int trouble = 2;
 struct Options {
   CheckArguments check;
   DistanceArguments distance;
+  RayArguments ray;
+  std::vector<std::string> from;
+  std::vector<std::string> to;
   InspectArguments inspect;
   DemoArguments demo;
   bool json = false;
@@ -72,16 +75,19 @@ void add_writing(CLI::App& app, Options& options, int& threads, const std::strin
       ->check(CLI::Range(0, 1024));
 }
 
+CLI::Option* add_solid(CLI::App& app, Options& options) {
+  return app
+      .add_option("--solid", options.solid,
+                  "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                  "(default: as the scene says, else auto)")
+      ->check(CLI::IsMember({"auto", "all", "none"}));
+}
+
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
   CLI::Option* poses = add_poses(*check, options, options.check.poses);
-  CLI::Option* solid =
-      check
-          ->add_option("--solid", options.solid,
-                       "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
-                       "(default: as the scene says, else auto)")
-          ->check(CLI::IsMember({"auto", "all", "none"}));
+  CLI::Option* solid = add_solid(*check, options);
   CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
                               ->check(CLI::IsMember({"count", "ignore"}))
                               ->capture_default_str();
@@ -120,6 +126,26 @@ void add_distance(CLI::App& app, Options& options) {
       with_name("Convex shapes, half-spaces and compounds of them; meshes are refused by this version.\n\n"
                 "Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance shapes.json\n"
                 "  {0} distance robot.json table.json --poses path.txt --csv"));
+}
+
+void add_ray(CLI::App& app, Options& options) {
+  CLI::App* ray = app.add_subcommand("ray", "what a ray meets first, decided exactly");
+  add_input(*ray, options.ray.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  const auto point = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
+    return ray->add_option(name, numbers, what)->expected(3)->allow_extra_args(false)->type_name("X Y Z");
+  };
+  CLI::Option* from = point("--from", options.from, "where the ray starts, in the world");
+  CLI::Option* to = point("--to", options.to, "where it ends");
+  ray->add_option("--rays", options.ray.rays, "many rays: a file with six numbers a line, where each starts and ends")
+      ->type_name("FILE")
+      ->excludes(from)
+      ->excludes(to);
+  add_solid(*ray, options);
+  add_writing(*ray, options, options.ray.threads, "docs/reference/ray-report.md");
+  ray->footer(
+      with_name("A solid is met at once by a ray that starts inside; --solid=none asks about surfaces alone.\n\n"
+                "Exit code: 0 nothing is met, 1 something is, 2 trouble.\n\nExample:\n"
+                "  {0} ray part.stl --from 0 0 5 --to 0 0 -5\n  {0} ray scene.json --rays rays.txt --csv"));
 }
 
 void add_pairs(CLI::App& app, Options& options) {
@@ -171,6 +197,13 @@ int run(const CLI::App& app, Options& options) {
     take_poses_and_format(options.distance, options);
     return run_distance(options.distance);
   }
+  if (app.got_subcommand("ray")) {
+    take_poses_and_format(options.ray, options);
+    options.ray.solid = solid_of(options.solid);
+    if (!options.from.empty()) options.ray.from = parse_point(options.from, "--from");
+    if (!options.to.empty()) options.ray.to = parse_point(options.to, "--to");
+    return run_ray(options.ray);
+  }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
@@ -220,6 +253,7 @@ int main_of(int argc, char** argv) {
   app.footer(with_name("Example:\n  {0} demo\n  {0} check a.stl b.obj\n\n`{0} SUBCOMMAND --help` tells more."));
   add_check(app, options);
   add_distance(app, options);
+  add_ray(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
   add_demo(app, options);

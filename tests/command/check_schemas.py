@@ -48,6 +48,13 @@ def distances(folder):
     yield asked(folder, "distance", "arm.json", "arm.json", "--poses", "poses.txt")
 
 
+def rays(folder):
+    """What rays meet, of shapes and of meshes."""
+    (folder / "rays.txt").write_text("0 0 9  0 0 -9\n9 9 9, 9 9 10\n")
+    yield asked(folder, "ray", "shapes.json", "--rays", "rays.txt")
+    yield asked(folder, "ray", "scenes/a.obj", "--from", "0", "0", "9", "--to", "0", "0", "-9")
+
+
 def reports(folder):
     """The JSON of every kind of check, with and without what options add."""
     def check(*words):
@@ -72,7 +79,7 @@ def reports(folder):
 
 def main():
     check_report, scene = validator("check-report.schema.json"), validator("scene.schema.json")
-    distance_report = validator("distance-report.schema.json")
+    distance_report, ray_report = validator("distance-report.schema.json"), validator("ray-report.schema.json")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([COMMAND, "demo", "--write", "scenes"], cwd=folder, check=True, capture_output=True)
@@ -82,6 +89,9 @@ def main():
         for report in distances(folder):
             distance_report.validate(report)
             assert not distance_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        for report in rays(folder):
+            ray_report.validate(report)
+            assert not ray_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scenes = list(folder.rglob("scene.json"))
         assert scenes
         for file in scenes:

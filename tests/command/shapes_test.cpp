@@ -48,6 +48,36 @@ TEST_F(ShapeCommands, DistanceOfMeshes) {
   EXPECT_EQ(run_command({"distance", "gen:box", "gen:icosphere"}).exit_code, 1);
 }
 
+TEST_F(ShapeCommands, RayTellsWhatIsMetFirst) {
+  const std::string file = folder.write("scene.json", scene).string();
+  const auto one = run_command({"ray", file, "--from", "0", "9", "0.25", "--to", "0", "-9", "0.25", "--json"});
+  EXPECT_EQ(one.exit_code, 1) << one.err;
+  const Json hit = Json::parse(one.out)["rays"][0];
+  EXPECT_EQ(hit["object"], "crate");
+  EXPECT_NEAR(hit["point"][1], 4, 1e-12);
+  EXPECT_EQ(hit["normal"][1], 1);
+  const std::string rays = folder.write("rays.txt", "0 0 9, 0 0 -9  # down\n9 9 9  9 9 10\n").string();
+  const auto many = run_command({"ray", "gen:icosphere", "--rays", rays, "--csv"});
+  EXPECT_EQ(many.exit_code, 1) << many.err;
+  EXPECT_NE(many.out.find("\n0,1,icosphere,"), std::string::npos) << many.out;
+  EXPECT_NE(many.out.find("\n1,0,,,,,,,,,,,exact\n"), std::string::npos) << many.out;
+  EXPECT_EQ(run_command({"ray", file, "--from", "50", "50", "50", "--to", "51", "50", "50"}).exit_code, 0);
+}
+
+TEST_F(ShapeCommands, BadRaysAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& told) {
+    const auto run = run_command(words);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(run.out.empty());
+    EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
+  };
+  const std::string rays = folder.write("rays.txt", "0 0 9  0 0 -9\n1 2 3 4\n").string();
+  refused({"ray", "gen:box"}, "no ray is given");
+  refused({"ray", "gen:box", "--rays", rays}, "rays.txt:2: a line of 6 numbers has 4");
+  refused({"ray", "gen:box", "--from", "0", "0", "1", "--to", "0", "0", "1"}, "one point");
+  refused({"ray", "gen:box", "--from", "0", "0", "x", "--to", "0", "0", "1"}, "--from: 'x' is not a finite number");
+}
+
 TEST_F(ShapeCommands, CheckTakesShapes) {
   const auto run = run_command({"check", folder.write("scene.json", scene).string(), "--json", "--faces"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
