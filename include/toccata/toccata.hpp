@@ -34,6 +34,8 @@
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/poses_file.hpp"
 #include "toccata/io/poses_report.hpp"
+#include "toccata/io/ray_report.hpp"
+#include "toccata/io/rays_file.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/io/self_report.hpp"
