@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "narrow/box_axes.hpp"
@@ -17,6 +18,7 @@
 namespace toccata {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cosine_of_face_contact = 0.9995;
 
 /// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
@@ -174,8 +176,9 @@ void take_four(Manifold& result, Points& points) {
   take_greatest([&](const ManifoldPoint& p) { return (third > 0 ? -1 : 1) * dot(aside, p.position - origin); });
 }
 
-/// The points of the contact of two faces; none when the normal is not that of a face.
-Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal,
+/// The points of the contact of two faces; none when the normal is not that of a face. Along it the shapes overlap by
+/// no more than `most`, whatever the rough plane of a needle's face makes of it.
+Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal, double most,
                        const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
   FacePair faces{facing_face(a, normal), facing_face(b, -normal), {}, false};
   faces.anchors = anchors ? *anchors : Anchors{a.vertex(faces.a.vertex), b.vertex(faces.b.vertex)};
@@ -183,6 +186,7 @@ Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& n
   faces.b_is_reference = faces.b.facing > faces.a.facing;
   if (faces.reference().facing < cosine_of_face_contact) return Points(&memory);
   Points points = face_points(faces, normal, memory);
+  for (ManifoldPoint& point : points) point.depth = std::min(point.depth, most);
   drop_gaps(points);
   return points;
 }
@@ -211,7 +215,7 @@ Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axe
   std::array<std::byte, 4096> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const BoxAxis axis = axes.least(edge_share);
-  Points points = points_of_faces(a, b, axis.direction, {}, memory);
+  Points points = points_of_faces(a, b, axis.direction, infinity, {}, memory);
   if (points.empty() && axis.edge_a < 3 && axis.edge_b < 3) points.push_back(point_of_edges(a, b, axis));
   if (points.empty()) points.push_back(single_point(a, b, part_by_expansion(a, b)));
   return made_of(axis.direction, points);
@@ -223,9 +227,9 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   const ConvexParting parting = part_by_expansion(a, b);
   const Penetration& p = parting.penetration;
   const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
-  Points points = points_of_faces(a, b, p.direction, anchors, memory);
+  Points points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
   // The deepest point may lie beside the reference face.
-  double deepest = -std::numeric_limits<double>::infinity();
+  double deepest = -infinity;
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
   if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, parting));
   return made_of(p.direction, points);

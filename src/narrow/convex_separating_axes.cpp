@@ -21,11 +21,9 @@ namespace {
 void find_points_of_edges(CoreParting& parting, const DifferenceBody& body, const PolyhedronAxes::Edge& e,
                           const PolyhedronAxes::Edge& f) {
   const auto in_world = [&](const Vec3& v) { return Vec3{body.unscaled(v.x), body.unscaled(v.y), body.unscaled(v.z)}; };
-  // Of parallel edges it is those that are farthest along the direction.
-  const DifferencePoint farthest = body.support(parting.direction);
-  const Vec3 p = body.a()[farthest.on_a], q = body.b()[farthest.on_b];
+  const Vec3 p = body.a()[e.vertex], q = body.b()[f.vertex];
   // The way from one point to the other is the depth, along the direction: what is left lies in the plane of the edges.
-  const Vec3& way = farthest.value;
+  const Vec3 way = body.point(e.vertex, f.vertex).value;
   const Vec3 n = cross(e.along, f.along);
   const double squared = dot(n, n);
   parting.on_a = p + in_world((-dot(cross(way, f.along), n) / squared) * e.along);

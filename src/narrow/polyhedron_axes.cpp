@@ -139,7 +139,9 @@ bool PolyhedronAxes::try_faces(const Outline& outline, double turn) {
 bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const Vec3 n = cross(e.along, f.along);
   const double length = length_of(n), length_e = length_of(e.along);
-  const double image = length / length_e + 0x1p-48 * body_.extent() + 4 * bent_;
+  // Where the square of the length underflows nothing is known of the angle.
+  const double seen = length_e > 0x1p-500 ? length / length_e : size(f.along);
+  const double image = seen + 0x1p-48 * body_.extent() + 4 * bent_;
   const double angle = length > 0 ? angle_error(e.along, f.along, length) : infinity;
   if (!(2 * angle * body_.extent() > image)) {
     const bool outwards = dot(n, e.left + e.right) >= 0;
@@ -168,10 +170,29 @@ bool PolyhedronAxes::try_edges() {
   return true;
 }
 
+// Many edges may have one direction, and two edges of a face are across its normal, too, without reaching as far.
+void PolyhedronAxes::settle_edges() {
+  if (least_.edge_a == nullptr) return;
+  const auto farthest = [&](const std::vector<Edge>& edges, const Edge& chosen, const auto& height) {
+    const Edge* best = &chosen;
+    for (const Edge& e : edges)
+      if (size(cross(e.along, chosen.along)) <= 0x1p-40 * size(e.along) * size(chosen.along) &&
+          height(e.vertex) > height(best->vertex))
+        best = &e;
+    return best;
+  };
+  const Vec3& axis = least_.direction;
+  least_.edge_a = farthest(a_.edges, *least_.edge_a, [&](Index v) { return dot(axis, body_.a().relative(v)); });
+  least_.edge_b = farthest(b_.edges, *least_.edge_b, [&](Index v) { return -dot(axis, body_.b().relative(v)); });
+  const double reach = dot(axis, body_.point(least_.edge_a->vertex, least_.edge_b->vertex).value);
+  if (!(reach >= least_.upper - 0x1p-34 * body_.extent())) least_.edge_a = least_.edge_b = nullptr;
+}
+
 PolyhedronAxes::Least PolyhedronAxes::least(const Vec3& first_axis) {
   least_ = {infinity, infinity, {}};
   if (dot(first_axis, first_axis) > 0x1p-900 && !try_axis((1 / length_of(first_axis)) * first_axis, 0)) return least_;
   if (!try_faces(a_, 1) || !try_faces(b_, -1) || !try_edges()) return least_;
+  settle_edges();
   // Where no axis was left, nothing is known.
   least_.lower = least_.lower < infinity ? least_.lower - bent_ : -infinity;
   return least_;

@@ -25,7 +25,7 @@ class PolyhedronAxes {
     double lower;
     double upper;
     Vec3 direction;
-    const Edge* edge_a = nullptr;  ///< whose cross product it is; none: a face's normal
+    const Edge* edge_a = nullptr;  ///< whose cross product it is, and which reach as far; none: a face's normal
     const Edge* edge_b = nullptr;
   };
   /// Stops at the first axis that is certain to separate: upper < 0.
@@ -52,6 +52,7 @@ class PolyhedronAxes {
   bool try_faces(const Outline& outline, double turn);
   bool try_edges();
   bool try_edge_pair(const Edge& e, const Edge& f, double& loss);
+  void settle_edges();
 
   DifferenceBody body_;
   Outline a_;

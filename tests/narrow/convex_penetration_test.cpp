@@ -127,6 +127,27 @@ TEST(ConvexPenetration, OfBothMethodsIsTheSame) {
   }
 }
 
+// A face of one and a vertex of the other: two edges of the faces have the same normal, but do not meet.
+TEST(SeparatingAxes, OfOneTetrahedronTwiceHaveTheirPointsOnBoth) {
+  const std::vector<Vec3> corners{{-1.4706262369694867e-16, -58136.97855902966, 1.6684012340269923e+17},
+                                  {1.0306189379146549e+17, 3.2581433994054845e-07, 4.815453430751474e-12},
+                                  {-1.917211583315568e-09, 1.7959356069586768e+17, 2.1382728023076042e-05},
+                                  {0, -7.5699421533826585e-14, -0.030650802180207749}};
+  const ConvexHull hull(corners);
+  const Penetration p = penetration_by_separating_axes(PosedConvex(hull), PosedConvex(hull));
+  EXPECT_LE(distance(PosedConvex(Point(p.on_a)), PosedConvex(hull)).upper, 1e6);
+  EXPECT_LE(distance(PosedConvex(Point(p.on_b)), PosedConvex(hull)).upper, 1e6);
+}
+
+// The squares of the short edges underflow.
+TEST(SeparatingAxes, OfEdgesTooShortForTheirSquaresLeaveNoDoubt) {
+  const PosedConvex triangle(Triangle{{Vec3{0, 1e5, 0}, Vec3{0, 0, -3e-26}, Vec3{0, 0, -4e205}}});
+  const std::vector<Vec3> corners{
+      {-1e132, -1e208, 0}, {-1e160, 0, 0}, {-1e132, 2e64, 0}, {-1e132, 0, 4e203}, {4e172, 0, -5e137}};
+  const ConvexHull hull(corners);
+  EXPECT_EQ(overlap_by_separating_axes(triangle, PosedConvex(hull)), overlap(triangle, PosedConvex(hull)));
+}
+
 TEST(SeparatingAxes, KeepTheAxisThatSeparatedLast) {
   Random random(8);
   const ConvexHull hull = ball_hull(random, 32);

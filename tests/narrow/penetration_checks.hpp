@@ -30,7 +30,7 @@ inline bool is_unit(const Vec3& v) { return std::fabs(dot(v, v) - 1) <= 0x1p-48;
 inline bool points_fit(const Penetration& p, const oracle::ConvexSet& a, const oracle::ConvexSet& b, double size) {
   const Vec3 rest = (p.on_a - p.on_b) - p.upper * p.direction;
   const oracle::Rational near = oracle::exact(1e-7 * size);
-  return std::sqrt(dot(rest, rest)) <= 1e-12 * size &&
+  return std::hypot(rest.x, rest.y, rest.z) <= 1e-12 * size &&
          oracle::compare_distance(oracle::point_set(p.on_a), a, near) <= 0 &&
          oracle::compare_distance(oracle::point_set(p.on_b), b, near) <= 0;
 }
