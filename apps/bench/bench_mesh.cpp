@@ -20,7 +20,7 @@ constexpr std::size_t standard_queries = 1000;
 
 Task task_of(const std::string& word) {
   static const std::map<std::string, Task> words{
-      {"overlap", Task::overlap}, {"contacts", Task::contacts}, {"build", Task::build}};
+      {"overlap", Task::overlap}, {"contacts", Task::contacts}, {"distance", Task::distance}, {"build", Task::build}};
   return words.at(word);
 }
 
@@ -37,7 +37,9 @@ std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh&
     std::vector<PosePair> poses = read_poses(arguments.poses);
     return arguments.random ? moved_together(poses, *arguments.random, arguments.seed) : poses;
   }
-  const Nearness nearness = arguments.near ? Nearness::close : Nearness::jittered;
+  const Nearness nearness = arguments.near                              ? Nearness::close
+                            : task_of(arguments.task) == Task::distance ? Nearness::separated
+                                                                        : Nearness::jittered;
   return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness, 0);
 }
 
@@ -50,10 +52,14 @@ void require_rigid(const std::vector<PosePair>& poses, const std::string& file) 
                       file, i));
 }
 
+std::string answer_text(Task task, const Answer& answer) {
+  if (task == Task::distance) return fmt::format("{}", answer.distance);
+  return fmt::format("{}", task == Task::overlap ? std::size_t{answer.overlap} : answer.pairs.size());
+}
+
 void write_answers(const std::string& file, Task task, const std::vector<Answer>& answers) {
   std::ofstream stream(file);
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    stream << i << ' ' << (task == Task::overlap ? (answers[i].overlap ? 1 : 0) : answers[i].pairs.size()) << '\n';
+  for (std::size_t i = 0; i < answers.size(); ++i) stream << i << ' ' << answer_text(task, answers[i]) << '\n';
   if (!stream.flush()) throw Error(fmt::format("{}: cannot be written", file));
 }
 

@@ -1,6 +1,7 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -9,7 +10,13 @@
 namespace toccata::bench {
 namespace {
 
+/// What doubles may round of a distance of ordinary meshes.
+constexpr double distance_tolerance = 1e-9;
+
+bool are_near(double x, double y) { return std::abs(x - y) <= distance_tolerance * std::max(x, y); }
+
 bool differ(Task task, const Answer& x, const Answer& y) {
+  if (task == Task::distance) return !are_near(x.distance, y.distance);
   return task == Task::overlap ? x.overlap != y.overlap : x.pairs != y.pairs;
 }
 
@@ -47,6 +54,22 @@ void judge_overlap(const Questions& questions, std::size_t query, std::vector<An
     if (one.answers[query].overlap != meet) ++one.result.wrong;
 }
 
+/// No distance is less than that of the nearest of the pairs that are named; whoever told another is wrong.
+void judge_distance(const Questions& questions, std::size_t query, std::vector<Answered>& answered) {
+  const TrueMeshes meshes(questions.a, questions.b, questions.poses[query]);
+  double least = INFINITY;
+  for (const Answered& one : answered)
+    least = std::min(least, std::sqrt(meshes.squared_distance(one.answers[query].pairs.front())));
+  for (Answered& one : answered)
+    if (!are_near(one.answers[query].distance, least)) ++one.result.wrong;
+}
+
+void judge_one(const Questions& questions, std::size_t query, std::vector<Answered>& answered) {
+  if (questions.task == Task::distance) return judge_distance(questions, query, answered);
+  return questions.task == Task::overlap ? judge_overlap(questions, query, answered)
+                                         : judge_contacts(questions, query, answered);
+}
+
 }  // namespace
 
 void judge(const Questions& questions, std::vector<Answered>& answered) {
@@ -61,7 +84,7 @@ void judge(const Questions& questions, std::vector<Answered>& answered) {
       }
     if (any) ++answered.front().result.disagreements;
     if (!any && questions.judged == Judged::differing) continue;
-    (questions.task == Task::overlap ? judge_overlap : judge_contacts)(questions, query, answered);
+    judge_one(questions, query, answered);
   }
 }
 

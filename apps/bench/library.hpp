@@ -23,7 +23,7 @@ struct Description {
   friend bool operator==(const Description&, const Description&) = default;
 };
 
-enum class Task { overlap, contacts, build };
+enum class Task { overlap, contacts, distance, build };
 
 struct PosePair {
   Pose a;
@@ -32,10 +32,12 @@ struct PosePair {
 
 using TrianglePairs = std::vector<std::pair<Index, Index>>;
 
-/// Of `overlap` the yes or no; of `contacts` also the triangles that meet, in any order.
+/// Of `overlap` the yes or no; of `contacts` also the triangles that meet, in any order; of `distance` the one pair
+/// that is told to be nearest.
 struct Answer {
   bool overlap = false;
   TrianglePairs pairs;
+  double distance = 0;
 };
 
 /// A library that answers questions about two posed meshes, taken as surfaces: Toccata, or a peer.
@@ -51,7 +53,7 @@ class MeshLibrary {
   [[nodiscard]] virtual std::string obstacle(Task, int) const { return {}; }
   /// Told before queries. True: each query is itself spread over so many threads. Else that many are asked at a time.
   virtual bool spreads_queries(Task, int) { return false; }
-  /// May be asked from several threads at once unless there is an obstacle. The task is overlap or contacts.
+  /// May be asked from several threads at once unless there is an obstacle. The task is not build.
   [[nodiscard]] virtual Answer answer(Task task, const PosePair& poses) const = 0;
 };
 

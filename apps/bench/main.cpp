@@ -50,7 +50,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::PositiveNumber);
   mesh->add_flag("--near", arguments.near, "random poses within 1e-6 to 1e-14 of contact instead of 2 %");
   mesh->add_option("--task", arguments.task, "what to ask")
-      ->check(CLI::IsMember({"overlap", "contacts", "build"}))
+      ->check(CLI::IsMember({"overlap", "contacts", "distance", "build"}))
       ->capture_default_str();
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")

@@ -95,6 +95,7 @@ PosePair random_pose_pair(const Pair& pair, Random& random, Nearness nearness) {
     const Approach approach(pair, random);
     const std::optional<double> contact = approach.contact(nearness == Nearness::close ? 50 : 16);
     if (!contact) continue;
+    if (nearness == Nearness::separated) return approach.at(*contact + (1e-4 + 0.02 * random.unit()) * diagonal);
     const double side = random.below(2) == 0 ? -1 : 1;
     const double share = nearness == Nearness::close ? std::pow(10, random.between(-14, -6)) : 0.02 * random.unit();
     return approach.at(*contact + side * share * diagonal);

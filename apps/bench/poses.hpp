@@ -13,13 +13,14 @@ namespace toccata::bench {
 std::vector<PosePair> read_poses(const std::filesystem::path& file);
 
 enum class Nearness {
-  jittered,  ///< within 2 % of the smaller mesh's diagonal of contact
-  close,     ///< within 1e-6 … 1e-14 of that diagonal
+  jittered,   ///< within 2 % of the smaller mesh's diagonal of contact
+  close,      ///< within 1e-6 … 1e-14 of that diagonal
+  separated,  ///< as the first, but apart
 };
 
 /// Random rigid poses of both objects. B comes from outside along a random direction until it touches A (binary search
 /// to the outermost contact that 16 steps see), and is then moved along it by a random amount either way, so that about
-/// half of the pairs touch.
+/// half of the pairs touch, or outwards.
 /// The same for any number of threads (0: as many as the machine has).
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
                                    Nearness nearness, int threads);

@@ -6,6 +6,7 @@
 #include "toccata/core/simd.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata::bench {
@@ -42,6 +43,7 @@ class ToccataMeshes : public MeshLibrary {
     const PairQuery query{poses.a, poses.b, Solid::none, Solid::none, threads_};
     thread_local Workspace workspace;
     if (task == Task::overlap) return {overlap(*a_, *b_, query, workspace), {}};
+    if (task == Task::distance) return distance_answer(query);
     const auto found = contacts(*a_, *b_, query, workspace);
     Answer answer;
     answer.pairs.reserve(found.size());
@@ -51,6 +53,13 @@ class ToccataMeshes : public MeshLibrary {
   }
 
  private:
+  /// The queries have nothing to do with each other, so what was nearest before helps none of them.
+  Answer distance_answer(const PairQuery& query) const {
+    thread_local Workspace workspace;
+    const Distance found = distance(*a_, *b_, query, workspace);
+    return {found.upper == 0, {{found.element_a, found.element_b}}, found.upper};
+  }
+
   std::optional<Model> a_;
   std::optional<Model> b_;
   int threads_ = 1;

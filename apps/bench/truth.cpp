@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "oracle/convex.hpp"
 #include "oracle/triangles.hpp"
 #include "toccata/bounds/aabb.hpp"
 
@@ -71,6 +72,13 @@ TrueMeshes::TrueMeshes(const TriangleMesh& a, const TriangleMesh& b, const PoseP
 bool TrueMeshes::meet(const std::pair<Index, Index>& pair) const {
   const Triangle &a = a_[pair.first], &b = b_[pair.second];
   return !are_clearly_apart(a, b) && truly_meet(a, b);
+}
+
+double TrueMeshes::squared_distance(const std::pair<Index, Index>& pair) const {
+  const Triangle &a = a_[pair.first], &b = b_[pair.second];
+  const auto nearest =
+      oracle::nearest_points(oracle::triangle_set(a[0], a[1], a[2]), oracle::triangle_set(b[0], b[1], b[2]));
+  return static_cast<double>(nearest.squared_distance);
 }
 
 bool TrueMeshes::meet() const {

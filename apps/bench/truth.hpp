@@ -14,6 +14,8 @@ class TrueMeshes {
 
   [[nodiscard]] bool meet(const std::pair<Index, Index>& pair) const;
   [[nodiscard]] bool meet() const;
+  /// The square of the distance of the pair.
+  [[nodiscard]] double squared_distance(const std::pair<Index, Index>& pair) const;
   /// Every pair whose boxes overlap: no other can meet. No tree is involved.
   [[nodiscard]] TrianglePairs candidates() const;
 

@@ -54,13 +54,17 @@ HWY_INLINE Side side_of(const TrianglePairBlock::Corners& corners, std::size_t l
 /// The least difference so far, from a point of b to one of a.
 struct Least {
   Vector difference;
-  Number squared;
+  Number squared, features, share, other_share;
 
-  HWY_INLINE void see(const Vector& other) {
+  HWY_INLINE void see(const Vector& other, double its_features, const Number& its_share,
+                      const Number& its_other_share) {
     const Number other_squared = dot(other, other);
     const Mask less = hn::Lt(other_squared, squared);
     difference = select(less, other, difference);
     squared = hn::IfThenElse(less, other_squared, squared);
+    features = hn::IfThenElse(less, all(its_features), features);
+    share = hn::IfThenElse(less, its_share, share);
+    other_share = hn::IfThenElse(less, its_other_share, other_share);
   }
 };
 
@@ -78,7 +82,7 @@ HWY_INLINE void see_edges(const Side& a, const Side& b, std::size_t i, std::size
   const Number t = clamped_share(hn::Mul(hn::Add(vr, hn::Mul(s, uv)), b.inverse_squared[j]));
   const Number again = clamped_share(hn::Mul(hn::Sub(hn::Mul(t, uv), ur), a.inverse_squared[i]));
   const Vector on_b = times(t, v);
-  least.see(minus(moved(between, again, u), on_b));
+  least.see(minus(moved(between, again, u), on_b), static_cast<double>(3 * i + j), again, t);
 }
 
 /// What a face is asked with.
@@ -97,27 +101,33 @@ HWY_INLINE Face face_of(const Side& side) {
   return face;
 }
 
-/// From the foot of a point on a face to the point, `from` being the point less vertex 0; of a point of the face
-/// anyway.
-HWY_INLINE Vector above_face(const Face& face, const Vector& from) {
+/// From a point of a face, the foot of another point where that is one, to this; `from` is the point less vertex 0.
+struct AboveFace {
+  Vector difference;
+  Number share, other_share;
+};
+
+HWY_INLINE AboveFace above_face(const Face& face, const Vector& from) {
   const Number first = dot(from, face.first), second = dot(from, face.second);
   const Number s =
       clamped_share(hn::Mul(hn::Sub(hn::Mul(first, face.second_squared), hn::Mul(second, face.both)), face.inverse));
   const Number t =
       clamped_between(hn::Mul(hn::Sub(hn::Mul(second, face.first_squared), hn::Mul(first, face.both)), face.inverse),
                       hn::Zero(Tag()), hn::Sub(all(1), s));
-  return minus(minus(from, times(s, face.first)), times(t, face.second));
+  return {minus(minus(from, times(s, face.first)), times(t, face.second)), s, t};
 }
 
 HWY_INLINE Least least_difference(const Side& a, const Side& b) {
   const Vector first = minus(a.vertex[0], b.vertex[0]);
-  Least least{first, dot(first, first)};
+  Least least{first, dot(first, first), all(0), all(0), all(0)};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) see_edges(a, b, i, j, least);
   const Face face_a = face_of(a), face_b = face_of(b);
   for (std::size_t i = 0; i < 3; ++i) {
-    least.see(above_face(face_b, minus(a.vertex[i], b.vertex[0])));
-    least.see(negative(above_face(face_a, minus(b.vertex[i], a.vertex[0]))));
+    const AboveFace of_a = above_face(face_b, minus(a.vertex[i], b.vertex[0]));
+    const AboveFace of_b = above_face(face_a, minus(b.vertex[i], a.vertex[0]));
+    least.see(of_a.difference, static_cast<double>(9 + i), of_a.share, of_a.other_share);
+    least.see(negative(of_b.difference), static_cast<double>(12 + i), of_b.share, of_b.other_share);
   }
   return least;
 }
@@ -152,6 +162,9 @@ HWY_INLINE void bound_lanes(const TrianglePairBlock& block, std::size_t lane, Tr
   const Mask some = hn::And(plain, hn::Gt(length, off));
   hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), Tag(),
             gaps.lower.data() + lane);
+  hn::Store(least.features, Tag(), gaps.features.data() + lane);
+  hn::Store(least.share, Tag(), gaps.share.data() + lane);
+  hn::Store(least.other_share, Tag(), gaps.other_share.data() + lane);
   hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(Tag())), Tag(), gaps.upper.data() + lane);
 }
 

@@ -40,7 +40,7 @@ void put(TrianglePairBlock::Corners& corners, std::size_t lane, const Triangle& 
     for (int axis = 0; axis < 3; ++axis) corners[i][static_cast<std::size_t>(axis)][lane] = triangle.vertex[i][axis];
 }
 
-/// Keeps the pairs of triangles that may be the nearest.
+/// Keeps the pairs of triangles that may be the nearest; ends when two meet.
 class NearestTriangles final : public NearQuestion {
  public:
   NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
@@ -55,7 +55,9 @@ class NearestTriangles final : public NearQuestion {
       bound(pairs.first(std::min(TrianglePairBlock::lanes, pairs.size())));
   }
 
-  /// Of all pairs that were seen.
+  [[nodiscard]] bool found_meeting() const { return limit_ < 0; }
+
+  /// Of all pairs that were seen; none of them meet.
   Distance nearest() {
     Key best{infinity, {}};
     std::sort(candidates_.begin(), candidates_.end(),
@@ -89,30 +91,47 @@ class NearestTriangles final : public NearQuestion {
 
   /// The upper end of the pair's own interval.
   [[nodiscard]] double upper_of(const NearCandidate& candidate) const {
-    return is_narrow(candidate.lower, candidate.upper) ? candidate.upper : exact(candidate.pair).upper;
+    if (is_narrow(candidate.lower, candidate.upper)) return candidate.upper;
+    const auto [x, y] = in_order(candidate.pair);
+    const GapInterval precise = precise_gap(x, y, candidate.points);
+    return is_narrow(precise.lower, precise.upper) ? precise.upper : exact(candidate.pair).upper;
+  }
+
+  /// The triangles of a pair that do not meet: so it is told which comes first, and what is computed of them is the
+  /// same either way round.
+  [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const {
+    const Triangle x = a_.triangle(pair.first), y = b_.triangle(pair.second);
+    return lexicographically_less(x[0], y[0]) ? std::pair(x, y) : std::pair(y, x);
   }
 
   void bound(std::span<const ItemPair> pairs) {
     for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
-      const Triangle x = a_.triangle(pairs[lane].first), y = b_.triangle(pairs[lane].second);
-      // The triangles do not meet, so it is told which comes first, and the interval is the same either way round.
-      const bool in_order = lexicographically_less(x[0], y[0]);
-      put(block_.a, lane, in_order ? x : y);
-      put(block_.b, lane, in_order ? y : x);
+      const auto [x, y] = in_order(pairs[lane]);
+      put(block_.a, lane, x);
+      put(block_.b, lane, y);
     }
     bound_gaps(block_, gaps_);
-    for (std::size_t lane = 0; lane < pairs.size(); ++lane) keep(pairs[lane], gaps_.lower[lane], gaps_.upper[lane]);
+    for (std::size_t lane = 0; lane < pairs.size() && limit_ >= 0; ++lane)
+      keep({gaps_.lower[lane], gaps_.upper[lane], pairs[lane], gaps_.points(lane)});
   }
 
-  void keep(const ItemPair& pair, double lower, double upper) {
-    if (lower > limit_) return;
-    if (upper == infinity) {
-      const Distance found = exact(pair);
-      lower = found.lower;
-      upper = found.upper;
+  void keep(NearCandidate candidate) {
+    if (candidate.lower > limit_) return;
+    if (candidate.lower == 0 && meet(candidate.pair)) {
+      limit_ = -1;
+      return;
     }
-    limit_ = std::min(limit_, limit_from(upper));
-    if (!(lower > limit_)) candidates_.push_back({lower, upper, pair});
+    if (candidate.upper == infinity) {
+      const Distance found = exact(candidate.pair);
+      candidate.lower = found.lower;
+      candidate.upper = found.upper;
+    }
+    limit_ = std::min(limit_, limit_from(candidate.upper));
+    if (!(candidate.lower > limit_)) candidates_.push_back(candidate);
+  }
+
+  [[nodiscard]] bool meet(const ItemPair& pair) const {
+    return overlap(a_.triangle(pair.first), b_.triangle(pair.second));
   }
 
   const PosedMesh& a_;
@@ -158,15 +177,18 @@ Distance with_faces(Distance d, const PosedMesh& a) {
 
 Distance at_common_point(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
 
-std::optional<Distance> common_point(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
+/// At the least pair of triangles that meet.
+Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  const Contact contact = *first_surface_contact(a, b, scratch);
+  Distance found = distance(convex(a, contact.triangle_a), convex(b, contact.triangle_b));
+  found.element_a = contact.triangle_a;
+  found.element_b = contact.triangle_b;
+  return found;
+}
+
+/// Of solids whose surfaces do not meet, where one lies within the other.
+std::optional<Distance> inner_point(const PosedTriangles& a, const PosedTriangles& b) {
   if (!overlap(a.mesh.box(), b.mesh.box())) return {};
-  if (surfaces_meet(a.mesh, b.mesh, scratch)) {
-    const Contact contact = *first_surface_contact(a.mesh, b.mesh, scratch);
-    Distance found = distance(convex(a.mesh, contact.triangle_a), convex(b.mesh, contact.triangle_b));
-    found.element_a = contact.triangle_a;
-    found.element_b = contact.triangle_b;
-    return found;
-  }
   if (b.solid)
     if (const auto triangle = part_inside(a.mesh, b.mesh)) {
       Distance found = at_common_point(a.mesh.triangle(*triangle)[0]);
@@ -192,6 +214,7 @@ Distance surface_distance(const PosedMesh& a, const PosedMesh& b, SearchScratch&
   const ItemPair warm{kept.element_a, kept.element_b};
   if (warm.first < a.model().element_count() && warm.second < b.model().element_count()) question.visit({&warm, 1});
   walk.run(scratch.near, question);
+  if (question.found_meeting()) return at_contact(a, b, scratch);
   scratch.counts = scratch.near.counts;
   const Distance nearest = question.nearest();
   kept.element_a = nearest.element_a;
@@ -267,9 +290,9 @@ Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
 }  // namespace
 
 Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
-  scratch.counts = {};
-  const std::optional<Distance> common = common_point(a, b, scratch);
-  Distance found = common ? *common : surface_distance(a.mesh, b.mesh, scratch);
+  Distance found = surface_distance(a.mesh, b.mesh, scratch);
+  if (found.upper > 0)
+    if (const auto common = inner_point(a, b)) found = *common;
   found.face_b = b.mesh.model().mesh().face_of(found.element_b);
   return with_faces(found, a.mesh);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "narrow/triangle_gaps.hpp"
 #include "narrow/triangle_pair_block.hpp"
 #include "query/found_pairs.hpp"
 #include "query/posed_shape.hpp"
@@ -38,6 +39,7 @@ struct NearCandidate {
   double lower;
   double upper;
   ItemPair pair;
+  TriangleGaps::Points points{};
 };
 
 /// Memory that searches need and keep: see Workspace.

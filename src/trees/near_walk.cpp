@@ -156,6 +156,7 @@ class Run {
   void run() {
     f_.clear();
     dive();
+    if (question_.limit() < 0) return;
     set_limits(question_.limit());
     const std::uint32_t lanes = block(1, 0).count;
     for (std::uint32_t lane = 0; lane < lanes; ++lane) push_boxes(0, 0, lane, 0);
@@ -275,7 +276,7 @@ class Run {
   void empty_bucket() {
     std::uint32_t& boxes = f_.buckets[bucket_];
     std::uint32_t& items = f_.item_buckets[bucket_];
-    while (boxes != NearFrontier::none || items != NearFrontier::none) {
+    while (limit_part_ >= 0 && (boxes != NearFrontier::none || items != NearFrontier::none)) {
       while (boxes != NearFrontier::none) {
         const NearFrontier::Entry entry = pop(boxes);
         if (!is_beyond(entry.bound)) open(entry);
@@ -283,6 +284,7 @@ class Run {
       while (items != NearFrontier::none) {
         const NearFrontier::Entry entry = pop(items);
         if (!is_beyond(entry.bound)) add_pair(entry.first, entry.second);
+        if (limit_part_ < 0) return;
       }
       hand_on();
     }
@@ -334,7 +336,7 @@ class Run {
     const double limit = question_.limit();
     if (limit < last_limit_) {
       last_limit_ = limit;
-      limit_part_ = limit * inverse_ * (1 + 0x1p-20);
+      limit_part_ = limit < 0 ? -1 : limit * inverse_ * (1 + 0x1p-20);
     }
   }
 

@@ -30,7 +30,7 @@ struct NearView {
 /// A question about what is nearest, for a walk over two trees.
 class NearQuestion {
  public:
-  /// The largest distance that still matters; it may only shrink.
+  /// The largest distance that still matters; −1 ends the walk. It may only shrink.
   [[nodiscard]] virtual double limit() const = 0;
   virtual void visit(std::span<const ItemPair> pairs) = 0;
 

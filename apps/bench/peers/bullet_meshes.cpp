@@ -77,6 +77,10 @@ class BulletMeshes : public MeshLibrary {
 
   std::size_t bytes() const override { return a_->bytes() + b_->bytes(); }
 
+  std::string obstacle(Task task, int) const override {
+    return task == Task::distance ? "tells contacts, and no distance" : "";
+  }
+
   Answer answer(Task task, const PosePair& poses) const override {
     const btTransform pose_a = transform_of(poses.a), pose_b = transform_of(poses.b);
     btPairSet near;

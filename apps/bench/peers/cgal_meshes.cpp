@@ -84,6 +84,10 @@ class CgalMeshes : public MeshLibrary {
 
   std::size_t bytes() const override { return a_->bytes() + b_->bytes(); }
 
+  std::string obstacle(Task task, int) const override {
+    return task == Task::distance ? "AABB_tree tells no distance of two meshes" : "";
+  }
+
   Answer answer(Task task, const PosePair& poses) const override {
     const Transformation b_in_a = transformation_of(poses.a).inverse() * transformation_of(poses.b);
     if (task == Task::overlap) return {trees_meet(a_->tree, b_->tree, b_in_a), {}};

@@ -139,7 +139,8 @@ class EmbreeMeshes : public MeshLibrary {
 
   std::size_t bytes() const override { return device_->bytes(); }
 
-  std::string obstacle(Task, int threads) const override {
+  std::string obstacle(Task task, int threads) const override {
+    if (task == Task::distance) return "tells no distance of two meshes";
     return threads > 1 ? "B's tree is moved for each query, and Embree's threads are the whole process's" : "";
   }
 

@@ -1,7 +1,9 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBB.h>
 #include <fcl/math/bv/OBBRSS.h>
+#include <fcl/math/bv/RSS.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <limits>
 #include <type_traits>
@@ -46,8 +48,13 @@ template <class Volume>
 class FclMeshes : public MeshLibrary {
  public:
   Description description() const override {
-    const bool plain = std::is_same_v<Volume, fcl::OBBd>;
-    return {"fcl", plain ? "OBB" : "OBBRSS", TOCCATA_BENCH_FCL_VERSION, "as packaged"};
+    const char* const volume = is_plain ? "OBB" : is_swept ? "RSS" : "OBBRSS";
+    return {"fcl", volume, TOCCATA_BENCH_FCL_VERSION, "as packaged"};
+  }
+
+  std::string obstacle(Task task, int) const override {
+    if (task == Task::distance && is_plain) return "has no distance";
+    return task != Task::distance && is_swept ? "copies both models for every question" : "";
   }
 
   void build(const TriangleMesh& a, const TriangleMesh& b) override {
@@ -58,6 +65,7 @@ class FclMeshes : public MeshLibrary {
   std::size_t bytes() const override { return bytes_of(*a_) + bytes_of(*b_); }
 
   Answer answer(Task task, const PosePair& poses) const override {
+    if (task == Task::distance) return distance_answer(poses);
     const std::size_t wanted = task == Task::overlap ? 1 : std::numeric_limits<std::size_t>::max();
     const fcl::CollisionRequestd request(wanted, false);
     fcl::CollisionResultd result;
@@ -70,6 +78,17 @@ class FclMeshes : public MeshLibrary {
   }
 
  private:
+  static constexpr bool is_plain = std::is_same_v<Volume, fcl::OBBd>;
+  static constexpr bool is_swept = std::is_same_v<Volume, fcl::RSSd>;
+
+  Answer distance_answer(const PosePair& poses) const {
+    const fcl::DistanceRequestd request(false);
+    fcl::DistanceResultd result;
+    fcl::distance(a_.get(), transform_of(poses.a), b_.get(), transform_of(poses.b), request, result);
+    const auto number = [](auto index) { return static_cast<Index>(index); };
+    return {result.min_distance <= 0, {{number(result.b1), number(result.b2)}}, result.min_distance};
+  }
+
   std::unique_ptr<FclModel<Volume>> a_;
   std::unique_ptr<FclModel<Volume>> b_;
 };
@@ -80,6 +99,7 @@ MeshLibraries fcl_mesh_libraries() {
   MeshLibraries libraries;
   libraries.push_back(std::make_unique<FclMeshes<fcl::OBBd>>());
   libraries.push_back(std::make_unique<FclMeshes<fcl::OBBRSSd>>());
+  libraries.push_back(std::make_unique<FclMeshes<fcl::RSSd>>());
   return libraries;
 }
 

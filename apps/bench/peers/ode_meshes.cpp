@@ -74,6 +74,7 @@ class OdeMeshes : public MeshLibrary {
   std::size_t bytes() const override { return a_->bytes() + b_->bytes(); }
 
   std::string obstacle(Task task, int threads) const override {
+    if (task == Task::distance) return "tells contacts, and no distance";
     if (task == Task::contacts) return "dCollide gives contact points, merged, and not which triangles meet";
     return threads > 1 ? "a pose is kept in the geometry, so one query at a time" : "";
   }
