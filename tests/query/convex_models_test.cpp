@@ -143,7 +143,9 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
       for (const std::size_t i : {0U, 2U})
         for (const std::size_t j : {1U, 3U}) {
           const PosedConvex part_a = test::posed(shapes[i]), part_b = test::posed(shapes[j]);
-          const Distance d = distance(part_a, part_b);
+          Distance d = distance(part_a, part_b);
+          d.element_a = d.face_a = static_cast<Index>(i / 2);
+          d.element_b = d.face_b = static_cast<Index>(j / 2);
           if (!least || d.upper < least->upper) least = d;
           const Cast cast = cast_shape(part_a, motion, part_b);
           if (!earliest || (cast.hit && (!earliest->hit || cast.upper < earliest->upper))) earliest = cast;
