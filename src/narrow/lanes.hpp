@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "toccata/math/vec3.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
@@ -36,6 +38,10 @@ struct Vector {
   hn::Vec<Coordinates> xyz;
 };
 
+/// The last lane is 0.
+HWY_INLINE Vector lanes_of(const Vec3& v) {
+  return {hn::MaskedLoad(hn::FirstN(Coordinates(), 3), Coordinates(), &v.x)};
+}
 HWY_INLINE Number x_of(const Vector& v) { return hn::LowerHalf(hn::LowerHalf(v.xyz)); }
 HWY_INLINE Number y_of(const Vector& v) {
   const auto lower = hn::LowerHalf(v.xyz);
@@ -70,6 +76,7 @@ struct Vector {
   Number x, y, z;
 };
 
+HWY_INLINE Vector lanes_of(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 HWY_INLINE Number x_of(const Vector& v) { return v.x; }
 HWY_INLINE Number y_of(const Vector& v) { return v.y; }
 HWY_INLINE Number z_of(const Vector& v) { return v.z; }

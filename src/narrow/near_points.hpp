@@ -238,18 +238,20 @@ HWY_INLINE NearPoints near_of_point_triangle(const Vector& p, const Vector& va, 
 using Corners = std::array<Vector, 8>;
 
 struct BoxSides {
-  std::array<Number, 3> inverse_squared;  ///< of the edges
-  std::array<Mask, 3> far;                ///< the nearest point is beyond the middle of the edge from corner 0
+  std::array<Number, 3> squared;  ///< of the edges from corner 0, which stand for those across
+  std::array<Number, 3> inverse_squared;
+  std::array<Mask, 3> far;  ///< the nearest point is beyond the middle of the edge from corner 0
 };
 
 HWY_INLINE BoxSides sides_of(const Vector& p, const Vector& origin, const std::array<Vector, 3>& neighbour) {
   BoxSides sides;
   const Vector from = minus(p, origin);
+#pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector edge = minus(neighbour[k], origin);
-    const Number squared = dot(edge, edge);
-    sides.inverse_squared[k] = hn::Div(all(1), squared);
-    sides.far[k] = hn::Gt(dot(from, edge), hn::Mul(all(0.5), squared));
+    sides.squared[k] = dot(edge, edge);
+    sides.inverse_squared[k] = hn::Div(all(1), sides.squared[k]);
+    sides.far[k] = hn::Gt(dot(from, edge), hn::Mul(all(0.5), sides.squared[k]));
   }
   return sides;
 }
@@ -300,13 +302,15 @@ HWY_INLINE BoxRest rest_of_box(const Corners& c, const std::array<Vector, 3>& ed
 
 /// `rest_along(d)` gives the rest.
 template <class RestAlong>
-HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& corner,
-                                           const std::array<Number, 3>& inverse_squared, const RestAlong& rest_along) {
+HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& corner, const BoxSides& sides,
+                                           const RestAlong& rest_along) {
   const Number zero = hn::Zero(Tag());
+  const std::array<Number, 3>& inverse_squared = sides.inverse_squared;
   const std::array<Vector, 3>& edge = corner.edge;
   const Vector from = minus(corner.at, p);
   std::array<Number, 3> share;
   std::array<Vector, 3> step;
+#pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
     share[k] = clamped_between(hn::Neg(hn::Mul(dot(from, edge[k]), inverse_squared[k])), zero, all(0.5));
     step[k] = times(share[k], edge[k]);
@@ -319,13 +323,14 @@ HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& cor
   const BoxRest rest = rest_along(d);
   Number drift = zero, residual = zero, size = greater(hn::Mul(all(4), dot(p, p)), squared), inverses = zero;
   Mask free = hn::Eq(zero, zero);
+#pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
     const Number slope = dot(edge[k], d);
     const Mask inner = hn::Gt(share[k], zero);
     const Number wrong = hn::IfThenElse(inner, slope, lesser(slope, zero));
     residual = hn::Add(residual, hn::Mul(hn::Mul(wrong, wrong), inverse_squared[k]));
     drift = hn::Add(drift, hn::Mul(share[k], hn::Abs(slope)));
-    size = greater(size, dot(edge[k], edge[k]));
+    size = greater(size, sides.squared[k]);
     inverses = hn::Add(inverses, inverse_squared[k]);
     free = hn::And(free, inner);
   }
@@ -360,11 +365,9 @@ HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& cor
 }
 
 /// The corners are numbered from the one nearest to p, which is corner 0.
-HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c,
-                                            const std::array<Number, 3>& inverse_squared) {
+HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c, const BoxSides& sides) {
   const BoxCorner corner{c[0], {minus(c[1], c[0]), minus(c[2], c[0]), minus(c[4], c[0])}};
-  return near_of_point_corner(p, corner, inverse_squared,
-                              [&](const Vector& d) { return rest_of_box(c, corner.edge, d); });
+  return near_of_point_corner(p, corner, sides, [&](const Vector& d) { return rest_of_box(c, corner.edge, d); });
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct SphereBox {
       corner[k] = {load(pairs.b, k, i), load(pairs.b, 8 + k, i), load(pairs.b, 16 + k, i)};
     const BoxSides sides = sides_of(p, corner[0], {corner[1], corner[2], corner[4]});
     for (std::size_t axis = 0; axis < 3; ++axis) turn(corner, axis, sides.far[axis]);
-    return grown(near_of_point_corners(p, corner, sides.inverse_squared), load(pairs.a, 3, i), hn::Zero(Tag()));
+    return grown(near_of_point_corners(p, corner, sides), load(pairs.a, 3, i), hn::Zero(Tag()));
   }
 };
 

@@ -2,91 +2,60 @@
 // Compiled once for every SIMD level; Highway includes this file into itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "narrow/rigid_overlap.cpp"
+#define TOCCATA_MOST_LANES 1
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <cstdint>
 
-#include "math/world_vertex.hpp"
 #include "narrow/closed_forms.hpp"
-#include "narrow/pose_checks.hpp"
+#include "narrow/rigid_poses.hpp"
 #include "toccata/narrow/capsule.hpp"
 
-// Nothing is said here unless both poses are rigid but for rounding: every |RᵀR − I| below 2^-42 in its diagonal and
-// below 2^-43 beside it, so that its norm is below δ = 2^-40.9, the roundings of the check included. Such a pose
-// deforms nothing, is not singular, and is finite but for its offset. R = U H with U orthogonal and |H − I| < δ / 2.
+// Nothing is said here unless both poses are rigid but for rounding (rigid_poses.hpp). The norm of RᵀR − I is below
+// δ = 2^-40.9 then, the roundings of the check included: R = U H with U orthogonal and |H − I| < δ / 2.
 //
 // A sphere's centre c is the rounded world vertex. Box and triangle stay in their own frame, where the centre is
-// l = Rᵀ(c − t). Let v be the magnitudes of what the shape is made of, w = c − t, u = 2^-53. Then
-// - Uᵀw, which is as far from H · (the shape) as c from R · (the shape) + t, differs from Rᵀw by δ / 2 · |w|, and l
-// from
-//   that by 7u |w|;
-// - H · (the shape) differs from the shape by δ / 2 · |v|;
-// - the world vertices are rounded, which moves them by less than 32u (|v| + |t|) (rigid_box.cpp).
-// So the distance in the shape's frame is off by less than 2^-41 (|w| + |v|) + 2^-48 |t|. What is not finite makes this
-// bound NaN or infinite, and the answer unknown. Nothing of this needs the same bits everywhere, so products may be
-// fused.
+// l = Rᵀ(c − t). Let v be the magnitudes of what the shape is made of, w = c − t, u = 2^-53. Uᵀw, which is as far from
+// H · (the shape) as c from R · (the shape) + t, differs from Rᵀw by δ / 2 · |w|, and l from that by 7u |w|. H · (the
+// shape) differs from the shape by δ / 2 · |v|. The world vertices are rounded, which moves them by less than
+// 32u (|v| + |t|) (rigid_box.cpp). So the distance in the shape's frame is off by less than 2^-41 (|w| + |v|) +
+// 2^-48 |t|. What is not finite makes this bound NaN or infinite, and the answer unknown. Nothing here needs the same
+// bits everywhere, so products may be fused.
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
 constexpr double frame_error = 0x1p-40, offset_error = 0x1p-48;  // the first is twice what is needed
-constexpr double rigid_bound = 0x1p-42;
 
 #if HWY_TARGET <= HWY_AVX2
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::FixedTag<double, 4>;
-using Number = hn::Vec<Tag>;
-constexpr Tag tag;
+constexpr Coordinates tag;
+using Four = hn::Vec<Coordinates>;
 
-/// Three numbers and 0.
-HWY_INLINE Number load(const Vec3& v) { return hn::MaskedLoad(hn::FirstN(tag, 3), tag, &v.x); }
-
-/// The number j + 1, of three, in place of the j-th.
-HWY_INLINE Number next(const Number& v) {
-  alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
-  return hn::TableLookupLanes(v, hn::SetTableIndices(tag, order));
-}
-
-struct Rows {
-  Number x, y, z;
-};
-
-HWY_INLINE Rows rows_of(const Pose& pose) { return {load(pose.linear[0]), load(pose.linear[1]), load(pose.linear[2])}; }
-
-/// Of each column the square of its length, less 1, and twice its product with the next: magnitudes.
-HWY_INLINE Number skew_of(const Rows& r) {
-  alignas(32) static constexpr double ones[4] = {1, 1, 1, 0};
-  const Number squares = hn::MulAdd(r.x, r.x, hn::MulAdd(r.y, r.y, hn::Mul(r.z, r.z)));
-  const Number products = hn::MulAdd(r.x, next(r.x), hn::MulAdd(r.y, next(r.y), hn::Mul(r.z, next(r.z))));
-  return hn::Add(hn::Abs(hn::Sub(squares, hn::Load(tag, ones))), hn::Abs(hn::Add(products, products)));
-}
-
-HWY_INLINE bool are_rigid(const Rows& a, const Rows& b) {
-  return hn::AllTrue(tag, hn::Lt(hn::Add(skew_of(a), skew_of(b)), hn::Set(tag, rigid_bound)));
-}
-
-HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) { return are_rigid(rows_of(a), rows_of(b)); }
+HWY_INLINE Four load(const Vec3& v) { return lanes_of(v).xyz; }
+HWY_INLINE Four next(const Four& v) { return next(Vector{v}).xyz; }
 
 /// Rᵀ v, of which the last number is 0.
-HWY_INLINE Number turned_back(const Rows& r, const Vec3& v) {
-  return hn::MulAdd(r.x, hn::Set(tag, v.x), hn::MulAdd(r.y, hn::Set(tag, v.y), hn::Mul(r.z, hn::Set(tag, v.z))));
+HWY_INLINE Four turned_back(const Rows& r, const Vec3& v) {
+  return hn::MulAdd(r.x.xyz, hn::Set(tag, v.x),
+                    hn::MulAdd(r.y.xyz, hn::Set(tag, v.y), hn::Mul(r.z.xyz, hn::Set(tag, v.z))));
 }
 
 /// How far, squared, a point is beyond the box, given from the offset of its pose.
 HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& from_offset) {
-  const Number local = hn::Sub(turned_back(rows_of(pose), from_offset), load(box.centre()));
-  const Number beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
+  const Four local = hn::Sub(turned_back(rows_of(pose), from_offset), load(box.centre()));
+  const Four beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
   return hn::GetLane(hn::SumOfLanes(tag, hn::Mul(beyond, beyond)));
 }
+
 /// A coordinate each of the three corners of a triangle, seen from the sphere's centre.
 struct Corners {
-  Number x, y, z;
+  Four x, y, z;
 };
 
-HWY_INLINE Corners transposed(const Number& a, const Number& b, const Number& c) {
-  const Number even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
+HWY_INLINE Corners transposed(const Four& a, const Four& b, const Four& c) {
+  const Four even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
   return {hn::ConcatLowerLower(tag, c, even), hn::ConcatLowerLower(tag, hn::InterleaveUpper(tag, c, c), odd),
           hn::ConcatUpperUpper(tag, c, even)};
 }
@@ -94,16 +63,16 @@ HWY_INLINE Corners next(const Corners& v) { return {next(v.x), next(v.y), next(v
 HWY_INLINE Corners minus(const Corners& u, const Corners& v) {
   return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
 }
-HWY_INLINE Number dot(const Corners& u, const Corners& v) {
+HWY_INLINE Four dot(const Corners& u, const Corners& v) {
   return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
 }
 HWY_INLINE Corners cross(const Corners& u, const Corners& v) {
   return {hn::MulSub(u.y, v.z, hn::Mul(u.z, v.y)), hn::MulSub(u.z, v.x, hn::Mul(u.x, v.z)),
           hn::MulSub(u.x, v.y, hn::Mul(u.y, v.x))};
 }
-HWY_INLINE Number first_everywhere(const Number& v) { return hn::Set(tag, hn::GetLane(v)); }
+HWY_INLINE Four first_everywhere(const Four& v) { return hn::Set(tag, hn::GetLane(v)); }
 
-HWY_INLINE std::uint64_t bits_of(const hn::Mask<Tag>& mask) {
+HWY_INLINE std::uint64_t bits_of(const hn::Mask<Coordinates>& mask) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(tag, mask, bits);
   return bits[0] & 7U;
@@ -111,22 +80,22 @@ HWY_INLINE std::uint64_t bits_of(const hn::Mask<Tag>& mask) {
 
 /// The point of each edge that is nearest to the origin, and the normal: whichever of them proves something does, and
 /// nothing has to be chosen. Only a foot within the face is not looked at.
-HWY_INLINE Nearness nearness_of_corners(const Number& a, const Number& b, const Number& c, double reach, double error) {
+HWY_INLINE Nearness nearness_of_corners(const Four& a, const Four& b, const Four& c, double reach, double error) {
   const double inner = reach - error, outer = reach + error;
-  const Number near_squared = hn::Set(tag, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
-  const Number far_squared = hn::Set(tag, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(tag);
+  const Four near_squared = hn::Set(tag, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
+  const Four far_squared = hn::Set(tag, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(tag);
 
   const Corners v = transposed(a, b, c), w = next(v), edge = minus(w, v);
-  const Number share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
-  const Number within = hn::Min(hn::Max(share, zero), hn::Set(tag, 1));  // NaN becomes 0
+  const Four share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
+  const Four within = hn::Min(hn::Max(share, zero), hn::Set(tag, 1));  // NaN becomes 0
   const Corners foot{hn::MulAdd(within, edge.x, v.x), hn::MulAdd(within, edge.y, v.y), hn::MulAdd(within, edge.z, v.z)};
-  const Number squared = dot(foot, foot);
-  const Number gap = hn::Min(hn::Min(dot(v, foot), dot(w, foot)), dot(next(w), foot));
+  const Four squared = dot(foot, foot);
+  const Four gap = hn::Min(hn::Min(dot(v, foot), dot(w, foot)), dot(next(w), foot));
   const auto apart = hn::And(hn::Gt(gap, zero), hn::Gt(hn::Mul(gap, gap), hn::Mul(far_squared, squared)));
 
   const Corners normals = cross(edge, next(edge));
   const Corners normal{first_everywhere(normals.x), first_everywhere(normals.y), first_everywhere(normals.z)};
-  const Number height = dot(v, normal), needed = hn::Mul(far_squared, dot(normal, normal));
+  const Four height = dot(v, normal), needed = hn::Mul(far_squared, dot(normal, normal));
   const std::uint64_t high = bits_of(hn::Gt(hn::Mul(height, height), needed)), above = bits_of(hn::Gt(height, zero));
 
   if (bits_of(apart) != 0 || (high == 7 && (above == 7 || above == 0))) return Nearness::apart;
@@ -135,7 +104,7 @@ HWY_INLINE Nearness nearness_of_corners(const Number& a, const Number& b, const 
 
 /// A sphere around `centre` and a triangle, in one frame, when all is off by `error` at most, what `judge` adds
 /// included. The formula for feet within the face has many branches.
-HWY_INLINE Nearness nearness_of_triangle(const Number& centre, const Triangle& b, double reach, double error) {
+HWY_INLINE Nearness nearness_of_triangle(const Four& centre, const Triangle& b, double reach, double error) {
   const Nearness found = nearness_of_corners(hn::Sub(load(b[0]), centre), hn::Sub(load(b[1]), centre),
                                              hn::Sub(load(b[2]), centre), reach, error);
   if (found != Nearness::unknown) return found;
@@ -144,19 +113,15 @@ HWY_INLINE Nearness nearness_of_triangle(const Number& centre, const Triangle& b
   return nearness_of_point_triangle({p[0], p[1], p[2]}, b, reach, error);
 }
 
-HWY_INLINE Number local_point(const Pose& pose, const Vec3& from_offset) {
+HWY_INLINE Four local_point(const Pose& pose, const Vec3& from_offset) {
   return turned_back(rows_of(pose), from_offset);
 }
 
-HWY_INLINE double sizes_of(const Number& centre, const Triangle& b) {
-  const Number corners = hn::Add(hn::Abs(load(b[0])), hn::Add(hn::Abs(load(b[1])), hn::Abs(load(b[2]))));
+HWY_INLINE double sizes_of(const Four& centre, const Triangle& b) {
+  const Four corners = hn::Add(hn::Abs(load(b[0])), hn::Add(hn::Abs(load(b[1])), hn::Abs(load(b[2]))));
   return hn::GetLane(hn::SumOfLanes(tag, hn::Add(hn::Abs(centre), corners)));
 }
 #else
-HWY_INLINE bool are_rigid(const Pose& a, const Pose& b) {
-  return is_surely_rigid(a.linear) && is_surely_rigid(b.linear);
-}
-
 HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
   return (v.x * pose.linear[0] + v.y * pose.linear[1]) + v.z * pose.linear[2];
 }
@@ -179,11 +144,6 @@ HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& f
   return dot(beyond, beyond);
 }
 #endif
-
-/// The world vertex. Shapes are mostly around the origin of their frame.
-HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& local) {
-  return local == Vec3{} ? pose.offset : world_vertex(pose, local);
-}
 
 HWY_INLINE double size_of(const Box& box) {
   return sum_of_magnitudes(box.half_extents()) + sum_of_magnitudes(box.centre());

@@ -20,10 +20,13 @@ std::string fault_of(const ConvexCase& pair, Random&) {
   if (overlap(a, b) != meet || overlap(b, a) != meet) return "overlap is wrong";
   const std::optional<TypedAnswers> typed = typed_answers(pair);
   if (typed && typed->overlap != meet) return "the pair's own overlap is wrong";
-  if (overlap_of_given(pair).value_or(meet) != meet) return "overlap of shapes and poses is wrong";
+  const std::optional<TypedAnswers> given = answers_of_given(pair);
+  if (given && given->overlap != meet) return "overlap of shapes and poses is wrong";
   const bool by_formula = is_known(distance_of_primitives(a, b));
   if (typed && !same_answer(typed->distance, distance(a, b), by_formula))
     return "the pair's own distance has other bits";
+  if (given && !same_answer(given->distance, distance(a, b), by_formula))
+    return "the distance of shapes and poses has other bits";
   // What no formula tells is the business of another sweep.
   return by_formula ? distance_fault(pair) : "";
 }

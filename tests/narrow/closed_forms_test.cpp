@@ -236,13 +236,33 @@ TEST(ShapesAndPoses, AnswerAsPosedOnesAtEveryLevel) {
         for (int round = 0; round < test::fewer_under_tsan(20); ++round) {
           Random random(++seed);
           const ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
-          const std::optional<bool> given = test::overlap_of_given(pair);
-          ASSERT_TRUE(given.has_value());
-          ASSERT_EQ(*given, overlap(test::posed(pair.a), test::posed(pair.b)))
-              << name_of(level) << ", seed " << seed << ", " << to_text(pair);
+          SCOPED_TRACE(std::string(name_of(level)) + ", seed " + std::to_string(seed) + ", " + to_text(pair));
+          const auto given = test::answers_of_given(pair), typed = test::typed_answers(pair);
+          ASSERT_TRUE(given && typed);
+          ASSERT_EQ(given->overlap, overlap(test::posed(pair.a), test::posed(pair.b)));
+          const bool by_formula = is_known(distance_of_primitives(test::posed(pair.a), test::posed(pair.b)));
+          ASSERT_TRUE(test::same_answer(given->distance, typed->distance, by_formula));
         }
   }
   use_simd_level(before);
+}
+
+template <class Question>
+std::string message_of(const Question& question) {
+  try {
+    static_cast<void>(question());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// What overlap says, if distance says the same.
+template <class A, class B>
+std::string refusal(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b) {
+  const std::string message = message_of([&] { return overlap(a, pose_a, b, pose_b); });
+  EXPECT_EQ(message_of([&] { return distance(a, pose_a, b, pose_b); }), message);
+  return message;
 }
 
 TEST(ShapesAndPoses, BadOnesAreRefused) {
@@ -252,37 +272,28 @@ TEST(ShapesAndPoses, BadOnesAreRefused) {
   const Box box({1, 1, 1});
   const Capsule capsule({0, 0, -1}, {0, 0, 1}, 1);
   const Triangle triangle{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}};
-  const auto message_of = [](const auto& question) -> std::string {
-    try {
-      static_cast<void>(question());
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
-  };
   for (const Pose& bad : {stretching, lost, endless}) {
     const std::string of_ball = message_of([&] { return PosedSphere(ball, bad); });
     ASSERT_NE(of_ball, "");
-    EXPECT_EQ(message_of([&] { return overlap(ball, bad, ball, {}); }), of_ball);
-    EXPECT_EQ(message_of([&] { return overlap(ball, {}, ball, bad); }), of_ball);
-    EXPECT_EQ(message_of([&] { return overlap(ball, bad, box, {}); }), of_ball);
-    EXPECT_EQ(message_of([&] { return overlap(ball, bad, triangle, {}); }), of_ball);
-    EXPECT_EQ(message_of([&] { return overlap(ball, bad, capsule, {}); }), of_ball);
+    EXPECT_EQ(refusal(ball, bad, ball, {}), of_ball);
+    EXPECT_EQ(refusal(ball, {}, ball, bad), of_ball);
+    EXPECT_EQ(refusal(ball, bad, box, {}), of_ball);
+    EXPECT_EQ(refusal(ball, bad, triangle, {}), of_ball);
+    EXPECT_EQ(refusal(ball, bad, capsule, {}), of_ball);
     const std::string of_capsule = message_of([&] { return PosedCapsule(capsule, bad); });
-    EXPECT_EQ(message_of([&] { return overlap(ball, {}, capsule, bad); }), of_capsule);
-    EXPECT_EQ(message_of([&] { return overlap(capsule, bad, capsule, {}); }), of_capsule);
-    EXPECT_EQ(message_of([&] { return overlap(capsule, {}, capsule, bad); }), of_capsule);
+    EXPECT_EQ(refusal(ball, {}, capsule, bad), of_capsule);
+    EXPECT_EQ(refusal(capsule, bad, capsule, {}), of_capsule);
+    EXPECT_EQ(refusal(capsule, {}, capsule, bad), of_capsule);
   }
   for (const Pose& bad : {lost, endless}) {
-    EXPECT_EQ(message_of([&] { return overlap(ball, {}, box, bad); }), message_of([&] { return PosedBox(box, bad); }));
-    EXPECT_EQ(message_of([&] { return overlap(ball, {}, triangle, bad); }),
-              message_of([&] { return PosedConvex(triangle, bad); }));
+    EXPECT_EQ(refusal(ball, {}, box, bad), message_of([&] { return PosedBox(box, bad); }));
+    EXPECT_EQ(refusal(ball, {}, triangle, bad), message_of([&] { return PosedConvex(triangle, bad); }));
   }
   // A box may be stretched, but not flattened, and no corner may be beyond all numbers.
   EXPECT_TRUE(overlap(ball, Pose::translation(3, 0, 0), box, stretching));
   EXPECT_FALSE(overlap(ball, Pose::translation(std::nextafter(3, 4), 0, 0), box, stretching));
-  EXPECT_NE(message_of([&] { return overlap(ball, {}, box, Pose{Mat3{{Vec3{}, Vec3{}, Vec3{}}}, {}}); }), "");
-  EXPECT_NE(message_of([&] { return overlap(ball, {}, Box({1e308, 1, 1}), Pose::translation(1.7e308, 0, 0)); }), "");
+  EXPECT_NE(refusal(ball, {}, box, Pose{Mat3{{Vec3{}, Vec3{}, Vec3{}}}, {}}), "");
+  EXPECT_NE(refusal(ball, {}, Box({1e308, 1, 1}), Pose::translation(1.7e308, 0, 0)), "");
 }
 
 }  // namespace

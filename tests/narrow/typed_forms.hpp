@@ -23,18 +23,6 @@ struct TypedAnswers {
   Distance distance{};
 };
 
-/// By the functions that take shapes and their poses; nothing where there are none, in this order.
-inline std::optional<bool> overlap_of_given(const ConvexCase& pair) {
-  return std::visit(
-      [&](const auto& a, const auto& b) -> std::optional<bool> {
-        if constexpr (requires { overlap(a, pair.a.pose, b, pair.b.pose); })
-          return overlap(a, pair.a.pose, b, pair.b.pose);
-        else
-          return {};
-      },
-      pair.a.shape, pair.b.shape);
-}
-
 /// Which common point of two cores the search names may depend on the frames that its shapes come from; a formula does
 /// not know them.
 inline bool same_answer(const Distance& typed, const Distance& generic, bool by_formula) {
@@ -56,6 +44,18 @@ inline std::optional<TypedAnswers> typed_answers(const ConvexCase& pair) {
         } else {
           return {};
         }
+      },
+      pair.a.shape, pair.b.shape);
+}
+
+/// By the functions that take shapes and their poses; nothing where there are none, in this order.
+inline std::optional<TypedAnswers> answers_of_given(const ConvexCase& pair) {
+  return std::visit(
+      [&](const auto& a, const auto& b) -> std::optional<TypedAnswers> {
+        if constexpr (requires { distance(a, pair.a.pose, b, pair.b.pose); })
+          return TypedAnswers{overlap(a, pair.a.pose, b, pair.b.pose), distance(a, pair.a.pose, b, pair.b.pose)};
+        else
+          return {};
       },
       pair.a.shape, pair.b.shape);
 }

@@ -15,6 +15,7 @@ namespace toccata {
 [[nodiscard]] bool overlap(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 
 [[nodiscard]] Distance distance(const PosedCapsule& a, const PosedCapsule& b);
+[[nodiscard]] Distance distance(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 [[nodiscard]] Distance distance(const PosedCapsule& a, const Segment& b);
 [[nodiscard]] Distance distance(const PosedCapsule& a, const Triangle& b);
 [[nodiscard]] Distance distance(const PosedCapsule& a, const PosedBox& b);

@@ -30,6 +30,13 @@ namespace toccata {
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedBox& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedCapsule& b);
 
+// The same bits, of shapes and poses, as for overlap.
+[[nodiscard]] Distance distance(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b);
+/// The triangle in its own frame.
+[[nodiscard]] Distance distance(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b);
+[[nodiscard]] Distance distance(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
+[[nodiscard]] Distance distance(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
+
 /// A plane against any bounded convex shape: has it vertices on both sides, or one nearer than its radius? Exact.
 [[nodiscard]] bool overlap(const PosedConvex& a, const Plane& b);
 
