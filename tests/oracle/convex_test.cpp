@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "oracle/triangles.hpp"
 #include "toccata/core/random.hpp"
 
@@ -134,6 +136,43 @@ TEST(OracleConvex, RandomHullsAgreeWithTheirFlip) {
     relation_both_ways(rounded(a, 1), rounded(b, 0.5));
     relation_both_ways(rounded(a, 1), b);
   }
+}
+
+/// By the planes through every three points of the body that have all others on one side.
+bool ball_is_in(const RationalPoint& centre, const Rational& radius, const std::vector<RationalPoint>& body) {
+  for (const RationalPoint& p : body)
+    for (const RationalPoint& q : body)
+      for (const RationalPoint& r : body) {
+        const HalfSpace h = half_space(p, cross(q - p, r - p));
+        if (is_zero(h.normal)) continue;
+        if (!std::ranges::all_of(body, [&](const RationalPoint& v) { return height_above(h, v) <= 0; })) continue;
+        const Rational height = height_above(h, centre);
+        if (height > 0 || height * height < radius * radius * dot(h.normal, h.normal)) return false;
+      }
+  return true;
+}
+
+// On a small grid many points are equal, in line or in one plane.
+TEST(OracleConvex, BallsLieInHullsWithinAllTheirPlanes) {
+  const std::uint64_t seed = 4;
+  Random random(seed);
+  const auto whole = [&](std::uint64_t size) { return static_cast<double>(random.below(size)); };
+  int inside = 0;
+  for (int round = 0; round < 150; ++round) {
+    std::vector<Vec3> points(5 + random.below(9));
+    for (Vec3& v : points) {
+      const double x = whole(5), y = whole(5);
+      v = {x, y, whole(5)};
+    }
+    const ConvexSet hull = hull_set(points);
+    if (!is_solid(hull)) continue;
+    const double x = 1 + whole(3), y = 1 + whole(3);
+    const ConvexSet ball = sphere_set({x, y, 1 + whole(3)}, (1 + whole(8)) / 8);
+    const bool truth = ball_is_in(ball.vertices[0], ball.radius, hull.vertices);
+    ASSERT_EQ(relation(ball, hull) == overlapping(Containment::a_in_b), truth) << "seed " << seed << " round " << round;
+    inside += truth ? 1 : 0;
+  }
+  EXPECT_GT(inside, 10);
 }
 
 TEST(OracleConvex, AgreesWithTheClippingOfTriangles) {

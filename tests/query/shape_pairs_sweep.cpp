@@ -119,7 +119,7 @@ std::vector<std::string> cells() {
   return all;
 }
 
-const bool known = register_sweep({"shape-pairs", cells(), cell_goal, cell_round, run, cell_shard});
+const bool known = register_sweep({"shape-pairs", cells(), cell_goal, 10 * cell_round, run, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test
