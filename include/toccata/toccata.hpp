@@ -96,6 +96,7 @@
 #include "toccata/shapes/triangle.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/walk.hpp"
 #include "toccata/trees/wide_tree.hpp"

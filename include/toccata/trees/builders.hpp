@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "toccata/bounds/volume.hpp"
+#include "toccata/core/index.hpp"
+#include "toccata/trees/tree.hpp"
+
+namespace toccata {
+
+/// How a hierarchy over triangles is found. None depends on the volume: every method serves every volume. Of sizes over
+/// hundreds of orders of magnitude agglomeration and insertion make deep trees; walks keep stacks of their own.
+enum class TreeMethod {
+  /// From the top down by the plane through the mean across the direction of greatest variance, else of the next
+  /// (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996); in halves where no such plane parts the centroids.
+  mean,
+  /// From the top down into halves, by the order along the longest axis of the centroids.
+  median,
+  /// From the top down where the surface-area heuristic is least (build.hpp).
+  heuristic,
+  /// From the bottom up: of neighbours along a space-filling curve those are merged that are each other's nearest (D.
+  /// Meister, J. Bittner, "Parallel locally-ordered clustering for bounding volume hierarchy construction", 2018).
+  ///
+  agglomeration,
+  /// One by one, each where it makes the boxes grow least (J. Goldsmith, J. Salmon, "Automatic creation of object
+  /// hierarchies for ray tracing", 1987).
+  insertion,
+  /// Along a space-filling curve, split where its codes differ first (C. Lauterbach, M. Garland, S. Sengupta, D.
+  /// Luebke,
+  /// D. Manocha, "Fast BVH construction on GPUs", 2009).
+  morton,
+};
+
+/// From the top down by a stack of tasks or by functions that call themselves: the same tree.
+enum class TreeDriver { iterative, recursive };
+
+struct TreeOptions {
+  TreeMethod method = TreeMethod::heuristic;
+  Index leaf_size = 1;  ///< at most this many triangles in a leaf; at least 1
+  TreeDriver driver = TreeDriver::iterative;
+};
+
+struct NoVolume {};
+
+/// A hierarchy before volumes are put around its nodes. Items are in the order of the leaves, so that those below a
+/// node are a run of them.
+struct TreeShape {
+  std::vector<TreeNode<NoVolume>> nodes;
+  std::vector<Index> items;
+};
+
+/// With up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
+/// another arity, and for coordinates that are not finite or above 2^1000.
+[[nodiscard]] TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const TreeOptions& options);
+
+/// The items below every node, as runs of the items' order.
+struct ItemRun {
+  Index first = 0;
+  Index count = 0;
+};
+[[nodiscard]] std::vector<ItemRun> item_runs(const TreeShape& shape);
+
+/// A hierarchy of which every node's volume is fitted to the triangles below it.
+template <BoundingVolume Volume, int Arity = 2>
+[[nodiscard]] Tree<Volume, Arity> build_tree(std::span<const Triangle> triangles, const TreeOptions& options = {}) {
+  const TreeShape shape = build_tree_shape(triangles, Arity, options);
+  std::vector<Triangle> ordered;
+  ordered.reserve(triangles.size());
+  for (const Index item : shape.items) ordered.push_back(triangles[item]);
+  Tree<Volume, Arity> tree;
+  tree.items = shape.items;
+  tree.nodes.reserve(shape.nodes.size());
+  const std::vector<ItemRun> runs = item_runs(shape);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const TreeNode<NoVolume>& node = shape.nodes[i];
+    const auto below = std::span<const Triangle>(ordered).subspan(runs[i].first, runs[i].count);
+    tree.nodes.push_back({fit<Volume>(below), node.first, node.count, node.child_count});
+  }
+  return tree;
+}
+
+/// How even a hierarchy is.
+struct TreeBalance {
+  std::size_t nodes = 0;
+  std::size_t leaves = 0;
+  int least_depth = 0;  ///< of a leaf; the root's is 0
+  int greatest_depth = 0;
+  double mean_depth = 0;
+  int best_depth = 0;  ///< the least greatest depth that so many leaves can have
+};
+
+[[nodiscard]] TreeBalance balance_of(const TreeShape& shape, int arity);
+
+template <class Volume, int Arity>
+[[nodiscard]] TreeBalance balance_of(const Tree<Volume, Arity>& tree) {
+  TreeShape shape;
+  for (const auto& node : tree.nodes) shape.nodes.push_back({{}, node.first, node.count, node.child_count});
+  return balance_of(shape, Arity);
+}
+
+/// What refitting did. Once the nodes together have grown to twice what they were when the tree was built, walks visit
+/// about twice as many, and building anew pays.
+struct Refit {
+  std::size_t volumes_updated = 0;
+  double growth = 1;  ///< the sum of half_area over all nodes, relative to that before; 1 where that was 0
+  [[nodiscard]] bool should_rebuild() const { return growth > 2; }
+};
+
+/// Puts the volumes around triangles that have moved: leaves are fitted anew, inner nodes merged from their children,
+/// from the last node to the first. `triangles` are numbered as when the tree was built.
+template <BoundingVolume Volume, int Arity>
+Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
+  double before = 0, after = 0;
+  std::vector<Triangle> below;
+  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+    TreeNode<Volume>& node = tree.nodes[i];
+    before += half_area(node.volume);
+    if (node.is_leaf()) {
+      below.clear();
+      for (Index k = 0; k < node.count; ++k) below.push_back(triangles[tree.items[node.first + k]]);
+      node.volume = fit<Volume>(std::span<const Triangle>(below));
+    } else {
+      Volume merged = tree.nodes[node.first].volume;
+      for (Index k = 1; k < node.child_count; ++k) merged = merge(merged, tree.nodes[node.first + k].volume);
+      node.volume = merged;
+    }
+    after += half_area(node.volume);
+  }
+  return {tree.nodes.size(), before > 0 ? after / before : 1};
+}
+
+}  // namespace toccata

@@ -1,0 +1,181 @@
+#include "toccata/trees/builders.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "bounds/point_clouds.hpp"
+#include "toccata/core/error.hpp"
+#include "trees/binary_shape.hpp"
+
+namespace toccata {
+namespace {
+
+/// In a unit in which areas neither under- nor overflow; a power of two, so that nothing else changes.
+ShapeItems items_of(std::span<const Triangle> triangles) {
+  const double factor = CloudScale(fit<Aabb>(triangles)).factor;
+  ShapeItems items;
+  for (const Triangle& t : triangles) {
+    const Triangle scaled{{factor * t[0], factor * t[1], factor * t[2]}};
+    items.triangles.push_back(scaled);
+    items.boxes.push_back(fit_aabb(scaled.vertex));
+    items.centroids.push_back(((1.0 / 3) * scaled[0] + (1.0 / 3) * scaled[1]) + (1.0 / 3) * scaled[2]);
+  }
+  return items;
+}
+
+BinaryShape binary_shape(const ShapeItems& items, const TreeOptions& options) {
+  switch (options.method) {
+    case TreeMethod::mean:
+    case TreeMethod::median:
+      return shape_from_top(items, options.method, options.driver);
+    case TreeMethod::heuristic:
+      return shape_by_heuristic(items);
+    case TreeMethod::agglomeration:
+      return shape_by_agglomeration(items);
+    case TreeMethod::insertion:
+      return shape_by_insertion(items);
+    case TreeMethod::morton:
+      break;
+  }
+  return shape_by_codes(items);
+}
+
+/// Parents before their children.
+std::vector<Index> from_root(const BinaryShape& shape) {
+  std::vector<Index> order{shape.root};
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (const Fork& fork = shape.forks[order[i]]; !fork.is_leaf()) {
+      order.push_back(fork.left);
+      order.push_back(fork.right);
+    }
+  return order;
+}
+
+std::vector<Index> counts_below(const BinaryShape& shape) {
+  std::vector<Index> counts(shape.forks.size(), 1);
+  const std::vector<Index> order = from_root(shape);
+  for (std::size_t i = order.size(); i-- > 0;)
+    if (const Fork& fork = shape.forks[order[i]]; !fork.is_leaf())
+      counts[order[i]] = counts[fork.left] + counts[fork.right];
+  return counts;
+}
+
+/// Gives a binary shape its arity and leaf size, and puts it into the order of trees.
+class Arranger {
+ public:
+  Arranger(const BinaryShape& binary, Index arity, Index leaf_size)
+      : binary_(binary), counts_(counts_below(binary)), arity_(arity), leaf_size_(std::max<Index>(leaf_size, 1)) {}
+
+  TreeShape arrange() {
+    add_node();
+    std::vector<Task> tasks{{binary_.root, 0}};
+    while (!tasks.empty()) {
+      const Task task = tasks.back();
+      tasks.pop_back();
+      if (counts_[task.fork] <= leaf_size_) {
+        make_leaf(task);
+        continue;
+      }
+      const std::vector<Index> children = children_of(task.fork);
+      TreeNode<NoVolume>& node = shape_.nodes[task.node];
+      node.first = static_cast<Index>(shape_.nodes.size());
+      node.child_count = static_cast<Index>(children.size());
+      const Index first = node.first;
+      for (std::size_t i = 0; i < children.size(); ++i) add_node();
+      // The last on the stack is the next: so items get into the order of the leaves.
+      for (Index i = static_cast<Index>(children.size()); i-- > 0;) tasks.push_back({children[i], first + i});
+    }
+    return std::move(shape_);
+  }
+
+ private:
+  struct Task {
+    Index fork;
+    Index node;
+  };
+
+  void add_node() { shape_.nodes.emplace_back(); }
+
+  /// Of a fork with more items than a leaf may have: the child with most items gives way to its own children, as long
+  /// as there is room.
+  [[nodiscard]] std::vector<Index> children_of(Index fork) const {
+    std::vector<Index> children{binary_.forks[fork].left, binary_.forks[fork].right};
+    while (children.size() < arity_) {
+      const auto largest =
+          std::max_element(children.begin(), children.end(), [&](Index i, Index j) { return counts_[i] < counts_[j]; });
+      if (counts_[*largest] <= leaf_size_) break;
+      const Fork& opened = binary_.forks[*largest];
+      *largest = opened.left;
+      children.insert(largest + 1, opened.right);
+    }
+    return children;
+  }
+
+  void make_leaf(const Task& task) {
+    TreeNode<NoVolume>& node = shape_.nodes[task.node];
+    node.first = static_cast<Index>(shape_.items.size());
+    node.count = counts_[task.fork];
+    std::vector<Index> open{task.fork};
+    while (!open.empty()) {
+      const Fork& fork = binary_.forks[open.back()];
+      open.pop_back();
+      if (fork.is_leaf()) {
+        shape_.items.push_back(fork.item);
+      } else {
+        open.push_back(fork.right);
+        open.push_back(fork.left);
+      }
+    }
+  }
+
+  const BinaryShape& binary_;
+  std::vector<Index> counts_;
+  Index arity_;
+  Index leaf_size_;
+  TreeShape shape_;
+};
+
+}  // namespace
+
+TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const TreeOptions& options) {
+  if (arity < 2 || arity > 8)
+    throw Error("a tree has 2 to 8 children a node, not " + std::to_string(arity) + "; choose another arity");
+  if (triangles.empty()) return {};
+  const BinaryShape binary = binary_shape(items_of(triangles), options);
+  return Arranger(binary, static_cast<Index>(arity), options.leaf_size).arrange();
+}
+
+std::vector<ItemRun> item_runs(const TreeShape& shape) {
+  std::vector<ItemRun> runs(shape.nodes.size());
+  for (std::size_t i = shape.nodes.size(); i-- > 0;) {
+    const TreeNode<NoVolume>& node = shape.nodes[i];
+    if (node.is_leaf()) {
+      runs[i] = {node.first, node.count};
+      continue;
+    }
+    runs[i].first = runs[node.first].first;
+    for (Index k = 0; k < node.child_count; ++k) runs[i].count += runs[node.first + k].count;
+  }
+  return runs;
+}
+
+TreeBalance balance_of(const TreeShape& shape, int arity) {
+  TreeBalance balance;
+  balance.nodes = shape.nodes.size();
+  std::vector<int> depths(shape.nodes.size(), 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+    const TreeNode<NoVolume>& node = shape.nodes[i];
+    for (Index k = 0; k < node.child_count; ++k) depths[node.first + k] = depths[i] + 1;
+    if (!node.is_leaf()) continue;
+    balance.least_depth = balance.leaves == 0 ? depths[i] : std::min(balance.least_depth, depths[i]);
+    balance.greatest_depth = std::max(balance.greatest_depth, depths[i]);
+    ++balance.leaves;
+    sum += depths[i];
+  }
+  if (balance.leaves > 0) balance.mean_depth = sum / static_cast<double>(balance.leaves);
+  for (std::size_t room = 1; room < balance.leaves; room *= static_cast<std::size_t>(arity)) ++balance.best_depth;
+  return balance;
+}
+
+}  // namespace toccata

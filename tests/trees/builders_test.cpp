@@ -1,0 +1,202 @@
+#include "toccata/trees/builders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "toccata/bounds/ball.hpp"
+#include "toccata/bounds/kdop.hpp"
+#include "toccata/bounds/obb.hpp"
+#include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/trees/walk.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::array all_methods{TreeMethod::mean,          TreeMethod::median,    TreeMethod::heuristic,
+                                 TreeMethod::agglomeration, TreeMethod::insertion, TreeMethod::morton};
+
+const std::vector<std::string> regimes = {"random", "same", "line", "grid", "graded", "huge"};
+
+/// same: all triangles coincide; grid: many equal distances; graded: sizes from 1 to 1e-300.
+std::vector<Triangle> triangles_of(const std::string& regime, Random& random, std::size_t count) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto number = [&] { return random.between(-1, 1); };
+    const double x = number(), y = number(), z = number();
+    Vec3 place = 10 * Vec3{x, y, z};
+    double size = 1;
+    if (regime == "same") place = {};
+    if (regime == "line") place = {place.x, 0, 0};
+    if (regime == "grid") place = {std::floor(place.x), std::floor(place.y), 0};
+    if (regime == "graded") size = std::ldexp(1.0, -static_cast<int>(random.below(990)));
+    if (regime == "huge") size = 0x1p990;
+    const Vec3 p = size * place;
+    triangles.push_back({{p, p + Vec3{size, 0, 0}, p + Vec3{0, size, size}}});
+  }
+  return triangles;
+}
+
+std::string text_of(TreeMethod method, const std::string& regime) {
+  return "method " + std::to_string(static_cast<int>(method)) + ", " + regime;
+}
+
+/// Every item once, children after their parents, arity and leaf size kept, every volume around its items.
+template <class Volume, int Arity>
+void expect_valid(const Tree<Volume, Arity>& tree, const std::vector<Triangle>& triangles, Index leaf_size) {
+  std::vector<Index> items = tree.items;
+  std::sort(items.begin(), items.end());
+  ASSERT_EQ(items.size(), triangles.size());
+  for (Index i = 0; i < items.size(); ++i) ASSERT_EQ(items[i], i);
+  std::vector<int> parents(tree.nodes.size(), 0);
+  std::vector<std::vector<Index>> below(tree.nodes.size());
+  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+    const TreeNode<Volume>& node = tree.nodes[i];
+    if (node.is_leaf()) {
+      ASSERT_LE(node.count, leaf_size);
+      below[i].assign(tree.items.begin() + node.first, tree.items.begin() + node.first + node.count);
+    } else {
+      ASSERT_GE(node.child_count, 2U);
+      ASSERT_LE(node.child_count, static_cast<Index>(Arity));
+      for (Index k = 0; k < node.child_count; ++k) {
+        ASSERT_GT(node.first + k, i);
+        ++parents[node.first + k];
+        below[i].insert(below[i].end(), below[node.first + k].begin(), below[node.first + k].end());
+      }
+    }
+    for (const Index item : below[i])
+      for (const Vec3& corner : triangles[item].vertex) ASSERT_TRUE(contains(node.volume, corner));
+  }
+  EXPECT_EQ(std::count(parents.begin(), parents.end(), 1), static_cast<std::ptrdiff_t>(tree.nodes.size()) - 1);
+}
+
+template <class Volume, int Arity>
+void expect_all_methods_valid() {
+  for (const std::string& regime : regimes)
+    for (const TreeMethod method : all_methods) {
+      SCOPED_TRACE(text_of(method, regime));
+      Random random(11);
+      for (const std::size_t count : {1U, 2U, 3U, 40U}) {
+        const std::vector<Triangle> triangles = triangles_of(regime, random, count);
+        for (const Index leaf_size : {1U, 3U})
+          expect_valid(build_tree<Volume, Arity>(triangles, {.method = method, .leaf_size = leaf_size}), triangles,
+                       leaf_size);
+      }
+    }
+}
+
+TEST(Builders, MakeValidTreesOfAnyArityAndVolume) {
+  expect_all_methods_valid<Aabb, 2>();
+  expect_all_methods_valid<Obb, 2>();
+  expect_all_methods_valid<Rss, 4>();
+  expect_all_methods_valid<Kdop<18>, 8>();
+  expect_all_methods_valid<Ball, 3>();
+}
+
+struct OverlapCount {
+  const std::vector<Triangle>* a;
+  const std::vector<Triangle>* b;
+  std::vector<ItemPair> found{};
+  template <class V>
+  double bound(const V& x, const V& y) const {
+    return overlap(x, y) ? 0 : std::numeric_limits<double>::infinity();
+  }
+  double limit() const { return 0; }
+  void visit(std::span<const ItemPair> pairs) {
+    for (const ItemPair& pair : pairs)
+      if (overlap(fit<Kdop<14>>((*a)[pair.first].vertex), fit<Kdop<14>>((*b)[pair.second].vertex)))
+        found.push_back(pair);
+  }
+};
+
+TEST(Builders, WalksFindTheSamePairsInAllOfThem) {
+  Random random(3);
+  const std::vector<Triangle> a = triangles_of("random", random, 300), b = triangles_of("random", random, 300);
+  OverlapCount brute{&a, &b};
+  std::vector<ItemPair> all;
+  for (Index i = 0; i < a.size(); ++i)
+    for (Index j = 0; j < b.size(); ++j) all.push_back({i, j});
+  brute.visit(all);
+  ASSERT_GT(brute.found.size(), 20U);
+  for (const TreeMethod method : all_methods) {
+    SCOPED_TRACE(text_of(method, "random"));
+    OverlapCount walked{&a, &b};
+    const WalkCounts counts = walk_pair(build_tree<Kdop<14>, 4>(a, {.method = method, .leaf_size = 2}),
+                                        build_tree<Kdop<14>, 2>(b, {.method = method}), walked);
+    std::sort(walked.found.begin(), walked.found.end());
+    EXPECT_EQ(walked.found, brute.found);
+    EXPECT_LT(counts.items, all.size() / 2);
+  }
+}
+
+TEST(Builders, TheRecursiveAndTheIterativeDriverMakeTheSameTree) {
+  for (const std::string& regime : regimes)
+    for (const TreeMethod method : {TreeMethod::mean, TreeMethod::median}) {
+      SCOPED_TRACE(text_of(method, regime));
+      Random random(5);
+      const std::vector<Triangle> triangles = triangles_of(regime, random, 200);
+      const auto one = build_tree<Aabb>(triangles, {.method = method, .driver = TreeDriver::iterative});
+      const auto other = build_tree<Aabb>(triangles, {.method = method, .driver = TreeDriver::recursive});
+      EXPECT_EQ(one.items, other.items);
+      ASSERT_EQ(one.nodes.size(), other.nodes.size());
+      for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+        EXPECT_EQ(one.nodes[i].volume, other.nodes[i].volume);
+        EXPECT_EQ(one.nodes[i].first, other.nodes[i].first);
+      }
+    }
+}
+
+TEST(Builders, ReportBalance) {
+  Random random(6);
+  const std::vector<Triangle> triangles = triangles_of("random", random, 64);
+  const TreeBalance even = balance_of(build_tree<Aabb>(triangles, {.method = TreeMethod::median}));
+  EXPECT_EQ(even.leaves, 64U);
+  EXPECT_EQ(even.nodes, 127U);
+  EXPECT_EQ(even.least_depth, 6);
+  EXPECT_EQ(even.greatest_depth, 6);
+  EXPECT_EQ(even.best_depth, 6);
+  EXPECT_EQ(balance_of(build_tree<Aabb, 8>(triangles, {.method = TreeMethod::median})).greatest_depth, 2);
+  // Nothing makes a list from the top down or along the curve, and from the bottom up only sizes over hundreds of
+  // orders of magnitude do.
+  for (const TreeMethod method : all_methods)
+    for (const char* regime : {"graded", "same", "line"}) {
+      const bool upwards = method == TreeMethod::agglomeration || method == TreeMethod::insertion;
+      if (upwards && regime == std::string("graded")) continue;
+      SCOPED_TRACE(text_of(method, regime));
+      const std::vector<Triangle> many = triangles_of(regime, random, 500);
+      EXPECT_LT(balance_of(build_tree<Aabb>(many, {.method = method})).greatest_depth, 120);
+    }
+}
+
+TEST(Builders, ANothingIsAnEmptyTreeAndAnUnknownArityAnError) {
+  const std::vector<Triangle> none;
+  EXPECT_TRUE((build_tree<Obb, 4>(none).nodes.empty()));
+  EXPECT_EQ(balance_of(build_tree<Aabb>(none)).leaves, 0U);
+  EXPECT_THROW(static_cast<void>(build_tree_shape(none, 1, {})), Error);
+  EXPECT_THROW(static_cast<void>(build_tree_shape(none, 9, {})), Error);
+}
+
+TEST(Refit, HoldsWhatHasMovedAndTellsWhenToRebuild) {
+  Random random(7);
+  const std::vector<Triangle> before = triangles_of("random", random, 200);
+  auto tree = build_tree<Aabb, 4>(before, {.leaf_size = 2});
+  const auto built = tree;
+  const Refit still = refit(tree, before);
+  EXPECT_EQ(still.volumes_updated, tree.nodes.size());
+  EXPECT_EQ(still.growth, 1);
+  EXPECT_FALSE(still.should_rebuild());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) EXPECT_EQ(tree.nodes[i].volume, built.nodes[i].volume);
+  // Every triangle goes where another was: nothing of the order is left.
+  std::vector<Triangle> shuffled = before;
+  for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+  EXPECT_TRUE(refit(tree, shuffled).should_rebuild());
+  expect_valid(tree, shuffled, 2);
+  auto oriented = build_tree<Obb>(before);
+  refit(oriented, shuffled);
+  expect_valid(oriented, shuffled, 1);
+}
+
+}  // namespace
+}  // namespace toccata
