@@ -84,6 +84,20 @@ TEST(MeshDistance, OfBoxesIsThatOfTheBoxes) {
   EXPECT_EQ(distance(a, a).upper, 0);
 }
 
+TEST(MeshDistance, OfNestedShellsAndHelicesIsRightAtEveryGap) {
+  const TriangleMesh shell = generate_mesh("noise-sphere", {{"subdivisions", 1}});
+  const TriangleMesh helix = generate_mesh("helix", {{"turns", 1}, {"steps-per-turn", 12}, {"sides", 4}});
+  for (const double gap : {1e-2, 1e-5, 1e-8, 1e-12}) {
+    SCOPED_TRACE(gap);
+    const Model outer(shell), inner(scaled_mesh(shell, 1 - gap));
+    EXPECT_EQ(test::fault_of_surface_distance(outer, inner, {}), "");
+    EXPECT_EQ(distance(outer, inner).upper, 0);
+    const Model coil(helix);
+    const PairQuery lifted{.pose_b = Pose::translation(0, 0, 2 + gap)};
+    EXPECT_EQ(test::fault_of_surface_distance(coil, coil, lifted), "");
+  }
+}
+
 /// Of a mesh and another shape, the least over the triangles.
 void expect_least_of_triangles(const Model& mesh, const Model& shape, const PairQuery& query) {
   const Distance found = distance(mesh, shape, query);
