@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "math/world_vertex.hpp"
 #include "narrow/triangle_gaps.hpp"
 #include "query/near_view.hpp"
 #include "query/pair_search.hpp"
@@ -39,6 +40,24 @@ void put(TrianglePairBlock::Corners& corners, std::size_t lane, const Triangle& 
   for (std::size_t i = 0; i < 3; ++i)
     for (int axis = 0; axis < 3; ++axis) corners[i][static_cast<std::size_t>(axis)][lane] = triangle.vertex[i][axis];
 }
+
+/// World triangles for a loop over many.
+class WorldTriangles {
+ public:
+  explicit WorldTriangles(const PosedMesh& mesh)
+      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {}
+
+  Triangle operator[](Index number) const {
+    const auto& corner = triangles_[number];
+    return {{world_vertex(pose_, vertices_[corner[0]]), world_vertex(pose_, vertices_[corner[1]]),
+             world_vertex(pose_, vertices_[corner[2]])}};
+  }
+
+ private:
+  Pose pose_;
+  std::span<const Vec3> vertices_;
+  std::span<const std::array<Index, 3>> triangles_;
+};
 
 /// Keeps the pairs of triangles that may be the nearest; ends when two meet.
 class NearestTriangles final : public NearQuestion {
@@ -84,7 +103,7 @@ class NearestTriangles final : public NearQuestion {
   };
 
   [[nodiscard]] Distance exact(const ItemPair& pair) const {
-    return distance(convex(a_, pair.first), convex(b_, pair.second));
+    return distance(PosedConvex(a_[pair.first]), PosedConvex(b_[pair.second]));
   }
 
   static bool is_narrow(double lower, double upper) { return upper - lower <= 0.9 * interval_width * upper; }
@@ -100,7 +119,7 @@ class NearestTriangles final : public NearQuestion {
   /// The triangles of a pair that do not meet: so it is told which comes first, and what is computed of them is the
   /// same either way round.
   [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const {
-    const Triangle x = a_.triangle(pair.first), y = b_.triangle(pair.second);
+    const Triangle x = a_[pair.first], y = b_[pair.second];
     return lexicographically_less(x[0], y[0]) ? std::pair(x, y) : std::pair(y, x);
   }
 
@@ -130,12 +149,10 @@ class NearestTriangles final : public NearQuestion {
     if (!(candidate.lower > limit_)) candidates_.push_back(candidate);
   }
 
-  [[nodiscard]] bool meet(const ItemPair& pair) const {
-    return overlap(a_.triangle(pair.first), b_.triangle(pair.second));
-  }
+  [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
 
-  const PosedMesh& a_;
-  const PosedMesh& b_;
+  WorldTriangles a_;
+  WorldTriangles b_;
   TrianglePairBlock& block_;
   TriangleGaps gaps_{};
   std::vector<NearCandidate>& candidates_;

@@ -279,6 +279,7 @@ class Run {
     while (limit_part_ >= 0 && (boxes != NearFrontier::none || items != NearFrontier::none)) {
       while (boxes != NearFrontier::none) {
         const NearFrontier::Entry entry = pop(boxes);
+        if (boxes != NearFrontier::none) ask_for_boxes(f_.entries[boxes]);
         if (!is_beyond(entry.bound)) open(entry);
       }
       while (items != NearFrontier::none) {
@@ -288,6 +289,18 @@ class Run {
       }
       hand_on();
     }
+  }
+
+  /// Asks for the memory of an entry before its turn comes.
+  void ask_for_boxes(const NearFrontier::Entry& entry) const {
+    const std::size_t side = entry.first & 1U;
+    prefetch(block(side, entry.first >> 1));
+    prefetch(block(side ^ 1, entry.second >> 3));
+  }
+
+  static void prefetch(const OrientedBlock& block) {
+    const auto* bytes = reinterpret_cast<const char*>(&block);
+    for (std::size_t line = 0; line < sizeof(OrientedBlock); line += 64) __builtin_prefetch(bytes + line);
   }
 
   void open(const NearFrontier::Entry& entry) {
