@@ -7,6 +7,7 @@
 
 #include "narrow/box_axes.hpp"
 #include "narrow/canonical_order.hpp"
+#include "narrow/contact_faces.hpp"
 #include "narrow/convex_containment.hpp"
 #include "narrow/convex_parting.hpp"
 #include "narrow/core_parting.hpp"
@@ -17,17 +18,25 @@
 namespace toccata {
 namespace {
 
-/// The points of two crossing lines that are nearest to each other, from a point and a direction of each.
-void find_points_of_edges(CoreParting& parting, const DifferenceBody& body, const PolyhedronAxes::Edge& e,
-                          const PolyhedronAxes::Edge& f) {
+/// The points of two edges that are nearest to each other; false where their lines are nearest elsewhere: the edges of
+/// two faces that lie across the direction.
+bool find_points_of_edges(CoreParting& parting, const PosedConvex& a, const PosedConvex& b, const PolyhedronAxes& axes,
+                          const PolyhedronAxes::Edge& e, const PolyhedronAxes::Edge& f) {
+  const DifferenceBody& body = axes.body();
   const auto in_world = [&](const Vec3& v) { return Vec3{body.unscaled(v.x), body.unscaled(v.y), body.unscaled(v.z)}; };
-  const Vec3 p = body.a()[e.vertex], q = body.b()[f.vertex];
   // The way from one point to the other is the depth, along the direction: what is left lies in the plane of the edges.
   const Vec3 way = body.point(e.vertex, f.vertex).value;
   const Vec3 n = cross(e.along, f.along);
   const double squared = dot(n, n);
-  parting.on_a = p + in_world((-dot(cross(way, f.along), n) / squared) * e.along);
-  parting.on_b = q + in_world((-dot(cross(way, e.along), n) / squared) * f.along);
+  const double share_e = -dot(cross(way, f.along), n) / squared, share_f = -dot(cross(way, e.along), n) / squared;
+  // Under a pose that mirrors, the edge lies against `along` from its vertex.
+  const auto is_on_edge = [](double share, const PosedConvex& shape) {
+    return std::fabs(turn_of_faces(shape.pose().linear) * share - 0.5) <= 0.5 + 0x1p-30;
+  };
+  if (!is_on_edge(share_e, a) || !is_on_edge(share_f, b)) return false;
+  parting.on_a = body.a()[e.vertex] + in_world(share_e * e.along);
+  parting.on_b = body.b()[f.vertex] + in_world(share_f * f.along);
+  return true;
 }
 
 /// One face lies across the direction, and the other core's deepest points over it.
@@ -56,11 +65,9 @@ std::optional<CoreParting> part_cores_by_edges(const PosedConvex& a, const Posed
   parting.upper =
       std::nextafter(body.unscaled(least.upper + 0x1p-49 * least.upper), std::numeric_limits<double>::infinity());
   parting.lower = std::nextafter(body.unscaled(least.lower), 0.0);
-  if (least.edge_a == nullptr) {
-    if (!find_points_of_face(parting, a, b)) return {};
-  } else {
-    find_points_of_edges(parting, body, *least.edge_a, *least.edge_b);
-  }
+  if (least.edge_a != nullptr && find_points_of_edges(parting, a, b, axes, *least.edge_a, *least.edge_b))
+    return parting;
+  if (!find_points_of_face(parting, a, b)) return {};
   return parting;
 }
 

@@ -73,7 +73,9 @@ class QuickParting {
 
   std::optional<CoreParting> run() {
     if (!expand_quickly(a_, b_, surface_)) return {};
-    Corners corners = corners_of(surface_.nearest);
+    const std::optional<Index> facet = facet_of_foot();
+    if (!facet) return {};
+    Corners corners = corners_of(*facet);
     const FacetKind kind = sort(corners);
     const FacetPlane plane = plane_of(corners, kind);
     const double width = half_width * (plane.distance + reach_);
@@ -95,6 +97,29 @@ class QuickParting {
       corners.b[k] = surface_.on_b[surface_.corner[4 * f + k]];
     }
     return corners;
+  }
+
+  /// The origin's foot on the plane of a facet lies in that triangle, but for rounding.
+  [[nodiscard]] bool holds_foot(Index f) const {
+    const Vec3 n = surface_.normal(f);
+    const double squared = dot(n, n);
+    const Vec3 foot = (surface_.offset[f] / squared) * n;
+    const Vec3 p = corner(f, 0) - foot, q = corner(f, 1) - foot, r = corner(f, 2) - foot;
+    const double least = std::min({dot(n, cross(p, q)), dot(n, cross(q, r)), dot(n, cross(r, p))});
+    return least >= -0x1p-30 * squared;
+  }
+
+  /// The nearest, or one in its plane: of two faces over each other, many triangles are one facet of D.
+  [[nodiscard]] std::optional<Index> facet_of_foot() const {
+    const Index nearest = surface_.nearest;
+    if (holds_foot(nearest)) return nearest;
+    const Vec3 across = (1 / length(surface_.normal(nearest))) * surface_.normal(nearest);
+    for (Index f = 0; f < surface_.slots; ++f) {
+      if (surface_.order[f] == HUGE_VAL) continue;
+      const Vec3 n = surface_.normal(f);
+      if (dot(n, across) >= (1 - 0x1p-30) * length(n) && holds_foot(f)) return f;
+    }
+    return {};
   }
 
   [[nodiscard]] FacetPlane plane_of(const Corners& c, FacetKind kind) const {

@@ -149,7 +149,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"convex-decades", {"3", "9", "20", "100"}, 100'000, 1000, run, 1000, 100});
+const bool known = register_sweep({"convex-decades", {"1", "3", "9", "20", "100"}, 100'000, 1000, run, 1000, 100});
 
 }  // namespace
 }  // namespace toccata::test

@@ -148,6 +148,20 @@ TEST(SeparatingAxes, OfEdgesTooShortForTheirSquaresLeaveNoDoubt) {
   EXPECT_EQ(overlap_by_separating_axes(triangle, PosedConvex(hull)), overlap(triangle, PosedConvex(hull)));
 }
 
+// Two long boxes across each other: of the triangles of the facet between them, only some hold the points.
+TEST(ConvexPenetration, OfTwoFacesOverEachOtherHasItsPointsOnBoth) {
+  const Box beam({7.2766334986734344, 2.4219240670679155, 3.0537355872677389},
+                 {-4.5812162789204066, -0.49026383611256509, 2.7589031228962008});
+  const PosedConvex along(beam), across(beam, {rotation_about({0, 0, 1}, 90), {}});
+  for (const Penetration& p :
+       {penetration_by_expansion(along, across), penetration_by_separating_axes(along, across),
+        penetration_by_expansion(across, along), penetration_by_separating_axes(across, along)}) {
+    const bool first = p.direction.x > 0;
+    EXPECT_LE(distance(PosedConvex(Point(p.on_a)), first ? along : across).upper, 1e-9);
+    EXPECT_LE(distance(PosedConvex(Point(p.on_b)), first ? across : along).upper, 1e-9);
+  }
+}
+
 TEST(SeparatingAxes, KeepTheAxisThatSeparatedLast) {
   Random random(8);
   const ConvexHull hull = ball_hull(random, 32);
