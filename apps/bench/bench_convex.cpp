@@ -19,7 +19,7 @@ constexpr std::size_t block = convex_block;
 ConvexResult measured(ConvexLibrary& library, const ConvexWork& work, int rounds) {
   library.prepare(work);
   const std::size_t count = work.questions.size();
-  ConvexResult result{library.description()};
+  ConvexResult result;
   result.bytes_per_vertex = library.bytes_per_vertex();
   result.answers.resize(count);
   std::vector<double> times((count + block - 1) / block, std::numeric_limits<double>::infinity());
@@ -30,6 +30,7 @@ ConvexResult measured(ConvexLibrary& library, const ConvexWork& work, int rounds
       const double seconds = seconds_of([&] { library.answer(i * block, answers); });
       times[i] = std::min(times[i], 1e6 * seconds / static_cast<double>(answers.size()));
     }
+  result.who = library.description();  // which may tell how much work it was
   Result in_microseconds;
   summarise(std::move(times), in_microseconds);
   result.median_ns = 1e3 * in_microseconds.median_us;

@@ -106,10 +106,15 @@ ConvexQuestion random_question(const std::string& regime, const ConvexPair& pair
   return question;
 }
 
+/// How far away B goes round A, of the sum of both sizes: deep in A where a depth is asked for.
+double distance_of_walk(ConvexTask task) {
+  return task == ConvexTask::penetration || task == ConvexTask::manifold ? 0.3 : 1.02;
+}
+
 /// B goes round A near by, and both turn, by 1 % of their size a step.
 void add_walk(std::size_t number, const ConvexPair& pair, std::size_t steps, Random& random, ConvexWork& work) {
   constexpr double degrees = 0.01 * 180 / 3.14159265358979323846;
-  const double reach = 1.02 * (reach_of(pair.a) + reach_of(pair.b));
+  const double reach = distance_of_walk(work.task) * (reach_of(pair.a) + reach_of(pair.b));
   const Vec3 start = random_direction(random);
   const Vec3 across = cross(start, random_direction(random));
   const Vec3 axis_a = random_direction(random), axis_b = random_direction(random);

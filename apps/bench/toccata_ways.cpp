@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -7,10 +8,11 @@
 #include "toccata/core/version.hpp"
 #include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/gjk.hpp"
 #include "toccata/narrow/sphere.hpp"
 
-// The methods that can be called on their own, each as a library: the lecture's ways for spheres, separating axes,
-// expansion. Asked for as the peer "ways".
+// The methods that can be called on their own, each as a library: the lecture's ways for spheres, separating axes, GJK
+// in each manner, expansion. Asked for as the peer "ways".
 namespace toccata::bench {
 namespace {
 
@@ -81,6 +83,46 @@ ConvexAnswer overlap_by_axes(const ConvexPair& pair, const ConvexQuestion& q) {
   return {overlap_by_separating_axes(posed(pair.a, q.a), posed(pair.b, q.b))};
 }
 
+/// GJK in one manner, with a workspace where the questions follow each other. Names the steps and the heights of
+/// vertices that a question has taken.
+class ByGjk : public ConvexLibrary {
+ public:
+  explicit ByGjk(const GjkOptions& options) : options_(options) {}
+
+  Description description() const override {
+    const std::string support = options_.support == GjkSupport::scan ? "scan" : "hill climbing";
+    const std::string momentum = options_.acceleration == GjkAcceleration::none ? "" : ", momentum";
+    const ConvexCounts& counts = workspace_.counts;
+    const double asked = std::max(1.0, static_cast<double>(asked_));
+    return {"toccata", fmt::format("by GJK, {}{}", support, momentum), version,
+            fmt::format("{}, {} -ffp-contract=off; {:.1f} steps, {:.0f} heights a question", TOCCATA_BENCH_COMPILER,
+                        TOCCATA_BENCH_FLAGS, static_cast<double>(counts.steps) / asked,
+                        static_cast<double>(counts.heights) / asked)};
+  }
+  void prepare(const ConvexWork& work) override { work_ = &work; }
+  void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const ConvexQuestion& q = work_->questions[first + i];
+      const ConvexPair& pair = work_->pairs[q.pair];
+      if (!q.follows) workspace_.simplex_size = 0, workspace_.direction = {};
+      answers[i] = asked(posed(pair.a, q.a), posed(pair.b, q.b));
+    }
+    asked_ += answers.size();
+  }
+
+ private:
+  ConvexAnswer asked(const PosedConvex& a, const PosedConvex& b) {
+    if (work_->task == ConvexTask::overlap) return {overlap_by_gjk(a, b, options_, &workspace_)};
+    const Distance d = distance_by_gjk(a, b, options_, &workspace_);
+    return {d.upper == 0, d.lower, d.upper};
+  }
+
+  GjkOptions options_;
+  const ConvexWork* work_ = nullptr;
+  ConvexWorkspace workspace_;
+  std::size_t asked_ = 0;
+};
+
 void add(std::string name, OneWay::Way way, ConvexOffer& offer) {
   offer.libraries.push_back(std::make_unique<OneWay>(std::move(name), std::move(way)));
 }
@@ -93,6 +135,10 @@ ConvexOffer toccata_ways(const ConvexWork& work) {
     add("by separating axes", asked_by(penetration_by_separating_axes), offer);
     add("by expansion", asked_by(penetration_by_expansion), offer);
   }
+  if (work.task == ConvexTask::distance || work.task == ConvexTask::overlap)
+    for (const GjkSupport support : {GjkSupport::scan, GjkSupport::hill_climbing})
+      for (const GjkAcceleration acceleration : {GjkAcceleration::none, GjkAcceleration::nesterov})
+        offer.libraries.push_back(std::make_unique<ByGjk>(GjkOptions{support, acceleration}));
   if (work.task != ConvexTask::overlap) return offer;
   add("by separating axes", overlap_by_axes, offer);
   if (work.pair == "sphere-triangle") {

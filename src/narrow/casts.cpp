@@ -42,6 +42,16 @@ class ShapeCast {
         kernels_(support_kernels()),
         reach_(std::nextafter(a.radius() + b.radius(), HUGE_VAL)) {}
 
+  /// Are they apart all the way, with a plane across the direction between them?
+  [[nodiscard]] bool is_kept_apart(const Vec3& direction) const {
+    if (direction == Vec3{}) return false;
+    const Separation found = separation(scaled_direction(direction));
+    return found.for_ever || found.time > 1;
+  }
+
+  /// The direction that has kept them apart all the way.
+  [[nodiscard]] const Vec3& parting() const { return parting_; }
+
   /// For shapes that are apart at the start.
   Cast answer() {
     if (advance()) return {};
@@ -63,7 +73,10 @@ class ShapeCast {
       if (end.inside || end.nearest == Vec3{}) return false;
       const Vec3 direction = scaled_direction(-end.nearest);
       const Separation found = separation(direction);
-      if (found.for_ever || found.time > 1) return true;
+      if (found.for_ever || found.time > 1) {
+        parting_ = direction;
+        return true;
+      }
       if (!(found.time > free_until_)) return false;
       normal_ = -direction;
       const bool arrived = found.time - free_until_ < time_width / 8;
@@ -196,6 +209,7 @@ class ShapeCast {
   VertexPairs last_;
   double free_until_ = 0;
   Vec3 normal_{};
+  Vec3 parting_{};
 };
 
 Cast met_at_start(const Vec3& point) {
@@ -211,7 +225,12 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, 
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   if (overlap(a, b, workspace)) return met_at_start(distance(a, b, workspace).on_b);
   if (motion == Vec3{}) return {};
-  return ShapeCast(a, motion, b).answer();
+  ShapeCast cast(a, motion, b);
+  // What keeps the shapes apart all the way mostly does so the next time.
+  if (workspace != nullptr && cast.is_kept_apart(workspace->direction)) return {};
+  const Cast answer = cast.answer();
+  if (workspace != nullptr && !(cast.parting() == Vec3{})) workspace->direction = cast.parting();
+  return answer;
 }
 
 Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target) {

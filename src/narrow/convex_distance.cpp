@@ -12,7 +12,7 @@
 #include "narrow/nearest_certificate.hpp"
 #include "narrow/nearest_formula.hpp"
 #include "narrow/pair_distances.hpp"
-#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/gjk.hpp"
 
 namespace toccata {
 namespace {
@@ -47,18 +47,26 @@ std::optional<Distance> at_common_point(const BoundedVector& point) {
 /// One question about two shapes.
 class PairQuestion {
  public:
-  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace)
+  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {})
       : kernels_(support_kernels()),
-        a_(a, kernels_),
-        b_(b, kernels_),
+        options_(options),
+        a_(a, kernels_, options.support),
+        b_(b, kernels_, options.support),
         reach_(exactly(a.radius()) + exactly(b.radius())),
-        workspace_(workspace) {}
+        workspace_(workspace) {
+    a_.begin_at(workspace.vertex_a[0]);
+    b_.begin_at(workspace.vertex_b[0]);
+  }
+  PairQuestion(const PairQuestion&) = delete;
+  PairQuestion& operator=(const PairQuestion&) = delete;
+  ~PairQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
 
   bool overlap() {
     // What parted the shapes last time mostly does so again.
     if (!(workspace_.direction == Vec3{}) && certainly_farther(a_, b_, -workspace_.direction, upper_reach()))
       return certified(false);
-    const GjkEnd end = search(kept_simplex(workspace_, a_.shape(), b_.shape()), reach_.value.high);
+    const GjkEnd end =
+        search(kept_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
     const bool stopped_early = !(end.separating == Vec3{});
     const Vec3& direction = stopped_early ? end.separating : end.nearest;
     if (!end.inside && certainly_farther(a_, b_, direction, upper_reach())) return certified(false);
@@ -73,17 +81,15 @@ class PairQuestion {
   /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
   /// there the search starts anew.
   Distance distance() {
-    if (const auto distance = aligned_box_distance(a_.shape(), b_.shape())) {
-      ++workspace_.counts.closed_forms;
-      return *distance;
-    }
     const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
     if (kept.size > 0) {
       // Shapes that moved little often have the same nearest features.
       if (const auto distance = distance_by_formula(kept)) return *distance;
-      if (const auto distance = distance_by(search(kept, no_goal), Cores::apart)) return *distance;
+      if (const auto distance = distance_by(search(kept, to_the_end()), Cores::apart)) return *distance;
     }
-    const GjkEnd end = search({}, no_goal);
+    if (options_.acceleration != GjkAcceleration::none)
+      if (const auto distance = distance_by(search({}, to_the_end()), Cores::apart)) return *distance;
+    const GjkEnd end = search({}, {no_goal});
     const bool is_plain = end.size <= largest_of_plain;
     if (is_plain)
       if (const auto distance = distance_by(end, Cores::any)) return *distance;
@@ -102,8 +108,11 @@ class PairQuestion {
   /// Which answers are taken.
   enum class Cores { apart, any };
 
-  GjkEnd search(const VertexPairs& start, double gap) {
-    const GjkEnd end = search_nearest(a_, b_, start, {gap});
+  [[nodiscard]] GjkGoal to_the_end() const { return {no_goal, options_.acceleration}; }
+
+  GjkEnd search(const VertexPairs& start, const GjkGoal& goal) {
+    const GjkEnd end = search_nearest(a_, b_, start, goal);
+    workspace_.counts.steps += end.steps;
     workspace_.counts.support_points += end.support_points;
     keep(workspace_, end.simplex.pairs, end.nearest);
     return end;
@@ -192,6 +201,7 @@ class PairQuestion {
   }
 
   SupportKernels kernels_;
+  GjkOptions options_;
   SupportSearch a_, b_;
   BoundedNumber reach_;                   // the sum of the radii
   std::optional<NearestFeatures> asked_;  // of the formula, in vain
@@ -209,8 +219,7 @@ bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return *meet;
   }
-  ConvexWorkspace alone;
-  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone).overlap();
+  return overlap_by_gjk(a, b, {}, workspace);
 }
 
 Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
@@ -219,9 +228,22 @@ Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* w
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return distance;
   }
+  if (const auto aligned = aligned_box_distance(a, b)) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return *aligned;
+  }
+  return distance_by_gjk(a, b, {}, workspace);
+}
+
+bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options, ConvexWorkspace* workspace) {
   ConvexWorkspace alone;
-  distance = PairQuestion(a, b, workspace != nullptr ? *workspace : alone).distance();
-  return distance;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
+}
+
+Distance distance_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options,
+                         ConvexWorkspace* workspace) {
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).distance();
 }
 
 }  // namespace toccata

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow/edge_walk.hpp"
+
 namespace toccata {
 namespace {
 
@@ -24,6 +26,29 @@ bool has(const VertexPairs& pairs, Index a, Index b) {
     if (pairs.a[i] == a && pairs.b[i] == b) return true;
   return false;
 }
+
+/// Directions with momentum. Seen as the method of M. Frank and P. Wolfe for the least |x|² in the difference, a step
+/// of GJK asks for the vertex s that is least along the gradient x; after Y. Nesterov the gradient is taken at a point
+/// ahead, between x and the last s, and averaged with those before, of unit length each, as x may become ever shorter.
+class Momentum {
+ public:
+  Vec3 next(const Vec3& nearest, const Vec3& last_vertex) {
+    const double kept = (steps_ + 1) / (steps_ + 3);
+    ++steps_;
+    direction_ = kept * direction_ + (1 - kept) * unit(kept * nearest + (1 - kept) * last_vertex);
+    direction_ = unit(direction_);
+    return direction_;
+  }
+
+ private:
+  static Vec3 unit(const Vec3& v) {
+    const double squared = dot(v, v);
+    return squared > 0 ? (1 / std::sqrt(squared)) * v : v;
+  }
+
+  Vec3 direction_;
+  double steps_ = 0;
+};
 
 /// The search, a step at a time.
 class Walk {
@@ -57,9 +82,16 @@ class Walk {
   /// A step to the vertices that are the nearest along a direction, which is given by value because the step may change
   /// the present one; tells whether the search goes on.
   bool step_along(Vec3 direction) {
+    ++end_.steps;
     end_.support_points += 2;
     const Index vertex_a = a_.least(direction), vertex_b = b_.least(-direction);
     return step_to(vertex_a, vertex_b) && !goal_reached(direction, vertex_a, vertex_b);
+  }
+
+  /// A step with momentum; tells whether it led on.
+  bool step_ahead() {
+    const GjkSimplex& simplex = end_.simplex;
+    return step_along(momentum_.next(end_.nearest, simplex.point[simplex.pairs.size - 1]));
   }
 
   [[nodiscard]] const GjkEnd& end() const { return end_; }
@@ -79,6 +111,7 @@ class Walk {
   const SupportSearch& b_;
   const GjkGoal& goal_;
   GjkEnd end_;
+  Momentum momentum_;
   Vec3 direction_;      // along end_.nearest
   double squared_ = 0;  // end_.nearest · end_.nearest
 };
@@ -98,6 +131,9 @@ constexpr double rounding = 0x1p-48;
 constexpr double lost_per_coordinate = 0x1p-1000;
 constexpr double lost_per_height = 0x1p-700;
 
+/// From so many vertices on a walk along edges was measured to be faster than a scan.
+constexpr Index least_walked = 8000;
+
 double spread_of(const Vec3& direction, double slack) { return rounding * largest(direction) + slack; }
 
 }  // namespace
@@ -107,7 +143,7 @@ bool in_certain_range(const Vec3& direction) {
   return size >= 0x1p-300 && size <= 0x1p300;
 }
 
-SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& kernels)
+SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& kernels, GjkSupport support)
     : shape_(&shape),
       kernels_(&kernels),
       plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},
@@ -115,11 +151,47 @@ SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& ker
       stretch_{sum(magnitudes(world_in_local_[0])), sum(magnitudes(world_in_local_[1])),
                sum(magnitudes(world_in_local_[2]))},
       offset_(shape.in_world() ? Vec3{} : shape.pose().offset),
-      offset_magnitude_(sum(magnitudes(offset_))) {}
+      offset_magnitude_(sum(magnitudes(offset_))) {
+  const Index least_count = support == GjkSupport::automatic ? least_walked : 2;
+  trail_.walks = !shape.in_world() && support != GjkSupport::scan && shape.vertex_count() >= least_count;
+}
+
+/// What a walk tells; after one that tells nothing there are no others.
+template <class Question>
+auto SupportSearch::walked(const SupportScan& scan, Question question) const {
+  EdgeWalk walk(*shape_, scan);
+  const auto found = question(walk, trail_.last);
+  trail_.last = walk.lowest();
+  trail_.heights += walk.heights();
+  trail_.walks = found.has_value();
+  if (!found) trail_.heights += scan.count;
+  return found;
+}
+
+// Walks are apart, so that the ways of small shapes stay short.
+
+[[gnu::noinline]] Index SupportSearch::walked_least(const SupportScan& scan) const {
+  const auto found = walked(scan, [](EdgeWalk& walk, Index start) { return walk.least(start); });
+  return found ? *found : kernels_->least(scan);
+}
+
+[[gnu::noinline]] double SupportSearch::walked_least_depth(const SupportScan& scan) const {
+  const auto found = walked(scan, [](EdgeWalk& walk, Index start) { return walk.least_depth(start); });
+  return found ? *found : kernels_->least_depth(scan);
+}
+
+[[gnu::noinline]] Index SupportSearch::walked_close(const SupportScan& scan, double bound, std::span<const Index> own,
+                                                    std::span<Index> found) const {
+  if (!own.empty()) trail_.last = own[0];
+  const auto count = walked(scan, [&](EdgeWalk& walk, Index start) { return walk.close(bound, own, found, start); });
+  return count ? *count : kernels_->close(scan, bound, own, found);
+}
 
 Index SupportSearch::least(const Vec3& direction) const {
   SupportScan scan = plain_;
   scan.direction = times(world_in_local_, direction);
+  if (trail_.walks) return walked_least(scan);
+  trail_.heights += scan.count;
   return kernels_->least(scan);
 }
 
@@ -135,13 +207,22 @@ Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vert
   const double spread = spread_of(direction, slack);
   const double highest = dot(direction, vertex) + spread * sum(magnitudes(vertex));
   const double bound = (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
-  return kernels_->close(scan(direction, spread), bound, own, found);
+  const SupportScan along = scan(direction, spread);
+  if (trail_.walks) return walked_close(along, bound, own, found);
+  trail_.heights += along.count;
+  return kernels_->close(along, bound, own, found);
 }
 
 double SupportSearch::lower_bound(const Vec3& direction) const {
   const double spread = spread_of(direction, 0);
-  return (kernels_->least_depth(scan(direction, spread)) + dot(direction, offset_)) -
+  return (least_depth(scan(direction, spread)) + dot(direction, offset_)) -
          2 * (spread * offset_magnitude_ + lost_per_height);
+}
+
+double SupportSearch::least_depth(const SupportScan& scan) const {
+  if (trail_.walks) return walked_least_depth(scan);
+  trail_.heights += scan.count;
+  return kernels_->least_depth(scan);
 }
 
 GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {
@@ -149,7 +230,12 @@ GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const Vert
   // False only when that is the goal.
   if (start.size == 0 && !walk.step_along(a.shape().pose().offset - b.shape().pose().offset)) return walk.end();
   for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
-  for (int step = 0; step < most_steps && !walk.end().inside; ++step)
+  int step = 0;
+  // Where momentum leads no farther, the search goes on without: it has not ended before that says so.
+  if (goal.acceleration == GjkAcceleration::nesterov)
+    while (step < most_steps && !walk.end().inside && walk.step_ahead()) ++step;
+  if (!(walk.end().separating == Vec3{})) return walk.end();
+  for (; step < most_steps && !walk.end().inside; ++step)
     if (!walk.step_along(walk.direction())) break;
   return walk.end();
 }

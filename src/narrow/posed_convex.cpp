@@ -80,6 +80,7 @@ PosedConvex& PosedConvex::operator=(const PosedConvex& other) {
   pose_ = other.pose_;
   topology_ = other.topology_;
   radius_ = other.radius_;
+  stored_extent_ = other.stored_extent_;
   count_ = other.count_;
   in_world_ = other.in_world_;
   solid_ = other.solid_;

@@ -24,6 +24,7 @@ bool may_overflow(const Pose& pose, double largest_coordinate) {
 PosedConvex::PosedConvex(const ConvexHull& shape, const Pose& pose)
     : pose_(pose),
       topology_(shape.topology()),
+      stored_extent_(shape.largest_coordinate()),
       count_(shape.vertex_count()),
       in_world_(false),
       solid_(shape.dimension() == 3) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shapes/hull_faces.hpp"
+#include "shapes/hull_guide.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -14,17 +15,19 @@ namespace toccata {
 /// All index arrays lie in one, one after the other, so that a small hull is two allocations.
 struct ConvexHull::Parts {
   std::vector<double> coordinates;  // x of all, y of all, z of all, each padded
-  std::vector<Index> indices;       // source, leaving, face_start, origin, twin, face
+  std::vector<Index> indices;       // source, leaving, face_start, origin, twin, face, guide
   Index vertices = 0;
   Index faces = 0;
   Index half_edges = 0;
+  Index guides = 0;
   int dimension = 0;
   double largest_coordinate = 0;
 
   [[nodiscard]] std::size_t padded_count() const { return coordinates.size() / 3; }
   [[nodiscard]] std::size_t face_start_offset() const { return std::size_t{2} * vertices; }
   [[nodiscard]] std::size_t origin_offset() const { return face_start_offset() + faces + 1; }
-  [[nodiscard]] std::size_t size() const { return origin_offset() + std::size_t{3} * half_edges; }
+  [[nodiscard]] std::size_t guide_offset() const { return origin_offset() + std::size_t{3} * half_edges; }
+  [[nodiscard]] std::size_t size() const { return guide_offset() + guides; }
 
   [[nodiscard]] std::span<Index> at(std::size_t offset, std::size_t count) {
     return std::span(indices).subspan(offset, count);
@@ -144,6 +147,7 @@ ConvexHull::ConvexHull(std::span<const Vec3> points) {
   parts->vertices = static_cast<Index>(sources.size());
   parts->faces = static_cast<Index>(faces.first.size() - 1);
   parts->half_edges = static_cast<Index>(faces.corners.size());
+  parts->guides = guide_size(parts->vertices);
   parts->dimension = faces.dimension;
   for (const double c : parts->coordinates)
     parts->largest_coordinate = std::max(parts->largest_coordinate, std::fabs(c));
@@ -155,6 +159,7 @@ ConvexHull::ConvexHull(std::span<const Vec3> points) {
                parts->at(parts->origin_offset() + parts->half_edges, parts->half_edges),
                parts->at(parts->origin_offset() + std::size_t{2} * parts->half_edges, parts->half_edges)});
   parts_ = parts;
+  fill_guide(*this, parts->at(parts->guide_offset(), parts->guides));
 }
 
 Index ConvexHull::vertex_count() const { return parts_->vertices; }
@@ -174,7 +179,8 @@ HullTopology ConvexHull::topology() const {
           .origin = p.at(p.origin_offset(), p.half_edges),
           .twin = p.at(p.origin_offset() + p.half_edges, p.half_edges),
           .face = p.at(p.origin_offset() + std::size_t{2} * p.half_edges, p.half_edges),
-          .leaving = p.at(p.vertices, p.vertices)};
+          .leaving = p.at(p.vertices, p.vertices),
+          .guide = p.at(p.guide_offset(), p.guides)};
 }
 
 std::span<const double> ConvexHull::padded_coordinates(int axis) const {

@@ -7,7 +7,14 @@ namespace {
 
 std::string check(const ConvexCase& pair, Random& random) {
   const Vec3 motion = random_motion(pair, random);
-  return cast_fault(cast_shape(posed(pair.a), motion, posed(pair.b)), set_of(pair.a), motion, set_of(pair.b));
+  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const Cast cast = cast_shape(a, motion, b);
+  ConvexWorkspace workspace;
+  // The first question tells the workspace what the second may use.
+  const int warm = random.below(4) == 0 ? 2 : 0;
+  for (int i = 0; i < warm; ++i)
+    if (!(cast_shape(a, motion, b, &workspace) == cast)) return "with a workspace";
+  return cast_fault(cast, set_of(pair.a), motion, set_of(pair.b));
 }
 
 SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {

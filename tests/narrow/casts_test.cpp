@@ -129,6 +129,23 @@ TEST(Cast, SpheresThatPassAtTheSumOfTheirRadiiTouch) {
   EXPECT_NEAR(square.point.x, -2, 1e-9);
 }
 
+TEST(Cast, OfShapesThatPassEachOtherIsTheSameWithAWorkspace) {
+  const PosedConvex standing(Box({1, 0.5, 0.25}));
+  ConvexWorkspace workspace;
+  int hits = 0;
+  for (int step = 0; step < 300; ++step) {
+    const double angle = 0.02 * step;
+    const Vec3 way{std::cos(angle), std::sin(angle), 0};
+    const PosedConvex moving(Box({0.2, 0.3, 0.4}), {rotation_about({1, 2, 3}, step), 3 * way});
+    const Vec3 motion = step % 100 < 50 ? Vec3{-2 * way.y, 2 * way.x, 0.5} : -2.5 * way;
+    const Cast cast = cast_shape(moving, motion, standing);
+    EXPECT_EQ(cast_shape(moving, motion, standing, &workspace), cast) << step;
+    hits += cast.hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_LT(hits, 250);
+}
+
 TEST(Cast, BadInputIsRefused) {
   const PosedConvex box(Box({1, 1, 1}));
   EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, box)), Error);

@@ -5,6 +5,7 @@
 #include "toccata/narrow/casts.hpp"
 #include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/gjk.hpp"
 #include "toccata/narrow/sphere.hpp"
 
 // Methods against each other, without the oracle and so in great numbers: every question that tells whether two shapes
@@ -27,9 +28,25 @@ std::string check_penetration(const PosedConvex& a, const PosedConvex& b) {
   return "";
 }
 
+/// In every manner, without and with a workspace: the same bits.
+std::string check_gjk(const PosedConvex& a, const PosedConvex& b, bool meet) {
+  const Distance chosen = distance(a, b), plain = distance_by_gjk(a, b);
+  if (std::max(chosen.lower, plain.lower) > std::min(chosen.upper, plain.upper)) return "distance and GJK";
+  for (const GjkSupport support : {GjkSupport::scan, GjkSupport::hill_climbing})
+    for (const GjkAcceleration acceleration : {GjkAcceleration::none, GjkAcceleration::nesterov}) {
+      const GjkOptions options{support, acceleration};
+      ConvexWorkspace workspace;
+      if (overlap_by_gjk(a, b, options, &workspace) != meet) return "overlap by GJK";
+      if (!(distance_by_gjk(a, b, options) == plain)) return "the manner of GJK";
+      if (!(distance_by_gjk(a, b, options, &workspace) == plain)) return "the manner of GJK, warm";
+    }
+  return "";
+}
+
 std::string check(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const bool meet = overlap(a, b);
+  if (std::string wrong = check_gjk(a, b, meet); !wrong.empty()) return wrong;
   if (overlap_by_separating_axes(a, b) != meet) return "separating axes";
   if ((distance(a, b).upper == 0) != meet) return "distance";
   if ((relation(a, b).kind != RelationKind::apart) != meet) return "relation";

@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "support/convex_cases.hpp"
-#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/gjk.hpp"
 
 // The questions of docs/methods/gjk.md.
 namespace toccata {
@@ -64,6 +65,61 @@ TEST(Gjk, AWarmStartSavesMostSupports) {
     static_cast<void>(distance(posed_a, posed_b, &forgotten));
   }
   EXPECT_LT(5 * kept.counts.support_points, forgotten.counts.support_points);
+}
+
+constexpr GjkOptions manners[] = {{GjkSupport::scan, GjkAcceleration::none},
+                                  {GjkSupport::scan, GjkAcceleration::nesterov},
+                                  {GjkSupport::hill_climbing, GjkAcceleration::none},
+                                  {GjkSupport::hill_climbing, GjkAcceleration::nesterov}};
+
+/// Of questions about two hulls that are turned and moved, all from the beginning.
+ConvexCounts counts_of(std::size_t vertices, const GjkOptions& options) {
+  Random random(2);
+  ConvexWorkspace workspace;
+  for (int pair = 0; pair < 3; ++pair) {
+    const ConvexHull a = random_ball(vertices, random), b = random_ball(vertices, random);
+    for (int i = 0; i < 20; ++i) {
+      workspace.simplex_size = 0;
+      static_cast<void>(
+          distance_by_gjk(PosedConvex(a), PosedConvex(b, turned_at(i, {2.02, 0.3, 0.2})), options, &workspace));
+    }
+  }
+  return workspace.counts;
+}
+
+TEST(Gjk, ClimbingLooksAtFewVerticesOfLargeHulls) {
+  const ConvexCounts scanned = counts_of(2000, manners[0]), climbed = counts_of(2000, manners[2]);
+  EXPECT_LT(20 * climbed.heights, scanned.heights);
+  EXPECT_EQ(climbed.steps, scanned.steps);  // by the same vertices
+  EXPECT_EQ(counts_of(2000, {}), scanned);  // what is faster for so few
+}
+
+TEST(Gjk, MomentumTakesOtherSteps) { EXPECT_NE(counts_of(500, manners[0]).steps, counts_of(500, manners[1]).steps); }
+
+/// What is flat, needle-like, made of one point, tiny or huge: every manner ends, with the same bits.
+TEST(Gjk, EveryMannerEndsOnDegenerateHulls) {
+  Random random(4);
+  for (const double size : {1e-308, 1e-300, 1e-100, 1.0, 1e150, 1e300})
+    for (const Vec3& shape : {Vec3{1, 1, 1}, Vec3{1, 1, 0}, Vec3{1, 1e-12, 1e-12}, Vec3{1, 0, 0}, Vec3{0, 0, 0}}) {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 600; ++i) {
+        const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+        const double length = std::hypot(x, y, z);
+        points.push_back(size * Vec3{shape.x * (x / length), shape.y * (y / length), shape.z * (z / length)});
+      }
+      const ConvexHull a(points), b(std::vector<Vec3>(points.begin() + 100, points.begin() + 400));
+      for (const Vec3& offset : {Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{2.5, 1, 0.5}}) {
+        const PosedConvex posed_a(a), posed_b(b, turned_at(0.3, size * offset));
+        const Distance first = distance_by_gjk(posed_a, posed_b, manners[0]);
+        const Distance chosen = distance(posed_a, posed_b);
+        EXPECT_LE(std::max(first.lower, chosen.lower), std::min(first.upper, chosen.upper));
+        for (const GjkOptions& manner : manners) {
+          ConvexWorkspace workspace;
+          for (int i = 0; i < 2; ++i) EXPECT_EQ(distance_by_gjk(posed_a, posed_b, manner, &workspace), first);
+          EXPECT_EQ(overlap_by_gjk(posed_a, posed_b, manner, &workspace), first.upper == 0);
+        }
+      }
+    }
 }
 
 }  // namespace

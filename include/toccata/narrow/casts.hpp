@@ -22,7 +22,8 @@ struct Cast {
 [[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target);
 [[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target);
 
-/// A moves by `motion`, without turning; B stands. Throws Error when the motion is not finite.
+/// A moves by `motion`, without turning; B stands. Throws Error when the motion is not finite. A workspace saves time
+/// at the start, and all of it where the plane that kept the shapes apart the last time does so again.
 [[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b,
                               ConvexWorkspace* workspace = nullptr);
 [[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b);

@@ -13,7 +13,9 @@ namespace toccata {
 
 /// Which path answered. Answers never depend on it.
 struct ConvexCounts {
+  std::uint64_t steps = 0;           ///< of searches by GJK
   std::uint64_t support_points = 0;  ///< searched for, over both shapes
+  std::uint64_t heights = 0;         ///< of vertices along a direction: computed to find these, and for proofs
   std::uint64_t closed_forms = 0;    ///< answered by a formula for the pair
   std::uint64_t certificates = 0;    ///< answered by a verified separating direction, simplex or interval
   std::uint64_t exact = 0;           ///< answered by exact arithmetic, because nothing cheaper verified

@@ -67,6 +67,8 @@ class PosedConvex {
   [[nodiscard]] Index padded_count() const { return (count_ + 7) / 8 * 8; }
   [[nodiscard]] bool in_world() const { return in_world_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
+  /// Of a hull, the greatest magnitude of a coordinate in its own frame; else 0.
+  [[nodiscard]] double stored_extent() const { return stored_extent_; }
 
   /// Of a box, with a radius or without, what formulas for boxes read; of anything else its slack is infinite.
   [[nodiscard]] const RigidBox& as_box() const { return box_; }
@@ -86,6 +88,7 @@ class PosedConvex {
   Pose pose_;
   HullTopology topology_;
   double radius_ = 0;
+  double stored_extent_ = 0;
   Index count_ = 0;
   bool in_world_ = true;
   bool solid_ = false;
