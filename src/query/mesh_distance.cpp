@@ -106,7 +106,8 @@ class NearestTriangles final : public NearQuestion {
     return distance(PosedConvex(a_[pair.first]), PosedConvex(b_[pair.second]));
   }
 
-  static bool is_narrow(double lower, double upper) { return upper - lower <= 0.9 * interval_width * upper; }
+  /// Not when the upper end is infinite: nothing is known then.
+  static bool is_narrow(double lower, double upper) { return upper - lower < 0.9 * interval_width * upper; }
 
   /// The upper end of the pair's own interval.
   [[nodiscard]] double upper_of(const NearCandidate& candidate) const {

@@ -84,6 +84,25 @@ TEST(MeshDistance, OfBoxesIsThatOfTheBoxes) {
   EXPECT_EQ(distance(a, a).upper, 0);
 }
 
+TEST(MeshDistance, WhereLongerNumbersDoNotSettleItExactArithmeticDoes) {
+  // Far from the origin, a vertex over the very edge of a face.
+  const auto one = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return Model(TriangleMesh({p, q, r}, {{0, 1, 2}}));
+  };
+  const Model a = one({-960981.18438838539, -1000000.5246471612, 999999.78768115293},
+                      {-960981.2685020708, -1000000.627350377, 999999.90441562689},
+                      {-960981.30006379378, -1000000.5710153036, 999999.79738657875});
+  const TriangleMesh both({{-960981.92413220485, -1000000.6369585152, 999999.44054564915},
+                           {-960981.51596873498, -1000000.781804279, 999999.88967712794},
+                           {-960981.4813586903, -1000000.8791354134, 999999.54851323622},
+                           {-960981.51287058636, -999999.89707490616, 999999.85636150825},
+                           {-960981.47169701569, -999999.7113207588, 999999.49097541906},
+                           {-960981.70366967644, -999999.68017247063, 999999.44758622488}},
+                          {{3, 4, 5}, {0, 1, 2}});
+  EXPECT_EQ(test::fault_of_surface_distance(a, Model(both), {}), "");
+  EXPECT_LT(distance(a, Model(both)).upper, 0.3);
+}
+
 TEST(MeshDistance, OfNestedShellsAndHelicesIsRightAtEveryGap) {
   const TriangleMesh shell = generate_mesh("noise-sphere", {{"subdivisions", 1}});
   const TriangleMesh helix = generate_mesh("helix", {{"turns", 1}, {"steps-per-turn", 12}, {"sides", 4}});
