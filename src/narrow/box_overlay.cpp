@@ -122,9 +122,10 @@ HWY_INLINE Found found_least(const Sixteen& values) {
 unsigned resting_candidates(const BoxOverlay& overlay) {
   const auto first = static_cast<std::size_t>(std::countr_zero(overlay.points));
   double span = 0;
-  for (std::size_t i = first; i < BoxOverlay::capacity; ++i) {
+  for (unsigned left = overlay.points & (overlay.points - 1); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
     const double x = overlay.x[i] - overlay.x[first], y = overlay.y[i] - overlay.y[first], squared = x * x + y * y;
-    if ((overlay.points >> i & 1U) != 0 && squared > span) span = squared;
+    span = squared > span ? squared : span;
   }
   const Row limit = row_of(gap_of_resting * std::sqrt(span));
   return overlay.points & each_bits([&](std::size_t k) { return load(overlay.gap.data() + 4 * k) <= limit; });
