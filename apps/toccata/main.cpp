@@ -119,13 +119,12 @@ void add_check(CLI::App& app, Options& options) {
 void add_distance(CLI::App& app, Options& options) {
   CLI::App* distance = app.add_subcommand("distance", "how far apart shapes are, certified");
   add_input(*distance, options.distance.input,
-            "one scene file (all pairs of its objects) or two (pairs of one of each)");
+            "one file (all pairs of its objects) or two (pairs of one of each): meshes or scenes");
   add_poses(*distance, options, options.distance.poses);
   add_writing(*distance, options, options.distance.threads, "docs/reference/distance-report.md");
   distance->footer(
-      with_name("Convex shapes, half-spaces and compounds of them; meshes are refused by this version.\n\n"
-                "Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance shapes.json\n"
-                "  {0} distance robot.json table.json --poses path.txt --csv"));
+      with_name("Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance a.stl b.obj\n"
+                "  {0} distance shapes.json\n  {0} distance robot.json table.json --poses path.txt --csv"));
 }
 
 void add_ray(CLI::App& app, Options& options) {

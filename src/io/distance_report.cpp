@@ -10,19 +10,21 @@
 namespace toccata {
 namespace {
 
-constexpr const char* csv_names = "lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,status\n";
+constexpr const char* csv_names = "lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status\n";
 
 void add(io::Json& line, const Distance& d) {
   line["lower"] = d.lower;
   line["upper"] = d.upper;
   line["on_a"] = io::json_of(d.on_a);
   line["on_b"] = io::json_of(d.on_b);
+  line["face_a"] = d.face_a;
+  line["face_b"] = d.face_b;
   line["status"] = name_of(d.status);
 }
 
 std::string csv_of(const Distance& d) {
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", d.lower, d.upper, d.on_a.x, d.on_a.y, d.on_a.z, d.on_b.x, d.on_b.y,
-                     d.on_b.z, name_of(d.status));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", d.lower, d.upper, d.on_a.x, d.on_a.y, d.on_a.z, d.on_b.x,
+                     d.on_b.y, d.on_b.z, d.face_a, d.face_b, name_of(d.status));
 }
 
 std::string line_of(const ReportedDistance& pair, const Scene& scene) {

@@ -45,6 +45,8 @@ TEST_F(ShapeCommands, DistanceOfMeshes) {
   const Json pair = Json::parse(run.out)["pairs"][0];
   EXPECT_GT(pair["lower"], 3);
   EXPECT_LT(pair["upper"], 5);
+  EXPECT_NEAR(pair["on_a"][0], 0.5, 1e-12);
+  EXPECT_EQ(pair["face_a"], 3);
   EXPECT_EQ(run_command({"distance", "gen:box", "gen:icosphere"}).exit_code, 1);
 }
 
@@ -119,7 +121,7 @@ TEST_F(ShapeCommands, InspectTellsTheNumbersOfShapes) {
 TEST_F(ShapeCommands, DistanceAsCsv) {
   const auto run = run_command({"distance", folder.write("scene.json", scene).string(), "--csv"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  EXPECT_TRUE(run.out.starts_with("a,b,lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,status\nball,crate,"))
+  EXPECT_TRUE(run.out.starts_with("a,b,lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status\nball,crate,"))
       << run.out;
   EXPECT_NE(run.out.find("\nball,ground,0,0,"), std::string::npos) << run.out;
 }
