@@ -22,14 +22,12 @@ enum class TreeMethod {
   heuristic,
   /// From the bottom up: of neighbours along a space-filling curve those are merged that are each other's nearest (D.
   /// Meister, J. Bittner, "Parallel locally-ordered clustering for bounding volume hierarchy construction", 2018).
-  ///
   agglomeration,
   /// One by one, each where it makes the boxes grow least (J. Goldsmith, J. Salmon, "Automatic creation of object
   /// hierarchies for ray tracing", 1987).
   insertion,
-  /// Along a space-filling curve, split where its codes differ first (C. Lauterbach, M. Garland, S. Sengupta, D.
-  /// Luebke,
-  /// D. Manocha, "Fast BVH construction on GPUs", 2009).
+  /// Along a space-filling curve, split where its codes differ first (C. Lauterbach et al., "Fast BVH construction on
+  /// GPUs", 2009).
   morton,
 };
 
@@ -77,6 +75,7 @@ template <BoundingVolume Volume, int Arity = 2>
     const TreeNode<NoVolume>& node = shape.nodes[i];
     const auto below = std::span<const Triangle>(ordered).subspan(runs[i].first, runs[i].count);
     tree.nodes.push_back({fit<Volume>(below), node.first, node.count, node.child_count});
+    tree.built_size += half_area(tree.nodes.back().volume);
   }
   return tree;
 }
@@ -104,19 +103,21 @@ template <class Volume, int Arity>
 /// about twice as many, and building anew pays.
 struct Refit {
   std::size_t volumes_updated = 0;
-  double growth = 1;  ///< the sum of half_area over all nodes, relative to that before; 1 where that was 0
+  double growth = 1;  ///< the sum of half_area over all nodes, relative to Tree::built_size; 1 where that is 0
   [[nodiscard]] bool should_rebuild() const { return growth > 2; }
 };
 
 /// Puts the volumes around triangles that have moved: leaves are fitted anew, inner nodes merged from their children,
-/// from the last node to the first. `triangles` are numbered as when the tree was built.
+/// from the last node to the first. `triangles` are numbered as when the tree was built. A tree of unknown built_size
+/// is taken as just built.
 template <BoundingVolume Volume, int Arity>
 Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
-  double before = 0, after = 0;
+  if (tree.built_size == 0)
+    for (const auto& node : tree.nodes) tree.built_size += half_area(node.volume);
+  double size = 0;
   std::vector<Triangle> below;
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     TreeNode<Volume>& node = tree.nodes[i];
-    before += half_area(node.volume);
     if (node.is_leaf()) {
       below.clear();
       for (Index k = 0; k < node.count; ++k) below.push_back(triangles[tree.items[node.first + k]]);
@@ -126,9 +127,9 @@ Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
       for (Index k = 1; k < node.child_count; ++k) merged = merge(merged, tree.nodes[node.first + k].volume);
       node.volume = merged;
     }
-    after += half_area(node.volume);
+    size += half_area(node.volume);
   }
-  return {tree.nodes.size(), before > 0 ? after / before : 1};
+  return {tree.nodes.size(), tree.built_size > 0 ? size / tree.built_size : 1};
 }
 
 }  // namespace toccata
