@@ -15,10 +15,15 @@ namespace {
 
 std::vector<RayQuery> rays_asked(const RayArguments& arguments) {
   if (!arguments.rays.empty()) return read_rays(arguments.rays);
-  if (!arguments.from || !arguments.to)
+  if (!arguments.from && !arguments.to)
     throw Error("no ray is given: name where it starts and ends with --from X Y Z --to X Y Z, or a file with --rays");
+  if (!arguments.from || !arguments.to)
+    throw Error(
+        fmt::format("{} is missing: a ray goes from --from X Y Z to --to X Y Z", arguments.from ? "--to" : "--from"));
   if (*arguments.from == *arguments.to) throw Error("the ray ends where it starts: --from and --to are one point");
-  return {{.origin = *arguments.from, .motion = *arguments.to - *arguments.from}};
+  const Vec3 motion = *arguments.to - *arguments.from;
+  if (!is_finite(motion)) throw Error("--from and --to are farther apart than doubles can tell");
+  return {{.origin = *arguments.from, .motion = motion}};
 }
 
 std::vector<RayHit> hits_of(const Posed& target, std::vector<RayQuery> rays, int threads) {

@@ -16,6 +16,13 @@ namespace {
 constexpr double least_ratio = 0x1p-20;  // of the half axes
 constexpr double growth = 1 + 0x1p-18;   // far more than the bounds of a few products of such ratios are off by
 
+// What is smaller gets half axes far larger than itself: ratios of numbers near the least double tell nothing.
+constexpr double least_size = 0x1p-960;
+constexpr Vec3 least_half{0x1p-955, 0x1p-955, 0x1p-955};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr EllipsoidBound everything{{}, {}, {infinity, infinity, infinity}};
+
 /// Half axes that are not shorter than the ratio allows, nor than the slack needs to be a small part of them.
 Vec3 with_least(const Vec3& half, double slack) {
   const double least = std::max(least_ratio * largest_magnitude(half), slack / least_ratio);
@@ -26,7 +33,8 @@ Vec3 with_least(const Vec3& half, double slack) {
 double ratio_bound(const EllipsoidBound& v, const Vec3& point) {
   const Vec3 s = coordinate_bounds(v.axes, v.centre, point);
   Vec3 ratio;
-  for (int axis = 0; axis < 3; ++axis) ratio[axis] = s[axis] == 0 ? 0 : s[axis] / v.half[axis];
+  for (int axis = 0; axis < 3; ++axis)
+    ratio[axis] = s[axis] == 0 || v.half[axis] == infinity ? 0 : s[axis] / v.half[axis];
   return length_bound(ratio);
 }
 
@@ -87,6 +95,7 @@ EllipsoidBound grown_around(EllipsoidBound v, std::span<const Vec3> points) {
   Vec3 reach;
   for (const Vec3& p : points) reach = larger(reach, coordinate_bounds(v.axes, v.centre, p));
   if (reach == Vec3{}) return {v.centre, v.axes, {}};
+  if (largest_magnitude(reach) < least_size) return {v.centre, v.axes, least_half};
   v.half = with_least(largest_magnitude(v.half) > 0 ? v.half : reach, largest_magnitude(reach) * 0x1p-44);
   double factor = 0;
   for (const Vec3& p : points) factor = std::max(factor, ratio_bound(v, p));
@@ -146,9 +155,8 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   double size = slack;
   for (const Image& image : images) size = std::max(size, size_of(image));
   if (size == 0) return {near, {}, {}};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (!is_finite(near) || !(size <= std::numeric_limits<double>::max()))
-    return {{}, {}, {infinity, infinity, infinity}};
+  if (size < least_size) return {near, {}, least_half};
+  if (!is_finite(near) || !(size <= std::numeric_limits<double>::max())) return everything;
   const double unit = std::clamp(size, 0x1p-1000, 0x1p1000);
   std::vector<Image> small;
   for (const Image& image : images) small.push_back(scaled(image, 1 / unit));
@@ -159,7 +167,10 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   for (const Image& image : small) ball = merge(ball, stretched_ball(moments.axes, half, image));
   const Vec3& s = ball.centre;
   const Vec3 centre = point_in_frame(moments.axes, {}, {s.x * half.x, s.y * half.y, s.z * half.z});
-  return {near + unit * centre, moments.axes, (unit * ball.radius * growth) * half};
+  const EllipsoidBound result{near + unit * centre, moments.axes, (unit * ball.radius * growth) * half};
+  // Larger ones would overflow when they are asked about.
+  const bool in_range = largest_magnitude(result.centre) < 0x1p1000 && largest_magnitude(result.half) < 0x1p1000;
+  return in_range ? result : everything;
 }
 
 Image image_of(const EllipsoidBound& v, const Mat3& linear, const Vec3& offset) {
@@ -192,7 +203,7 @@ EllipsoidBound fit<EllipsoidBound>(std::span<const Triangle> triangles) {
 }
 
 double support_bound(const EllipsoidBound& v, const Vec3& direction, const Vec3& from) {
-  if (is_empty(v)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(v)) return -infinity;
   Vec3 along;
   for (int axis = 0; axis < 3; ++axis) {
     UpperSum sum;

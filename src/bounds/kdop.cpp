@@ -143,7 +143,8 @@ ScaledMeasure scaled_measure(const Kdop<k>& v) {
     planes.push_back({-normals[i], height - v.lower[i]});
     size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
   }
-  if (!(size <= std::numeric_limits<double>::max())) return {{size, size}, 1};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!is_finite(centre) || !(size < infinity)) return {{infinity, infinity}, 1};
   for (PlaneBound& plane : planes) plane.offset /= size;
   return {measure_within(planes), size};
 }

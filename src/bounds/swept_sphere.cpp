@@ -202,6 +202,8 @@ SweptSphere<dimension> posed(const SweptSphere<dimension>& v, const Pose& pose) 
   for (const Ball& ball : corner_balls(v)) balls.push_back({transform(pose, ball.centre), radius});
   SweptSphere<dimension> turned = around<dimension>(axes, transform(pose, v.centre), balls);
   turned.radius = rounded_up(turned.radius + slack_of(turned));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(turned.radius < infinity) || !is_finite(turned.centre)) return {{}, {}, {}, infinity};
   return turned;
 }
 

@@ -33,16 +33,22 @@ class UpperSum {
   /// What the sum is off by besides.
   void add_slack(double slack) { slack_ += slack; }
 
-  /// The exact sum is at most this; +∞ when a product has overflowed or was not a number.
-  [[nodiscard]] double bound() const { return value_finite() ? value_ + error() : infinity; }
+  /// The exact sum is at most this; +∞ when a product or slack has overflowed or was not a number.
+  [[nodiscard]] double bound() const { return value_finite() ? number_or_infinity(value_ + error()) : infinity; }
   /// So is the exact sum of which every product has the opposite sign.
-  [[nodiscard]] double opposite_bound() const { return value_finite() ? error() - value_ : infinity; }
-  [[nodiscard]] double magnitude_bound() const { return value_finite() ? std::fabs(value_) + error() : infinity; }
+  [[nodiscard]] double opposite_bound() const {
+    return value_finite() ? number_or_infinity(error() - value_) : infinity;
+  }
+  [[nodiscard]] double magnitude_bound() const {
+    return value_finite() ? number_or_infinity(std::fabs(value_) + error()) : infinity;
+  }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double tiny = 0x1p-1060;
 
+  /// Slack that overflowed may be no number.
+  static double number_or_infinity(double x) { return x <= infinity ? x : infinity; }
   [[nodiscard]] double error() const { return 0x1p-46 * magnitude_ + (1.0000001 * slack_ + tiny); }
   // Written so that what is not a number is not finite.
   [[nodiscard]] bool value_finite() const { return magnitude_ <= std::numeric_limits<double>::max() / 4; }

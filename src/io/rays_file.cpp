@@ -23,6 +23,8 @@ RayQuery read_line(io::TextCursor& cursor) {
     cursor.fail("a line of 6 numbers has " + std::to_string(count), "give where the ray starts and where it ends");
   const Vec3 from{numbers[0], numbers[1], numbers[2]}, to{numbers[3], numbers[4], numbers[5]};
   if (from == to) cursor.fail("the ray ends where it starts", "give two points");
+  if (!is_finite(to - from))
+    cursor.fail("the ray is longer than doubles can tell", "give two points nearer to each other");
   return {.origin = from, .motion = to - from};
 }
 

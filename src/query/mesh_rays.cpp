@@ -66,7 +66,7 @@ class FirstHit {
     if (!time.hit || time.upper > best_.time.upper) return;
     if (time.upper == best_.time.upper && best_.time.hit && best_.triangle < number) return;
     best_ = {time, number};
-    // As a part of the stretch; not less. NaN becomes 1.
+    // As a part of the stretch; not less.
     const double part = std::fmax(0, (time.upper - from_) * per_length_);
     limit_ = part < 1 ? static_cast<float>(part) + 0x1p-19F : 1;
   }

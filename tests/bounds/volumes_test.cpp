@@ -65,6 +65,40 @@ TYPED_TEST(EveryVolume, AnswersWithNumbersWhereTheyOverflow) {
 }
 
 /// The distance of two volumes that are apart is found, nearly, and so is the time at which one moving meets the other.
+TYPED_TEST(EveryVolume, HoldsWhatIsFiniteWhereOneAxisOverflows) {
+  const std::vector<Vec3> points{{1, 0.9, -1}, {-0.5, -0.5, 0.2}};
+  const TypeParam fitted = fit<TypeParam>(points);
+  for (const double offset : {0.0, 1e308}) {
+    Pose pose;
+    pose.linear[0] = {1e308, 1e308, 1e308};
+    pose.offset.x = offset;
+    const TypeParam overflown = posed(fitted, pose);
+    const Vec3 world = transform(pose, points[1]);
+    ASSERT_TRUE(is_finite(world));
+    EXPECT_TRUE(contains(overflown, world));
+    EXPECT_TRUE(overlap(overflown, overflown));
+    EXPECT_EQ(gap(overflown, PointVolume{world}), 0);
+    EXPECT_FALSE(std::isnan(measure(overflown)) || std::isnan(surface_area(overflown)) ||
+                 std::isnan(half_area(overflown)));
+    EXPECT_TRUE(contains(merge(overflown, fitted), points[0]));
+  }
+}
+
+TYPED_TEST(EveryVolume, HoldsPointsOfTheLeastNumbers) {
+  for (const double size : {5e-324, 1e-321, 1e-310, 1e-290}) {
+    const std::vector<Vec3> points{
+        {5 * size, size, 0}, {-8 * size, 3 * size, 9 * size}, {2 * size, -9 * size, 4 * size}};
+    const TypeParam fitted = fit<TypeParam>(points);
+    const TypeParam merged = merge(fitted, fit<TypeParam>(std::vector<Vec3>{{size, size, size}}));
+    for (const Vec3& p : points) {
+      EXPECT_TRUE(contains(fitted, p)) << size;
+      EXPECT_TRUE(contains(merged, p)) << size;
+      EXPECT_TRUE(contains(merge(fitted, TypeParam{}), p)) << size;
+      EXPECT_TRUE(contains(posed(fitted, Pose::translation(0, 0, size)), p + Vec3{0, 0, size})) << size;
+    }
+  }
+}
+
 TYPED_TEST(EveryVolume, GapAndEntryAreNearTheTruth) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);

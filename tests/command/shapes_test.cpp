@@ -46,7 +46,7 @@ TEST_F(ShapeCommands, DistanceOfMeshes) {
   EXPECT_GT(pair["lower"], 3);
   EXPECT_LT(pair["upper"], 5);
   EXPECT_NEAR(pair["on_a"][0], 0.5, 1e-12);
-  EXPECT_EQ(pair["face_a"], 3);
+  EXPECT_EQ(pair["face_a"], 1);
   EXPECT_EQ(run_command({"distance", "gen:box", "gen:icosphere"}).exit_code, 1);
 }
 
@@ -75,6 +75,10 @@ TEST_F(ShapeCommands, BadRaysAreRefused) {
   };
   const std::string rays = folder.write("rays.txt", "0 0 9  0 0 -9\n1 2 3 4\n").string();
   refused({"ray", "gen:box"}, "no ray is given");
+  refused({"ray", "gen:box", "--from", "0", "0", "1"}, "--to is missing");
+  const std::string far = folder.write("far.txt", "1e308 0 0  -1e308 0 0\n").string();
+  refused({"ray", "gen:box", "--rays", far}, "far.txt:1: the ray is longer than doubles can tell");
+  refused({"ray", "gen:box", "--from", "1e308", "0", "0", "--to", "-1e308", "0", "0"}, "--from and --to");
   refused({"ray", "gen:box", "--rays", rays}, "rays.txt:2: a line of 6 numbers has 4");
   refused({"ray", "gen:box", "--from", "0", "0", "1", "--to", "0", "0", "1"}, "one point");
   refused({"ray", "gen:box", "--from", "0", "0", "x", "--to", "0", "0", "1"}, "--from: 'x' is not a finite number");
@@ -121,7 +125,8 @@ TEST_F(ShapeCommands, InspectTellsTheNumbersOfShapes) {
 TEST_F(ShapeCommands, DistanceAsCsv) {
   const auto run = run_command({"distance", folder.write("scene.json", scene).string(), "--csv"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  EXPECT_TRUE(run.out.starts_with("a,b,lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status\nball,crate,"))
+  EXPECT_TRUE(run.out.starts_with(
+      "a,b,lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status\nball,crate,"))
       << run.out;
   EXPECT_NE(run.out.find("\nball,ground,0,0,"), std::string::npos) << run.out;
 }

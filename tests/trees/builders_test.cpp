@@ -198,6 +198,18 @@ TEST(Refit, HoldsWhatHasMovedAndTellsWhenToRebuild) {
   expect_valid(oriented, shuffled, 1);
 }
 
+TEST(Refit, WhatGrowsFromNothingOrOutOfRangeIsRebuilt) {
+  const std::vector<Triangle> points(10, Triangle{{Vec3{1, 2, 3}, Vec3{1, 2, 3}, Vec3{1, 2, 3}}});
+  auto tree = build_tree<Aabb>(points);
+  EXPECT_FALSE(refit(tree, points).should_rebuild());
+  Random random(9);
+  const std::vector<Triangle> grown = triangles_of("random", random, 10);
+  EXPECT_TRUE(refit(tree, grown).should_rebuild());
+  std::vector<Triangle> huge = grown;
+  huge[0].vertex[0] = {1e200, 1e200, 1e200};
+  for (int frame = 0; frame < 2; ++frame) EXPECT_TRUE(refit(tree, huge).should_rebuild());
+}
+
 TEST(Refit, GrowthIsCountedFromTheBuildHoweverSlowItIs) {
   Random random(8);
   std::vector<Triangle> moving = triangles_of("random", random, 100);

@@ -7,7 +7,8 @@ namespace toccata {
 
 /// A solid ellipsoid: all centre + Σ s_i · axis_i with Σ (s_i / half_i)² ≤ 1, in real numbers. The axes are the rows,
 /// of unit length and at right angles to within 2⁻⁴⁶. No half axis is shorter than 2⁻²⁰ of the longest, unless all are
-/// 0, so flat things are held with a thickness. Empty while one is negative.
+/// 0, so flat things are held with a thickness, and what is smaller than 2⁻⁹⁶⁰ with one of 2⁻⁹⁵⁵. Empty while one is
+/// negative.
 struct EllipsoidBound {
   Vec3 centre;
   Mat3 axes;

@@ -76,7 +76,7 @@ inline constexpr PairCell many_manifolds{PairState::not_defined,
                                          "there is one for each contact: ask contacts, and the manifold of each"};
 inline constexpr PairCell mesh_later{PairState::later,
                                      "this version answers it for convex shapes and half-spaces only; ask overlap, "
-                                     "relation or contacts"};
+                                     "relation, contacts or distance"};
 inline constexpr PairCell compound_later{PairState::later,
                                          "this version answers it for convex shapes and half-spaces only; ask it of "
                                          "the parts"};

@@ -10,23 +10,26 @@
 
 namespace toccata {
 
-/// How a hierarchy over triangles is found. None depends on the volume: every method serves every volume. Of sizes over
-/// hundreds of orders of magnitude agglomeration and insertion make deep trees; walks keep stacks of their own.
+/// How a hierarchy over triangles is found. None depends on the volume: every method serves every volume. Where things
+/// of growing size lie in each other, agglomeration and insertion may make a tree as deep as there are of them; walks
+/// keep stacks of their own.
 enum class TreeMethod {
   /// From the top down by the plane through the mean across the direction of greatest variance, else of the next
   /// (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996); in halves where no such plane parts the centroids.
   mean,
   /// From the top down into halves, by the order along the longest axis of the centroids.
   median,
-  /// From the top down where the surface-area heuristic is least (build.hpp).
+  /// From the top down where the surface-area heuristic (SAH) is least (build.hpp).
   heuristic,
-  /// From the bottom up: of neighbours along a space-filling curve those are merged that are each other's nearest (D.
+  /// From the bottom up (PLOC): of neighbours along a space-filling curve those are merged that are each other's
+  /// nearest (D.
   /// Meister, J. Bittner, "Parallel locally-ordered clustering for bounding volume hierarchy construction", 2018).
   agglomeration,
   /// One by one, each where it makes the boxes grow least (J. Goldsmith, J. Salmon, "Automatic creation of object
   /// hierarchies for ray tracing", 1987).
   insertion,
-  /// Along a space-filling curve, split where its codes differ first (C. Lauterbach et al., "Fast BVH construction on
+  /// LBVH: along a space-filling curve, split where its codes differ first (C. Lauterbach et al., "Fast BVH
+  /// construction on
   /// GPUs", 2009).
   morton,
 };
@@ -69,6 +72,7 @@ template <BoundingVolume Volume, int Arity = 2>
   for (const Index item : shape.items) ordered.push_back(triangles[item]);
   Tree<Volume, Arity> tree;
   tree.items = shape.items;
+  tree.built_size = 0;
   tree.nodes.reserve(shape.nodes.size());
   const std::vector<ItemRun> runs = item_runs(shape);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -103,8 +107,8 @@ template <class Volume, int Arity>
 /// about twice as many, and building anew pays.
 struct Refit {
   std::size_t volumes_updated = 0;
-  double growth = 1;  ///< the sum of half_area over all nodes, relative to Tree::built_size; 1 where that is 0
-  [[nodiscard]] bool should_rebuild() const { return growth > 2; }
+  double growth = 1;  ///< the sum of half_area over all nodes, relative to Tree::built_size; +∞ where that was 0
+  [[nodiscard]] bool should_rebuild() const { return !(growth <= 2); }
 };
 
 /// Puts the volumes around triangles that have moved: leaves are fitted anew, inner nodes merged from their children,
@@ -112,8 +116,10 @@ struct Refit {
 /// is taken as just built.
 template <BoundingVolume Volume, int Arity>
 Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
-  if (tree.built_size == 0)
+  if (tree.built_size < 0) {
+    tree.built_size = 0;
     for (const auto& node : tree.nodes) tree.built_size += half_area(node.volume);
+  }
   double size = 0;
   std::vector<Triangle> below;
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
@@ -129,7 +135,7 @@ Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
     }
     size += half_area(node.volume);
   }
-  return {tree.nodes.size(), tree.built_size > 0 ? size / tree.built_size : 1};
+  return {tree.nodes.size(), size == tree.built_size ? 1 : size / tree.built_size};
 }
 
 }  // namespace toccata

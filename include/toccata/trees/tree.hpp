@@ -27,7 +27,7 @@ struct Tree {
   static constexpr int arity = Arity;
   std::vector<TreeNode<Volume>> nodes;
   std::vector<Index> items;  ///< item numbers in leaf order
-  double built_size = 0;     ///< what half_area of all nodes added up to when it was built; 0: not known
+  double built_size = -1;    ///< what half_area of all nodes added up to when it was built; −1: not known
 };
 
 }  // namespace toccata
