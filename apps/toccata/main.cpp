@@ -121,6 +121,7 @@ void add_distance(CLI::App& app, Options& options) {
   add_input(*distance, options.distance.input,
             "one file (all pairs of its objects) or two (pairs of one of each): meshes or scenes");
   add_poses(*distance, options, options.distance.poses);
+  add_solid(*distance, options);
   add_writing(*distance, options, options.distance.threads, "docs/reference/distance-report.md");
   distance->footer(
       with_name("Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance a.stl b.obj\n"
@@ -194,6 +195,7 @@ int run(const CLI::App& app, Options& options) {
   }
   if (app.got_subcommand("distance")) {
     take_poses_and_format(options.distance, options);
+    options.distance.solid = solid_of(options.solid);
     return run_distance(options.distance);
   }
   if (app.got_subcommand("ray")) {

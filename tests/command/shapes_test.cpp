@@ -48,6 +48,8 @@ TEST_F(ShapeCommands, DistanceOfMeshes) {
   EXPECT_NEAR(pair["on_a"][0], 0.5, 1e-12);
   EXPECT_EQ(pair["face_a"], 1);
   EXPECT_EQ(run_command({"distance", "gen:box", "gen:icosphere"}).exit_code, 1);
+  const auto surfaces = run_command({"distance", "gen:box", "gen:icosphere", "--solid=none"});
+  EXPECT_EQ(surfaces.exit_code, 0) << surfaces.out << surfaces.err;
 }
 
 TEST_F(ShapeCommands, RayTellsWhatIsMetFirst) {
