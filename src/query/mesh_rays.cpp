@@ -112,6 +112,7 @@ RayTarget::RayTarget(const PosedMesh& mesh)
                            8 * unit_roundoff * (scale + dot(magnitude, magnitudes(column)));
       off += error * rho[j];
     }
+    if (!std::isfinite(off)) return;  // the world is searched then
     off_ = std::max(off_, 2 * off);
     off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of(magnitude));
   }
