@@ -39,6 +39,7 @@
 #include "toccata/io/report.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/io/self_report.hpp"
+#include "toccata/io/tree_file.hpp"
 #include "toccata/math/mat3.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/predicates.hpp"

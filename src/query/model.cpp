@@ -13,6 +13,7 @@
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/build.hpp"
 #include "trees/oriented_boxes.hpp"
+#include "trees/wide_check.hpp"
 
 namespace toccata {
 namespace {
@@ -31,14 +32,24 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
   return mesh;
 }
 
+WideTree require_tree(WideTree tree, const TriangleMesh& mesh) {
+  if (const std::string fault = fault_of(tree, boxes_of(mesh)); !fault.empty())
+    throw Error(fmt::format("this is no tree over the mesh of {} triangles: {}; build one from the mesh",
+                            mesh.triangle_count(), fault));
+  return tree;
+}
+
 }  // namespace
 
 struct Model::Parts {
-  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
+  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, WideTree given_tree)
       : shape(std::move(given)),
         mesh(std::move(given_mesh)),
-        wide_tree(build_wide_tree(boxes_of(*mesh), {.threads = threads})),
+        wide_tree(std::move(given_tree)),
         vertex_box(fit_aabb(mesh->vertices())) {}
+
+  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
+      : Parts(std::move(given), given_mesh, build_wide_tree(boxes_of(*given_mesh), {.threads = threads})) {}
 
   Parts(Compound given, int threads) : shape(given) {
     for (const CompoundPart& part : given.parts()) models.push_back(Model(part.shape, threads));
@@ -62,6 +73,9 @@ Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const Tria
 
 Model::Model(std::shared_ptr<const TriangleMesh> mesh, int threads)
     : parts_(std::make_shared<const Parts>(Shape(mesh), require_mesh(mesh), threads)) {}
+
+Model::Model(std::shared_ptr<const TriangleMesh> mesh, WideTree tree)
+    : parts_(std::make_shared<const Parts>(Shape(mesh), mesh, require_tree(std::move(tree), *require_mesh(mesh)))) {}
 
 Model::Model(HeightField field, int threads)
     : parts_(std::make_shared<const Parts>(Shape(field), field.mesh(), threads)) {}

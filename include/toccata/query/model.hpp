@@ -33,6 +33,9 @@ class Model {
   /// Error when the mesh has more triangles than a tree holds (2²⁸).
   explicit Model(TriangleMesh mesh, int threads = 1);
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = 1);
+  /// With a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over the
+  /// mesh's triangles, which it looks through once.
+  explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideTree tree);
   explicit Model(HeightField field, int threads = 1);
   explicit Model(Compound compound, int threads = 1);
   template <std::same_as<Shape> S>

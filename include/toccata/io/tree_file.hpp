@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "toccata/query/model.hpp"
+
+namespace toccata {
+
+/// Writes the tree of a mesh's model (docs/reference/tree-file.md), some 40 bytes a triangle, so that another run need
+/// not build it. The file is complete or not there. Throws Error naming the file, and for a model that is no mesh.
+void save_tree(const Model& model, const std::filesystem::path& path);
+
+/// The mesh made ready for questions with a tree that `save_tree` wrote for it, or for a mesh of the same vertices and
+/// triangles: every answer has the same bits as with a tree built now. Throws Error naming the file when it is of
+/// another mesh or version, damaged, or cut short. Whatever the file holds, a tree that is taken is right: that is
+/// checked, in time proportional to the mesh.
+[[nodiscard]] Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::filesystem::path& tree);
+
+}  // namespace toccata

@@ -1,0 +1,149 @@
+#include "trees/wide_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "trees/wide_frame.hpp"
+
+namespace toccata {
+namespace {
+
+/// Whether a + b ≤ limit as real numbers; not where one of them is no number.
+bool sum_is_at_most(double a, double b, double limit) {
+  // What the sum rounded away (D. Knuth, "The Art of Computer Programming", volume 2, 4.2.2, Theorem B).
+  const double sum = a + b, share = sum - a;
+  const double lost = (a - (sum - share)) + (b - share);
+  return sum < limit || (sum == limit && lost <= 0);
+}
+
+/// What lies below a block.
+struct Below {
+  FloatBox box = FloatBox::empty();
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< the places of items are in [first, end)
+  std::size_t items = 0;
+
+  void add(const Below& other) {
+    box.add(other.box);
+    first = items == 0 ? other.first : std::min(first, other.first);
+    end = std::max(end, other.end);
+    items += other.items;
+  }
+};
+
+class WideChecker {
+ public:
+  WideChecker(const WideTree& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
+
+  std::string fault() {
+    if (tree_.items.size() != boxes_.size())
+      return fmt::format("it has {} items, and there are {}", tree_.items.size(), boxes_.size());
+    if (boxes_.empty()) return tree_.blocks.empty() ? "" : "it has blocks for no items";
+    // A block without a block below has an item of its own, and all others but the last before an item have two.
+    if (tree_.blocks.empty() || tree_.blocks.size() > 2 * boxes_.size())
+      return fmt::format("{} blocks are not as many as {} items need", tree_.blocks.size(), boxes_.size());
+    if (!frame_is_right()) return "its frame is not that of the items' box";
+    if (!items_are_each_there_once()) return "its items are not each there once";
+    return fault_of_blocks();
+  }
+
+ private:
+  bool frame_is_right() {
+    Aabb around;
+    for (const Aabb& box : boxes_) around = merge(around, box);
+    frame_ = frame_around(around);
+    reach_ = (frame_.unit < 0x1p1023 ? 1 : 2) * (1 + 0x1p-22);
+    return tree_.box == around && tree_.origin == frame_.origin && tree_.unit == frame_.unit;
+  }
+
+  bool items_are_each_there_once() const {
+    std::vector<bool> seen(boxes_.size(), false);
+    for (const Index item : tree_.items) {
+      if (item >= seen.size() || seen[item]) return false;
+      seen[item] = true;
+    }
+    return true;
+  }
+
+  std::string fault_of_blocks() {
+    below_.resize(tree_.blocks.size());
+    has_parent_.assign(tree_.blocks.size(), false);
+    // Children come after their parents.
+    for (std::size_t block = tree_.blocks.size(); block-- > 0;) {
+      if (!look_into(block)) return fmt::format("block {} does not hold what is below it", block);
+      const Below& below = below_[block];
+      if (below.end - below.first != below.items) return fmt::format("the items of block {} are not one run", block);
+    }
+    if (std::find(has_parent_.begin() + 1, has_parent_.end(), false) != has_parent_.end())
+      return "a block is not below the first";
+    return below_[0].items == boxes_.size() ? "" : "not all items are below the first block";
+  }
+
+  /// Finds what is below a block. False where a lane is wrong.
+  bool look_into(std::size_t number) {
+    const WideBlock& block = tree_.blocks[number];
+    if (block.count < 1 || block.count > WideBlock::width) return false;
+    for (std::size_t lane = 0; lane < WideBlock::width; ++lane) {
+      if (lane >= block.count) {
+        if (!is_unused(block, lane)) return false;
+        continue;
+      }
+      if (!has_valid_child(number, lane)) return false;
+      const Below below = below_lane(block, lane);
+      if (!holds(block, lane, below.box)) return false;
+      below_[number].add(below);
+    }
+    return true;
+  }
+
+  static bool is_unused(const WideBlock& block, std::size_t lane) {
+    bool zero = block.child[lane] == 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      zero = zero && block.centre[axis][lane] == 0 && block.extent[axis][lane] == 0;
+    return zero;
+  }
+
+  /// Takes note that a child block has a parent.
+  bool has_valid_child(std::size_t number, std::size_t lane) {
+    const WideBlock& block = tree_.blocks[number];
+    if (block.is_item(lane)) return static_cast<std::size_t>(~block.child[lane]) < boxes_.size();
+    const auto child = static_cast<std::size_t>(block.child[lane]);
+    if (child <= number || child >= tree_.blocks.size() || has_parent_[child]) return false;
+    has_parent_[child] = true;
+    return true;
+  }
+
+  Below below_lane(const WideBlock& block, std::size_t lane) const {
+    if (!block.is_item(lane)) return below_[static_cast<std::size_t>(block.child[lane])];
+    const auto place = static_cast<std::size_t>(~block.child[lane]);
+    return {to_frame(frame_, boxes_[tree_.items[place]]), place, place + 1, 1};
+  }
+
+  /// Also that the lane's box is not far beyond all items.
+  bool holds(const WideBlock& block, std::size_t lane, const FloatBox& box) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double centre{block.centre[axis][lane]}, extent{block.extent[axis][lane]};
+      const double lower{box.lower[axis]}, upper{box.upper[axis]};
+      if (!(extent >= 0 && std::abs(centre) + extent <= reach_)) return false;
+      if (!sum_is_at_most(centre, -extent, lower) || !sum_is_at_most(-centre, -extent, -upper)) return false;
+    }
+    return true;
+  }
+
+  const WideTree& tree_;
+  std::span<const Aabb> boxes_;
+  WideFrame frame_;
+  double reach_ = 1;
+  std::vector<Below> below_;
+  std::vector<bool> has_parent_;
+};
+
+}  // namespace
+
+std::string fault_of(const WideTree& tree, std::span<const Aabb> boxes) { return WideChecker(tree, boxes).fault(); }
+
+}  // namespace toccata
