@@ -1,6 +1,7 @@
 #include "toccata/trees/builders.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "bounds/point_clouds.hpp"
@@ -10,9 +11,16 @@
 namespace toccata {
 namespace {
 
+/// A power of two. Of things that are all in one place, or nearly, it must not make the place itself too far away.
+double factor_for(const Aabb& box) {
+  const double farthest = std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.lower.z),
+                                    std::abs(box.upper.x), std::abs(box.upper.y), std::abs(box.upper.z)});
+  return std::min(CloudScale(box).factor, std::ldexp(1.0, 500 - std::ilogb(std::max(farthest, 0x1p-500))));
+}
+
 /// In a unit in which areas neither under- nor overflow; a power of two, so that nothing else changes.
 ShapeItems items_of(std::span<const Triangle> triangles) {
-  const double factor = CloudScale(fit<Aabb>(triangles)).factor;
+  const double factor = factor_for(fit<Aabb>(triangles));
   ShapeItems items;
   for (const Triangle& t : triangles) {
     const Triangle scaled{{factor * t[0], factor * t[1], factor * t[2]}};

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "toccata/query/cost.hpp"
+
+namespace toccata {
+namespace {
+
+std::string name_of(const CostRow& row) {
+  if (row.volume == CostVolume::wide) return "the library's own tree (wide)";
+  return fmt::format("{} with {} children a node by {}", name_of(row.volume), row.arity, name_of(row.method));
+}
+
+std::string time_text(double nanoseconds) {
+  if (nanoseconds < 1e3) return fmt::format("{:.3g} ns", nanoseconds);
+  return nanoseconds < 1e6 ? fmt::format("{:.3g} us", nanoseconds / 1e3) : fmt::format("{:.4g} ms", nanoseconds / 1e6);
+}
+
+double share(double part, double whole) { return whole > 0 ? 100 * part / whole : 0; }
+
+std::string parts_text(const CostRow& row) {
+  if (row.volume == CostVolume::wide && row.update_cost() == 0) return "its time is not taken apart";
+  const double all = row.cost();
+  return fmt::format("{:.0f} % of it for updating volumes, {:.0f} % for comparing them, {:.0f} % for triangles",
+                     share(row.update_cost(), all), share(row.test_cost(), all), share(row.item_cost(), all));
+}
+
+/// "4.2 times the tests of volumes at 0.3 times the time each"; nothing where neither has any.
+void compare(std::vector<std::string>& parts, const char* what, double count, double count_of_best, double each,
+             double each_of_best) {
+  if (count == 0 && count_of_best == 0) return;
+  if (count_of_best == 0 || count == 0) {
+    parts.push_back(fmt::format("{:.6g} instead of {:.6g} {}", count, count_of_best, what));
+    return;
+  }
+  parts.push_back(fmt::format("{:.2g} times the {} at {:.2g} times the time each", count / count_of_best, what,
+                              each_of_best > 0 ? each / each_of_best : 1));
+}
+
+std::string comparison(const CostRow& other, const CostRow& best) {
+  std::vector<std::string> parts;
+  const auto number = [](std::size_t count, const CostRow& row) {
+    return static_cast<double>(count) / static_cast<double>(row.queries);
+  };
+  compare(parts, "updates", number(other.counts.volumes_updated, other), number(best.counts.volumes_updated, best),
+          other.update_ns, best.update_ns);
+  compare(parts, "tests of volumes", number(other.counts.volume_tests, other), number(best.counts.volume_tests, best),
+          other.test_ns, best.test_ns);
+  if (other.volume != CostVolume::wide && best.volume != CostVolume::wide)
+    compare(parts, "triangle pairs", number(other.counts.items, other), number(best.counts.items, best), other.item_ns,
+            best.item_ns);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string line_about(const CostRow& other, const CostRow& best) {
+  const std::string factor =
+      best.cost() > 0 ? fmt::format("{:.2g} times as much", other.cost() / best.cost()) : time_text(other.cost());
+  return fmt::format("{} costs {}: {}", name_of(other), factor, comparison(other, best));
+}
+
+using Rows = std::vector<const CostRow*>;
+
+/// The cheapest rows of other volumes than the best, and of other hierarchies over the same.
+Rows rivals(const Rows& rows) {
+  const CostRow& best = *rows.front();
+  Rows found;
+  const auto add = [&](const auto& differs) {
+    const auto row = std::find_if(rows.begin(), rows.end(), differs);
+    if (row != rows.end()) found.push_back(*row);
+  };
+  std::vector<CostVolume> seen{best.volume};
+  for (int i = 0; i < 2; ++i) {
+    add([&](const CostRow* row) { return std::find(seen.begin(), seen.end(), row->volume) == seen.end(); });
+    if (!found.empty()) seen.push_back(found.back()->volume);
+  }
+  add([&](const CostRow* row) { return row->volume == best.volume && row->arity != best.arity; });
+  add([&](const CostRow* row) { return row->volume == best.volume && row->method != best.method; });
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> explain_winner(const CostTable& table, CostWorkload workload) {
+  Rows rows;
+  for (const CostRow& row : table.rows)
+    if (row.workload == workload) rows.push_back(&row);
+  if (rows.empty()) return {};
+  const CostRow& best = *rows.front();
+  std::vector<std::string> lines{fmt::format("the cheapest is {}: {} a query ({} as it ran), {}", name_of(best),
+                                             time_text(best.cost()), time_text(best.measured_ns), parts_text(best))};
+  for (const CostRow* rival : rivals(rows)) lines.push_back(line_about(*rival, best));
+  return lines;
+}
+
+}  // namespace toccata
