@@ -58,6 +58,22 @@ struct RaysArguments {
   bool json = false;
 };
 
+struct SelfArguments {
+  std::string mesh;
+  std::vector<std::string> peers;
+  int rounds = 3;
+  bool json = false;
+};
+
+struct RefitArguments {
+  std::string mesh;
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  int threads = 1;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -80,6 +96,8 @@ int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
 int run_convex(const ConvexArguments& arguments);
 int run_rays(const RaysArguments& arguments);
+int run_self(const SelfArguments& arguments);
+int run_refit(const RefitArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

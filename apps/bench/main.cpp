@@ -18,6 +18,8 @@ struct Options {
   TriangleArguments triangle;
   ConvexArguments convex;
   RaysArguments rays;
+  SelfArguments self;
+  RefitArguments refit;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -112,6 +114,33 @@ void add_rays(CLI::App& app, RaysArguments& arguments) {
   rays->footer("Example:\n  ./toccata bench rays --mesh gen:torus-knot --peer embree");
 }
 
+void add_self(CLI::App& app, SelfArguments& arguments) {
+  CLI::App* self = app.add_subcommand("self", "where a mesh meets itself: all pairs of its triangles");
+  self->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  self->add_option("--rounds", arguments.rounds, "how often it is asked; the fastest counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_peers(*self, arguments.peers, {"cgal"});
+  self->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  self->footer("Example:\n  ./toccata bench self --mesh gen:torus-knot --peer cgal");
+}
+
+void add_refit(CLI::App& app, RefitArguments& arguments) {
+  CLI::App* refit = app.add_subcommand("refit", "putting the tree of a mesh around vertices that have moved");
+  refit->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  refit->add_option("--seed", arguments.seed, "another seed, other questions to compare answers by")
+      ->capture_default_str();
+  refit->add_option("--rounds", arguments.rounds, "how often three frames are gone through; the median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  refit->add_option("--threads", arguments.threads, "use so many, where the library does (FCL uses one)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_peers(*refit, arguments.peers, {"embree", "fcl"});
+  refit->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  refit->footer("Example:\n  ./toccata bench refit --mesh gen:torus-knot --peer embree,fcl");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -155,6 +184,8 @@ int main_of(int argc, char** argv) {
   add_triangle(app, options.triangle);
   add_convex(app, options.convex);
   add_rays(app, options.rays);
+  add_self(app, options.self);
+  add_refit(app, options.refit);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -168,6 +199,8 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
   if (app.got_subcommand("convex")) return run_convex(options.convex);
   if (app.got_subcommand("rays")) return run_rays(options.rays);
+  if (app.got_subcommand("self")) return run_self(options.self);
+  if (app.got_subcommand("refit")) return run_refit(options.refit);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

@@ -100,6 +100,7 @@
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/builders.hpp"
+#include "toccata/trees/refit.hpp"
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/walk.hpp"
 #include "toccata/trees/wide_tree.hpp"

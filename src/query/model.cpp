@@ -72,15 +72,14 @@ struct Model::Parts {
 Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const TriangleMesh>(std::move(mesh)), threads) {}
 
 Model::Model(std::shared_ptr<const TriangleMesh> mesh, int threads)
-    : parts_(std::make_shared<const Parts>(Shape(mesh), require_mesh(mesh), threads)) {}
+    : parts_(std::make_shared<Parts>(Shape(mesh), require_mesh(mesh), threads)) {}
 
 Model::Model(std::shared_ptr<const TriangleMesh> mesh, WideTree tree)
-    : parts_(std::make_shared<const Parts>(Shape(mesh), mesh, require_tree(std::move(tree), *require_mesh(mesh)))) {}
+    : parts_(std::make_shared<Parts>(Shape(mesh), mesh, require_tree(std::move(tree), *require_mesh(mesh)))) {}
 
-Model::Model(HeightField field, int threads)
-    : parts_(std::make_shared<const Parts>(Shape(field), field.mesh(), threads)) {}
+Model::Model(HeightField field, int threads) : parts_(std::make_shared<Parts>(Shape(field), field.mesh(), threads)) {}
 
-Model::Model(Compound compound, int threads) : parts_(std::make_shared<const Parts>(std::move(compound), threads)) {}
+Model::Model(Compound compound, int threads) : parts_(std::make_shared<Parts>(std::move(compound), threads)) {}
 
 Model Model::of_any(const Shape& shape, int threads) {
   return std::visit(
@@ -91,6 +90,20 @@ Model Model::of_any(const Shape& shape, int threads) {
           return Model(given, threads);
       },
       shape);
+}
+
+Refit Model::deform(std::vector<Vec3> vertices, int threads) {
+  if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(shape()))
+    throw Error(fmt::format("a mesh can be deformed, and the model is a {}", name_of(shape())));
+  const auto moved = std::make_shared<const TriangleMesh>(mesh().with_vertices(std::move(vertices)));
+  const auto next = std::make_shared<Parts>(Shape(moved), moved, WideTree{});
+  const bool alone = parts_.use_count() == 1;
+  if (!alone) next->wide_tree = parts_->wide_tree;
+  const Refit done = refit(alone ? parts_->wide_tree : next->wide_tree, *next->mesh, threads);
+  if (alone) next->wide_tree = std::move(parts_->wide_tree);
+  parts_ = next;
+  if (done.should_rebuild()) parts_->wide_tree = build_wide_tree(boxes_of(mesh()), {.threads = threads});
+  return done;
 }
 
 const Shape& Model::shape() const { return parts_ ? parts_->shape : plain_; }

@@ -47,4 +47,17 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<In
   face_count_ = face_of_triangle_.empty() ? static_cast<Index>(triangles_.size()) : face_of_triangle_.back() + 1;
 }
 
+TriangleMesh TriangleMesh::with_vertices(std::vector<Vec3> vertices) const {
+  if (vertices.size() != vertices_.size())
+    throw Error("a mesh of " + std::to_string(vertices_.size()) + " vertices was given " +
+                std::to_string(vertices.size()) + " others; give as many");
+  check_vertices(vertices);
+  TriangleMesh mesh;
+  mesh.vertices_ = std::move(vertices);
+  mesh.triangles_ = triangles_;
+  mesh.face_of_triangle_ = face_of_triangle_;
+  mesh.face_count_ = face_count_;
+  return mesh;
+}
+
 }  // namespace toccata

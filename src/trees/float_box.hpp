@@ -8,6 +8,7 @@ namespace toccata {
 
 /// Four floats side by side; arithmetic and comparison are by lane.
 using Float4 [[gnu::vector_size(16)]] = float;
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
 
 [[nodiscard]] inline Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
 [[nodiscard]] inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }

@@ -20,8 +20,6 @@ const std::array<float, most_sorted>& small_weights() {
   return weights;
 }
 
-using Int4 [[gnu::vector_size(16)]] = std::int32_t;
-
 /// Keys of a few items that are different from each other, and in the order of their centres along an axis.
 class Keys {
  public:

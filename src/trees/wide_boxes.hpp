@@ -1,12 +1,23 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "toccata/trees/wide_tree.hpp"
+#include "trees/float_box.hpp"
 
 namespace toccata {
 
 /// A box around what the lane's child may hold, in the coordinates of the items; rounded outwards.
 [[nodiscard]] Aabb box_of(const WideTree& tree, std::size_t block, std::size_t lane);
+
+/// Makes the box the lane's, rounded outwards.
+void set_box(WideBlock& block, std::size_t lane, const FloatBox& box);
+
+/// The same for all lanes at once.
+void set_boxes(WideBlock& block, const std::array<FloatBox, WideBlock::width>& boxes);
+
+/// What the half areas of the lanes' boxes add up to, in the tree's units².
+[[nodiscard]] double half_areas(const WideBlock& block);
 
 }  // namespace toccata

@@ -1,8 +1,9 @@
 #include "trees/wide_collapse.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
+
+#include "trees/wide_boxes.hpp"
 
 namespace toccata {
 namespace {
@@ -87,24 +88,6 @@ Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
     }
   }
   return lanes;
-}
-
-/// A float that is not less than the difference of two, which is not negative.
-float difference_up(float a, float b) {
-  const float nearest = a - b;
-  // The rounding of a difference is at most half the step to the next float, and a difference of 0 is exact.
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + (nearest > 0 ? 1U : 0U));
-}
-
-void set_boxes(WideBlock& block, const std::array<FloatBox, width>& boxes) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t lane = 0; lane < width; ++lane) {
-      const float lower = boxes[lane].lower[axis], upper = boxes[lane].upper[axis];
-      const float centre = 0.5F * (lower + upper);
-      block.centre[axis][lane] = centre;
-      block.extent[axis][lane] = std::max(difference_up(upper, centre), difference_up(centre, lower));
-    }
-  }
 }
 
 void fill(WideBlock& block, const BlockPlan& plan, std::span<const BinaryNode> nodes,

@@ -1,8 +1,10 @@
 #include "library.hpp"
+#include "self.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries cgal_mesh_libraries() { peer_is_missing("cgal"); }
 TriangleLibraries cgal_triangle_libraries() { peer_is_missing("cgal"); }
+SelfLibraries cgal_self_libraries() { peer_is_missing("cgal"); }
 
 }  // namespace toccata::bench

@@ -1,9 +1,11 @@
 #include "convex_library.hpp"
+#include "refits.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries fcl_mesh_libraries() { peer_is_missing("fcl"); }
 TriangleLibraries fcl_triangle_libraries() { peer_is_missing("fcl"); }
 ConvexOffer fcl_convex(const ConvexWork&) { peer_is_missing("fcl"); }
+RefitLibraries fcl_refit_libraries() { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench

@@ -3,12 +3,14 @@
 #include <concepts>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
+#include "toccata/trees/refit.hpp"
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/wide_tree.hpp"
 
@@ -22,7 +24,7 @@ concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::
     std::same_as<S, HalfSpace> || std::same_as<S, Sphere> || std::same_as<S, Box> || std::same_as<S, Capsule> ||
     std::same_as<S, ConvexHull> || std::same_as<S, Rounded>;
 
-/// A shape made ready for questions: the shape, shared and immutable, and the trees over it. Copies share all. Build
+/// A shape made ready for questions: the shape and the trees over it. Copies share all, until one is deformed. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.
 ///
 /// Answers count its elements from 0: the triangles of a mesh or height field; of a compound those of its parts, one
@@ -44,6 +46,14 @@ class Model {
   /// Implicit: there is nothing to build.
   template <PlainShape S>
   Model(const S& shape) : plain_(shape) {}
+
+  /// Gives the mesh other vertices, as many as it has, as a simulation does step by step: the tree keeps its shape, its
+  /// boxes are put around the moved triangles, and it is built anew once they have grown too much
+  /// (Refit::should_rebuild; the answer is what was found before that). No answer depends on which was done. Other
+  /// copies of the model stay as they are; a model of which there are none gives its tree up instead of copying it.
+  /// Throws Error when it is no mesh, for another number of vertices, and when one is not finite; it then stays as it
+  /// was.
+  Refit deform(std::vector<Vec3> vertices, int threads = 1);
 
   [[nodiscard]] const Shape& shape() const;
 
@@ -85,7 +95,7 @@ class Model {
   struct Parts;
   static Model of_any(const Shape& shape, int threads);
 
-  std::shared_ptr<const Parts> parts_;  ///< none for plain shapes
+  std::shared_ptr<Parts> parts_;  ///< none for plain shapes; changed by `deform` alone, and then by its only owner
   Shape plain_ = Point{};
 };
 

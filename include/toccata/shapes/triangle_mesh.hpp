@@ -19,6 +19,10 @@ class TriangleMesh {
   TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
                std::vector<Index> face_of_triangle = {});
 
+  /// The same triangles and faces with other vertices, as many as before. Throws Error as the constructor does, and for
+  /// another number of vertices.
+  [[nodiscard]] TriangleMesh with_vertices(std::vector<Vec3> vertices) const;
+
   [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const { return triangles_; }
   [[nodiscard]] Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
@@ -28,6 +32,8 @@ class TriangleMesh {
   }
 
  private:
+  TriangleMesh() = default;
+
   std::vector<Vec3> vertices_;
   std::vector<std::array<Index, 3>> triangles_;
   std::vector<Index> face_of_triangle_;

@@ -6,6 +6,7 @@
 
 #include "toccata/bounds/volume.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/trees/refit.hpp"
 #include "toccata/trees/tree.hpp"
 
 namespace toccata {
@@ -102,14 +103,6 @@ template <class Volume, int Arity>
   for (const auto& node : tree.nodes) shape.nodes.push_back({{}, node.first, node.count, node.child_count});
   return balance_of(shape, Arity);
 }
-
-/// What refitting did. Once the nodes together have grown to twice what they were when the tree was built, walks visit
-/// about twice as many, and building anew pays.
-struct Refit {
-  std::size_t volumes_updated = 0;
-  double growth = 1;  ///< the sum of half_area over all nodes, relative to Tree::built_size; +∞ where that was 0
-  [[nodiscard]] bool should_rebuild() const { return !(growth <= 2); }
-};
 
 /// Puts the volumes around triangles that have moved: leaves are fitted anew, inner nodes merged from their children,
 /// from the last node to the first. `triangles` are numbered as when the tree was built. A tree of unknown built_size

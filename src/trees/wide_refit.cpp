@@ -1,0 +1,196 @@
+#include "toccata/trees/refit.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
+#include "trees/chunks.hpp"
+#include "trees/float_box.hpp"
+#include "trees/wide_boxes.hpp"
+#include "trees/wide_frame.hpp"
+
+namespace toccata {
+namespace {
+
+// Work is divided by these numbers and never by threads.
+constexpr std::size_t triangles_per_task = 32768;
+constexpr std::size_t vertices_per_task = 16384;
+constexpr std::size_t blocks_per_task = 2048;
+
+using FloatPoints = std::unique_ptr<Float4[]>;
+
+/// Grows with points; two coordinates at a time.
+struct GrowingBox {
+  using Double2 [[gnu::vector_size(16)]] = double;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Double2 least_xy{infinity, infinity};
+  Double2 greatest_xy{-infinity, -infinity};
+  Double2 least_z{infinity, infinity};  ///< of z and of −z
+
+  void add(const Vec3& point) {
+    const Double2 xy{point.x, point.y}, z{point.z, -point.z};
+    least_xy = xy < least_xy ? xy : least_xy;
+    greatest_xy = xy > greatest_xy ? xy : greatest_xy;
+    least_z = z < least_z ? z : least_z;
+  }
+  [[nodiscard]] Aabb box() const {
+    return {{least_xy[0], least_xy[1], least_z[0]}, {greatest_xy[0], greatest_xy[1], -least_z[1]}};
+  }
+};
+
+/// Around the corners of all triangles; vertices that none uses do not matter.
+Aabb box_around(const TriangleMesh& mesh, int threads) {
+  const Chunks chunks{mesh.triangle_count(), triangles_per_task};
+  std::vector<Aabb> around(chunks.size());
+  const auto vertices = mesh.vertices();
+  parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
+    GrowingBox part;
+    for (const auto& corners : chunks.of(mesh.triangles(), chunk))
+      for (const Index corner : corners) part.add(vertices[corner]);
+    around[chunk] = part.box();
+  });
+  Aabb all;
+  for (const Aabb& part : around) all = merge(all, part);
+  return all;
+}
+
+/// The float nearest to (x − origin) / unit, to less than the step to the next one.
+float to_frame(const WideFrame& frame, double x, double origin) {
+  return static_cast<float>((x - origin) * frame.inverse);
+}
+
+/// What no triangle uses may lie outside the frame and is made anything.
+FloatPoints points_of(const WideFrame& frame, std::span<const Vec3> vertices, int threads) {
+  FloatPoints points = std::make_unique_for_overwrite<Float4[]>(vertices.size());
+  const Chunks chunks{vertices.size(), vertices_per_task};
+  parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
+    Float4* point = points.get() + chunks.first(chunk);
+    for (const Vec3& v : chunks.of(vertices, chunk))
+      *point++ = Float4{to_frame(frame, v.x, frame.origin.x), to_frame(frame, v.y, frame.origin.y),
+                        to_frame(frame, v.z, frame.origin.z), 0};
+  });
+  return points;
+}
+
+/// The next float up, by its bits.
+Float4 next_up(Float4 x) {
+  const Float4 without_minus_zero = x + 0.0F;
+  const Int4 step = 1 + 2 * (without_minus_zero < 0);
+  return std::bit_cast<Float4>(std::bit_cast<Int4>(without_minus_zero) + step);
+}
+
+/// Around three points and all that they may have been rounded from.
+FloatBox box_around(Float4 a, Float4 b, Float4 c) {
+  return {-next_up(-least(least(a, b), c)), next_up(greatest(greatest(a, b), c))};
+}
+
+/// The triangles of a mesh in a tree's order, with their corners as floats.
+struct ItemTriangles {
+  std::span<const Index> items;
+  std::span<const std::array<Index, 3>> triangles;
+  const Float4* point;
+
+  [[nodiscard]] const std::array<Index, 3>& corners(const WideBlock& block, std::size_t lane) const {
+    return triangles[items[static_cast<std::size_t>(~block.child[lane])]];
+  }
+  [[nodiscard]] FloatBox box(const WideBlock& block, std::size_t lane) const {
+    const auto& [a, b, c] = corners(block, lane);
+    return box_around(point[a], point[b], point[c]);
+  }
+
+  // Triangles and corners lie anywhere in memory: these have them brought while others are worked on.
+  void fetch_corners(const WideBlock& block) const {
+    for (std::size_t lane = 0; lane < block.count; ++lane)
+      if (block.is_item(lane)) __builtin_prefetch(&corners(block, lane));
+  }
+  void fetch_points(const WideBlock& block) const {
+    for (std::size_t lane = 0; lane < block.count; ++lane)
+      if (block.is_item(lane))
+        for (const Index corner : corners(block, lane)) __builtin_prefetch(point + corner);
+  }
+};
+
+/// The boxes of the lanes that hold single triangles; gives the box around these.
+FloatBox put_items(WideBlock& block, const ItemTriangles& triangles) {
+  std::array<FloatBox, WideBlock::width> boxes{};
+  FloatBox all = FloatBox::empty();
+  for (std::size_t lane = 0; lane < block.count; ++lane)
+    if (block.is_item(lane)) {
+      boxes[lane] = triangles.box(block, lane);
+      all.add(boxes[lane]);
+    }
+  set_boxes(block, boxes);
+  return all;
+}
+
+void put_items(std::span<WideBlock> blocks, const ItemTriangles& triangles, FloatBox* around) {
+  constexpr std::size_t ahead = 8;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i + 2 * ahead < blocks.size()) triangles.fetch_corners(blocks[i + 2 * ahead]);
+    if (i + ahead < blocks.size()) triangles.fetch_points(blocks[i + ahead]);
+    around[i] = put_items(blocks[i], triangles);
+  }
+}
+
+/// The boxes of the lanes that hold blocks, from the last block to the first. `around` has a box for each block, and of
+/// these what lies in items.
+void put_blocks(std::span<WideBlock> blocks, std::vector<FloatBox>& around) {
+  for (std::size_t i = blocks.size(); i-- > 0;)
+    for (std::size_t lane = 0; lane < blocks[i].count; ++lane) {
+      if (blocks[i].is_item(lane)) continue;
+      const FloatBox& below = around[static_cast<std::size_t>(blocks[i].child[lane])];
+      set_box(blocks[i], lane, below);
+      around[i].add(below);
+    }
+}
+
+double half_areas(std::span<const WideBlock> blocks) {
+  double sum = 0;
+  for (const WideBlock& block : blocks) sum += toccata::half_areas(block);
+  return sum;
+}
+
+std::size_t lane_count(std::span<const WideBlock> blocks) {
+  std::size_t lanes = 0;
+  for (const WideBlock& block : blocks) lanes += block.count;
+  return lanes;
+}
+
+void move_to(WideTree& tree, const WideFrame& frame) {
+  const double ratio = tree.unit / frame.unit;
+  tree.built_size *= ratio * ratio;
+  tree.origin = frame.origin;
+  tree.unit = frame.unit;
+}
+
+}  // namespace
+
+Refit refit(WideTree& tree, const TriangleMesh& mesh, int threads) {
+  if (tree.items.size() != mesh.triangle_count())
+    throw Error("a tree over " + std::to_string(tree.items.size()) + " triangles is to be refitted to a mesh of " +
+                std::to_string(mesh.triangle_count()) + ": build one for that mesh");
+  if (tree.built_size < 0) tree.built_size = half_areas(tree.blocks);
+  tree.box = box_around(mesh, threads);
+  const WideFrame frame = frame_around(tree.box);
+  move_to(tree, frame);
+  const FloatPoints points = points_of(frame, mesh.vertices(), threads);
+  std::vector<FloatBox> around(tree.blocks.size());
+  const ItemTriangles triangles{tree.items, mesh.triangles(), points.get()};
+  const Chunks chunks{tree.blocks.size(), blocks_per_task};
+  parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
+    put_items(chunks.of(std::span(tree.blocks), chunk), triangles, around.data() + chunks.first(chunk));
+  });
+  put_blocks(tree.blocks, around);
+  const double size = half_areas(tree.blocks);
+  return {lane_count(tree.blocks), size == tree.built_size ? 1 : size / tree.built_size};
+}
+
+}  // namespace toccata
