@@ -6,6 +6,7 @@
 
 #include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/query/faces_within.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::command {
@@ -46,6 +47,10 @@ struct RayArguments : PosedArguments {
   std::string rays;  ///< a file of rays; empty: the one from `from` to `to`
 };
 
+struct FacesArguments : PosedArguments {
+  std::optional<Region> region;
+};
+
 struct InspectArguments {
   InputArguments input;
   Format format = Format::table;
@@ -69,6 +74,7 @@ int run_inspect(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);
 int run_distance_poses(const DistanceArguments& arguments);
 int run_ray(const RayArguments& arguments);
+int run_faces(const FacesArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

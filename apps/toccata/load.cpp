@@ -106,4 +106,14 @@ Vec3 parse_point(const std::vector<std::string>& words, const std::string& optio
   return {x, y, z};
 }
 
+Aabb parse_box(const std::vector<std::string>& words, const std::string& option) {
+  const auto n = parse_doubles<6>(words, option, "six numbers, the least corner and then the greatest");
+  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+}
+
+Ball parse_ball(const std::vector<std::string>& words, const std::string& option) {
+  const auto n = parse_doubles<4>(words, option, "four numbers, the centre and then the radius");
+  return {{n[0], n[1], n[2]}, n[3]};
+}
+
 }  // namespace toccata::command

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/bounds/ball.hpp"
 
 namespace toccata::command {
 
@@ -23,5 +25,9 @@ Pose parse_pose(const std::vector<std::string>& words, const std::string& option
 
 /// Three numbers. `option` names them in errors.
 Vec3 parse_point(const std::vector<std::string>& words, const std::string& option);
+
+/// Six numbers, the least corner and the greatest; four, a centre and a radius.
+Aabb parse_box(const std::vector<std::string>& words, const std::string& option);
+Ball parse_ball(const std::vector<std::string>& words, const std::string& option);
 
 }  // namespace toccata::command

@@ -24,6 +24,9 @@ struct Options {
   RayArguments ray;
   std::vector<std::string> from;
   std::vector<std::string> to;
+  FacesArguments faces;
+  std::vector<std::string> box;
+  std::vector<std::string> ball;
   InspectArguments inspect;
   DemoArguments demo;
   bool json = false;
@@ -148,6 +151,27 @@ void add_ray(CLI::App& app, Options& options) {
                 "  {0} ray part.stl --from 0 0 5 --to 0 0 -5\n  {0} ray scene.json --rays rays.txt --csv"));
 }
 
+void add_faces(CLI::App& app, Options& options) {
+  CLI::App* faces = app.add_subcommand("faces", "which faces lie in a box or a ball, wholly or in part");
+  add_input(*faces, options.faces.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  CLI::Option* box = faces->add_option("--box", options.box, "the least corner and the greatest, in the world")
+                         ->expected(6)
+                         ->delimiter(',')
+                         ->allow_extra_args(false)
+                         ->type_name("X0 Y0 Z0 X1 Y1 Z1");
+  faces->add_option("--ball", options.ball, "centre and radius")
+      ->expected(4)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("X Y Z R")
+      ->excludes(box);
+  add_writing(*faces, options, options.faces.threads, "docs/reference/faces-report.md");
+  faces->footer(
+      with_name("Touching counts. Faces are the files' own, from 0.\n\n"
+                "Exit code: 0 there is none, 1 there is one, 2 trouble.\n\nExample:\n"
+                "  {0} faces part.stl --box 0 0 0  1 1 1\n  {0} faces scene.json --ball 0 0 5 0.25 --csv"));
+}
+
 void add_pairs(CLI::App& app, Options& options) {
   CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
   pairs->add_flag("--json", options.json, "write JSON (docs/reference/pairs.md)");
@@ -205,6 +229,12 @@ int run(const CLI::App& app, Options& options) {
     if (!options.to.empty()) options.ray.to = parse_point(options.to, "--to");
     return run_ray(options.ray);
   }
+  if (app.got_subcommand("faces")) {
+    take_poses_and_format(options.faces, options);
+    if (!options.box.empty()) options.faces.region = parse_box(options.box, "--box");
+    if (!options.ball.empty()) options.faces.region = parse_ball(options.ball, "--ball");
+    return run_faces(options.faces);
+  }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
@@ -255,6 +285,7 @@ int main_of(int argc, char** argv) {
   add_check(app, options);
   add_distance(app, options);
   add_ray(app, options);
+  add_faces(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
   add_demo(app, options);

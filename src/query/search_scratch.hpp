@@ -12,6 +12,7 @@
 #include "query/posed_shape.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/faces_within.hpp"
 #include "trees/near_walk.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -58,7 +59,8 @@ struct SearchScratch {
   NearFrontier near;
   std::vector<NearCandidate> candidates;  ///< for the nearest pair
   WalkCounts counts;
-  ConvexWorkspace convex;  ///< of the last pair of convex shapes
+  ConvexWorkspace convex;                    ///< of the last pair of convex shapes
+  std::vector<FoundElement> found_elements;  ///< that meet a region
 };
 
 }  // namespace toccata

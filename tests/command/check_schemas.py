@@ -55,6 +55,13 @@ def rays(folder):
     yield asked(folder, "ray", "scenes/a.obj", "--from", "0", "0", "9", "--to", "0", "0", "-9")
 
 
+def faces(folder):
+    """What lies in a box and in a ball, and in one where there is nothing."""
+    yield asked(folder, "faces", "shapes.json", "scenes/a.obj", "--box", "-1", "-1", "-1", "1", "1", "1")
+    yield asked(folder, "faces", "shapes.json", "--ball", "0", "0", "9", "0.5")
+    yield asked(folder, "faces", "scenes/a.obj", "--ball", "90", "90", "90", "0")
+
+
 def reports(folder):
     """The JSON of every kind of check, with and without what options add."""
     def check(*words):
@@ -80,6 +87,7 @@ def reports(folder):
 def main():
     check_report, scene = validator("check-report.schema.json"), validator("scene.schema.json")
     distance_report, ray_report = validator("distance-report.schema.json"), validator("ray-report.schema.json")
+    faces_report = validator("faces-report.schema.json")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([COMMAND, "demo", "--write", "scenes"], cwd=folder, check=True, capture_output=True)
@@ -92,6 +100,9 @@ def main():
         for report in rays(folder):
             ray_report.validate(report)
             assert not ray_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        for report in faces(folder):
+            faces_report.validate(report)
+            assert not faces_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scenes = list(folder.rglob("scene.json"))
         assert scenes
         for file in scenes:
