@@ -82,6 +82,8 @@
 #include "toccata/query/relation.hpp"
 #include "toccata/query/scene_models.hpp"
 #include "toccata/query/self_contacts.hpp"
+#include "toccata/query/signed_distance.hpp"
+#include "toccata/query/winding_number.hpp"
 #include "toccata/query/workspace.hpp"
 #include "toccata/shapes/box.hpp"
 #include "toccata/shapes/capsule.hpp"

@@ -14,6 +14,7 @@
 #include "toccata/trees/build.hpp"
 #include "trees/oriented_boxes.hpp"
 #include "trees/wide_check.hpp"
+#include "trees/winding_moments.hpp"
 
 namespace toccata {
 namespace {
@@ -62,9 +63,10 @@ struct Model::Parts {
   std::vector<Model> models;  ///< of a compound
 
   // What not every question needs, made by the first that does.
-  mutable std::once_flag tree_made, oriented_made, parts_found, closed_known;
+  mutable std::once_flag tree_made, oriented_made, moments_made, parts_found, closed_known;
   mutable Tree<Aabb> tree;
   mutable std::vector<OrientedBlock> oriented_boxes;
+  mutable std::vector<WindingMoments> winding_moments;
   mutable MeshParts mesh_parts;
   mutable bool closed = false;
 };
@@ -154,6 +156,13 @@ std::span<const OrientedBlock> Model::oriented_boxes() const {
   std::call_once(parts_->oriented_made,
                  [&] { parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_tree, triangles); });
   return parts_->oriented_boxes;
+}
+
+std::span<const WindingMoments> Model::winding_moments() const {
+  const TriangleMesh& triangles = mesh();
+  std::call_once(parts_->moments_made,
+                 [&] { parts_->winding_moments = toccata::winding_moments(parts_->wide_tree, triangles); });
+  return parts_->winding_moments;
 }
 
 const MeshParts& Model::mesh_parts() const {

@@ -10,6 +10,7 @@
 #include "narrow/triangle_pair_block.hpp"
 #include "query/found_pairs.hpp"
 #include "query/posed_shape.hpp"
+#include "query/winding_entry.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
@@ -61,6 +62,7 @@ struct SearchScratch {
   WalkCounts counts;
   ConvexWorkspace convex;                    ///< of the last pair of convex shapes
   std::vector<FoundElement> found_elements;  ///< that meet a region
+  WindingEntries winding;
 };
 
 }  // namespace toccata

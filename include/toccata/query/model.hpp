@@ -17,6 +17,7 @@
 namespace toccata {
 
 struct OrientedBlock;
+struct WindingMoments;
 
 /// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
 template <class S>
@@ -78,6 +79,10 @@ class Model {
   /// Turned boxes for the lanes of its blocks, for questions of distance; made when first asked for. Some 75 bytes a
   /// triangle. For the library itself.
   [[nodiscard]] std::span<const OrientedBlock> oriented_boxes() const;
+
+  /// What its blocks are as sources of solid angles, for winding numbers; made when first asked for. Some 80 bytes a
+  /// triangle. For the library itself.
+  [[nodiscard]] std::span<const WindingMoments> winding_moments() const;
 
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
   [[nodiscard]] const Tree<Aabb>& tree() const;

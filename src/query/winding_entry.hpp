@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace toccata {
+
+/// A block of a tree whose part of a winding number is told by its moments.
+struct WindingEntry {
+  double value;
+  double bound;
+  std::size_t block;
+};
+
+/// Memory of a search.
+struct WindingEntries {
+  std::vector<WindingEntry> kept;
+  std::vector<WindingEntry> before;
+};
+
+}  // namespace toccata

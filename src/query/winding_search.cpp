@@ -1,0 +1,126 @@
+#include "query/winding_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "narrow/solid_angle.hpp"
+#include "query/cull_bounds.hpp"
+
+// The names and bounds are those of docs/methods/winding-numbers.md.
+namespace toccata {
+namespace {
+
+double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+/// A sum, and a bound on what it is off by.
+struct BoundedSum {
+  double value = 0;
+  double bound = 0;
+
+  void add(double more, double more_bound) {
+    value += more;
+    bound += more_bound + unit_roundoff * std::abs(value);
+  }
+};
+
+Vec3 product(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
+
+/// How far Rᵀ R / s² is from 1, as the root of the sum of squares, for the s that it is nearest to.
+struct Similarity {
+  double squared_scale = 0;
+  double defect = HUGE_VAL;
+};
+
+Similarity similarity(const Mat3& linear) {
+  Similarity result;
+  for (int i = 0; i < 3; ++i) result.squared_scale += dot(linear.column(i), linear.column(i)) / 3;
+  if (!(result.squared_scale > 0x1p-400) || !(result.squared_scale < 0x1p400)) return result;
+  double squares = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double entry = dot(linear.column(i), linear.column(j)) / result.squared_scale - (i == j ? 1 : 0);
+      squares += entry * entry;
+    }
+  result.defect = std::sqrt(squares) + 0x1p-46;
+  return result;
+}
+
+}  // namespace
+
+struct WindingSearch::Seen {
+  Vec3 point;         ///< in the world
+  Vec3 in_tree;       ///< about the same point
+  double off;         ///< of all that is told in the tree's units
+  BoundedSum near{};  ///< the triangles that were asked
+  WindingEntries& far;
+};
+
+WindingSearch::WindingSearch(const PosedMesh& mesh)
+    : mesh_(mesh), tree_(mesh.model().wide_tree()), moments_(mesh.model().winding_moments()) {
+  const Pose& pose = mesh.pose();
+  const Similarity shape = similarity(pose.linear);
+  if (!(shape.defect < 0x1p-30)) return;
+  const double scale = std::sqrt(shape.squared_scale), unit = tree_.unit;
+  if (!(scale * unit > 0x1p-400) || !(scale * unit < 0x1p400)) return;
+  for (int i = 0; i < 3; ++i) back_[i] = (1 / (shape.squared_scale * unit)) * pose.linear.column(i);
+  world_middle_ = transform(pose, tree_.origin);
+  turned_ = determinant(pose.linear) < 0 ? -1 : 1;
+  const double world = length_of(world_sizes(mesh)) + length_of(world_middle_);
+  off_by_distance_ = 2 * (shape.defect + 0x1p-49) / (scale * unit);
+  off_ = 2 * (0x1p-49 * world / (scale * unit) + 8 * shape.defect + 0x1p-49);
+  rigid_ = is_finite(back_) && is_finite(world_middle_) && off_ < 1;
+}
+
+void WindingSearch::open(std::size_t block, double share, Seen& seen) const {
+  const WideBlock& lanes = tree_.blocks[block];
+  for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+    if (lanes.is_item(lane)) {
+      const Index item = tree_.items[static_cast<std::size_t>(~lanes.child[lane])];
+      const SolidAngle angle = solid_angle(seen.point, mesh_.triangle(item));
+      seen.near.add(angle.value, angle.bound);
+      continue;
+    }
+    const auto child = static_cast<std::size_t>(lanes.child[lane]);
+    const WindingPart part = winding_part(moments_[child], seen.in_tree, seen.off);
+    if (part.bound > share)
+      open(child, share, seen);
+    else
+      seen.far.kept.push_back({part.value, part.bound, child});
+  }
+}
+
+WindingNumber WindingSearch::at(const Vec3& point, double tolerance, WindingEntries& memory) const {
+  const Vec3 way = point - world_middle_;
+  Seen seen{
+      .point = point, .in_tree = product(back_, way), .off = off_ + off_by_distance_ * length_of(way), .far = memory};
+  const bool by_moments = rigid_ && length_of(seen.in_tree) < 0x1p60 && seen.off < HUGE_VAL;
+  memory.kept.clear();
+  // Far fewer blocks than this are kept as a rule; of those that are left the worst are opened.
+  double share = by_moments ? tolerance / 128 : -1;
+  open(0, share, seen);
+  for (;;) {
+    BoundedSum far;
+    for (const WindingEntry& entry : memory.kept) far.add(turned_ * entry.value, entry.bound);
+    BoundedSum all = seen.near;
+    all.add(far.value, far.bound);
+    if (memory.kept.empty() || all.bound <= tolerance) {
+      const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
+      return {all.value, all.value - bound, all.value + bound,
+              all.bound <= tolerance ? Status::exact : Status::not_converged};
+    }
+    share /= 4;
+    std::swap(memory.kept, memory.before);
+    memory.kept.clear();
+    for (const WindingEntry& entry : memory.before) {
+      if (entry.bound > share)
+        open(entry.block, share, seen);
+      else
+        memory.kept.push_back(entry);
+    }
+  }
+}
+
+}  // namespace toccata

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "query/posed_mesh.hpp"
+#include "query/winding_entry.hpp"
+#include "toccata/query/winding_number.hpp"
+#include "trees/winding_moments.hpp"
+
+namespace toccata {
+
+/// A posed mesh of which winding numbers are asked, and what is the same for all points. The mesh must outlive it.
+class WindingSearch {
+ public:
+  explicit WindingSearch(const PosedMesh& mesh);
+
+  /// The point is finite. Opens blocks until the bounds add up to the tolerance, and no further.
+  [[nodiscard]] WindingNumber at(const Vec3& point, double tolerance, WindingEntries& memory) const;
+
+ private:
+  struct Seen;  ///< a point, and what was found around it
+  void open(std::size_t block, double share, Seen& seen) const;
+
+  const PosedMesh& mesh_;
+  const WideTree& tree_;
+  std::span<const WindingMoments> moments_;
+  // From the world into the tree's units, up to rounding and up to what the pose deforms.
+  Mat3 back_;
+  Vec3 world_middle_;
+  double turned_ = 1;           ///< −1 for a pose that mirrors
+  double off_ = 0;              ///< how far points in the tree's units may be from where they should be: this,
+  double off_by_distance_ = 0;  ///< and that for each unit of the world from the middle
+  bool rigid_ = false;          ///< else every triangle is asked
+};
+
+}  // namespace toccata
