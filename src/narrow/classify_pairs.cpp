@@ -12,7 +12,7 @@
 namespace toccata {
 
 // What the levels share. It is defined here, before any level's instructions are switched on.
-using PoseNumbers = const double*;  ///< twelve: R row by row, then t
+using PoseNumbers = const double*;  ///< twelve: R row by row, then t; null: what is posed stays where it is
 
 inline double* lanes_of(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t axis) {
   return corners[corner][axis].data();
@@ -80,6 +80,7 @@ HWY_INLINE Point posed(TrianglePairBlock::Corners& corners, std::size_t corner, 
   double* y = lanes_of(corners, corner, 1) + lane;
   double* z = lanes_of(corners, corner, 2) + lane;
   const Point local{hn::Load(tag, x), hn::Load(tag, y), hn::Load(tag, z)};
+  if (pose == nullptr) return local;
   const Point world{row_times(pose, pose[9], local), row_times(pose + 3, pose[10], local),
                     row_times(pose + 6, pose[11], local)};
   hn::Store(world.x, tag, x);
@@ -195,6 +196,36 @@ HWY_INLINE Verdict compare_intervals(const Cut& a, const Cut& b, Number error) {
           positive(first), positive(last)};
 }
 
+// Neighbours.
+
+HWY_INLINE Yes equal(const Point& u, const Point& v) {
+  return hn::And(hn::And(hn::Eq(u.x, v.x), hn::Eq(u.y, v.y)), hn::Eq(u.z, v.z));
+}
+
+/// Which corners of a triangle have a twin in the other.
+struct Shared {
+  Yes p, q, r;
+};
+
+HWY_INLINE Yes has_twin(const Point& corner, const Corners& other) {
+  return hn::Or(hn::Or(equal(corner, other.p), equal(corner, other.q)), equal(corner, other.r));
+}
+HWY_INLINE Shared shared_corners(const Corners& t, const Corners& other) {
+  return {has_twin(t.p, other), has_twin(t.q, other), has_twin(t.r, other)};
+}
+
+/// Some corners are shared, and all others certainly on one side of the other's plane: it has only the hull of those in
+/// it.
+HWY_INLINE Yes stands_on_shared(const Shared& shared, const Heights& h, Number error) {
+  const Number below = hn::Neg(error);
+  const Yes all_above = hn::And(hn::And(hn::Or(shared.p, hn::Gt(h.p, error)), hn::Or(shared.q, hn::Gt(h.q, error))),
+                                hn::Or(shared.r, hn::Gt(h.r, error)));
+  const Yes all_below = hn::And(hn::And(hn::Or(shared.p, hn::Lt(h.p, below)), hn::Or(shared.q, hn::Lt(h.q, below))),
+                                hn::Or(shared.r, hn::Lt(h.r, below)));
+  const Yes some = hn::Or(hn::Or(shared.p, shared.q), shared.r), all = hn::And(hn::And(shared.p, shared.q), shared.r);
+  return hn::And(hn::AndNot(all, some), hn::Or(all_above, all_below));
+}
+
 // Blocks.
 
 HWY_INLINE std::uint64_t bits(Yes yes) {
@@ -210,17 +241,25 @@ struct LaneVerdicts {
   std::uint64_t meeting = 0, unknown = 0, signs = 0;
 };
 
+/// How two triangles are related to each other that a block holds.
+enum class Kin { of_two_meshes, of_one_mesh };
+
+template <Kin kin>
 HWY_INLINE LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lane, PoseNumbers pose_a,
                                        PoseNumbers pose_b) {
   const Corners a = posed(block.a, lane, pose_a), b = posed(block.b, lane, pose_b);
   const Box box_a = box_of(a), box_b = box_of(b);
   const Point size_a = size(box_a), size_b = size(box_b), size_both = size(join(box_a, box_b));
   const Heights heights_b = heights_over(a, b), heights_a = heights_over(b, a);
-  const Sides of_b = sides_of(heights_b, error_bound(size_a, size_a, size_both));
-  const Sides of_a = sides_of(heights_a, error_bound(size_b, size_b, size_both));
+  const Number error_b = error_bound(size_a, size_a, size_both), error_a = error_bound(size_b, size_b, size_both);
+  const Sides of_b = sides_of(heights_b, error_b);
+  const Sides of_a = sides_of(heights_a, error_a);
   const Yes across_a = straddle(of_a), across_b = straddle(of_b);
-  const Yes apart = hn::Or(hn::And(disjoint(box_a, box_b), finite(heights_b)),
-                           hn::Or(hn::AndNot(across_a, of_a.certain), hn::AndNot(across_b, of_b.certain)));
+  Yes apart = hn::Or(hn::And(disjoint(box_a, box_b), finite(heights_b)),
+                     hn::Or(hn::AndNot(across_a, of_a.certain), hn::AndNot(across_b, of_b.certain)));
+  if constexpr (kin == Kin::of_one_mesh)
+    apart = hn::Or(apart, hn::Or(stands_on_shared(shared_corners(b, a), heights_b, error_b),
+                                 stands_on_shared(shared_corners(a, b), heights_a, error_a)));
   const Yes general = hn::AndNot(apart, hn::And(of_a.certain, of_b.certain));
   LaneVerdicts result;
   result.unknown = bits(hn::Not(apart));
@@ -233,10 +272,11 @@ HWY_INLINE LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lan
   return result;
 }
 
+template <Kin kin>
 void classify(TrianglePairBlock& block, PoseNumbers pose_a, PoseNumbers pose_b) {
   LaneVerdicts all;
   for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(tag)) {
-    const LaneVerdicts some = classify_lanes(block, lane, pose_a, pose_b);
+    const LaneVerdicts some = classify_lanes<kin>(block, lane, pose_a, pose_b);
     all.meeting |= some.meeting << lane;
     all.unknown |= some.unknown << lane;
     all.signs |= some.signs << lane;
@@ -250,7 +290,13 @@ void classify(TrianglePairBlock& block, PoseNumbers pose_a, PoseNumbers pose_b) 
 }  // namespace
 
 void classify_at_this_level(TrianglePairBlock* blocks, std::size_t count, PoseNumbers pose_a, PoseNumbers pose_b) {
-  for (TrianglePairBlock* block = blocks; block != blocks + count; ++block) classify(*block, pose_a, pose_b);
+  for (TrianglePairBlock* block = blocks; block != blocks + count; ++block)
+    classify<Kin::of_two_meshes>(*block, pose_a, pose_b);
+}
+
+void classify_neighbours_at_this_level(TrianglePairBlock* blocks, std::size_t count, PoseNumbers pose) {
+  for (TrianglePairBlock* block = blocks; block != blocks + count; ++block)
+    classify<Kin::of_one_mesh>(*block, pose, pose);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -261,11 +307,31 @@ HWY_AFTER_NAMESPACE();
 namespace toccata {
 
 HWY_EXPORT(classify_at_this_level);
+HWY_EXPORT(classify_neighbours_at_this_level);
+
+namespace {
+
+/// The numbers of a pose, unless they change nothing but the sign of a zero.
+class Numbers {
+ public:
+  explicit Numbers(const Pose& pose) : numbers_(pose.numbers()), still_(pose == Pose{}) {}
+  [[nodiscard]] PoseNumbers get() const { return still_ ? nullptr : numbers_.data(); }
+
+ private:
+  std::array<double, 12> numbers_;
+  bool still_;
+};
+
+}  // namespace
 
 void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks) {
-  const std::array<double, 12> numbers_a = pose_a.numbers(), numbers_b = pose_b.numbers();
-  HWY_DYNAMIC_DISPATCH(classify_at_this_level)
-  (blocks.data(), blocks.size(), numbers_a.data(), numbers_b.data());
+  const Numbers a(pose_a), b(pose_b);
+  HWY_DYNAMIC_DISPATCH(classify_at_this_level)(blocks.data(), blocks.size(), a.get(), b.get());
+}
+
+void classify_neighbours(const Pose& pose, std::span<TrianglePairBlock> blocks) {
+  const Numbers numbers(pose);
+  HWY_DYNAMIC_DISPATCH(classify_neighbours_at_this_level)(blocks.data(), blocks.size(), numbers.get());
 }
 
 }  // namespace toccata

@@ -33,6 +33,10 @@ struct alignas(64) TrianglePairBlock {
 /// the pose makes infinite. The answers are the same at every SIMD level.
 void classify_pairs(const Pose& pose_a, const Pose& pose_b, std::span<TrianglePairBlock> blocks);
 
+/// The same for pairs of triangles of one mesh: those with a vertex in common, by coordinates, are certainly apart here
+/// where all other vertices of one are on one side of the other's plane. They have nothing else in common then.
+void classify_neighbours(const Pose& pose, std::span<TrianglePairBlock> blocks);
+
 /// The triangles of a lane, as the block now holds them.
 [[nodiscard]] Triangle triangle_a(const TrianglePairBlock& block, std::size_t lane);
 [[nodiscard]] Triangle triangle_b(const TrianglePairBlock& block, std::size_t lane);

@@ -39,7 +39,10 @@ std::span<const TrianglePairBlock> PairVisitor::classified(std::span<const ItemP
   const auto used = blocks_.first((pairs.size() + lanes - 1) / lanes);
   for (TrianglePairBlock& block : used) block.count = lanes;
   used.back().count = pairs.size() - (used.size() - 1) * lanes;
-  classify_pairs(a_.pose(), b_.pose(), used);
+  if (one_mesh_)
+    classify_neighbours(a_.pose(), used);
+  else
+    classify_pairs(a_.pose(), b_.pose(), used);
   return used;
 }
 

@@ -28,12 +28,15 @@ bool each_lane(unsigned bits, const See& see) {
 
 /// How a pair is decided that plain arithmetic leaves open: two triangles of two meshes.
 struct OfTwoMeshes {
+  static constexpr bool one_mesh = false;
   static bool meet(const Triangle& a, const Triangle& b) { return overlap(a, b); }
   static Meeting meeting_of(const Triangle& a, const Triangle& b) { return meeting(a, b); }
 };
 
-/// The same for two triangles of one mesh. What plain arithmetic decides is in general position: nothing is shared.
+/// The same for two triangles of one mesh. What plain arithmetic decides is in general position, or neighbours that
+/// have nothing in common but what they share.
 struct OfOneMesh {
+  static constexpr bool one_mesh = true;
   static bool meet(const Triangle& a, const Triangle& b) { return self_meet(a, b); }
   static Meeting meeting_of(const Triangle& a, const Triangle& b) { return self_meeting(a, b); }
 };
@@ -46,8 +49,8 @@ bool lane_meets(const TrianglePairBlock& block, std::size_t lane) {
 /// What the visitors below share.
 class PairVisitor : public WideVisitor {
  public:
-  PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
-      : a_(a), b_(b), mesh_a_(a.model().mesh()), mesh_b_(b.model().mesh()), blocks_(part.blocks) {}
+  PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchPart& part, bool one_mesh)
+      : a_(a), b_(b), mesh_a_(a.model().mesh()), mesh_b_(b.model().mesh()), one_mesh_(one_mesh), blocks_(part.blocks) {}
 
  protected:
   ~PairVisitor() = default;
@@ -97,6 +100,7 @@ class PairVisitor : public WideVisitor {
 
   const TriangleMesh& mesh_a_;
   const TriangleMesh& mesh_b_;
+  bool one_mesh_;
 
   std::span<TrianglePairBlock> blocks_;
 };
@@ -105,7 +109,7 @@ class PairVisitor : public WideVisitor {
 template <class Kind>
 class AnyMeeting final : public PairVisitor {
  public:
-  using PairVisitor::PairVisitor;
+  AnyMeeting(const PosedMesh& a, const PosedMesh& b, SearchPart& part) : PairVisitor(a, b, part, Kind::one_mesh) {}
   bool visit(std::span<const ItemPair> pairs) override {
     found = !decide(pairs, [](Blocks blocks, auto) { return !known_to_meet(blocks) && none_meets(blocks); });
     return !found;
@@ -127,7 +131,8 @@ class AnyMeeting final : public PairVisitor {
 /// The least pair of two meshes that meets.
 class LeastMeeting final : public PairVisitor {
  public:
-  using PairVisitor::PairVisitor;
+  LeastMeeting(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
+      : PairVisitor(a, b, part, OfTwoMeshes::one_mesh) {}
   bool visit(std::span<const ItemPair> pairs) override {
     return each_not_apart(pairs, [&](const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
       if ((!least || pair < *least) && lane_meets<OfTwoMeshes>(block, lane)) least = pair;
@@ -142,7 +147,8 @@ class LeastMeeting final : public PairVisitor {
 template <class Kind>
 class Collector final : public PairVisitor {
  public:
-  Collector(const PosedMesh& a, const PosedMesh& b, SearchPart& part) : PairVisitor(a, b, part), found_(part.found) {}
+  Collector(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
+      : PairVisitor(a, b, part, Kind::one_mesh), found_(part.found) {}
   bool visit(std::span<const ItemPair> pairs) override {
     return each_not_apart(pairs, [&](const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
       if ((block.meeting >> lane & 1U) != 0)

@@ -97,8 +97,10 @@ struct Entry {
   const WideAxes* axes;
 };
 
-/// Two rigidly posed meshes have three slanted axes; the other number stands for any.
+/// Two rigidly posed meshes have three slanted axes, and none when they are turned alike, as a mesh is to itself; the
+/// other number stands for any.
 constexpr std::size_t usual_count = 6;
+constexpr std::size_t alike_count = WideAxes::straight;
 constexpr std::size_t any_count = WideAxes::most;
 
 /// The first lanes, as many as doubles fit into a vector.
@@ -216,7 +218,7 @@ HWY_INLINE Compared compare(const Entry& entry, const Seen& box) {
                             HWY_ATTR { return is_beyond_along(axes.slanted[i], l, box.at[i], box.reach[i]); };
     if constexpr (axis_count == usual_count) {
       apart = hn::Or(apart, hn::Or(hn::Or(beyond(3), beyond(4)), beyond(5)));
-    } else {
+    } else if constexpr (axis_count == any_count) {
       for (std::size_t i = WideAxes::straight; i < axes.count; ++i) apart = hn::Or(apart, beyond(i));
     }
     result.apart |= bits_of(apart) << first;
@@ -386,6 +388,8 @@ void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
 void drain(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   if (walk.axes(0).count == usual_count && walk.axes(1).count == usual_count)
     drain_with<usual_count>(walk, f, visitor);
+  else if (walk.axes(0).count == alike_count && walk.axes(1).count == alike_count)
+    drain_with<alike_count>(walk, f, visitor);
   else
     drain_with<any_count>(walk, f, visitor);
 }

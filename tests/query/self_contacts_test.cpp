@@ -6,11 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "narrow/triangle_pair_block.hpp"
 #include "oracle/meshes.hpp"
 #include "support/data.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/self_meshes.hpp"
+#include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/io/mesh_file.hpp"
 
@@ -54,6 +57,46 @@ TEST(SelfContacts, TrianglesOfOneVertexMeetOnlyElsewhere) {
   const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -1, 1}, {-1, -1, -1}, {1, 1, 1}, {1, 1, -1}};
   EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 3, 4}}}), Pairs{});
   EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 5, 6}}}), (Pairs{{0, 1}}));
+}
+
+/// Two triangles over few points, so that they share corners, lie in one plane, and lack area often.
+TriangleMesh likely_neighbours(Random& random) {
+  const int size = random.below(2) == 0 ? 2 : 1000;
+  std::vector<Vec3> points;
+  for (int i = 0; i < 5; ++i) {
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = static_cast<double>(random.below(static_cast<std::uint64_t>(size)));
+    points.push_back(p);
+  }
+  const auto corner = [&] { return static_cast<Index>(random.below(5)); };
+  return {points, {{corner(), corner(), corner()}, {corner(), corner(), corner()}}};
+}
+
+TEST(SelfContacts, NeighboursThatBlocksTellApartHaveNothingElseInCommon) {
+  for (const Pose& pose : {Pose{}, Pose{Mat3{}, {0.5, -3, 1}}})
+    test::at_every_simd_level([&](SimdLevel level) {
+      Random random(5);
+      int told = 0, proper = 0;
+      for (int i = 0; i < 400; ++i) {
+        const TriangleMesh mesh = likely_neighbours(random);
+        TrianglePairBlock block{};
+        const auto vertices = mesh.vertices();
+        const auto triangle = [&](std::size_t t) -> Triangle {
+          const auto& [p, q, r] = mesh.triangles()[t];
+          return {{vertices[p], vertices[q], vertices[r]}};
+        };
+        set_pair(block, 3, triangle(0), triangle(1));
+        block.count = 4;
+        classify_neighbours(pose, {&block, 1});
+        const bool meets = !oracle::self_meeting_pairs(oracle::surface_set(mesh, pose)).empty();
+        const bool known_apart = ((block.meeting | block.unknown) >> 3 & 1) == 0;
+        EXPECT_FALSE(known_apart && meets) << name_of(level) << ", case " << i;
+        EXPECT_FALSE((block.meeting >> 3 & 1) != 0 && !meets) << name_of(level) << ", case " << i;
+        told += known_apart ? 1 : 0;
+        proper += meets ? 0 : 1;
+      }
+      EXPECT_GT(told, proper / 3) << name_of(level);
+    });
 }
 
 TEST(SelfContacts, AVertexInAnEdgeIsMet) {
