@@ -38,7 +38,7 @@ inline std::size_t row_length(std::size_t count, int threads) {
 inline void require_one_each(std::span<const ConvexWorkspace> kept, std::size_t count, std::string_view noun) {
   if (!kept.empty() && kept.size() != count)
     throw Error(fmt::format("{} ConvexWorkspaces are kept for {} {}; give one for each, or none", kept.size(), count,
-                            noun == "query" ? "queries" : "pairs"));
+                            noun == "query" ? "queries" : fmt::format("{}s", noun)));
 }
 
 /// `ask(question, workspace)` for every question. After a failure only earlier questions are still asked, one of which

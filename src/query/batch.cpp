@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "query/ask_each.hpp"
+#include "query/nearest_search.hpp"
 #include "query/ray_search.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/overlap.hpp"
@@ -196,6 +197,23 @@ std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOpt
   return ask_each<RayHit>(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
     const RayQuery& query = pair.query;
     return cast_ray(query.origin, query.motion, pair.target, query.pose, query.solid);
+  });
+}
+
+std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
+                                             const NearestQuery& query, const BatchOptions& options) {
+  const NearestSearch search(surface, query);
+  return ask_each<SurfacePoint>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+    return search.nearest(point, workspace.scratch());
+  });
+}
+
+std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
+                                                           const Model& surface, const NearestQuery& query,
+                                                           const BatchOptions& options) {
+  const NearestSearch search(surface, query);
+  return ask_each<std::vector<SurfacePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+    return search.nearest(point, k, workspace.scratch());
   });
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "math/world_vertex.hpp"
-#include "query/cull_bounds.hpp"
 #include "query/world_search.hpp"
 #include "trees/wide_ray.hpp"
 
@@ -13,21 +12,7 @@
 namespace toccata {
 namespace {
 
-Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 inline double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
-double sum_of(const Vec3& v) { return (v.x + v.y) + v.z; }
-inline Vec3 product(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
-Mat3 inverse(const Mat3& m, double scale) {
-  const Vec3 x = cross(m.column(1), m.column(2)), y = cross(m.column(2), m.column(0)),
-             z = cross(m.column(0), m.column(1));
-  const double factor = scale / dot(m.column(0), x);
-  Mat3 result;
-  result[0] = factor * x;
-  result[1] = factor * y;
-  result[2] = factor * z;
-  return result;
-}
 
 /// The part of the way on which a line is within a box, up to what rounding adds; empty when it never is.
 struct Stretch {
@@ -96,36 +81,18 @@ Aabb region_of(const PreparedRay& ray) {
 }  // namespace
 
 RayTarget::RayTarget(const PosedMesh& mesh)
-    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_tree()) {
+    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_tree()), way_(mesh) {
   const double scale = 1 / tree_.unit;
-  back_ = inverse(mesh.pose().linear, scale);
-  origin_ = scale * tree_.origin;
-  box_ = {scale * tree_.box.lower - origin_, scale * tree_.box.upper - origin_};
-  const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 magnitude = magnitudes(back_[i]);
-    double off =
-        16 * unit_roundoff * (dot(magnitude, sizes) + std::fabs(origin_[i])) + 8 * smallest_double * sum_of(magnitude);
-    for (int j = 0; j < 3; ++j) {
-      const Vec3 column = mesh.pose().linear.column(j);
-      const double error = std::fabs(dot(back_[i], column) - (i == j ? scale : 0)) +
-                           8 * unit_roundoff * (scale + dot(magnitude, magnitudes(column)));
-      off += error * rho[j];
-    }
-    if (!std::isfinite(off)) return;  // the world is searched then
-    off_ = std::max(off_, 2 * off);
-    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of(magnitude));
-  }
-  off_ += off_by_size_ * greatest_of(mesh.pose().offset) + 0x1p-100;
-  invertible_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
+  const Vec3 origin = scale * tree_.origin;
+  box_ = {scale * tree_.box.lower - origin, scale * tree_.box.upper - origin};
 }
 
 TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
   constexpr double longest = 0x1p46, most_off = 1;
-  const Vec3 motion = product(back_, ray.motion);
-  const double off = off_ + off_by_size_ * (greatest_of(ray.origin) + ray.largest);
-  if (!invertible_ || !(greatest_of(motion) < longest) || !(off < most_off)) return search_in_world(ray);
-  return search_in_tree(ray, product(back_, ray.origin - posed_.pose().offset) - origin_, motion, off);
+  const Vec3 motion = way_.direction(ray.motion);
+  const double off = way_.off(greatest_of(ray.origin) + ray.largest);
+  if (!way_.usable() || !(greatest_of(motion) < longest) || !(off < most_off)) return search_in_world(ray);
+  return search_in_tree(ray, way_.place(ray.origin - posed_.pose().offset), motion, off);
 }
 
 TriangleHit RayTarget::search_in_tree(const PreparedRay& ray, const Vec3& origin, const Vec3& motion,

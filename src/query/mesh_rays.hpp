@@ -1,8 +1,7 @@
 #pragma once
 
 #include "narrow/ray_triangle.hpp"
-#include "query/posed_mesh.hpp"
-#include "toccata/math/mat3.hpp"
+#include "query/way_into_tree.hpp"
 
 namespace toccata {
 
@@ -12,8 +11,8 @@ struct TriangleHit {
   Index triangle = 0;
 };
 
-/// A posed mesh that rays are cast at, and what is the same for all of them: a way back from the world into the units
-/// of the mesh's tree, with a bound on what it is off by (docs/design/rays.md). The mesh must outlive it.
+/// A posed mesh that rays are cast at, and what is the same for all of them (docs/design/rays.md). The mesh must
+/// outlive it.
 class RayTarget {
  public:
   explicit RayTarget(const PosedMesh& mesh);
@@ -31,12 +30,8 @@ class RayTarget {
   const PosedMesh& posed_;
   const TriangleMesh& mesh_;
   const WideTree& tree_;
-  Mat3 back_;               ///< about the inverse of the pose's matrix, in the tree's units
-  Vec3 origin_;             ///< of the tree, in its units
-  Aabb box_;                ///< of the tree, in its units
-  double off_ = 0;          ///< what a point in the tree's units is off by: this, and
-  double off_by_size_ = 0;  ///< that for each unit of length of the ray's coordinates in the world
-  bool invertible_ = false;
+  WayIntoTree way_;
+  Aabb box_;  ///< of the tree, in its units
 };
 
 }  // namespace toccata

@@ -14,6 +14,7 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
+#include "toccata/query/nearest.hpp"
 #include "trees/near_walk.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -63,6 +64,7 @@ struct SearchScratch {
   ConvexWorkspace convex;                    ///< of the last pair of convex shapes
   std::vector<FoundElement> found_elements;  ///< that meet a region
   WindingEntries winding;
+  std::vector<SurfacePoint> surface_points;  ///< the nearest so far
 };
 
 }  // namespace toccata

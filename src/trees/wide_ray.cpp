@@ -1,5 +1,7 @@
 #include "trees/wide_ray.hpp"
 
+#include "trees/pending_stack.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trees/wide_ray.cpp"
 #include <hwy/foreach_target.h>
@@ -10,53 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <vector>
-
-#ifndef TOCCATA_WIDE_RAY_PENDING
-#define TOCCATA_WIDE_RAY_PENDING
-namespace toccata {
-namespace {
-
-/// A block or an item (as WideBlock::child), and when its box is met.
-struct Pending {
-  float when;
-  std::int32_t child;
-};
-
-/// As much as the usual walk needs; a deeper one takes memory from elsewhere. Places are written before they are
-/// claimed, so there is always room for a block's children.
-class PendingStack {
- public:
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-  Pending pop() { return place_[--size_]; }
-  void make_room() {
-    if (size_ + WideBlock::width > capacity_) grow();
-  }
-  /// Among the last `count`, so that the earliest comes last.
-  void insert(const Pending& one, std::size_t count) {
-    std::size_t at = size_++;
-    for (; count > 0 && place_[at - 1].when < one.when; --at, --count) place_[at] = place_[at - 1];
-    place_[at] = one;
-  }
-
- private:
-  void grow() {
-    std::vector<Pending> more(2 * capacity_);
-    std::copy_n(place_, size_, more.begin());
-    further_ = std::move(more);
-    place_ = further_.data();
-    capacity_ = further_.size();
-  }
-
-  std::array<Pending, 256> first_;
-  std::vector<Pending> further_;
-  Pending* place_ = first_.data();
-  std::size_t size_ = 0, capacity_ = first_.size();
-};
-
-}  // namespace
-}  // namespace toccata
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {

@@ -9,6 +9,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
+#include "toccata/query/nearest.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 
@@ -109,5 +110,15 @@ struct RayPair {
 [[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
                                                 const BatchOptions& options = {});
 [[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options = {});
+
+// The same surface is asked about many points. An error's message begins with "point i: ".
+
+[[nodiscard]] std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
+                                                           const NearestQuery& query = {},
+                                                           const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
+                                                                         const Model& surface,
+                                                                         const NearestQuery& query = {},
+                                                                         const BatchOptions& options = {});
 
 }  // namespace toccata

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "toccata/core/status.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/query/workspace.hpp"
+
+namespace toccata {
+
+/// Where the surface is, and how far away is of interest.
+struct NearestQuery {
+  Pose pose{};
+  /// In the world. What is within it is never left out; what is farther by less than 10⁻¹² of it may be found.
+  double max_distance = std::numeric_limits<double>::infinity();
+};
+
+/// The point of a surface that is nearest to a given one, in the world.
+struct SurfacePoint {
+  bool found = false;  ///< not where nothing is within the greatest distance; everything else is then as it is here
+  /// The exact distance lies in [lower, upper], and upper − lower is at most 10⁻¹² · upper, or they are neighbouring
+  /// doubles. Both are 0 only on the surface.
+  double lower = 0;
+  double upper = 0;
+  /// Off from the exact one by at most 10⁻¹² times the greatest magnitude of a coordinate, of the given point or of the
+  /// element.
+  Vec3 point{};
+  Index element = 0;  ///< as in Model: the triangle of a mesh
+  Index face = 0;     ///< the file's own face, counted from 0
+  Status status = Status::exact;
+  friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
+};
+
+/// The nearest point of the surface of a mesh or height field, also from within a solid; of a compound of these the
+/// nearest of its parts. Points, segments and triangles are taken for surfaces too. Of elements that are equally near
+/// it is the first: the least by (upper, element). Nothing is found of a mesh without triangles. The same bits at every
+/// SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest distance is
+/// negative, for shapes with an interior that are no mesh (ask `distance`), and for poses as `overlap` does.
+[[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query = {});
+
+/// The same, for a caller who asks often.
+[[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query,
+                                         Workspace& workspace);
+
+/// The nearest points of the k nearest elements, in the order of (upper, element); fewer where the surface has fewer
+/// within the greatest distance. The first is that of `nearest_point`. Neighbours share what lies on their common edge,
+/// so several may have one and the same nearest point. Throws like it.
+[[nodiscard]] std::vector<SurfacePoint> nearest_points(const Vec3& point, std::size_t k, const Model& surface,
+                                                       const NearestQuery& query = {});
+
+/// The same, for a caller who asks often.
+[[nodiscard]] std::vector<SurfacePoint> nearest_points(const Vec3& point, std::size_t k, const Model& surface,
+                                                       const NearestQuery& query, Workspace& workspace);
+
+}  // namespace toccata

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "query/nearest_elements.hpp"
+#include "query/posed_shape.hpp"
+#include "query/surface_target.hpp"
+#include "toccata/query/nearest.hpp"
+
+namespace toccata {
+
+/// A surface at its place, made ready for many points. It refers to the model. Throws as nearest_point does of all but
+/// the point.
+class NearestSearch {
+ public:
+  /// The parts take the place of what is in `memory`.
+  NearestSearch(const Model& surface, const NearestQuery& query, std::vector<PosedPart> memory = {});
+  NearestSearch(const NearestSearch&) = delete;
+  NearestSearch& operator=(const NearestSearch&) = delete;
+
+  /// Throws as nearest_point does of the point.
+  [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const;
+  [[nodiscard]] std::vector<SurfacePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
+
+  /// Gives the memory back.
+  [[nodiscard]] std::vector<PosedPart> release() { return std::move(posed_.parts); }
+
+ private:
+  [[nodiscard]] std::span<const SurfacePoint> search(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
+
+  PosedModel posed_;
+  std::vector<SurfaceTarget> meshes_;  ///< of the parts that are meshes, in their order
+  double max_distance_;
+};
+
+}  // namespace toccata

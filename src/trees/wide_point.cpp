@@ -1,0 +1,156 @@
+// Compiled once for every SIMD level; Highway includes this file into itself.
+#include "trees/wide_point.hpp"
+
+#include "trees/pending_stack.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trees/wide_point.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes before
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<double, WideBlock::width>;
+using Floats = hn::Rebind<float, Tag>;
+constexpr std::size_t lanes = hn::MaxLanes(Tag()), parts = WideBlock::width / lanes;
+constexpr unsigned part_mask = (1U << lanes) - 1U;
+
+/// Squares wait as floats, which are off by less than that, relatively.
+constexpr float of_floats = 1 + 0x1p-22F;
+
+class PointWalk {
+ public:
+  PointWalk(const WideTree& tree, const WidePoint& point, double limit)
+      : tree_(tree), at_(point.at), pad_(point.pad + rounding_of(point.at)) {
+    keep_within(limit);
+  }
+
+  std::size_t run(FunctionRef<double(std::span<const Index>)> visit) {
+    std::int32_t child = 0;
+    do open(tree_.blocks[static_cast<std::size_t>(child)], visit);
+    while (next(child));
+    return boxes_;
+  }
+
+ private:
+  /// At least what is rounded in the gap along any axis, added up; boxes are within 2 of the origin.
+  static double rounding_of(const Vec3& at) {
+    return 0x1p-50 * (((std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z)) + 8);
+  }
+
+  void keep_within(double limit) {
+    const double length = (limit + pad_) * (1 + 0x1p-40);
+    limit_squared_ = limit < 0 ? -1 : length * length;
+    pending_limit_ = limit_squared_ < 0x1p126 ? static_cast<float>(limit_squared_) * of_floats : HUGE_VALF;
+  }
+
+  void open(const WideBlock& block, FunctionRef<double(std::span<const Index>)> visit) {
+    alignas(64) std::array<float, WideBlock::width> squared;
+    unsigned near = 0;
+    for (std::size_t part = 0; part < parts; ++part) near |= measure(block, part * lanes, squared) << part * lanes;
+    near &= (1U << block.count) - 1U;
+    boxes_ += block.count;
+    std::array<Index, WideBlock::width> items;
+    std::size_t count = 0;
+    unsigned inner = 0;
+    for (; near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+      const std::int32_t child = block.child[lane];
+      if (child < 0)
+        items[count++] = ~static_cast<Index>(child);
+      else
+        inner |= 1U << lane;
+    }
+    if (count > 0) keep_within(visit({items.data(), count}));
+    if (inner != 0) wait(block, inner, squared);
+  }
+
+  /// The nearest comes next.
+  void wait(const WideBlock& block, unsigned inner, const std::array<float, WideBlock::width>& squared) {
+    pending_.make_room();
+    for (std::size_t count = 0; inner != 0; inner &= inner - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(inner));
+      if (squared[lane] > pending_limit_) continue;
+      prefetch(block.child[lane]);
+      pending_.insert({squared[lane], block.child[lane]}, count++);
+    }
+  }
+
+  /// Asks for the memory of a block before its turn comes.
+  HWY_INLINE void prefetch(std::int32_t child) const {
+    const auto* bytes = reinterpret_cast<const char*>(&tree_.blocks[static_cast<std::size_t>(child)]);
+    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
+  }
+
+  /// The next that waits and is still of interest.
+  bool next(std::int32_t& child) {
+    while (!pending_.empty()) {
+      const Pending one = pending_.pop();
+      child = one.child;
+      if (!(one.when > pending_limit_)) return true;
+    }
+    return false;
+  }
+
+  /// The squares of how far boxes are, and which of them are within the limit. What is not a number keeps the lane.
+  HWY_INLINE unsigned measure(const WideBlock& block, std::size_t first,
+                              std::array<float, WideBlock::width>& squared) const {
+    const Tag d;
+    const Floats f;
+    const auto gap = [&](std::size_t axis, double at) HWY_ATTR {
+      const auto centre = hn::PromoteTo(d, hn::Load(f, block.centre[axis].data() + first));
+      const auto extent = hn::PromoteTo(d, hn::Load(f, block.extent[axis].data() + first));
+      const auto one = hn::Max(hn::Sub(hn::Abs(hn::Sub(centre, hn::Set(d, at))), extent), hn::Zero(d));
+      return hn::Mul(one, one);
+    };
+    const auto sum = hn::Add(hn::Add(gap(0, at_.x), gap(1, at_.y)), gap(2, at_.z));
+    hn::Store(hn::DemoteTo(f, sum), f, squared.data() + first);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Gt(sum, hn::Set(d, limit_squared_)), bits);
+    return ~static_cast<unsigned>(bits[0]) & part_mask;
+  }
+
+  const WideTree& tree_;
+  Vec3 at_;
+  double pad_;
+  double limit_squared_ = 0;
+  float pending_limit_ = 0;
+  std::size_t boxes_ = 0;
+  PendingStack pending_;
+};
+
+std::size_t run_point(const WideTree& tree, const WidePoint& point, double limit,
+                      FunctionRef<double(std::span<const Index>)> visit) {
+  return PointWalk(tree, point, limit).run(visit);
+}
+
+}  // namespace
+}  // namespace toccata::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace toccata {
+namespace {
+
+HWY_EXPORT(run_point);
+
+}  // namespace
+
+std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limit,
+                       FunctionRef<double(std::span<const Index>)> visit) {
+  if (tree.blocks.empty()) return 0;
+  return HWY_DYNAMIC_DISPATCH(run_point)(tree, point, limit, visit);
+}
+
+}  // namespace toccata
+#endif

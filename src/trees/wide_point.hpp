@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "toccata/core/function_ref.hpp"
+#include "toccata/core/index.hpp"
+#include "toccata/trees/wide_tree.hpp"
+
+namespace toccata {
+
+/// A point in the units of a wide tree, from its origin. `pad` is a length that covers all that was rounded on the way
+/// to these numbers; what the walk rounds itself is its own business (docs/methods/nearest-point.md).
+struct WidePoint {
+  Vec3 at;
+  double pad = 0;
+};
+
+/// Calls `visit(places)` with items, at most WideBlock::width at once, whose boxes are no farther from the point than
+/// the limit, told by their places in the tree's item order: near boxes before farther ones, as far as their blocks
+/// tell. `visit` returns the limit from then on, in the tree's units. No item within it is left out. Returns how many
+/// boxes were compared.
+std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limit,
+                       FunctionRef<double(std::span<const Index>)> visit);
+
+}  // namespace toccata
