@@ -12,6 +12,7 @@
 #include "query/part_contacts.hpp"
 #include "query/posed_name.hpp"
 #include "query/relation_posed.hpp"
+#include "query/solid_penetration.hpp"
 #include "query/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/broad/box_pairs.hpp"
@@ -163,7 +164,8 @@ class Check {
       return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
     };
     if (defined(ShapeQuestion::manifold)) answer.manifold = manifold(a.model, b.model, query);
-    if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration))
+    if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration) &&
+        may_be_parted(posed_[answer.a], posed_[answer.b]))
       answer.penetration = penetration(a.model, b.model, query);
   }
 

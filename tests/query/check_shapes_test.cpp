@@ -51,7 +51,11 @@ TEST(CheckShapes, TellsHowDeepWhereThatIsDefined) {
   ASSERT_TRUE(on_ground.penetration && on_ground.manifold);
   EXPECT_EQ(on_ground.penetration->upper, 0) << "it touches";
   EXPECT_EQ(on_ground.manifold->count, 1);
-  EXPECT_FALSE(mesh.penetration || mesh.manifold || compound.penetration || compound.manifold);
+  ASSERT_TRUE(mesh.penetration && compound.penetration);
+  EXPECT_LE(mesh.penetration->lower, 1);
+  EXPECT_NEAR(mesh.penetration->upper, 1, 1e-12);
+  EXPECT_NEAR(compound.penetration->upper, 0.5, 1e-12) << "of the ball, which is larger than the box";
+  EXPECT_FALSE(mesh.manifold || compound.manifold);
   EXPECT_FALSE(point.penetration) << "a point has no interior";
   EXPECT_TRUE(point.manifold);
   EXPECT_FALSE(check_all(playground()).pairs[0].penetration) << "not asked for";

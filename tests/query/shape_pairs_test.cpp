@@ -146,7 +146,10 @@ TEST(ShapeQuestions, WhatIsNotDefinedIsAnErrorWithTheReason) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  expect_refused("convex shapes and half-spaces", [&] { static_cast<void>(penetration(cube, ball)); });
+  const Model sheet(TriangleMesh({{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}));
+  expect_refused("model b is an open mesh", [&] { static_cast<void>(penetration(cube, sheet)); });
+  expect_refused("model a is taken as a surface",
+                 [&] { static_cast<void>(penetration(cube, ball, {.solid_a = Solid::none})); });
   expect_refused("no interior", [&] { static_cast<void>(penetration(point, ball)); });
   expect_refused("normals are opposite", [&] { static_cast<void>(penetration(ground, ground)); });
   expect_refused("model a", [&] { static_cast<void>(overlap(point, ball, {.solid_a = Solid::all})); });

@@ -26,11 +26,9 @@ struct PairAnswer {
   Index a = 0;  ///< index in the span, a < b
   Index b = 0;
   Relation relation;
-  std::vector<Contact> contacts;  ///< filled when asked for
-  /// When asked for and defined for the pair: of two solids, and of two convex shapes or one and a half-space
-  /// (pairs.hpp).
-  std::optional<Penetration> penetration{};
-  std::optional<Manifold> manifold{};
+  std::vector<Contact> contacts;             ///< filled when asked for
+  std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
+  std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
 };
 
 struct CheckOptions {

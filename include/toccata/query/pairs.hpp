@@ -77,15 +77,14 @@ inline constexpr PairCell many_manifolds{PairState::not_defined,
 inline constexpr PairCell mesh_later{PairState::later,
                                      "this version answers it for convex shapes and half-spaces only; ask overlap, "
                                      "relation, contacts or distance"};
-inline constexpr PairCell compound_later{PairState::later,
-                                         "this version answers it for convex shapes and half-spaces only; ask it of "
-                                         "the parts"};
 inline constexpr PairCell by_parts{PairState::defined, "as its parts"};
 inline constexpr PairCell least_part{PairState::defined, "the least of its parts"};
 inline constexpr PairCell earliest_part{PairState::defined, "the earliest of its parts"};
 inline constexpr PairCell half_spaces{PairState::defined, "exact signs"};
 inline constexpr PairCell by_gjk{PairState::defined, "GJK, certified, else exact arithmetic"};
 inline constexpr PairCell by_expansion{PairState::defined, "expanding polytope, certified bracket"};
+inline constexpr PairCell by_inner_parts{PairState::defined,
+                                         "certified bracket: convex bodies within, a verified translation"};
 inline constexpr PairCell by_features{PairState::defined, "clipped features"};
 inline constexpr PairCell by_normals{PairState::defined, "exact signs of separating normals"};
 inline constexpr PairCell by_tree{PairState::defined, "tree, exact pairs, winding numbers"};
@@ -112,9 +111,8 @@ constexpr PairCell distance(ShapeClass a, ShapeClass b) {
 
 constexpr PairCell penetration(ShapeKind kind_a, ShapeKind kind_b, ShapeClass a, ShapeClass b) {
   if (always_surface(kind_a) || always_surface(kind_b)) return surface;
-  if (has(ShapeClass::compound, a, b)) return compound_later;
-  if (has(ShapeClass::triangles, a, b)) return mesh_later;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return endless;
+  if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return by_inner_parts;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_expansion;
 }
 
