@@ -67,6 +67,7 @@
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/query/distance.hpp"

@@ -1,0 +1,104 @@
+#include "toccata/query/contact_regions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "toccata/core/error.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/query/contacts.hpp"
+
+// Regions of contact whose areas, normals and depths are known.
+namespace toccata {
+namespace {
+
+std::vector<ContactRegion> regions_of(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose_b) {
+  return contact_regions(Model(a), Model(b), {.pose_b = pose_b});
+}
+
+/// A table whose top is at height 0.
+TriangleMesh table() { return box_mesh({4, 4, 1}, {0, 0, -1}); }
+
+/// Three legs below z = 1, the lowest at x = 2.
+TriangleMesh stool() {
+  std::vector<Vec2> outline = {{-2.25, 0}, {-1.75, 0}, {-1.75, 1},   {-0.25, 1},   {-0.25, -0.25}, {0.25, -0.25},
+                               {0.25, 1},  {1.75, 1},  {1.75, -0.5}, {2.25, -0.5}, {2.25, 2},      {-2.25, 2}};
+  return extruded_mesh(outline, 0.5);
+}
+
+/// Turns y upwards: the extruded outline stands.
+Pose standing(double height) { return {{{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}}, {0.125, 0.0625, height}}; }
+
+TEST(ContactRegions, OfABoxPressedIntoATable) {
+  const auto regions = regions_of(table(), box_mesh({0.5, 0.5, 0.5}), Pose::translation(0.3, 0.2, 0.375));
+  ASSERT_EQ(regions.size(), 1U);
+  const ContactRegion& region = regions[0];
+  EXPECT_TRUE(region.closed);
+  EXPECT_NEAR(region.area, 1, 1e-12);
+  EXPECT_NEAR(region.normal.z, 1, 1e-12);
+  ASSERT_TRUE(region.depth);
+  EXPECT_NEAR(*region.depth, 0.125, 1e-12);
+  EXPECT_NEAR(region.deepest.z, 0, 1e-12);
+  EXPECT_EQ(region.box.lower.x, 0.3 - 0.5);
+  const auto other = regions_of(box_mesh({0.5, 0.5, 0.5}, {0.3, 0.2, 0.375}), table(), {});
+  ASSERT_EQ(other.size(), 1U);
+  EXPECT_NEAR(other[0].area, 1, 1e-12);
+  EXPECT_NEAR(other[0].normal.z, -1, 1e-12);
+  EXPECT_NEAR(*other[0].depth, 0.125, 1e-12);
+}
+
+TEST(ContactRegions, AreThoseOfEachLegTheDeepestFirst) {
+  const auto regions = regions_of(table(), stool(), standing(-0.125));
+  ASSERT_EQ(regions.size(), 3U);
+  const std::vector<double> depths = {0.625, 0.375, 0.125}, middles = {2.125, 0.125, -1.875};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(*regions[i].depth, depths[i], 1e-12);
+    EXPECT_NEAR((regions[i].box.lower.x + regions[i].box.upper.x) / 2, middles[i], 1e-12);
+    EXPECT_NEAR(regions[i].area, 0.25, 1e-12);
+    EXPECT_TRUE(regions[i].closed);
+  }
+}
+
+TEST(ContactRegions, OfFacesThatLieOnEachOtherAreTheirCommonArea) {
+  const auto regions = regions_of(table(), box_mesh({0.5, 0.5, 0.5}), Pose::translation(0.3, 0.2, 0.5));
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_FALSE(regions[0].closed);
+  EXPECT_NEAR(regions[0].area, 1, 1e-12);
+  EXPECT_NEAR(regions[0].normal.z, 1, 1e-12);
+  EXPECT_GE(regions[0].point_count, 4U);
+  EXPECT_NEAR(*regions[0].depth, 0, 1e-12);
+}
+
+TEST(ContactRegions, OfSurfacesHaveNoDepth) {
+  const TriangleMesh sheet({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  const auto regions = regions_of(sheet, box_mesh({0.5, 0.5, 0.5}), Pose::translation(0.3, -0.2, 0.125));
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_TRUE(regions[0].closed);
+  EXPECT_NEAR(regions[0].area, 1, 1e-12);
+  EXPECT_FALSE(regions[0].depth);
+}
+
+TEST(ContactRegions, CountEveryContactOnce) {
+  const Model a(torus_mesh({})), b(noise_sphere_mesh({.subdivisions = 2}));
+  const PairQuery query{.pose_b = Pose::translation(0.75, 0.25, 0.5)};
+  std::size_t pairs = 0;
+  const auto regions = contact_regions(a, b, query);
+  for (const ContactRegion& region : regions) pairs += region.triangle_pairs;
+  EXPECT_EQ(pairs, contacts(a, b, query).size());
+  const auto other = contact_regions(b, a, {.pose_a = query.pose_b});
+  ASSERT_EQ(other.size(), regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    EXPECT_NEAR(other[i].area, regions[i].area, 1e-9);
+    EXPECT_NEAR(dot(other[i].normal, regions[i].normal), -1, 1e-9);
+    EXPECT_NEAR(*other[i].depth, *regions[i].depth, 1e-9);
+  }
+}
+
+TEST(ContactRegions, AreRefusedForOtherShapes) {
+  EXPECT_THROW(static_cast<void>(contact_regions(Model(table()), Sphere(1))), Error);
+  EXPECT_TRUE(regions_of(table(), table(), Pose::translation(0, 0, 9)).empty());
+}
+
+}  // namespace
+}  // namespace toccata
