@@ -1,13 +1,10 @@
 #include "toccata/query/signed_distance.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <optional>
 
 #include "query/ask_each.hpp"
 #include "query/inside_winding.hpp"
-#include "query/mesh_distance.hpp"
+#include "query/nearest_search.hpp"
 #include "query/semantics.hpp"
 #include "query/winding_search.hpp"
 #include "toccata/core/error.hpp"
@@ -31,26 +28,24 @@ SignBy method_for(const Model& model, const Pose& pose, SignBy asked) {
 class SignSearch {
  public:
   SignSearch(const Model& model, const Pose& pose, SignBy asked)
-      : surface_{PosedMesh(model, pose), false}, method_(method_for(model, pose, asked)) {
-    if (method_ == SignBy::generalized_winding_number) winding_.emplace(surface_.mesh);
+      : mesh_(model, pose), method_(method_for(model, pose, asked)), nearest_(model, {.pose = pose}) {
+    if (method_ == SignBy::generalized_winding_number) winding_.emplace(mesh_);
   }
   // The search refers to the mesh.
   SignSearch(const SignSearch&) = delete;
   SignSearch& operator=(const SignSearch&) = delete;
 
   [[nodiscard]] SignedDistance from(const Vec3& point, SearchScratch& scratch) const {
-    if (!is_finite(point))
-      throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", point.x, point.y, point.z));
-    const Distance gap = distance(surface_, PosedConvex(Point(point)), scratch);
+    const SurfacePoint found = nearest_.nearest(point, scratch);
     SignedDistance result;
-    result.nearest = gap.on_a;
-    result.element = gap.element_a;
-    result.face = gap.face_a;
+    result.nearest = found.point;
+    result.element = found.element;
+    result.face = found.face;
     result.sign_by = method_;
-    result.side = gap.upper == 0 ? Side::boundary : side_of(point, scratch, result.status);
+    result.side = found.upper == 0 ? Side::boundary : side_of(point, scratch, result.status);
     const bool inside = result.side == Side::inside;
-    result.lower = inside ? -gap.upper : gap.lower;
-    result.upper = !inside || result.status == Status::undecided ? gap.upper : -gap.lower;
+    result.lower = inside ? -found.upper : found.lower;
+    result.upper = !inside || result.status == Status::undecided ? found.upper : -found.lower;
     return result;
   }
 
@@ -58,18 +53,17 @@ class SignSearch {
   /// Of a point off the surface.
   [[nodiscard]] Side side_of(const Vec3& point, SearchScratch& scratch, Status& status) const {
     if (method_ == SignBy::winding_number)
-      return wind_along(surface_.mesh, ExactPoint(point), 0).ahead != 0 ? Side::inside : Side::outside;
-    for (const double tolerance : {0.2, 1e-2, 1e-4, 1e-8, 1e-12}) {
-      const WindingNumber found = winding_->at(point, tolerance, scratch.winding);
-      if (found.lower > 0.5 || found.upper < -0.5) return Side::inside;
-      if (found.lower > -0.5 && found.upper < 0.5) return Side::outside;
-    }
+      return wind_along(mesh_, ExactPoint(point), 0).ahead != 0 ? Side::inside : Side::outside;
+    const WindingNumber found = winding_->beside_a_half(point, scratch.winding);
+    if (found.lower > 0.5 || found.upper < -0.5) return Side::inside;
+    if (found.lower > -0.5 && found.upper < 0.5) return Side::outside;
     status = Status::undecided;
     return Side::inside;
   }
 
-  PosedTriangles surface_;
+  PosedMesh mesh_;
   SignBy method_;
+  NearestSearch nearest_;
   std::optional<WindingSearch> winding_;
 };
 

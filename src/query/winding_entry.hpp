@@ -13,9 +13,6 @@ struct WindingEntry {
 };
 
 /// Memory of a search.
-struct WindingEntries {
-  std::vector<WindingEntry> kept;
-  std::vector<WindingEntry> before;
-};
+using WindingEntries = std::vector<WindingEntry>;
 
 }  // namespace toccata

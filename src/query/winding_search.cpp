@@ -13,6 +13,12 @@ namespace {
 
 double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
+constexpr WindingPart too_near{0, HUGE_VAL};
+
+bool is_better(const WindingEntry& a, const WindingEntry& b) {
+  return a.bound != b.bound ? a.bound < b.bound : a.block < b.block;
+}
+
 /// A sum, and a bound on what it is off by.
 struct BoundedSum {
   double value = 0;
@@ -51,11 +57,40 @@ Similarity similarity(const Mat3& linear) {
 }  // namespace
 
 struct WindingSearch::Seen {
-  Vec3 point;         ///< in the world
-  Vec3 in_tree;       ///< about the same point
-  double off;         ///< of all that is told in the tree's units
-  BoundedSum near{};  ///< the triangles that were asked
-  WindingEntries& far;
+  Vec3 point;           ///< in the world
+  Vec3 in_tree;         ///< about the same point
+  double off;           ///< of all that is told in the tree's units
+  BoundedSum near{};    ///< the triangles that were asked
+  WindingEntries& far;  ///< the blocks that were not opened: a heap, that of the greatest bound first
+  double far_value = 0;
+  double far_bound = 0;
+  bool by_moments = false;
+
+  void keep(const WindingEntry& entry) {
+    far.push_back(entry);
+    std::push_heap(far.begin(), far.end(), is_better);
+    far_value += entry.value;
+    far_bound += entry.bound;
+  }
+
+  WindingEntry take_worst() {
+    std::pop_heap(far.begin(), far.end(), is_better);
+    const WindingEntry worst = far.back();
+    far.pop_back();
+    far_value -= worst.value;
+    far_bound -= worst.bound;
+    return worst;
+  }
+
+  /// Of all, added anew.
+  BoundedSum sum() {
+    BoundedSum blocks, all = near;
+    for (const WindingEntry& entry : far) blocks.add(entry.value, entry.bound);
+    far_value = blocks.value;
+    far_bound = blocks.bound;
+    all.add(blocks.value, blocks.bound);
+    return all;
+  }
 };
 
 WindingSearch::WindingSearch(const PosedMesh& mesh)
@@ -74,7 +109,7 @@ WindingSearch::WindingSearch(const PosedMesh& mesh)
   rigid_ = is_finite(back_) && is_finite(world_middle_) && off_ < 1;
 }
 
-void WindingSearch::open(std::size_t block, double share, Seen& seen) const {
+void WindingSearch::open(std::size_t block, Seen& seen) const {
   const WideBlock& lanes = tree_.blocks[block];
   for (std::size_t lane = 0; lane < lanes.count; ++lane) {
     if (lanes.is_item(lane)) {
@@ -84,43 +119,45 @@ void WindingSearch::open(std::size_t block, double share, Seen& seen) const {
       continue;
     }
     const auto child = static_cast<std::size_t>(lanes.child[lane]);
-    const WindingPart part = winding_part(moments_[child], seen.in_tree, seen.off);
-    if (part.bound > share)
-      open(child, share, seen);
+    const WindingPart part = seen.by_moments ? winding_part(moments_[child], seen.in_tree, seen.off) : too_near;
+    if (part.bound < HUGE_VAL)
+      seen.keep({turned_ * part.value, part.bound, child});
     else
-      seen.far.kept.push_back({part.value, part.bound, child});
+      open(child, seen);
+  }
+}
+
+template <class Done>
+WindingNumber WindingSearch::search(const Vec3& point, WindingEntries& memory, const Done& done) const {
+  const Vec3 way = point - world_middle_;
+  memory.clear();
+  Seen seen{
+      .point = point, .in_tree = product(back_, way), .off = off_ + off_by_distance_ * length_of(way), .far = memory};
+  seen.by_moments = rigid_ && length_of(seen.in_tree) < 0x1p60 && seen.off < HUGE_VAL;
+  open(0, seen);
+  for (;;) {
+    // What was added and taken away again rounds: before it counts, all is added anew.
+    if (seen.far.empty() || done(seen.near.value + seen.far_value, seen.near.bound + seen.far_bound)) {
+      const BoundedSum all = seen.sum();
+      if (seen.far.empty() || done(all.value, all.bound)) {
+        const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
+        return {all.value, all.value - bound, all.value + bound,
+                done(all.value, all.bound) ? Status::exact : Status::not_converged};
+      }
+    }
+    open(seen.take_worst().block, seen);
   }
 }
 
 WindingNumber WindingSearch::at(const Vec3& point, double tolerance, WindingEntries& memory) const {
-  const Vec3 way = point - world_middle_;
-  Seen seen{
-      .point = point, .in_tree = product(back_, way), .off = off_ + off_by_distance_ * length_of(way), .far = memory};
-  const bool by_moments = rigid_ && length_of(seen.in_tree) < 0x1p60 && seen.off < HUGE_VAL;
-  memory.kept.clear();
-  // Far fewer blocks than this are kept as a rule; of those that are left the worst are opened.
-  double share = by_moments ? tolerance / 128 : -1;
-  open(0, share, seen);
-  for (;;) {
-    BoundedSum far;
-    for (const WindingEntry& entry : memory.kept) far.add(turned_ * entry.value, entry.bound);
-    BoundedSum all = seen.near;
-    all.add(far.value, far.bound);
-    if (memory.kept.empty() || all.bound <= tolerance) {
-      const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
-      return {all.value, all.value - bound, all.value + bound,
-              all.bound <= tolerance ? Status::exact : Status::not_converged};
-    }
-    share /= 4;
-    std::swap(memory.kept, memory.before);
-    memory.kept.clear();
-    for (const WindingEntry& entry : memory.before) {
-      if (entry.bound > share)
-        open(entry.block, share, seen);
-      else
-        memory.kept.push_back(entry);
-    }
-  }
+  return search(point, memory, [tolerance](double, double bound) { return bound <= tolerance; });
+}
+
+WindingNumber WindingSearch::beside_a_half(const Vec3& point, WindingEntries& memory) const {
+  constexpr double least = 1e-12;
+  return search(point, memory, [](double value, double bound) {
+    return bound <= least || std::abs(std::abs(value) - 0.5) > 1.001 * bound + 0x1p-50;
+  });
 }
 
 }  // namespace toccata

@@ -14,12 +14,18 @@ class WindingSearch {
  public:
   explicit WindingSearch(const PosedMesh& mesh);
 
-  /// The point is finite. Opens blocks until the bounds add up to the tolerance, and no further.
+  /// The point is finite. Blocks are opened, that of the greatest bound first, until the bounds add up to no more than
+  /// the tolerance.
   [[nodiscard]] WindingNumber at(const Vec3& point, double tolerance, WindingEntries& memory) const;
+
+  /// Until it is certain whether it is more than a half in magnitude, or known to 10⁻¹².
+  [[nodiscard]] WindingNumber beside_a_half(const Vec3& point, WindingEntries& memory) const;
 
  private:
   struct Seen;  ///< a point, and what was found around it
-  void open(std::size_t block, double share, Seen& seen) const;
+  void open(std::size_t block, Seen& seen) const;
+  template <class Done>
+  [[nodiscard]] WindingNumber search(const Vec3& point, WindingEntries& memory, const Done& done) const;
 
   const PosedMesh& mesh_;
   const WideTree& tree_;

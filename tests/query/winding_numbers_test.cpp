@@ -9,6 +9,7 @@
 #include "toccata/generate/meshes.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/query/inside.hpp"
+#include "trees/winding_moments.hpp"
 
 namespace toccata {
 namespace {
@@ -57,6 +58,26 @@ TEST(WindingNumbers, HoldThatOfTheOracle) {
         ASSERT_EQ(test::winding_fault(exact, found, tolerance), "") << family << ", seed " << seed;
       }
     }
+}
+
+TEST(WindingMoments, AreWithinTheirBoundFromAllSides) {
+  Random random(11);
+  for (int i = 0; i < 300; ++i) {
+    const TriangleMesh mesh = test::random_soup(random, static_cast<Index>(1 + random.below(12)), 0.5, 0);
+    const Model model(mesh);
+    const WideTree& tree = model.wide_tree();
+    const WindingMoments& root = model.winding_moments()[0];
+    const double ratio = random.between(0.02, 0.98);
+    Vec3 way = test::random_vector(random, 1);
+    way = (root.radius / ratio / std::sqrt(dot(way, way))) * way;
+    const Vec3 point = tree.origin + tree.unit * (root.centre + way);
+    const WindingPart part = winding_part(root, (1 / tree.unit) * (point - tree.origin), 0x1p-48);
+    const double exact = oracle::winding_number(point, test::world_triangles(mesh, {}));
+    ASSERT_LE(std::fabs(part.value - exact), part.bound) << i << ", " << ratio;
+    if (ratio < 0.2) {
+      ASSERT_LT(part.bound, 0.05) << i << ", " << ratio;
+    }
+  }
 }
 
 TEST(WindingNumbers, OfAClosedMeshAreWhole) {
