@@ -6,6 +6,7 @@
 
 #include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/query/cost.hpp"
 #include "toccata/query/faces_within.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -51,8 +52,14 @@ struct FacesArguments : PosedArguments {
   std::optional<Region> region;
 };
 
+struct CostArguments : PosedArguments {
+  CostOptions options;
+  std::size_t rows = 10;  ///< of each table; 0: all
+};
+
 struct InspectArguments {
   InputArguments input;
+  bool volumes = false;  ///< every bounding volume and hierarchy of meshes, too
   Format format = Format::table;
 };
 
@@ -75,6 +82,7 @@ int run_distance(const DistanceArguments& arguments);
 int run_distance_poses(const DistanceArguments& arguments);
 int run_ray(const RayArguments& arguments);
 int run_faces(const FacesArguments& arguments);
+int run_cost(const CostArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

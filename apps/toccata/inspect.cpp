@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include "arguments.hpp"
+#include "cost_words.hpp"
 #include "load.hpp"
 #include "output.hpp"
+#include "progress_bar.hpp"
 #include "shape_text.hpp"
 #include "toccata/io/inspect_report.hpp"
 #include "words.hpp"
@@ -63,7 +65,8 @@ Rows rows_of(const InspectedObject& inspected, const std::string& unit) {
 std::string inspect_table(const std::vector<InspectedObject>& objects, const std::string& unit) {
   std::string text;
   for (const InspectedObject& inspected : objects)
-    text += printable(inspected.object.name) + "\n" + columns(rows_of(inspected, unit), 2);
+    text += printable(inspected.object.name) + "\n" + columns(rows_of(inspected, unit), 2) +
+            (inspected.volumes.empty() ? "" : volume_table(inspected.volumes));
   return text;
 }
 
@@ -72,7 +75,14 @@ std::string inspect_table(const std::vector<InspectedObject>& objects, const std
 int run_inspect(const InspectArguments& arguments) {
   const LoadedScene loaded = load(arguments.input);
   std::vector<InspectedObject> objects;
-  for (const SceneObject& object : loaded.scene.objects) objects.push_back(inspect(object));
+  ProgressBar bar("measuring");
+  CostOptions options;
+  options.progress = bar.callback();
+  for (const SceneObject& object : loaded.scene.objects) {
+    objects.push_back(inspect(object));
+    if (const auto mesh = object.mesh(); mesh && arguments.volumes)
+      objects.back().volumes = measure_volumes(*mesh, options);
+  }
   const std::string text = arguments.format == Format::json
                                ? inspect_report_json(objects, loaded.scene.unit, loaded.warnings)
                                : inspect_table(objects, loaded.scene.unit);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "arguments.hpp"
+#include "cost_words.hpp"
 #include "load.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/core/version.hpp"
@@ -27,6 +28,8 @@ struct Options {
   FacesArguments faces;
   std::vector<std::string> box;
   std::vector<std::string> ball;
+  CostArguments cost;
+  CostWords cost_words;
   InspectArguments inspect;
   DemoArguments demo;
   bool json = false;
@@ -172,6 +175,39 @@ void add_faces(CLI::App& app, Options& options) {
                 "  {0} faces part.stl --box 0 0 0  1 1 1\n  {0} faces scene.json --ball 0 0 5 0.25 --csv"));
 }
 
+void add_cost(CLI::App& app, Options& options) {
+  CLI::App* cost =
+      app.add_subcommand("cost", "which bounding volume and hierarchy is cheapest for two meshes, measured");
+  add_input(*cost, options.cost.input, "two files of one mesh each");
+  add_poses(*cost, options, options.cost.poses);
+  CostWords& words = options.cost_words;
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    cost->add_option(name, values, what)->delimiter(',')->allow_extra_args(false)->type_name("WORD,…");
+  };
+  cost->add_option("--task", words.task, "what is asked at each pose: overlap, contacts or distance")
+      ->capture_default_str();
+  list("--workloads", words.workloads, "rigid, refit, rebuild (default: all)");
+  list("--volumes", words.volumes, "aabb, obb, 26-dop, … (default: all)");
+  list("--builders", words.builders, "heuristic, mean, median, morton, agglomeration, insertion (default: all)");
+  cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NUMBER,…");
+  cost->add_option("--leaf-size", words.leaf_size, "triangles in a leaf, at most")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  CLI::Option* quick = cost->add_flag("--quick", words.quick, "two builders and two arities, and only what is fast");
+  cost->add_flag("--all", words.all, "also what takes long: of large meshes some is left out")->excludes(quick);
+  cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")->capture_default_str();
+  CLI::Option* json = cost->add_flag("--json", options.json, "write JSON (docs/reference/cost-report.md)");
+  cost->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+  cost->footer(
+      with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
+                "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
+                "  {0} cost part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0 --quick\n"
+                "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
+}
+
 void add_pairs(CLI::App& app, Options& options) {
   CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
   pairs->add_flag("--json", options.json, "write JSON (docs/reference/pairs.md)");
@@ -181,6 +217,8 @@ void add_pairs(CLI::App& app, Options& options) {
 void add_inspect(CLI::App& app, Options& options) {
   CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
+  inspect->add_flag("--volumes", options.inspect.volumes,
+                    "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
   inspect->footer(
       with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
@@ -235,6 +273,11 @@ int run(const CLI::App& app, Options& options) {
     if (!options.ball.empty()) options.faces.region = parse_ball(options.ball, "--ball");
     return run_faces(options.faces);
   }
+  if (app.got_subcommand("cost")) {
+    take_poses_and_format(options.cost, options);
+    options.cost.options = cost_options_of(options.cost_words);
+    return run_cost(options.cost);
+  }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
@@ -286,6 +329,7 @@ int main_of(int argc, char** argv) {
   add_distance(app, options);
   add_ray(app, options);
   add_faces(app, options);
+  add_cost(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
   add_demo(app, options);

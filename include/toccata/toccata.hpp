@@ -28,6 +28,7 @@
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
+#include "toccata/io/cost_report.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"
 #include "toccata/io/inspect_report.hpp"

@@ -33,6 +33,23 @@ Json json_of(const MeshHealth& h) {
           {"box", {{"lower", json_of(h.lower)}, {"upper", json_of(h.upper)}}}};
 }
 
+Json json_of(const VolumeCost& cost) {
+  return {{"volume", name_of(cost.volume)},
+          {"arity", cost.arity},
+          {"builder", name_of(cost.method)},
+          {"root_volume", cost.root_volume},
+          {"root_surface", cost.root_surface},
+          {"fill", cost.fill},
+          {"nodes", cost.balance.nodes},
+          {"leaves", cost.balance.leaves},
+          {"least_depth", cost.balance.least_depth},
+          {"greatest_depth", cost.balance.greatest_depth},
+          {"mean_depth", cost.balance.mean_depth},
+          {"best_depth", cost.balance.best_depth},
+          {"bytes", cost.bytes},
+          {"build_ns", cost.build_ns}};
+}
+
 Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
 
 Json json_of(const ConvexHull& hull) {
@@ -104,7 +121,7 @@ void add_shape(InspectedObject& result) {
 }  // namespace
 
 InspectedObject inspect(const SceneObject& object) {
-  InspectedObject result{object, {}, false, {}, {}};
+  InspectedObject result{object, {}, false, {}, {}, {}};
   if (const auto mesh = object.mesh())
     add_mesh(*mesh, result);
   else
@@ -125,6 +142,7 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
     if (inspected.health) item.update(json_of(*inspected.health));
     item["world_box"] = inspected.world_box ? json_of(*inspected.world_box) : Json();
     if (!inspected.refusal.empty()) item["refusal"] = io::as_utf8(inspected.refusal);
+    for (const VolumeCost& cost : inspected.volumes) item["volumes"].push_back(json_of(cost));
     list.push_back(std::move(item));
   }
   return io::document(json);

@@ -216,33 +216,26 @@ class Measurement {
   void measure_library() {
     const Model a(mesh_a_), b(mesh_b_);
     if (asks_for(options_, CostWorkload::rigid)) {
-      RowSum sum(CostWorkload::rigid, CostVolume::wide);
       std::vector<QueryCost> costs;
-      for (const PairQuery& query : rigid_) {
-        costs.push_back(cost_of_library(a, b, query, options_.task));
-        sum.add(costs.back());
-      }
-      finish_library(sum.row(), costs);
+      for (const PairQuery& query : rigid_) costs.push_back(cost_of_library(a, b, query, options_.task));
+      finish_library(CostWorkload::rigid, costs);
     }
-    if (asks_for(options_, CostWorkload::refit))
-      table_.left_out.push_back("refit of wide: the library's tree is built anew instead");
-    if (asks_for(options_, CostWorkload::rebuild)) {
-      RowSum sum(CostWorkload::rebuild, CostVolume::wide);
-      std::vector<QueryCost> costs;
-      for (const WorldMeshes& world : worlds_) {
-        costs.push_back(
-            cost_of_library_anew(moved(mesh_a_, world.vertices_a), moved(mesh_b_, world.vertices_b), options_.task));
-        sum.add(costs.back());
-      }
-      finish_library(sum.row(), costs);
+    std::vector<QueryCost> refits, rebuilds;
+    for (const WorldMeshes& world : worlds_) {
+      const MovedVertices moved{world.vertices_a, world.vertices_b};
+      if (asks_for(options_, CostWorkload::refit))
+        refits.push_back(cost_of_library_deformed(a, b, moved, options_.task));
+      if (asks_for(options_, CostWorkload::rebuild))
+        rebuilds.push_back(cost_of_library_anew(mesh_a_, mesh_b_, moved, options_.task));
     }
+    if (!refits.empty()) finish_library(CostWorkload::refit, refits);
+    if (!rebuilds.empty()) finish_library(CostWorkload::rebuild, rebuilds);
   }
 
-  static TriangleMesh moved(const TriangleMesh& mesh, const std::vector<Vec3>& vertices) {
-    return {vertices, {mesh.triangles().begin(), mesh.triangles().end()}};
-  }
-
-  void finish_library(CostRow row, std::span<const QueryCost> costs) {
+  void finish_library(CostWorkload workload, std::span<const QueryCost> costs) {
+    RowSum sum(workload, CostVolume::wide);
+    for (const QueryCost& cost : costs) sum.add(cost);
+    CostRow row = sum.row();
     const LibraryTree a = library_tree(mesh_a_, options_.task), b = library_tree(mesh_b_, options_.task);
     row.arity = 8;
     row.method = TreeMethod::heuristic;

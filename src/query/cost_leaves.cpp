@@ -39,7 +39,7 @@ double nanoseconds_of(FunctionRef<void()> work) {
 TimedOperations timed(std::size_t count, FunctionRef<void()> work) {
   if (count == 0) return {};
   const double first = nanoseconds_of(work);
-  if (first > 2 * shortest_timed) return {count, first};
+  if (first > 100 * shortest_timed) return {count, first};
   const int repeats = static_cast<int>(1 + shortest_timed / std::max(first, 1e-3 * shortest_timed));
   const double again = nanoseconds_of([&] {
     for (int i = 0; i < repeats; ++i) work();

@@ -13,10 +13,11 @@ namespace toccata {
 namespace {
 
 /// In microseconds. A refit updates about as many volumes as there are triangles; the other workloads fit the few at
-/// the top, over many triangles each.
-double work_of(CostWorkload workload, CostVolume volume, std::size_t updates) {
+/// the top, over many triangles each. Walks matter where they look for a distance.
+double work_of(const CostOptions& options, CostWorkload workload, CostVolume volume, std::size_t updates) {
   const double all = static_cast<double>(updates) * cost_functions_of(volume).work_of_update;
-  return workload == CostWorkload::refit ? all : 0.2 * all;
+  const bool walks = options.task == CostTask::distance && workload == CostWorkload::rigid;
+  return workload == CostWorkload::refit ? all : (walks ? 1 : 0.2) * all;
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ CostPlan::CostPlan(const CostOptions& options, std::size_t triangles) {
       for (const int arity : options.arities)
         for (const CostVolume volume : options.volumes) {
           if (volume == CostVolume::wide) continue;
-          const double work = work_of(workload, volume, triangles);
+          const double work = work_of(options, workload, volume, triangles);
           all_.push_back({workload, volume, options.methods[place], arity, work,
                           work * static_cast<double>((place + 1) * (place + 1))});
         }

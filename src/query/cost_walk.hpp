@@ -54,13 +54,13 @@ struct QueryCost {
 template <BoundingVolume V>
 class CostVolumes {
  public:
-  explicit CostVolumes(const CostHierarchy& hierarchy)
-      : hierarchy_(hierarchy), fitted_(hierarchy.nodes()), placed_(hierarchy.nodes()) {}
+  explicit CostVolumes(const CostHierarchy& hierarchy) : hierarchy_(hierarchy), place_(hierarchy.nodes(), nowhere) {}
 
   struct Placed {
     V volume;
-    double half_area = -1;
-    std::uint32_t query = 0;  ///< in which it was placed; 0: never
+    double half_area = 0;
+    std::uint32_t query = 0;  ///< in which it was looked at
+    bool is_fitted = false;   ///< as it was fitted, not moved
   };
 
   void start_query(const Pose& pose) {
@@ -71,65 +71,62 @@ class CostVolumes {
   }
 
   const Placed& operator[](NodeNumber node) {
-    Placed& placed = placed_[node.number];
-    if (moves_ ? placed.query != query_ : placed.query == 0) place(node.number);
-    return placed;
+    if (place_[node.number] == nowhere) add(node.number);
+    const Index place = place_[node.number];
+    if (placed_[place].query != query_) put_in_query(place);
+    return placed_[place];
   }
 
   /// Of a node that was looked at in this query.
-  [[nodiscard]] const Placed& placed(NodeNumber node) const { return placed_[node.number]; }
+  [[nodiscard]] const Placed& placed(NodeNumber node) const { return placed_[place_[node.number]]; }
 
   [[nodiscard]] std::size_t updates() const { return updated_.size(); }
 
   /// Puts all volumes around the hierarchy's triangles by the library's own `refit`. How long that took.
   double refit_all() {
-    Tree<V, 8> tree;
-    tree.items = hierarchy_.tree.items;
-    tree.built_size = 0;
-    tree.nodes.reserve(hierarchy_.nodes());
+    refitted_.items = hierarchy_.tree.items;
+    refitted_.built_size = 0;
+    refitted_.nodes.reserve(hierarchy_.nodes());
     for (const auto& node : hierarchy_.tree.nodes)
-      tree.nodes.push_back({V{}, node.first, node.count, node.child_count});
-    const double time = nanoseconds_of([&] { refit(tree, hierarchy_.triangles); });
-    for (std::size_t i = 0; i < fitted_.size(); ++i) fitted_[i] = Fitted{std::move(tree.nodes[i].volume), true};
-    return time;
+      refitted_.nodes.push_back({V{}, node.first, node.count, node.child_count});
+    return nanoseconds_of([&] { refit(refitted_, hierarchy_.triangles); });
   }
 
   /// Repeats updates of the volumes of this query.
   TimedOperations time_updates() {
     const std::size_t count = std::min<std::size_t>(updated_.size(), 512);
     return timed(count, [&] {
-      for (std::size_t i = 0; i < count; ++i) put(placed_[updated_[i]], updated_[i]);
+      for (std::size_t i = 0; i < count; ++i) put(updated_[i]);
     });
   }
 
  private:
-  struct Fitted {
-    V volume;
-    bool known = false;
-  };
-
-  const V& fitted(Index node) {
-    Fitted& fitted = fitted_[node];
-    if (!fitted.known) fitted = {fit<V>(hierarchy_.below(node)), true};
-    return fitted.volume;
+  void add(Index node) {
+    place_[node] = static_cast<Index>(fitted_.size());
+    fitted_.push_back(refitted_.nodes.empty() ? fit<V>(hierarchy_.below(node)) : refitted_.nodes[node].volume);
+    placed_.emplace_back();
   }
 
-  void put(Placed& placed, Index node) {
-    placed.volume = moves_ ? posed(fitted_[node].volume, pose_) : fitted_[node].volume;
-    placed.half_area = half_area(placed.volume);
+  void put(Index place) {
+    placed_[place].volume = moves_ ? posed(fitted_[place], pose_) : fitted_[place];
+    placed_[place].half_area = half_area(placed_[place].volume);
   }
 
-  void place(Index node) {
-    fitted(node);
-    put(placed_[node], node);
-    placed_[node].query = query_;
-    if (moves_) updated_.push_back(node);
+  void put_in_query(Index place) {
+    if (moves_ || !placed_[place].is_fitted) put(place);
+    placed_[place].is_fitted = !moves_;
+    placed_[place].query = query_;
+    if (moves_) updated_.push_back(place);
   }
+
+  static constexpr Index nowhere = ~Index{0};
 
   const CostHierarchy& hierarchy_;
-  std::vector<Fitted> fitted_;
+  std::vector<Index> place_;  ///< of a node's volumes below
+  std::vector<V> fitted_;
   std::vector<Placed> placed_;
   std::vector<Index> updated_;
+  Tree<V, 8> refitted_;
   Pose pose_;
   bool moves_ = false;
   std::uint32_t query_ = 0;

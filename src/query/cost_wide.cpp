@@ -1,5 +1,7 @@
 #include "query/cost_wide.hpp"
 
+#include <optional>
+
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
@@ -41,6 +43,12 @@ TimedModel build_model(const TriangleMesh& mesh, CostTask task) {
   return {*model, time};
 }
 
+void add_update(QueryCost& cost, std::size_t count, double time) {
+  cost.update = {count, time};
+  cost.counts.volumes_updated = count;
+  cost.measured_ns += time;
+}
+
 LibraryTree measured(const TimedModel& built, CostTask task) {
   const WideTree& tree = built.model.wide_tree();
   LibraryTree result{0, tree.blocks.size() * sizeof(WideBlock) + tree.items.size() * sizeof(Index), 0, built.time};
@@ -71,12 +79,29 @@ QueryCost cost_of_library(const Model& a, const Model& b, const PairQuery& query
   return cost;
 }
 
-QueryCost cost_of_library_anew(const TriangleMesh& a, const TriangleMesh& b, CostTask task) {
-  const TimedModel model_a = build_model(a, task), model_b = build_model(b, task);
+QueryCost cost_of_library_anew(const TriangleMesh& a, const TriangleMesh& b, const MovedVertices& moved,
+                               CostTask task) {
+  const TimedModel model_a = build_model(a.with_vertices({moved.a.begin(), moved.a.end()}), task);
+  const TimedModel model_b = build_model(b.with_vertices({moved.b.begin(), moved.b.end()}), task);
   QueryCost cost = cost_of_library(model_a.model, model_b.model, {}, task);
-  cost.update = {measured(model_a, task).boxes + measured(model_b, task).boxes, model_a.time + model_b.time};
-  cost.counts.volumes_updated = cost.update.count;
-  cost.measured_ns += cost.update.nanoseconds;
+  add_update(cost, measured(model_a, task).boxes + measured(model_b, task).boxes, model_a.time + model_b.time);
+  return cost;
+}
+
+QueryCost cost_of_library_deformed(const Model& a, const Model& b, const MovedVertices& moved, CostTask task) {
+  // The first time a deformed model stops sharing its tree with others.
+  std::array<Model, 2> models{a, b};
+  std::array<Refit, 2> refits;
+  double time = 0;
+  for (int run = 0; run < 2; ++run)
+    time = nanoseconds_of([&] {
+      refits = {models[0].deform({moved.a.begin(), moved.a.end()}), models[1].deform({moved.b.begin(), moved.b.end()})};
+      if (task != CostTask::distance) return;
+      for (const Model& model : models) (void)model.oriented_boxes();
+    });
+  QueryCost cost = cost_of_library(models[0], models[1], {}, task);
+  const std::size_t each = task == CostTask::distance ? 2 : 1;
+  add_update(cost, each * (refits[0].volumes_updated + refits[1].volumes_updated), time);
   return cost;
 }
 

@@ -62,6 +62,13 @@ def faces(folder):
     yield asked(folder, "faces", "scenes/a.obj", "--ball", "90", "90", "90", "0")
 
 
+def costs(folder):
+    """What volumes and hierarchies cost, in every task."""
+    (folder / "poses.txt").write_text(f"{ROWS} 0.1 0 0\n{ROWS} 100 0 0 {ROWS} 0 0 0\n")
+    for task in ["overlap", "contacts", "distance"]:
+        yield asked(folder, "cost", "scenes/a.obj", "scenes/b.stl", "--poses", "poses.txt", "--quick", "--task", task)
+
+
 def reports(folder):
     """The JSON of every kind of check, with and without what options add."""
     def check(*words):
@@ -97,6 +104,10 @@ def main():
         for report in distances(folder):
             distance_report.validate(report)
             assert not distance_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        cost_report = validator("cost-report.schema.json")
+        for report in costs(folder):
+            cost_report.validate(report)
+            assert not cost_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
         for report in rays(folder):
             ray_report.validate(report)
             assert not ray_report.is_valid({**report, "unknown": 1}), "the schema takes anything"

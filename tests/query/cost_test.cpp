@@ -87,7 +87,7 @@ TEST(Cost, FIsTheSumOfItsPartsAndRowsAreSorted) {
     options.arities = {2, 8};
     options.methods = {TreeMethod::heuristic};
     const CostTable table = measure_costs(a, b, some_queries(4, 2), options);
-    EXPECT_EQ(table.rows.size(), 3U * 13 * 2 + 2) << "all of them, and the library's own tree twice";
+    EXPECT_EQ(table.rows.size(), 3U * 13 * 2 + 3) << "all of them, and the library's own tree";
     EXPECT_EQ(table.task, task);
     for (const CostRow& row : table.rows) {
       const double queries = static_cast<double>(row.queries);
@@ -177,7 +177,7 @@ TEST(Cost, EveryVolumeHoldsWhatIsDegenerate) {
       options.task = task;
       const std::vector<PairQuery> queries{{}, {Pose{}, Pose::translation(3, 0, 0)}};
       const CostTable table = measure_costs(mesh, mesh, queries, options);
-      EXPECT_EQ(table.rows.size(), 3U * 13 * 2 + 2);
+      EXPECT_EQ(table.rows.size(), 3U * 13 * 2 + 3);
       EXPECT_EQ(table.answers[0], task == CostTask::contacts ? 9 : 0) << "each lies on itself";
       for (const CostRow& row : table.rows) EXPECT_TRUE(std::isfinite(row.cost()));
     }
@@ -250,6 +250,7 @@ TEST(Cost, WordsTellTheWinnerAndWhy) {
   CostTable table;
   table.rows = {row_of(CostVolume::aabb, 40, 400, 80), row_of(CostVolume::obb, 30, 100, 20)};
   table.rows[1].arity = 4;
+  table.rows[1].measured_ns = 1e6;
   EXPECT_EQ(
       explain_winner(table, CostWorkload::rigid),
       (std::vector<std::string>{
@@ -257,8 +258,17 @@ TEST(Cost, WordsTellTheWinnerAndWhy) {
           "for updating volumes, 33 % for comparing them, 33 % for triangles",
           "obb with 4 children a node by heuristic costs 1.6 times as much: 0.75 times the updates at 4 times the "
           "time each, 0.25 times the tests of volumes at 6 times the time each, 0.25 times the triangle pairs at 1 "
-          "times the time each"}));
+          "times the time each",
+          "as they ran, walk and all, the fastest was obb with 4 children a node by heuristic: 1 ms a query"}));
   EXPECT_TRUE(explain_winner(table, CostWorkload::refit).empty());
+  table.rows.insert(table.rows.begin(), row_of(CostVolume::wide, 0, 200, 40));
+  table.rows[0].item_ns = 0;
+  const std::vector<std::string> lines = explain_winner(table, CostWorkload::rigid);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0],
+            "the cheapest is the library's own tree (wide): 1 us a query (2 ms as it ran), 0 % of it for updating "
+            "volumes, the rest is not taken apart");
+  EXPECT_EQ(lines[1].substr(0, 59), "of the plain trees the cheapest is aabb with 2 children a n");
 }
 
 TEST(Cost, VolumesOfAMeshAloneAreToldForEveryHierarchy) {

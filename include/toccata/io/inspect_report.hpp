@@ -3,8 +3,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/query/cost.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -19,6 +21,8 @@ struct InspectedObject {
   /// has no end, and where the pose is refused.
   std::optional<Aabb> world_box;
   std::string refusal;  ///< why no question can be asked about it where it is; else empty
+  /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
+  std::vector<VolumeCost> volumes{};
 };
 
 /// Everything that `inspect` tells about the object.

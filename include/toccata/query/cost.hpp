@@ -81,8 +81,8 @@ struct CostRow {
   WalkCounts counts;  ///< N_u, N_bv and N_p, summed over the queries. They depend on the input alone.
   // Of one operation, in nanoseconds, measured on some hundreds of those that the queries made.
   double update_ns = 0;    ///< C_u
-  double test_ns = 0;      ///< C_bv; of `wide`, what is left of the measured time
-  double item_ns = 0;      ///< C_p
+  double test_ns = 0;      ///< C_bv; of `wide` with all the rest of the query, which is not taken apart
+  double item_ns = 0;      ///< C_p; of `wide` 0
   double measured_ns = 0;  ///< the queries as they ran, with the walk itself and the memory it waits for
   double build_ns = 0;     ///< to build both hierarchies
   std::size_t nodes = 0;   ///< of both hierarchies
@@ -104,8 +104,9 @@ struct CostRow {
 
 struct CostTable {
   CostTask task = CostTask::overlap;
-  std::vector<CostRow> rows;    ///< by workload, then by F, cheapest first
-  std::vector<double> answers;  ///< of the rigid queries that were measured: 0 or 1, a number of pairs, or a distance
+  std::vector<CostRow> rows;  ///< by workload, then by F, cheapest first
+  std::vector<double>
+      answers;  ///< of the rigid queries that were measured, if any: 0 or 1, a number of pairs, a distance
   std::vector<std::string> left_out;  ///< what is not in the table and why, in words
 };
 

@@ -1,0 +1,80 @@
+#include "cost_words.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "toccata/core/error.hpp"
+#include "toccata/core/suggestion.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+template <class T, std::size_t count>
+T value_of(const std::string& word, const std::array<T, count>& all, const char* kind) {
+  std::vector<std::string> known;
+  for (const T value : all) {
+    if (name_of(value) == word) return value;
+    known.emplace_back(name_of(value));
+  }
+  throw Error(
+      fmt::format("there is no {} '{}'{} (known: {})", kind, word, suggestion(word, known), fmt::join(known, ", ")));
+}
+
+template <class T, std::size_t count>
+void take(std::vector<T>& values, const std::vector<std::string>& words, const std::array<T, count>& all,
+          const char* kind) {
+  if (words.empty()) return;
+  values.clear();
+  for (const std::string& word : words) values.push_back(value_of(word, all, kind));
+}
+
+std::string megabytes(std::size_t bytes) { return fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6); }
+
+}  // namespace
+
+CostOptions cost_options_of(const CostWords& words) {
+  CostOptions options;
+  if (words.quick) {
+    options.methods = {TreeMethod::heuristic, TreeMethod::median};
+    options.arities = {2, 8};
+    options.most_work = 1e6;
+  }
+  if (words.all) options.most_work = std::numeric_limits<double>::infinity();
+  options.task = value_of(words.task, std::array{CostTask::overlap, CostTask::contacts, CostTask::distance}, "task");
+  if (options.task == CostTask::distance) options.most_rigid = 2;  // walks are some hundred times as long
+  take(options.volumes, words.volumes, all_cost_volumes, "volume");
+  take(options.methods, words.builders, all_tree_methods, "builder");
+  take(options.workloads, words.workloads, all_cost_workloads, "workload");
+  if (!words.arities.empty()) options.arities = words.arities;
+  options.leaf_size = words.leaf_size;
+  return options;
+}
+
+std::string meaning_of(CostWorkload workload) {
+  switch (workload) {
+    case CostWorkload::rigid:
+      return "the meshes move as they are, and the volumes that are looked at with them";
+    case CostWorkload::refit:
+      return "every vertex has moved, and all volumes are put around the triangles again";
+    case CostWorkload::rebuild:
+      break;
+  }
+  return "every vertex has moved, and both hierarchies are built anew";
+}
+
+std::string volume_table(const std::vector<VolumeCost>& costs) {
+  std::vector<std::vector<std::string>> rows{
+      {"volume", "arity", "builder", "size", "surface", "filled", "nodes", "depth", "at best", "memory", "build"}};
+  for (const VolumeCost& cost : costs)
+    rows.push_back({std::string(name_of(cost.volume)), fmt::format("{}", cost.arity), std::string(name_of(cost.method)),
+                    fmt::format("{:.4g}", cost.root_volume), fmt::format("{:.4g}", cost.root_surface),
+                    fmt::format("{:.0f} %", 100 * cost.fill), grouped(cost.balance.nodes),
+                    fmt::format("{} to {}", cost.balance.least_depth, cost.balance.greatest_depth),
+                    fmt::format("{}", cost.balance.best_depth), megabytes(cost.bytes),
+                    fmt::format("{:.3g} ms", cost.build_ns / 1e6)});
+  return columns(rows, 4);
+}
+
+}  // namespace toccata::command
