@@ -36,7 +36,7 @@ struct SurfacePoint {
 
 /// The nearest point of the surface of a mesh or height field, also from within a solid; of a compound of these the
 /// nearest of its parts. Points, segments and triangles are taken for surfaces too. Of elements that are equally near
-/// it is the first: the least by (upper, element). Nothing is found of a mesh without triangles. The same bits at every
+/// it is the first: the least by (upper, element).  The same bits at every
 /// SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest distance is
 /// negative, for shapes with an interior that are no mesh (ask `distance`), and for poses as `overlap` does.
 [[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query = {});

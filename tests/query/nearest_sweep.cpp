@@ -1,0 +1,46 @@
+// Nearest points of posed meshes: every triangle by itself, and in rational arithmetic.
+#include "query/nearest_checks.hpp"
+#include "support/sweep.hpp"
+#include "toccata/core/simd.hpp"
+
+namespace toccata::test {
+namespace {
+
+std::string fault_of(const NearestCase& c, Random& random) {
+  const Model model(c.mesh);
+  const NearestQuery query{.pose = c.pose};
+  const SurfacePoint one = nearest_point(c.point, model, query);
+  const std::size_t k = 1 + random.below(6);
+  const std::vector<SurfacePoint> some = nearest_points(c.point, k, model, query);
+  std::string fault = fault_of_nearest(c, some, k);
+  if (fault.empty() && !(one == some[0])) fault = "one is not the first of some";
+  if (fault.empty()) fault = fault_by_oracle(c, one);
+  if (!fault.empty()) return fault;
+  NearestQuery within = query;
+  within.max_distance = one.upper;
+  if (!(nearest_point(c.point, model, within) == one)) return "within its distance";
+  within.max_distance = one.lower * (1 - 1e-9);
+  return one.lower > 0 && nearest_point(c.point, model, within).found ? "beyond the greatest distance" : "";
+}
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random seeds(seed);
+  const SimdLevel before = simd_level();
+  const std::vector<SimdLevel> levels = simd_levels();
+  for (; result.cases < cases; ++result.cases) {
+    const std::uint64_t case_seed = seeds.bits();
+    use_simd_level(levels[case_seed % levels.size()]);
+    Random random(case_seed);
+    const std::string fault = fault_of(nearest_case(family, random), random);
+    if (!fault.empty() && result.wrong++ == 0)
+      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
+  }
+  use_simd_level(before);
+  return result;
+}
+
+const bool known = register_sweep({"nearest-points", nearest_families(), 100'000, 100, run});
+
+}  // namespace
+}  // namespace toccata::test
