@@ -9,6 +9,7 @@
 #include "query/ray_search.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/overlap.hpp"
+#include "trees/chunks.hpp"
 
 namespace toccata {
 namespace {
@@ -109,6 +110,33 @@ std::unique_ptr<const RaySearch> common_search(std::span<const RayQuery> queries
   }
 }
 
+/// Throws for the first that is no ray.
+std::vector<PreparedRay> prepared(std::span<const RayQuery> queries) {
+  std::vector<PreparedRay> rays;
+  rays.reserve(queries.size());
+  for (const RayQuery& query : queries) try {
+      rays.emplace_back(query.origin, query.motion);
+    } catch (const Error& error) {
+      throw Error(fmt::format("query {}: {}", rays.size(), error.what()));
+    }
+  return rays;
+}
+
+/// Rows of rays, each on one thread.
+std::vector<RayHit> hits_of(const RaySearch& search, const std::vector<PreparedRay>& rays,
+                            const BatchOptions& options) {
+  std::vector<RayHit> hits(rays.size());
+  TaskReporter reporter(options.progress, rays.size());
+  const Chunks rows{rays.size(), row_length(rays.size(), options.threads)};
+  parallel_for(rows.size(), options.threads, [&](std::size_t row) {
+    if (reporter.cancelled()) return;
+    const auto of_row = rows.of(std::span(hits), row);
+    search.first_hits(rows.of(std::span(rays), row), of_row);
+    for (std::size_t i = 0; i < of_row.size(); ++i) reporter.finished_one();
+  });
+  return hits;
+}
+
 std::vector<bool> as_bits(const std::vector<char>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 }  // namespace
@@ -186,10 +214,11 @@ std::vector<Cast> cast_shape_each(std::span<const CastPair> pairs, const BatchOp
 }
 
 std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
-  const std::unique_ptr<const RaySearch> common = common_search(queries, target);
+  require_one_each(options.kept, queries.size(), "query");
+  if (const std::unique_ptr<const RaySearch> common = common_search(queries, target))
+    return hits_of(*common, prepared(queries), options);
   return ask_each<RayHit>(queries, "query", options, [&](const RayQuery& query, Workspace&) {
-    return common ? common->first_hit(query.origin, query.motion)
-                  : cast_ray(query.origin, query.motion, target, query.pose, query.solid);
+    return cast_ray(query.origin, query.motion, target, query.pose, query.solid);
   });
 }
 

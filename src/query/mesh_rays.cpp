@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "math/world_vertex.hpp"
 #include "query/world_search.hpp"
@@ -18,6 +19,7 @@ inline double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.
 struct Stretch {
   double from = 0;
   double to = 1;
+  [[nodiscard]] bool empty() const { return from > to; }
 };
 
 inline Stretch stretch_within(const Aabb& box, double around, const Vec3& origin, const Vec3& motion) {
@@ -81,34 +83,46 @@ Aabb region_of(const PreparedRay& ray) {
 }  // namespace
 
 RayTarget::RayTarget(const PosedMesh& mesh)
-    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_tree()), way_(mesh) {
+    : posed_(mesh),
+      mesh_(mesh.model().mesh()),
+      tree_(mesh.model().wide_tree()),
+      way_(mesh),
+      stands_(mesh.pose() == Pose{}) {
   const double scale = 1 / tree_.unit;
   const Vec3 origin = scale * tree_.origin;
   box_ = {scale * tree_.box.lower - origin, scale * tree_.box.upper - origin};
 }
 
-TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
+/// A ray in the tree's units.
+struct RayTarget::InTree {
+  Stretch stretch;  ///< of the ray: what is within the tree's box
+  WideRay ray;      ///< that stretch
+};
+
+std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) const {
   constexpr double longest = 0x1p46, most_off = 1;
   const Vec3 motion = way_.direction(ray.motion);
   const double off = way_.off(greatest_of(ray.origin) + ray.largest);
-  if (!way_.usable() || !(greatest_of(motion) < longest) || !(off < most_off)) return search_in_world(ray);
-  return search_in_tree(ray, way_.place(ray.origin - posed_.pose().offset), motion, off);
-}
-
-TriangleHit RayTarget::search_in_tree(const PreparedRay& ray, const Vec3& origin, const Vec3& motion,
-                                      double off) const {
-  const Stretch stretch = stretch_within(box_, off + 0x1p-40, origin, motion);
-  if (stretch.from > stretch.to) return {};
+  if (!way_.usable() || !(greatest_of(motion) < longest) || !(off < most_off)) return {};
+  const Vec3 origin = way_.place(ray.origin - posed_.pose().offset);
+  InTree found{stretch_within(box_, off + 0x1p-40, origin, motion), {}};
   // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
-  WideRay in_tree{{}, {}, static_cast<float>(off + 0x1p-20 + 0x1p-50 * (greatest_of(origin) + greatest_of(motion)))};
-  const double length = stretch.to - stretch.from;
+  found.ray.pad = static_cast<float>(off + 0x1p-20 + 0x1p-50 * (greatest_of(origin) + greatest_of(motion)));
+  const double length = found.stretch.to - found.stretch.from;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    in_tree.origin[i] = static_cast<float>(origin[axis] + stretch.from * motion[axis]);
-    in_tree.motion[i] = static_cast<float>(length * motion[axis]);
+    found.ray.origin[i] = static_cast<float>(origin[axis] + found.stretch.from * motion[axis]);
+    found.ray.motion[i] = static_cast<float>(length * motion[axis]);
   }
-  FirstHit hit(ray, stretch);
-  walk_ray(tree_, in_tree, [&](Index place) {
+  return found;
+}
+
+TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
+  const std::optional<InTree> way = in_tree(ray);
+  if (!way) return search_in_world(ray);
+  if (way->stretch.empty()) return {};
+  FirstHit hit(ray, way->stretch);
+  walk_ray(tree_, way->ray, [&](Index place) {
     const Index number = tree_.items[place];
     hit.consider(world_triangle(number), number);
     return hit.limit();
@@ -116,9 +130,33 @@ TriangleHit RayTarget::search_in_tree(const PreparedRay& ray, const Vec3& origin
   return hit.best();
 }
 
+void RayTarget::first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
+  std::vector<WideRay> walking;
+  std::vector<FirstHit> found;
+  std::vector<std::size_t> number_of;
+  walking.reserve(rays.size());
+  found.reserve(rays.size());
+  number_of.reserve(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const std::optional<InTree> way = in_tree(rays[i]);
+    hits[i] = way ? TriangleHit{} : search_in_world(rays[i]);
+    if (!way || way->stretch.empty()) continue;
+    walking.push_back(way->ray);
+    found.emplace_back(rays[i], way->stretch);
+    number_of.push_back(i);
+  }
+  walk_rays(tree_, walking, [&](std::size_t i, Index place) {
+    const Index number = tree_.items[place];
+    found[i].consider(world_triangle(number), number);
+    return found[i].limit();
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) hits[number_of[i]] = found[i].best();
+}
+
 Triangle RayTarget::world_triangle(Index number) const {
   const auto& corner = mesh_.triangles()[number];
   const Vec3* vertices = mesh_.vertices().data();
+  if (stands_) return {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}};
   const Pose& pose = posed_.pose();
   return {{world_vertex(pose, vertices[corner[0]]), world_vertex(pose, vertices[corner[1]]),
            world_vertex(pose, vertices[corner[2]])}};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "narrow/ray_triangle.hpp"
 #include "query/way_into_tree.hpp"
 
@@ -19,19 +22,23 @@ class RayTarget {
 
   /// Of a ray at the surface. That there is none is proved.
   [[nodiscard]] TriangleHit first_hit(const PreparedRay& ray) const;
+  /// The same of many, which are walked side by side.
+  void first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
 
   [[nodiscard]] Triangle world_triangle(Index number) const;
 
  private:
-  [[nodiscard]] TriangleHit search_in_tree(const PreparedRay& ray, const Vec3& origin, const Vec3& motion,
-                                           double off) const;
+  struct InTree;
+  /// None where bounds cannot be told; the world is searched then.
+  [[nodiscard]] std::optional<InTree> in_tree(const PreparedRay& ray) const;
   [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
 
   const PosedMesh& posed_;
   const TriangleMesh& mesh_;
   const WideTree& tree_;
   WayIntoTree way_;
-  Aabb box_;  ///< of the tree, in its units
+  bool stands_;  ///< the pose changes nothing but the sign of a zero
+  Aabb box_;     ///< of the tree, in its units
 };
 
 }  // namespace toccata

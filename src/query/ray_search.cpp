@@ -22,17 +22,33 @@ bool starts_inside(const PosedTriangles& target, const Vec3& origin) {
   return target.solid && overlap(target.mesh.box(), point) && is_interior(origin, target.mesh);
 }
 
-RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
-  if (starts_inside(target, ray.origin)) {
-    RayHit hit;
-    hit.hit = true;
-    hit.point = ray.origin;
-    return hit;
-  }
-  const TriangleHit found = search.first_hit(ray);
+RayHit hit_at_start(const PreparedRay& ray) {
+  RayHit hit;
+  hit.hit = true;
+  hit.point = ray.origin;
+  return hit;
+}
+
+RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray,
+                      const TriangleHit& found) {
   if (!found.time.hit) return {};
   return numbered(ray_hit(ray, search.world_triangle(found.triangle), found.time), found.triangle,
                   target.mesh.model().mesh().face_of(found.triangle));
+}
+
+RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
+  return starts_inside(target, ray.origin) ? hit_at_start(ray)
+                                           : hit_of_surface(target, search, ray, search.first_hit(ray));
+}
+
+/// Of many rays at one mesh.
+void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<const PreparedRay> rays,
+             std::span<RayHit> hits) {
+  std::vector<TriangleHit> found(rays.size());
+  search.first_hits(rays, found);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = starts_inside(target, rays[i].origin) ? hit_at_start(rays[i])
+                                                    : hit_of_surface(target, search, rays[i], found[i]);
 }
 
 void require_answered(ShapeKind target) {
@@ -51,8 +67,7 @@ RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
   }
 }
 
-RayHit RaySearch::first_hit(const Vec3& origin, const Vec3& motion) const {
-  const PreparedRay ray(origin, motion);
+RayHit RaySearch::first_hit(const PreparedRay& ray) const {
   if (posed_.parts.size() == 1) return hit_of_part(posed_.parts[0], 0, ray);
   RayHit earliest;
   std::size_t mesh = 0;
@@ -67,6 +82,12 @@ RayHit RaySearch::first_hit(const Vec3& origin, const Vec3& motion) const {
   return earliest;
 }
 
+void RaySearch::first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const {
+  const auto* triangles = std::get_if<PosedTriangles>(&posed_.parts[0].shape);
+  if (posed_.parts.size() == 1 && triangles != nullptr) return hits_of(*triangles, meshes_[0], rays, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(rays[i]);
+}
+
 RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const {
   if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) return hit_of(*triangles, meshes_[mesh], ray);
   if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
@@ -75,7 +96,7 @@ RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const Pre
 }
 
 RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
-  return RaySearch(target, pose, solid).first_hit(origin, motion);
+  return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
 }
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "query/mesh_rays.hpp"
@@ -15,8 +16,10 @@ class RaySearch {
   RaySearch(const RaySearch&) = delete;
   RaySearch& operator=(const RaySearch&) = delete;
 
-  /// Throws as cast_ray does of the ray.
-  [[nodiscard]] RayHit first_hit(const Vec3& origin, const Vec3& motion) const;
+  [[nodiscard]] RayHit first_hit(const PreparedRay& ray) const;
+
+  /// The same of many: those at one mesh are walked side by side.
+  void first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const;
 
  private:
   [[nodiscard]] RayHit hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const;

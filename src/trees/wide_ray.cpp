@@ -12,6 +12,8 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
@@ -59,13 +61,12 @@ class RayWalk {
   RayWalk(const WideTree& tree, const WideRay& ray)
       : tree_(tree), ray_{along(ray, 0), along(ray, 1), along(ray, 2)}, pad_(ray.pad + of_sums) {}
 
-  void run(FunctionRef<float(Index)> visit) {
-    std::int32_t child = 0;
-    while (true) {
-      const bool leads_on = child >= 0 ? open(tree_.blocks[static_cast<std::size_t>(child)], child)
-                                       : see(visit(~static_cast<Index>(child)));
-      if (!leads_on && !next(child)) return;
-    }
+  /// Opens a block or shows an item; false when there is nothing more.
+  template <class Visit>
+  HWY_INLINE bool step(const Visit& visit) {
+    const bool leads_on = child_ >= 0 ? open(tree_.blocks[static_cast<std::size_t>(child_)], child_)
+                                      : see(visit(~static_cast<Index>(child_)));
+    return leads_on || next(child_);
   }
 
  private:
@@ -137,11 +138,57 @@ class RayWalk {
   std::array<Along, 3> ray_;
   float pad_;
   float limit_ = 1;
+  std::int32_t child_ = 0;
   PendingStack pending_;
 };
 
 void run_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit) {
-  RayWalk(tree, ray).run(visit);
+  RayWalk walk(tree, ray);
+  while (walk.step(visit)) {
+  }
+}
+
+/// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
+constexpr std::size_t abreast = 4;
+
+/// Rays that walk side by side, the next one in the place of one that is done.
+class RaysAbreast {
+ public:
+  RaysAbreast(const WideTree& tree, std::span<const WideRay> rays) : tree_(tree), rays_(rays) {}
+
+  template <class Visit>
+  void run(const Visit& visit) {
+    for (Place& place : places_) start_next(place);
+    while (walking_ > 0)
+      for (Place& place : places_)
+        if (place.walk && !place.walk->step([&](Index item) { return visit(place.ray, item); })) {
+          place.walk.reset();
+          --walking_;
+          start_next(place);
+        }
+  }
+
+ private:
+  struct Place {
+    std::optional<RayWalk> walk;
+    std::size_t ray = 0;
+  };
+
+  void start_next(Place& place) {
+    if (next_ == rays_.size()) return;
+    place.walk.emplace(tree_, rays_[next_]);
+    place.ray = next_++;
+    ++walking_;
+  }
+
+  const WideTree& tree_;
+  std::span<const WideRay> rays_;
+  std::size_t next_ = 0, walking_ = 0;
+  std::array<Place, abreast> places_;
+};
+
+void run_rays(const WideTree& tree, std::span<const WideRay> rays, FunctionRef<float(std::size_t, Index)> visit) {
+  RaysAbreast(tree, rays).run(visit);
 }
 
 }  // namespace
@@ -153,11 +200,16 @@ namespace toccata {
 namespace {
 
 HWY_EXPORT(run_ray);
+HWY_EXPORT(run_rays);
 
 }  // namespace
 
 void walk_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit) {
   if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_ray)(tree, ray, visit);
+}
+
+void walk_rays(const WideTree& tree, std::span<const WideRay> rays, FunctionRef<float(std::size_t, Index)> visit) {
+  if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_rays)(tree, rays, visit);
 }
 
 }  // namespace toccata

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <array>
-#include <limits>
+#include <cstddef>
+#include <span>
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
@@ -22,5 +23,9 @@ struct WideRay {
 /// box is met first first, as far as boxes tell. `visit` returns the greatest t that is still of interest; less than 0
 /// ends the walk. No item whose box the ray meets at a t of interest is left out.
 void walk_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit);
+
+/// The same for many rays, of which a few walk at a time, a step each in turn: while one waits for memory, another is
+/// worked on. Each is shown what it would be shown alone, as `visit(ray, place)`.
+void walk_rays(const WideTree& tree, std::span<const WideRay> rays, FunctionRef<float(std::size_t, Index)> visit);
 
 }  // namespace toccata
