@@ -25,7 +25,7 @@ std::vector<VolumeCost> measure_volumes(const TriangleMesh& mesh, const CostOpti
   std::vector<Triangle> triangles;
   for (const auto& corner : mesh.triangles())
     triangles.push_back({{mesh.vertices()[corner[0]], mesh.vertices()[corner[1]], mesh.vertices()[corner[2]]}});
-  const double hull = measure(ConvexHull(mesh.vertices()));
+  const double hull = measure(fit<HullBound>(triangles));
   std::array<std::vector<FitTimes>, all_cost_volumes.size()> times;
   std::array<RootSize, all_cost_volumes.size()> roots;
   std::vector<VolumeCost> costs;

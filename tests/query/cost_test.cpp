@@ -181,6 +181,11 @@ TEST(Cost, EveryVolumeHoldsWhatIsDegenerate) {
       EXPECT_EQ(table.answers[0], task == CostTask::contacts ? 9 : 0) << "each lies on itself";
       for (const CostRow& row : table.rows) EXPECT_TRUE(std::isfinite(row.cost()));
     }
+  for (const TriangleMesh& mesh : meshes)
+    for (const VolumeCost& cost : measure_volumes(mesh, options)) {
+      EXPECT_TRUE(std::isfinite(cost.root_volume) && std::isfinite(cost.root_surface));
+      EXPECT_TRUE(cost.fill >= 0 && cost.fill <= 1);
+    }
 }
 
 /// What is left out depends on sizes alone, and is told.
