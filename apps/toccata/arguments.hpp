@@ -59,8 +59,16 @@ struct CostArguments : PosedArguments {
 
 struct InspectArguments {
   InputArguments input;
-  bool volumes = false;  ///< every bounding volume and hierarchy of meshes, too
+  bool volumes = false;    ///< every bounding volume and hierarchy of meshes, too
+  bool hierarchy = false;  ///< the tree of nodes instead of the objects
   Format format = Format::table;
+};
+
+struct TreeArguments {
+  std::string file;
+  std::string save;   ///< where the tree is written
+  std::string check;  ///< a tree file; one of the two is given
+  int threads = 0;
 };
 
 struct PairsArguments {
@@ -78,11 +86,13 @@ int run_check(const CheckArguments& arguments);
 int run_check_poses(const CheckArguments& arguments);
 int run_check_self(const CheckArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
+int run_inspect_hierarchy(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);
 int run_distance_poses(const DistanceArguments& arguments);
 int run_ray(const RayArguments& arguments);
 int run_faces(const FacesArguments& arguments);
 int run_cost(const CostArguments& arguments);
+int run_tree(const TreeArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

@@ -31,6 +31,7 @@ struct Options {
   CostArguments cost;
   CostWords cost_words;
   InspectArguments inspect;
+  TreeArguments tree;
   DemoArguments demo;
   bool json = false;
   bool csv = false;
@@ -217,12 +218,31 @@ void add_pairs(CLI::App& app, Options& options) {
 void add_inspect(CLI::App& app, Options& options) {
   CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: closed? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
-  inspect->add_flag("--volumes", options.inspect.volumes,
-                    "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
+  CLI::Option* volumes =
+      inspect->add_flag("--volumes", options.inspect.volumes,
+                        "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
+  inspect
+      ->add_flag("--hierarchy", options.inspect.hierarchy,
+                 "how good the tree of nodes is as a hierarchy, and what rebalancing it gains")
+      ->excludes(volumes);
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
   inspect->footer(
       with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
-                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl"));
+                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"
+                "  {0} inspect machine.glb --hierarchy"));
+}
+
+void add_tree(CLI::App& app, Options& options) {
+  CLI::App* tree = app.add_subcommand("tree", "save the tree over a mesh, or look whether one belongs to it");
+  tree->add_option("file", options.tree.file, "a file with one mesh")->required();
+  CLI::Option* save = tree->add_option("--save", options.tree.save, "write the tree here")->type_name("FILE");
+  tree->add_option("--check", options.tree.check, "look through this tree")->type_name("FILE")->excludes(save);
+  tree->add_option("--threads", options.tree.threads, "threads to use; 0: as many as there are; same tree for any")
+      ->check(CLI::Range(0, 1024));
+  tree->footer(
+      with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
+                "Exit code: 0 saved, or right; 2 trouble: damaged, or of another mesh.\n\n"
+                "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
 }
 
 void add_demo(CLI::App& app, Options& options) {
@@ -278,10 +298,11 @@ int run(const CLI::App& app, Options& options) {
     options.cost.options = cost_options_of(options.cost_words);
     return run_cost(options.cost);
   }
+  if (app.got_subcommand("tree")) return run_tree(options.tree);
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
-    return run_inspect(options.inspect);
+    return options.inspect.hierarchy ? run_inspect_hierarchy(options.inspect) : run_inspect(options.inspect);
   }
   options.demo.format = format_of(options);
   return run_demo(options.demo);
@@ -332,6 +353,7 @@ int main_of(int argc, char** argv) {
   add_cost(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
+  add_tree(app, options);
   add_demo(app, options);
   if (const std::string message = mistyped_subcommand(app, argc, argv); !message.empty())
     return report_trouble(message);

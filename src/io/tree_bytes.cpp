@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view magic{"\x89TCT\r\n\x1a\n", 8};
 constexpr std::uint64_t format_version = 1;
 
-constexpr std::size_t header_size = 128;
+constexpr std::size_t header_size = 136;
 constexpr std::size_t words_of_block = 6 * WideBlock::width + WideBlock::width + 1;
 constexpr std::size_t block_size = 4 * words_of_block;
 
@@ -168,6 +168,7 @@ std::string tree_bytes(const WideTree& tree, const TriangleMesh& mesh) {
   append(bytes, tree.unit);
   append(bytes, tree.box.lower);
   append(bytes, tree.box.upper);
+  append(bytes, tree.built_size);
   for (const WideBlock& block : tree.blocks) append(bytes, block);
   for (const Index item : tree.items) append(bytes, item);
   std::string checksum;
@@ -186,6 +187,7 @@ WideTree parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::
   tree.unit = reader.next<double>();
   tree.box.lower = reader.next_vector();
   tree.box.upper = reader.next_vector();
+  tree.built_size = reader.next<double>();
   tree.blocks.reserve(header.blocks);
   for (std::uint64_t i = 0; i < header.blocks; ++i) tree.blocks.push_back(next_block(reader));
   tree.items.reserve(header.triangles);

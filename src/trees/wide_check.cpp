@@ -1,8 +1,10 @@
 #include "trees/wide_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,23 +14,37 @@
 namespace toccata {
 namespace {
 
-/// Whether a + b ≤ limit as real numbers; not where one of them is no number.
-bool sum_is_at_most(double a, double b, double limit) {
-  // What the sum rounded away (D. Knuth, "The Art of Computer Programming", volume 2, 4.2.2, Theorem B).
-  const double sum = a + b, share = sum - a;
-  const double lost = (a - (sum - share)) + (b - share);
-  return sum < limit || (sum == limit && lost <= 0);
+/// A real number as a double and what that rounded away.
+struct Real2 {
+  double rounded = std::numeric_limits<double>::infinity();
+  double rest = 0;
+
+  // Of equal ones the larger may also be the less: where a number lies half way between two doubles.
+  friend bool operator<=(const Real2& x, const Real2& y) {
+    return x.rounded < y.rounded || (x.rounded == y.rounded && x.rest <= y.rest);
+  }
+};
+
+/// a + b, times a power of two that keeps it in range.
+Real2 sum(double a, double b, double factor) {
+  // D. Knuth, "The Art of Computer Programming", volume 2, 4.2.2, Theorem B.
+  const double rounded = a + b, share = rounded - a;
+  return {factor * rounded, factor * ((a - (rounded - share)) + (b - share))};
 }
 
-/// What lies below a block.
+/// What lies below a block: where it begins along every axis, seen from both ends.
 struct Below {
-  FloatBox box = FloatBox::empty();
+  std::array<Real2, 3> lower{};
+  std::array<Real2, 3> minus_upper{};
   std::size_t first = 0;
   std::size_t end = 0;  ///< the places of items are in [first, end)
   std::size_t items = 0;
 
   void add(const Below& other) {
-    box.add(other.box);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!(lower[axis] <= other.lower[axis])) lower[axis] = other.lower[axis];
+      if (!(minus_upper[axis] <= other.minus_upper[axis])) minus_upper[axis] = other.minus_upper[axis];
+    }
     first = items == 0 ? other.first : std::min(first, other.first);
     end = std::max(end, other.end);
     items += other.items;
@@ -48,6 +64,8 @@ class WideChecker {
       return fmt::format("{} blocks are not as many as {} items need", tree_.blocks.size(), boxes_.size());
     if (!frame_is_right()) return "its frame is not that of the items' box";
     if (!items_are_each_there_once()) return "its items are not each there once";
+    if (!(tree_.built_size == -1 || (tree_.built_size >= 0 && std::isfinite(tree_.built_size))))
+      return "its size when built is no size";
     return fault_of_blocks();
   }
 
@@ -56,7 +74,10 @@ class WideChecker {
     Aabb around;
     for (const Aabb& box : boxes_) around = merge(around, box);
     frame_ = frame_around(around);
-    reach_ = (frame_.unit < 0x1p1023 ? 1 : 2) * (1 + 0x1p-22);
+    reach_ = (frame_.unit < 0x1p1023 ? 1 : 2) * (1 + 0x1p-16);
+    // Powers of two that lose nothing: a small one would take numbers below the least double.
+    own_factor_ = std::max(frame_.unit, 1.0);
+    item_factor_ = std::max(frame_.inverse, 1.0);
     return tree_.box == around && tree_.origin == frame_.origin && tree_.unit == frame_.unit;
   }
 
@@ -94,7 +115,7 @@ class WideChecker {
       }
       if (!has_valid_child(number, lane)) return false;
       const Below below = below_lane(block, lane);
-      if (!holds(block, lane, below.box)) return false;
+      if (!holds(block, lane, below)) return false;
       below_[number].add(below);
     }
     return true;
@@ -120,16 +141,26 @@ class WideChecker {
   Below below_lane(const WideBlock& block, std::size_t lane) const {
     if (!block.is_item(lane)) return below_[static_cast<std::size_t>(block.child[lane])];
     const auto place = static_cast<std::size_t>(~block.child[lane]);
-    return {to_frame(frame_, boxes_[tree_.items[place]]), place, place + 1, 1};
+    const Aabb& box = boxes_[tree_.items[place]];
+    Below item;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      item.lower[i] = sum(box.lower[axis], -frame_.origin[axis], item_factor_);
+      item.minus_upper[i] = sum(-box.upper[axis], frame_.origin[axis], item_factor_);
+    }
+    item.first = place;
+    item.end = place + 1;
+    item.items = 1;
+    return item;
   }
 
-  /// Also that the lane's box is not far beyond all items.
-  bool holds(const WideBlock& block, std::size_t lane, const FloatBox& box) const {
+  /// As real numbers. Also that the lane's box is not far beyond all items.
+  bool holds(const WideBlock& block, std::size_t lane, const Below& below) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double centre{block.centre[axis][lane]}, extent{block.extent[axis][lane]};
-      const double lower{box.lower[axis]}, upper{box.upper[axis]};
       if (!(extent >= 0 && std::abs(centre) + extent <= reach_)) return false;
-      if (!sum_is_at_most(centre, -extent, lower) || !sum_is_at_most(-centre, -extent, -upper)) return false;
+      if (!(sum(centre, -extent, own_factor_) <= below.lower[axis])) return false;
+      if (!(sum(-centre, -extent, own_factor_) <= below.minus_upper[axis])) return false;
     }
     return true;
   }
@@ -138,6 +169,8 @@ class WideChecker {
   std::span<const Aabb> boxes_;
   WideFrame frame_;
   double reach_ = 1;
+  double own_factor_ = 1;
+  double item_factor_ = 1;
   std::vector<Below> below_;
   std::vector<bool> has_parent_;
 };

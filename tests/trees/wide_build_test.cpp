@@ -15,6 +15,7 @@
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/wide_tree.hpp"
 #include "trees/wide_boxes.hpp"
+#include "trees/wide_check.hpp"
 
 namespace toccata {
 namespace {
@@ -155,6 +156,7 @@ class Checker {
 
 int check(std::span<const Aabb> boxes) {
   const WideTree tree = build_wide_tree(boxes);
+  EXPECT_EQ(fault_of(tree, boxes), "");
   return Checker(tree, boxes).check();
 }
 

@@ -49,6 +49,13 @@ struct Placement {
 /// `count` small meshes, of a few kinds shared by all, scattered so that some collide.
 [[nodiscard]] Scene many_parts(std::size_t count, std::uint64_t seed);
 
+/// The same parts below trees of nodes that are bad hierarchies: a node for every kind of part, which lies all over
+/// the place; each part one step deeper than the part before it; all parts side by side. Every part has a node of its
+/// own with its pose, the other nodes are where the world is.
+[[nodiscard]] Scene parts_by_kind(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene parts_in_a_chain(std::size_t count, std::uint64_t seed);
+[[nodiscard]] Scene parts_side_by_side(std::size_t count, std::uint64_t seed);
+
 struct NamedScene {
   std::string name;
   std::string description;

@@ -1,0 +1,176 @@
+#include "toccata/io/tree_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/text_file.hpp"
+#include "io/tree_bytes.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/trees/walk.hpp"
+
+namespace toccata {
+namespace {
+
+using test::bytes_of;
+using test::message_of;
+using test::TemporaryFolder;
+
+std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh) {
+  return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+std::shared_ptr<const TriangleMesh> knot() { return shared(generate_mesh("torus-knot")); }
+std::shared_ptr<const TriangleMesh> ball() { return shared(generate_mesh("noise-sphere", {{"subdivisions", 1}})); }
+
+/// The pairs of triangles that meet.
+std::vector<ItemPair> contacts_with_ball(const Model& model) {
+  PairQuery query;
+  query.pose_b = Pose::translation(0.9, 0.1, 0);
+  std::vector<ItemPair> pairs;
+  for (const Contact& contact : contacts(model, Model(ball()), query))
+    pairs.push_back({contact.triangle_a, contact.triangle_b});
+  return pairs;
+}
+
+/// The bytes with the checksum that they should have.
+std::string with_checksum(std::string bytes) {
+  const std::uint64_t checksum = io::checksum_of(bytes_of(bytes).subspan(io::tree_checksum_at + 8));
+  for (std::size_t i = 0; i < 8; ++i) bytes[io::tree_checksum_at + i] = static_cast<char>(checksum >> 8 * i);
+  return bytes;
+}
+
+TEST(TreeFile, WhatIsLoadedIsWhatWasBuilt) {
+  const TemporaryFolder folder;
+  for (const auto& mesh : {ball(), knot(), shared(generate_mesh("noise-sphere", {{"subdivisions", 6}}))}) {
+    const Model built(mesh);
+    save_tree(built, folder / "mesh.tree");
+    const Model loaded = load_model(shared(TriangleMesh(*mesh)), folder / "mesh.tree");
+    EXPECT_EQ(io::tree_bytes(loaded.wide_tree(), *mesh), io::tree_bytes(built.wide_tree(), *mesh));
+    EXPECT_EQ(contacts_with_ball(loaded), contacts_with_ball(built));
+    EXPECT_FALSE(contacts_with_ball(loaded).empty());
+  }
+}
+
+TEST(TreeFile, ATreeThatWasRefittedIsSavedAsItIs) {
+  const TemporaryFolder folder;
+  const auto mesh = ball();
+  std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
+  for (Vec3& v : vertices) v.x += 0.1 * v.y * v.z;
+  Model model(mesh);
+  model.deform(vertices);
+  save_tree(model, folder / "deformed.tree");
+  const Model loaded = load_model(shared(mesh->with_vertices(vertices)), folder / "deformed.tree");
+  EXPECT_EQ(loaded.wide_tree().built_size, model.wide_tree().built_size);
+  EXPECT_EQ(io::tree_bytes(loaded.wide_tree(), loaded.mesh()), io::tree_bytes(model.wide_tree(), model.mesh()));
+}
+
+TEST(TreeFile, ItsChecksumIsWhereItSays) {
+  const auto mesh = ball();
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  EXPECT_EQ(with_checksum(bytes), bytes);
+}
+
+TEST(TreeFile, AnyDamagedByteIsSeen) {
+  const auto mesh = ball();
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    for (const int change : {0x01, 0x80}) {
+      std::string damaged = bytes;
+      damaged[i] = static_cast<char>(damaged[i] ^ change);
+      const std::string message =
+          message_of([&] { static_cast<void>(io::parse_tree(bytes_of(damaged), *mesh, "x.tree")); });
+      ASSERT_EQ(message.rfind("x.tree: ", 0), 0U) << "byte " << i << ": " << message;
+    }
+}
+
+TEST(TreeFile, DamageThatTheChecksumHidesIsRefusedOrHarmless) {
+  const auto mesh = ball();
+  const Model built(mesh);
+  const std::string bytes = io::tree_bytes(built.wide_tree(), *mesh);
+  const auto right = contacts_with_ball(built);
+  std::size_t refused = 0;
+  for (std::size_t i = io::tree_checksum_at + 8; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    damaged = with_checksum(damaged);
+    const std::string message = message_of([&] {
+      const Model model(mesh, io::parse_tree(bytes_of(damaged), *mesh, "x.tree"));
+      ASSERT_EQ(contacts_with_ball(model), right) << "byte " << i;
+    });
+    refused += message.empty() ? 0 : 1;
+  }
+  // Boxes may grow, and lanes may change places with what they hold.
+  EXPECT_GT(refused, bytes.size() / 2);
+}
+
+TEST(TreeFile, AFileCutShortAnywhereIsRefused) {
+  const auto mesh = ball();
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const std::string text = bytes.substr(0, size);
+    EXPECT_NE(message_of([&] { static_cast<void>(io::parse_tree(bytes_of(text), *mesh, "x.tree")); }), "") << size;
+  }
+  EXPECT_NE(message_of([&] { static_cast<void>(io::parse_tree(bytes_of(bytes + "x"), *mesh, "x.tree")); }), "");
+}
+
+TEST(TreeFile, ATreeOfAnotherMeshIsRefusedAndBothAreNamed) {
+  const TemporaryFolder folder;
+  save_tree(Model(ball()), folder / "ball.tree");
+  const auto message = [&](const TriangleMesh& mesh) {
+    return message_of([&] { static_cast<void>(load_model(shared(mesh), folder / "ball.tree")); });
+  };
+  EXPECT_NE(message(*knot()).find("of one of 80 triangles"), std::string::npos) << message(*knot());
+  EXPECT_NE(message(*knot()).find("ball.tree"), std::string::npos);
+  const auto own = ball();
+  std::vector<Vec3> vertices(own->vertices().begin(), own->vertices().end());
+  const std::vector<std::array<Index, 3>> triangles(own->triangles().begin(), own->triangles().end());
+  EXPECT_EQ(message(TriangleMesh(vertices, triangles)), "");
+  vertices[5].y += 1e-9;
+  EXPECT_NE(message(TriangleMesh(vertices, triangles)).find("another mesh"), std::string::npos);
+  vertices[5] = own->vertices()[5];
+  std::vector<std::array<Index, 3>> turned = triangles;
+  std::swap(turned[3][0], turned[3][1]);
+  EXPECT_NE(message(TriangleMesh(vertices, turned)).find("another mesh"), std::string::npos);
+}
+
+TEST(TreeFile, MinusZeroIsZero) {
+  const TriangleMesh plus({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const TriangleMesh minus({{-0.0, 0, -0.0}, {1, -0.0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  EXPECT_EQ(io::digest_of(plus), io::digest_of(minus));
+  const TemporaryFolder folder;
+  save_tree(Model(plus), folder / "one.tree");
+  EXPECT_EQ(load_model(shared(minus), folder / "one.tree").element_count(), 1U);
+}
+
+TEST(TreeFile, BadInputIsToldByName) {
+  const TemporaryFolder folder;
+  const auto mesh = ball();
+  const auto message = [&](const std::filesystem::path& path) {
+    return message_of([&] { static_cast<void>(load_model(mesh, path)); });
+  };
+  EXPECT_NE(message(folder / "none.tree").find("no such file"), std::string::npos);
+  EXPECT_NE(message(folder / ".").find("directory"), std::string::npos);
+  EXPECT_NE(message(folder.file("empty.tree", "")).find("empty"), std::string::npos);
+  EXPECT_NE(message(folder.file("a.obj", "v 0 0 0\n")).find("no tree file"), std::string::npos);
+  std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  bytes[8] = 2;
+  EXPECT_NE(message(folder.file("new.tree", bytes)).find("version 2"), std::string::npos);
+  EXPECT_THROW(static_cast<void>(load_model(nullptr, folder / "new.tree")), Error);
+  EXPECT_THROW(save_tree(Model(mesh), folder / "no-folder" / "a.tree"), Error);
+  EXPECT_THROW(save_tree(Model(Sphere(1)), folder / "a.tree"), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.tree"));
+}
+
+TEST(TreeFile, AModelTakesOnlyATreeOfItsMesh) {
+  const auto mesh = ball();
+  const Model built(mesh);
+  EXPECT_EQ(Model(mesh, built.wide_tree()).element_count(), built.element_count());
+  const std::string message = message_of([&] { Model(knot(), built.wide_tree()); });
+  EXPECT_NE(message.find("no tree over the mesh"), std::string::npos) << message;
+  EXPECT_THROW(Model(std::shared_ptr<const TriangleMesh>(), built.wide_tree()), Error);
+}
+
+}  // namespace
+}  // namespace toccata
