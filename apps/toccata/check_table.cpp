@@ -30,7 +30,24 @@ std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
   return fmt::format("no depth: {}\n", cell.state == PairState::defined ? pair_cells::surface.text : cell.text);
 }
 
-/// How deep they overlap, and a line for each point of contact.
+std::string region_line(const ContactRegion& region) {
+  const std::string depth = region.depth ? fmt::format(", depth {:.6g}", *region.depth) : "";
+  return fmt::format("      region of {} at {}, area {:.6g}{}, normal {}\n",
+                     counted(region.face_pairs, "pair of faces", "pairs of faces"), point_text(region.deepest),
+                     region.area, depth, point_text(region.normal));
+}
+
+/// The deepest few; JSON lists all.
+std::string region_lines(const std::vector<ContactRegion>& regions) {
+  const std::size_t shown = std::min(regions.size(), most_face_pairs);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) text += region_line(regions[i]);
+  if (shown < regions.size())
+    text += fmt::format("      … and {}; --json lists all\n", counted(regions.size() - shown, "more region"));
+  return text;
+}
+
+/// How deep they overlap, and a line for each point and region of contact.
 std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
   std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + "\n" : depth_refusal(scene, pair));
   for (int i = 0; pair.manifold && i < pair.manifold->count; ++i) {
@@ -38,7 +55,7 @@ std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
     text += fmt::format("      contact at {}, depth {:.6g}, normal {}\n", point_text(point.position), point.depth,
                         point_text(pair.manifold->normal));
   }
-  return text;
+  return text + region_lines(pair.regions);
 }
 
 std::string pair_lines(const Scene& scene, const CheckReport& report) {

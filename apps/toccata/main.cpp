@@ -100,7 +100,7 @@ void add_check(CLI::App& app, Options& options) {
                               ->capture_default_str();
   CLI::Option* penetration = check->add_flag(
       "--penetration", options.check.penetration,
-      "how deep convex solids overlap, the shortest way to part them, and (without --poses) their points of contact");
+      "how deep solids overlap, a way to part them, and (without --poses) their points and regions of contact");
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")

@@ -63,7 +63,8 @@ std::string nearest_text(const Distance& distance) {
 
 std::string depth_text(const Penetration& penetration) {
   if (penetration.upper == 0) return "0 deep";
-  return fmt::format("{:.6g} deep along {}", penetration.upper, point_text(penetration.direction));
+  const std::string upper = fmt::format("{:.6g}", penetration.upper), lower = fmt::format("{:.6g}", penetration.lower);
+  return (lower == upper ? upper : lower + " to " + upper) + " deep along " + point_text(penetration.direction);
 }
 
 std::string called_as() {

@@ -29,6 +29,8 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   if (report.has_penetration) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration) : Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : Json();
+    line["regions"] = Json::array();
+    for (const ContactRegion& region : pair.regions) line["regions"].push_back(json_of(region));
   }
   std::string text = io::line_of(line);
   if (!report.has_faces) return text;
@@ -147,6 +149,7 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
     if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
     reported.penetration = pair.penetration;
     reported.manifold = pair.manifold;
+    reported.regions = pair.regions;
   }
   return report;
 }

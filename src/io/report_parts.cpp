@@ -94,6 +94,19 @@ Json json_of(const Manifold& manifold) {
   return {{"normal", json_of(manifold.normal)}, {"points", std::move(points)}};
 }
 
+Json json_of(const ContactRegion& region) {
+  return {{"triangle_pairs", region.triangle_pairs},
+          {"face_pairs", region.face_pairs},
+          {"points", region.point_count},
+          {"lower", json_of(region.box.lower)},
+          {"upper", json_of(region.box.upper)},
+          {"closed", region.closed},
+          {"area", region.area},
+          {"normal", json_of(region.normal)},
+          {"depth", region.depth ? Json(*region.depth) : Json()},
+          {"deepest", json_of(region.deepest)}};
+}
+
 std::string csv_penetration_head(bool told) {
   return told ? ",depth_lower,depth_upper,direction_x,direction_y,direction_z\n" : "\n";
 }

@@ -163,6 +163,7 @@ class Check {
     const auto defined = [&](ShapeQuestion question) {
       return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
     };
+    if (a.model.has_mesh() && b.model.has_mesh()) answer.regions = contact_regions(a.model, b.model, query);
     if (defined(ShapeQuestion::manifold)) answer.manifold = manifold(a.model, b.model, query);
     if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration) &&
         may_be_parted(posed_[answer.a], posed_[answer.b]))

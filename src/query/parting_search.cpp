@@ -11,7 +11,6 @@ namespace {
 
 constexpr double good_ratio = 1.02;  // at which the search ends
 constexpr std::size_t first_seeds = 8, more_seeds = 3;
-constexpr std::size_t most_rounds = 16;  // of parts that are grown after the first
 constexpr std::size_t most_cells = 6000;
 constexpr double finest_share = 0.04;   // half-edge of a cell, of its way from no translation
 constexpr double first_stretch = 1.06;  // beyond the way out of two bodies, where other bodies are in the way
@@ -32,6 +31,20 @@ void split(const TranslationCell& cell, Cells& cells) {
     const Vec3 away{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half};
     cells.push({cell.centre + away, half});
   }
+}
+
+Index triangle_count(const SolidBody& body) {
+  Index count = 0;
+  for (const PosedPart& part : body.parts())
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
+      count += triangles->mesh.model().element_count();
+  return count;
+}
+
+/// Rounds in which bodies are grown after the first: fewer where every body takes long.
+std::size_t most_rounds(const SolidBody& a, const SolidBody& b) {
+  constexpr std::size_t most = 16, fewest = 2, most_triangles = 1U << 18U;
+  return std::clamp(most_triangles / (triangle_count(a) + triangle_count(b) + std::size_t{1}), fewest, most);
 }
 
 Vec3 unit(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
@@ -118,7 +131,7 @@ bool PartingSearch::settle(const TranslationCell& cell) {
 void PartingSearch::cover() {
   Cells cells;
   cells.push({{}, best_.upper});
-  std::size_t rounds = 0;
+  std::size_t rounds_left = most_rounds(a_, b_);
   for (std::size_t looked_at = 0; looked_at < most_cells && !good_enough(); ++looked_at) {
     const TranslationCell cell = cells.top();
     const double near = cell.nearest();
@@ -128,13 +141,15 @@ void PartingSearch::cover() {
     if (cell.farthest() <= of_pairs_ || cover_.covers(cell)) continue;
     if (cell.half > finest_share * std::max(near, of_pairs_))
       split(cell, cells);
-    else if (rounds++ == most_rounds || !settle(cell))
+    else if (rounds_left-- == 0 || !settle(cell))
       return;
   }
 }
 
 Penetration PartingSearch::answer() {
   best_ = penetration(a_.outer(), b_.outer());
+  // The hulls part after it, in exact arithmetic; for the world doubles a little more.
+  for (double more = slack(best_.upper); !parted(best_.upper * best_.direction); more *= 2) best_.upper += more;
   best_.lower = 0;
   reach_ = 4 * best_.upper;
   const std::vector<const InnerPart*> parts_of_b = b_.convex_parts();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 #include "query/parting_search.hpp"
@@ -113,6 +114,15 @@ Penetration of_half_space(const PosedModel& a, const PosedHalfSpace& b) {
   return deepest;
 }
 
+/// The bounds of two convex meshes are those of exact arithmetic: a little more, where the moved vertices are rounded
+/// to an overlap.
+void part_in_doubles(Penetration& depth, const SolidBody& body_a, const SolidBody& body_b,
+                     const std::function<bool(const Vec3& move)>& overlapping) {
+  for (double more = 0x1p-48 * (body_a.extent() + body_b.extent()); overlapping(depth.upper * depth.direction);
+       more *= 2)
+    depth.upper += more;
+}
+
 /// Where they come apart: the points that are the nearest to each other then, moved back.
 void add_points(Penetration& depth, const Distance& after) {
   depth.on_a = after.on_a;
@@ -128,7 +138,13 @@ Penetration without_overlap(const Model& a, const Model& b, const PairQuery& que
 Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
                       Workspace& workspace) {
   SolidBody body_a(models.a), body_b(models.b);
-  if (body_a.exactly_convex() && body_b.exactly_convex()) return penetration(body_a.outer(), body_b.outer());
+  if (body_a.exactly_convex() && body_b.exactly_convex()) {
+    Penetration depth = penetration(body_a.outer(), body_b.outer());
+    part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
+      return relation(a, b, moved(query, move), workspace).kind == RelationKind::overlapping;
+    });
+    return depth;
+  }
   PartingSearch search(body_a, body_b,
                        {[&](const Vec3& move) { return distance(a, b, moved(query, move), workspace).lower; },
                         [&](const Vec3& move) { return some_meetings(a, b, moved(query, move), workspace); }});

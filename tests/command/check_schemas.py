@@ -86,6 +86,9 @@ def reports(folder):
     with_depths = check("shapes.json", "--penetration", "--faces")
     assert [p["penetration"] is None for p in with_depths["pairs"]] == [False, True, False, False, True], with_depths
     yield with_depths
+    solids = check("scenes/a.obj", "scenes/b.stl", "--penetration")
+    assert solids["pairs"] and all(p["penetration"] and p["regions"] for p in solids["pairs"]), solids
+    yield solids
     (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
     yield check("ball.json", "ball.json", "--poses", "poses.txt", "--penetration")

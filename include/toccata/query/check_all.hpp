@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toccata/core/progress.hpp"
+#include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/penetration.hpp"
@@ -29,6 +30,7 @@ struct PairAnswer {
   std::vector<Contact> contacts;             ///< filled when asked for
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
+  std::vector<ContactRegion> regions{};      ///< with the penetration, of two meshes
 };
 
 struct CheckOptions {
