@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +59,13 @@ struct CostArguments : PosedArguments {
   std::size_t rows = 10;  ///< of each table; 0: all
 };
 
+struct NearestArguments : PosedArguments {
+  std::optional<Vec3> point;
+  std::string points;  ///< a file of points; empty: `point`
+  std::size_t k = 1;
+  double within = std::numeric_limits<double>::infinity();
+};
+
 struct InspectArguments {
   InputArguments input;
   bool volumes = false;    ///< every bounding volume and hierarchy of meshes, too
@@ -93,6 +102,7 @@ int run_ray(const RayArguments& arguments);
 int run_faces(const FacesArguments& arguments);
 int run_cost(const CostArguments& arguments);
 int run_tree(const TreeArguments& arguments);
+int run_nearest(const NearestArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 

@@ -30,6 +30,8 @@ struct Options {
   std::vector<std::string> ball;
   CostArguments cost;
   CostWords cost_words;
+  NearestArguments nearest;
+  std::vector<std::string> point;
   InspectArguments inspect;
   TreeArguments tree;
   DemoArguments demo;
@@ -209,6 +211,29 @@ void add_cost(CLI::App& app, Options& options) {
                 "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
 }
 
+void add_nearest(CLI::App& app, Options& options) {
+  CLI::App* nearest = app.add_subcommand("nearest", "which point of a surface is nearest to a point, certified");
+  add_input(*nearest, options.nearest.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  CLI::Option* point = nearest->add_option("--point", options.point, "the point, in the world")
+                           ->expected(3)
+                           ->delimiter(',')
+                           ->allow_extra_args(false)
+                           ->type_name("X Y Z");
+  nearest->add_option("--points", options.nearest.points, "many points: a file with three numbers a line")
+      ->type_name("FILE")
+      ->excludes(point);
+  nearest->add_option("--k", options.nearest.k, "so many nearest faces, nearest first")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("NUMBER");
+  nearest->add_option("--within", options.nearest.within, "leave out what is farther away, in the world")
+      ->type_name("DISTANCE");
+  add_writing(*nearest, options, options.nearest.threads, "docs/reference/nearest-report.md");
+  nearest->footer(
+      with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"
+                "  {0} nearest part.stl --point 0 0 5\n"
+                "  {0} nearest part.stl --points points.txt --k 3 --within 0.5 --csv"));
+}
+
 void add_pairs(CLI::App& app, Options& options) {
   CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
   pairs->add_flag("--json", options.json, "write JSON (docs/reference/pairs.md)");
@@ -299,6 +324,11 @@ int run(const CLI::App& app, Options& options) {
     return run_cost(options.cost);
   }
   if (app.got_subcommand("tree")) return run_tree(options.tree);
+  if (app.got_subcommand("nearest")) {
+    options.nearest.format = format_of(options);
+    if (!options.point.empty()) options.nearest.point = parse_point(options.point, "--point");
+    return run_nearest(options.nearest);
+  }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);
@@ -351,6 +381,7 @@ int main_of(int argc, char** argv) {
   add_ray(app, options);
   add_faces(app, options);
   add_cost(app, options);
+  add_nearest(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
   add_tree(app, options);

@@ -35,6 +35,8 @@
 #include "toccata/io/inspect_report.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/model_file.hpp"
+#include "toccata/io/nearest_report.hpp"
+#include "toccata/io/points_file.hpp"
 #include "toccata/io/poses_file.hpp"
 #include "toccata/io/poses_report.hpp"
 #include "toccata/io/ray_report.hpp"

@@ -1,24 +1,16 @@
 #include "toccata/io/rays_file.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string>
 
-#include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
-#include "io/text_cursor.hpp"
+#include "io/number_lines.hpp"
 
 namespace toccata {
 namespace {
 
 /// What is left of the cursor's line.
 RayQuery read_line(io::TextCursor& cursor) {
-  std::array<double, 6> numbers{};
-  std::size_t count = 0;
-  for (; !cursor.at_line_end(); ++count) {
-    const double number = cursor.number("the number");
-    if (count < numbers.size()) numbers[count] = number;
-  }
+  const auto [numbers, count] = io::numbers_of_line<6>(cursor);
   if (count != numbers.size())
     cursor.fail("a line of 6 numbers has " + std::to_string(count), "give where the ray starts and where it ends");
   const Vec3 from{numbers[0], numbers[1], numbers[2]}, to{numbers[3], numbers[4], numbers[5]};
@@ -31,17 +23,9 @@ RayQuery read_line(io::TextCursor& cursor) {
 }  // namespace
 
 std::vector<RayQuery> read_rays(const std::filesystem::path& path) {
-  const io::FileBytes bytes = io::read_file(path);
-  const std::string name = path.string();
-  std::string text(bytes.span().begin(), bytes.span().end());
-  std::replace(text.begin(), text.end(), ',', ' ');
-  io::TextCursor cursor(text, name, {.hash_comments = true});
   std::vector<RayQuery> rays;
-  while (cursor.next_line_with_words()) {
-    rays.push_back(read_line(cursor));
-    cursor.next_line();
-  }
-  if (rays.empty()) io::fail_in_file(name, {"the file holds no ray", "write a line of 6 numbers for each"});
+  io::for_each_line_of_numbers(path, [&](io::TextCursor& cursor) { rays.push_back(read_line(cursor)); });
+  if (rays.empty()) io::fail_in_file(path.string(), {"the file holds no ray", "write a line of 6 numbers for each"});
   return rays;
 }
 

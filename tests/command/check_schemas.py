@@ -69,6 +69,12 @@ def costs(folder):
         yield asked(folder, "cost", "scenes/a.obj", "scenes/b.stl", "--poses", "poses.txt", "--quick", "--task", task)
 
 
+def nearest_points(folder):
+    """Points near surfaces, and too far from them."""
+    (folder / "points.txt").write_text("0 0 9\n900 900 900\n")
+    yield asked(folder, "nearest", "scenes/a.obj", "--points", "points.txt", "--k", "3", "--within", "100")
+
+
 def reports(folder):
     """The JSON of every kind of check, with and without what options add."""
     def check(*words):
@@ -117,6 +123,10 @@ def main():
         for report in faces(folder):
             faces_report.validate(report)
             assert not faces_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        nearest_report = validator("nearest-report.schema.json")
+        for report in nearest_points(folder):
+            nearest_report.validate(report)
+            assert not nearest_report.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scenes = list(folder.rglob("scene.json"))
         assert scenes
         for file in scenes:

@@ -86,6 +86,39 @@ TEST_F(ShapeCommands, BadRaysAreRefused) {
   refused({"ray", "gen:box", "--from", "0", "0", "x", "--to", "0", "0", "1"}, "--from: 'x' is not a finite number");
 }
 
+TEST_F(ShapeCommands, NearestTellsThePointOfASurface) {
+  const auto one = run_command({"nearest", "gen:box", "--point", "3", "0.25", "0.125", "--json"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const Json nearest = Json::parse(one.out)["points"][0]["nearest"];
+  ASSERT_EQ(nearest.size(), 1U);
+  EXPECT_NEAR(nearest[0]["upper"], 2.5, 1e-11);
+  EXPECT_EQ(nearest[0]["at"], Json({0.5, 0.25, 0.125}));
+  const std::string points = folder.write("points.txt", "3 0 0.125  # off\n9,9,9\n").string();
+  const auto many =
+      run_command({"nearest", "gen:box", "gen:icosphere", "--points", points, "--k=2", "--within=3", "--csv"});
+  EXPECT_EQ(many.exit_code, 0) << many.err;
+  EXPECT_NE(many.out.find("\n0,1,icosphere,"), std::string::npos) << many.out;
+  EXPECT_NE(many.out.find("\n0,2,icosphere,"), std::string::npos) << many.out;
+  EXPECT_NE(many.out.find("\n1,0,,,,,,,,\n"), std::string::npos) << many.out;
+}
+
+TEST_F(ShapeCommands, BadQuestionsForTheNearestPointAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& told) {
+    const auto run = run_command(words);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(run.out.empty());
+    EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
+  };
+  refused({"nearest", "gen:box"}, "no point is given");
+  refused({"nearest", "gen:box", "--points", folder.write("points.txt", "0 0 1\n0 1\n").string()},
+          "points.txt:2: a line of 3 numbers has 2");
+  refused({"nearest", "gen:box", "--points", folder.write("none.txt", "# none\n").string()}, "holds no point");
+  refused({"nearest", "gen:box", "--point", "0", "0", "x"}, "--point: 'x' is not a finite number");
+  refused({"nearest", "gen:box", "--point", "0", "0", "1", "--within=-1"}, "--within is -1");
+  refused({"nearest", "gen:box", "--point", "0", "0", "1", "--k=0"}, "--k");
+  refused({"nearest", folder.write("scene.json", scene).string(), "--point", "0", "0", "9"}, "has an interior");
+}
+
 TEST_F(ShapeCommands, CheckTakesShapes) {
   const auto run = run_command({"check", folder.write("scene.json", scene).string(), "--json", "--faces"});
   EXPECT_EQ(run.exit_code, 1) << run.err;

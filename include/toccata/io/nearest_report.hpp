@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/query/check_all.hpp"
+#include "toccata/query/nearest.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata {
+
+/// A point of the surface of a scene's object, which is told by its place in the scene.
+struct ReportedSurfacePoint {
+  SurfacePoint nearest;
+  Index object = 0;
+};
+
+/// A point that was asked about, and what is nearest to it, nearest first; none where nothing is within the greatest
+/// distance.
+struct ReportedPoint {
+  Vec3 point;
+  std::vector<ReportedSurfacePoint> nearest;
+};
+
+/// JSON by the schema toccata/nearest/1 of docs/reference/nearest-report.md. Doubles round-trip.
+[[nodiscard]] std::string nearest_report_json(const Scene& scene, std::span<const Posed> models,
+                                              std::span<const ReportedPoint> points,
+                                              std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per point of a surface.
+[[nodiscard]] std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points);
+
+}  // namespace toccata
