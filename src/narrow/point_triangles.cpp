@@ -60,7 +60,74 @@ HWY_INLINE void measure_lanes(const Vector& p, const TriangleBlock& triangles, s
   hn::Store(found.on_b.z, Tag(), distances.nearest[2].data() + lane);
 }
 
+/// The formula of `transform`, bit by bit.
+HWY_INLINE Number row_times(const Vec3& row, const Vector& v, double offset) {
+  const Number sum = hn::Add(hn::Add(hn::Mul(all(row.x), v.x), hn::Mul(all(row.y), v.y)), hn::Mul(all(row.z), v.z));
+  return hn::Add(sum, all(offset));
+}
+HWY_INLINE Vector in_world(const Pose& pose, const Vector& v) {
+  const Mat3& r = pose.linear;
+  return {row_times(r[0], v, pose.offset.x), row_times(r[1], v, pose.offset.y), row_times(r[2], v, pose.offset.z)};
+}
+
+/// The least of some differences from a point to points of a triangle.
+struct Least {
+  Vector difference;
+  Number squared;
+
+  HWY_INLINE void see(const Vector& other) {
+    const Number other_squared = dot(other, other);
+    const Mask less = hn::Lt(other_squared, squared);
+    difference = select(less, other, difference);
+    squared = hn::IfThenElse(less, other_squared, squared);
+  }
+};
+
+/// Seen from the point: the foot on the face where it has one, and the nearest points of the edges. Shares are within 0
+/// and 1 whatever rounding does, so all are points of the triangle.
+HWY_INLINE Least least_difference(const Vector& a, const Vector& b, const Vector& c) {
+  const Vector ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
+  const Number along_ab = hn::Neg(dot(ab, a)), along_ac = hn::Neg(dot(ac, a)), along_bc = hn::Neg(dot(bc, b));
+  const Number ab_squared = dot(ab, ab), ac_squared = dot(ac, ac), both = dot(ab, ac);
+  const Vector on_ab = plus(a, times(clamped_share(hn::Div(along_ab, ab_squared)), ab));
+  Least least{on_ab, dot(on_ab, on_ab)};
+  least.see(plus(a, times(clamped_share(hn::Div(along_ac, ac_squared)), ac)));
+  least.see(plus(b, times(clamped_share(hn::Div(along_bc, dot(bc, bc))), bc)));
+  const Number inverse = hn::Div(all(1), hn::Sub(hn::Mul(ab_squared, ac_squared), hn::Mul(both, both)));
+  const Number s = clamped_share(hn::Mul(hn::Sub(hn::Mul(along_ab, ac_squared), hn::Mul(along_ac, both)), inverse));
+  const Number t = clamped_between(hn::Mul(hn::Sub(hn::Mul(along_ac, ab_squared), hn::Mul(along_ab, both)), inverse),
+                                   hn::Zero(Tag()), hn::Sub(all(1), s));
+  least.see(plus(a, plus(times(s, ab), times(t, ac))));
+  return least;
+}
+
+HWY_INLINE Number greatest_of(const Vector& v) { return greater(greater(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)); }
+
+/// The bounds are those of two triangles, one of which is a point: docs/methods/mesh-distance.md.
+HWY_INLINE void bound_lanes(const Vector& p, const Pose& pose, const TriangleBlock& triangles, std::size_t lane,
+                            PointBounds& bounds) {
+  const Vector a = minus(in_world(pose, corner(triangles, 0, lane)), p),
+               b = minus(in_world(pose, corner(triangles, 1, lane)), p),
+               c = minus(in_world(pose, corner(triangles, 2, lane)), p);
+  const Least least = least_difference(a, b, c);
+  const Vector& d = least.difference;
+  const Number length = hn::Sqrt(least.squared), height = lesser(lesser(dot(a, d), dot(b, d)), dot(c, d));
+  const Number size = greater(greater(greatest_of(a), greatest_of(b)), greatest_of(c));
+  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(Tag());
+  const Mask plain = hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
+  const Mask some = hn::And(plain, hn::Gt(length, off));
+  hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), Tag(),
+            bounds.lower.data() + lane);
+  hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(Tag())), Tag(), bounds.upper.data() + lane);
+}
+
 }  // namespace
+
+void bound_at_this_level(const Vec3& point, const Pose& pose, const TriangleBlock& triangles, PointBounds& bounds) {
+  const Vector p = lanes_of(point);
+  for (std::size_t lane = 0; lane < TriangleBlock::lanes; lane += hn::Lanes(Tag()))
+    bound_lanes(p, pose, triangles, lane, bounds);
+}
 
 void measure_at_this_level(const Vec3& point, const TriangleBlock& triangles, PointDistances& distances) {
   const Vector p = lanes_of(point);
@@ -75,7 +142,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace toccata {
 
+HWY_EXPORT(bound_at_this_level);
 HWY_EXPORT(measure_at_this_level);
+
+void bound(const Vec3& point, const Pose& pose, const TriangleBlock& triangles, PointBounds& bounds) {
+  HWY_DYNAMIC_DISPATCH(bound_at_this_level)(point, pose, triangles, bounds);
+}
 
 void measure(const Vec3& point, const TriangleBlock& triangles, PointDistances& distances) {
   HWY_DYNAMIC_DISPATCH(measure_at_this_level)(point, triangles, distances);

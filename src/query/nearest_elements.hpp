@@ -32,6 +32,7 @@ class NearestElements {
 
   /// An element whose distance is certainly greater than this is of no interest.
   [[nodiscard]] double limit() const { return limit_; }
+  [[nodiscard]] std::size_t k() const { return k_; }
 
   /// `upper` is the upper end of the element's own interval, of at most 0.99 · 10⁻¹² of it, or its neighbouring double.
   void see(const SurfacePoint& one) {
@@ -62,6 +63,58 @@ class NearestElements {
   double max_distance_;
   double limit_;
   std::vector<SurfacePoint>& kept_;  ///< a heap, the farthest first
+};
+
+/// Elements that may be among the k nearest, by bounds of their distances.
+class NearestCandidates {
+ public:
+  struct Memory {
+    struct Element {
+      double lower;
+      Index number;
+    };
+    std::vector<Element> elements;
+    std::vector<double> uppers;  ///< a heap of the k least, the greatest first
+  };
+
+  NearestCandidates(const NearestElements& nearest, Memory& memory)
+      : k_(nearest.k()), limit_(nearest.limit()), memory_(memory) {
+    memory_.elements.clear();
+    memory_.uppers.clear();
+  }
+
+  /// As that of NearestElements.
+  [[nodiscard]] double limit() const { return limit_; }
+
+  void see(Index number, double lower, double upper) {
+    if (lower > limit_) return;
+    memory_.elements.push_back({lower, number});
+    std::vector<double>& uppers = memory_.uppers;
+    if (uppers.size() == k_) {
+      if (upper >= uppers.front()) return;
+      std::pop_heap(uppers.begin(), uppers.end());
+      uppers.back() = upper;
+    } else {
+      uppers.push_back(upper);
+    }
+    std::push_heap(uppers.begin(), uppers.end());
+    if (uppers.size() == k_) limit_ = std::min(limit_, limit_from(uppers.front()));
+  }
+
+  /// Calls `visit(number)` with those that may still be.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const Memory::Element& element : memory_.elements)
+      if (!(element.lower > limit_)) visit(element.number);
+  }
+
+ private:
+  /// Where an element's distance is at most `upper`, the upper end of its own interval is at most this.
+  static double limit_from(double upper) { return std::nextafter(upper * (1 + 2e-12), HUGE_VAL); }
+
+  std::size_t k_;
+  double limit_;
+  Memory& memory_;
 };
 
 }  // namespace toccata

@@ -47,7 +47,7 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
   NearestElements nearest(k, max_distance_, scratch.surface_points);
   for (const PosedPart& part : posed_.parts)
     if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) nearest.see(of_convex(point, *convex, part));
-  for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch.counts);
+  for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch);
   return nearest.in_order();
 }
 

@@ -9,12 +9,12 @@
 #include "narrow/triangle_gaps.hpp"
 #include "narrow/triangle_pair_block.hpp"
 #include "query/found_pairs.hpp"
+#include "query/nearest_elements.hpp"
 #include "query/posed_shape.hpp"
 #include "query/winding_entry.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
-#include "toccata/query/nearest.hpp"
 #include "trees/near_walk.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -65,6 +65,7 @@ struct SearchScratch {
   std::vector<FoundElement> found_elements;  ///< that meet a region
   WindingEntries winding;
   std::vector<SurfacePoint> surface_points;  ///< the nearest so far
+  NearestCandidates::Memory near_elements;
 };
 
 }  // namespace toccata

@@ -6,13 +6,18 @@
 
 #include "math/world_vertex.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "trees/wide_point.hpp"
 
 // Bounds: docs/methods/nearest-point.md.
 namespace toccata {
 namespace {
 
 double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
+
+void put(TriangleBlock& block, std::size_t lane, const Triangle& triangle) {
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (int axis = 0; axis < 3; ++axis)
+      block.corner[corner][static_cast<std::size_t>(axis)][lane] = triangle.vertex[corner][axis];
+}
 
 }  // namespace
 
@@ -25,15 +30,37 @@ SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index f
       first_element_(first_element),
       first_face_(first_face) {}
 
-void SurfaceTarget::see_near(const Vec3& point, NearestElements& nearest, WalkCounts& counts) const {
+void SurfaceTarget::see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const {
   const WidePoint in_tree{way_.place(point - posed_.pose().offset), 2 * way_.off(greatest_of(point))};
   if (!way_.usable() || !is_finite(in_tree.at) || !std::isfinite(in_tree.pad) || !std::isfinite(stretch_))
     return see_all(point, nearest);
-  const auto limit = [&] { return nearest.limit() * stretch_; };
+  NearestCandidates candidates(nearest, scratch.near_elements);
+  find(point, in_tree, candidates, scratch.counts);
+  std::array<Index, TriangleBlock::lanes> few;
+  std::size_t count = 0;
+  candidates.for_each([&](Index triangle) {
+    few[count++] = triangle;
+    if (count < few.size()) return;
+    see(point, few, nearest);
+    count = 0;
+  });
+  if (count > 0) see(point, std::span(few).first(count), nearest);
+}
+
+void SurfaceTarget::find(const Vec3& point, const WidePoint& in_tree, NearestCandidates& candidates,
+                         WalkCounts& counts) const {
+  const auto limit = [&] { return candidates.limit() * stretch_; };
+  const Vec3* vertices = mesh_.vertices().data();
+  TriangleBlock block;
+  PointBounds bounds;
   counts.volume_tests += walk_point(tree_, in_tree, limit(), [&](std::span<const Index> places) {
-    std::array<Index, WideBlock::width> triangles;
-    std::transform(places.begin(), places.end(), triangles.begin(), [&](Index place) { return tree_.items[place]; });
-    see(point, std::span(triangles).first(places.size()), nearest);
+    for (std::size_t lane = 0; lane < places.size(); ++lane) {
+      const auto& corner = mesh_.triangles()[tree_.items[places[lane]]];
+      put(block, lane, {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}});
+    }
+    bound(point, posed_.pose(), block, bounds);
+    for (std::size_t lane = 0; lane < places.size(); ++lane)
+      candidates.see(tree_.items[places[lane]], bounds.lower[lane], bounds.upper[lane]);
     counts.items += places.size();
     return limit();
   });
@@ -48,7 +75,7 @@ void SurfaceTarget::see_all(const Vec3& point, NearestElements& nearest) const {
 void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, NearestElements& nearest) const {
   TriangleBlock block;
   PointDistances distances;
-  place(triangles, block);
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) put(block, lane, world_triangle(triangles[lane]));
   measure(point, block, distances);
   for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
     if (distances.lower[lane] > nearest.limit()) continue;
@@ -65,16 +92,6 @@ void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, Nea
     if (upper > nearest.limit()) continue;
     nearest.see({true, lower_from(upper), upper, on_surface, first_element_ + triangle,
                  first_face_ + mesh_.face_of(triangle), status});
-  }
-}
-
-/// The lanes without a triangle repeat the first one.
-void SurfaceTarget::place(std::span<const Index> triangles, TriangleBlock& block) const {
-  for (std::size_t lane = 0; lane < TriangleBlock::lanes; ++lane) {
-    const Triangle triangle = world_triangle(triangles[lane < triangles.size() ? lane : 0]);
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis)
-        block.corner[corner][static_cast<std::size_t>(axis)][lane] = triangle.vertex[corner][axis];
   }
 }
 

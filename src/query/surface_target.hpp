@@ -4,8 +4,9 @@
 
 #include "narrow/point_triangles.hpp"
 #include "query/nearest_elements.hpp"
+#include "query/search_scratch.hpp"
 #include "query/way_into_tree.hpp"
-#include "toccata/trees/walk.hpp"
+#include "trees/wide_point.hpp"
 
 namespace toccata {
 
@@ -16,12 +17,12 @@ class SurfaceTarget {
   SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face);
 
   /// Shows all triangles that may be among the nearest, in any order.
-  void see_near(const Vec3& point, NearestElements& nearest, WalkCounts& counts) const;
+  void see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const;
 
  private:
+  void find(const Vec3& point, const WidePoint& in_tree, NearestCandidates& candidates, WalkCounts& counts) const;
   void see_all(const Vec3& point, NearestElements& nearest) const;
   void see(const Vec3& point, std::span<const Index> triangles, NearestElements& nearest) const;
-  void place(std::span<const Index> triangles, TriangleBlock& block) const;
   [[nodiscard]] Triangle world_triangle(Index number) const;
 
   const PosedMesh& posed_;
