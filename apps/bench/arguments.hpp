@@ -74,6 +74,17 @@ struct RefitArguments {
   bool json = false;
 };
 
+struct NearestArguments {
+  std::string mesh;
+  std::string where = "far";
+  std::vector<std::string> peers;
+  std::size_t count = 100000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -98,6 +109,7 @@ int run_convex(const ConvexArguments& arguments);
 int run_rays(const RaysArguments& arguments);
 int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
+int run_nearest(const NearestArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

@@ -3,34 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "arguments.hpp"
+#include "float_mesh.hpp"
 #include "oracle/rays.hpp"
 #include "rays.hpp"
 #include "report.hpp"
 #include "single_mesh.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/core/random.hpp"
 
 namespace toccata::bench {
 namespace {
 
 constexpr std::size_t block = 1000;
-
-Vec3 as_floats(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
-/// The mesh with coordinates that floats hold, which is what peers take.
-TriangleMesh of_floats(const TriangleMesh& mesh) {
-  std::vector<Vec3> vertices;
-  for (const Vec3& v : mesh.vertices()) vertices.push_back(as_floats(v));
-  return {std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()}};
-}
-
-Vec3 direction(Random& random) {
-  const double z = random.between(-1, 1), turn = random.between(0, 2 * std::numbers::pi), s = std::sqrt(1 - z * z);
-  return {s * std::cos(turn), s * std::sin(turn), z};
-}
 
 /// From a sphere of twice the size of the mesh's box, through a point of the box and beyond.
 std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
@@ -40,7 +25,7 @@ std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, st
   Random random(seed);
   std::vector<RayQuestion> rays;
   while (rays.size() < count) {
-    const Vec3 origin = as_floats(centre + reach * direction(random));
+    const Vec3 origin = as_floats(centre + reach * random_direction(random));
     Vec3 through;
     for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
     rays.push_back({origin, as_floats(3.0 * (through - origin))});

@@ -20,6 +20,7 @@ struct Options {
   RaysArguments rays;
   SelfArguments self;
   RefitArguments refit;
+  NearestArguments nearest;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -141,6 +142,18 @@ void add_refit(CLI::App& app, RefitArguments& arguments) {
   refit->footer("Example:\n  ./toccata bench refit --mesh gen:torus-knot --peer embree,fcl");
 }
 
+void add_nearest(CLI::App& app, NearestArguments& arguments) {
+  CLI::App* nearest = app.add_subcommand("nearest", "how far points are from a mesh, taken as a surface");
+  nearest->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  nearest->add_option("--where", arguments.where, "far: two diagonals away; near: within 1 % of the surface")
+      ->check(CLI::IsMember({"far", "near"}))
+      ->capture_default_str();
+  nearest->add_option("--count", arguments.count, "points")->check(CLI::PositiveNumber)->capture_default_str();
+  add_peers(*nearest, arguments.peers, {"cgal", "embree"});
+  add_common(*nearest, arguments);
+  nearest->footer("Example:\n  ./toccata bench nearest --mesh gen:torus-knot --where near --peer cgal,embree");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -186,6 +199,7 @@ int main_of(int argc, char** argv) {
   add_rays(app, options.rays);
   add_self(app, options.self);
   add_refit(app, options.refit);
+  add_nearest(app, options.nearest);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -201,6 +215,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("rays")) return run_rays(options.rays);
   if (app.got_subcommand("self")) return run_self(options.self);
   if (app.got_subcommand("refit")) return run_refit(options.refit);
+  if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

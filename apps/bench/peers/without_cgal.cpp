@@ -1,9 +1,11 @@
 #include "library.hpp"
+#include "nearest.hpp"
 #include "self.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries cgal_mesh_libraries() { peer_is_missing("cgal"); }
+NearestLibraries cgal_nearest_libraries() { peer_is_missing("cgal"); }
 TriangleLibraries cgal_triangle_libraries() { peer_is_missing("cgal"); }
 SelfLibraries cgal_self_libraries() { peer_is_missing("cgal"); }
 
