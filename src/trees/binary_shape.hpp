@@ -42,11 +42,12 @@ struct ShapeItems {
   std::vector<Vec3> centroids;
 };
 
-[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, TreeMethod method, TreeDriver driver);
+/// On up to `threads` threads; none of the shapes depends on how many.
+[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const TreeOptions& options);
 [[nodiscard]] BinaryShape shape_by_heuristic(const ShapeItems& items);
-[[nodiscard]] BinaryShape shape_by_agglomeration(const ShapeItems& items);
+[[nodiscard]] BinaryShape shape_by_agglomeration(const ShapeItems& items, int threads);
 [[nodiscard]] BinaryShape shape_by_insertion(const ShapeItems& items);
-[[nodiscard]] BinaryShape shape_by_codes(const ShapeItems& items);
+[[nodiscard]] BinaryShape shape_by_codes(const ShapeItems& items, int threads);
 
 /// An item and its place on the space-filling curve (G. M. Morton, "A computer oriented geodetic data base", 1966), of
 /// 21 bits along every axis of the centroids' box.
@@ -56,6 +57,6 @@ struct CodedItem {
   friend constexpr auto operator<=>(const CodedItem&, const CodedItem&) = default;
 };
 /// Ascending.
-[[nodiscard]] std::vector<CodedItem> along_curve(const ShapeItems& items);
+[[nodiscard]] std::vector<CodedItem> along_curve(const ShapeItems& items, int threads);
 
 }  // namespace toccata

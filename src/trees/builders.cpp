@@ -19,15 +19,16 @@ double factor_for(const Aabb& box) {
 }
 
 /// In a unit in which areas neither under- nor overflow; a power of two, so that nothing else changes.
-ShapeItems items_of(std::span<const Triangle> triangles) {
+ShapeItems items_of(std::span<const Triangle> triangles, int threads) {
   const double factor = factor_for(fit<Aabb>(triangles));
-  ShapeItems items;
-  for (const Triangle& t : triangles) {
-    const Triangle scaled{{factor * t[0], factor * t[1], factor * t[2]}};
-    items.triangles.push_back(scaled);
-    items.boxes.push_back(fit_aabb(scaled.vertex));
-    items.centroids.push_back(((1.0 / 3) * scaled[0] + (1.0 / 3) * scaled[1]) + (1.0 / 3) * scaled[2]);
-  }
+  ShapeItems items{std::vector<Triangle>(triangles.begin(), triangles.end()), std::vector<Aabb>(triangles.size()),
+                   std::vector<Vec3>(triangles.size())};
+  parallel_for(triangles.size(), threads, [&](std::size_t i) {
+    Triangle& scaled = items.triangles[i];
+    for (Vec3& corner : scaled.vertex) corner = factor * corner;
+    items.boxes[i] = fit_aabb(scaled.vertex);
+    items.centroids[i] = ((1.0 / 3) * scaled[0] + (1.0 / 3) * scaled[1]) + (1.0 / 3) * scaled[2];
+  });
   return items;
 }
 
@@ -35,17 +36,17 @@ BinaryShape binary_shape(const ShapeItems& items, const TreeOptions& options) {
   switch (options.method) {
     case TreeMethod::mean:
     case TreeMethod::median:
-      return shape_from_top(items, options.method, options.driver);
+      return shape_from_top(items, options);
     case TreeMethod::heuristic:
       return shape_by_heuristic(items);
     case TreeMethod::agglomeration:
-      return shape_by_agglomeration(items);
+      return shape_by_agglomeration(items, options.threads);
     case TreeMethod::insertion:
       return shape_by_insertion(items);
     case TreeMethod::morton:
       break;
   }
-  return shape_by_codes(items);
+  return shape_by_codes(items, options.threads);
 }
 
 /// Parents before their children.
@@ -149,7 +150,7 @@ TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const
   if (arity < 2 || arity > 8)
     throw Error("a tree has 2 to 8 children a node, not " + std::to_string(arity) + "; choose another arity");
   if (triangles.empty()) return {};
-  const BinaryShape binary = binary_shape(items_of(triangles), options);
+  const BinaryShape binary = binary_shape(items_of(triangles, options.threads), options);
   return Arranger(binary, static_cast<Index>(arity), options.leaf_size).arrange();
 }
 

@@ -8,6 +8,9 @@ namespace {
 /// How far along the curve a neighbour is looked for, to each side.
 constexpr std::size_t reach = 8;
 
+// The last rounds have few clusters, for which waking threads would take longer.
+constexpr std::size_t fewest_for_threads = 4096;
+
 struct Cluster {
   Aabb box;
   Index fork;
@@ -16,12 +19,12 @@ struct Cluster {
 /// Of each cluster the nearest one within reach: with which it has the least surface. Of equal ones that with which it
 /// makes a pair counted from the start, so that clusters that coincide are merged two by two, and not one after
 /// another.
-std::vector<std::size_t> nearest_of(std::span<const Cluster> clusters) {
+std::vector<std::size_t> nearest_of(std::span<const Cluster> clusters, int threads) {
   std::vector<std::size_t> nearest(clusters.size());
   const auto area_with = [&](std::size_t i, std::size_t j) {
     return half_area(merge(clusters[i].box, clusters[j].box));
   };
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
+  parallel_for(clusters.size(), clusters.size() < fewest_for_threads ? 1 : threads, [&](std::size_t i) {
     const std::size_t first = i - std::min(i, reach), last = std::min(i + reach, clusters.size() - 1);
     nearest[i] = (i ^ 1) < clusters.size() ? (i ^ 1) : i - 1;
     double best = area_with(i, nearest[i]);
@@ -30,19 +33,19 @@ std::vector<std::size_t> nearest_of(std::span<const Cluster> clusters) {
       best = area_with(i, j);
       nearest[i] = j;
     }
-  }
+  });
   return nearest;
 }
 
 }  // namespace
 
-BinaryShape shape_by_agglomeration(const ShapeItems& items) {
+BinaryShape shape_by_agglomeration(const ShapeItems& items, int threads) {
   BinaryShape shape;
   std::vector<Cluster> clusters;
-  for (const CodedItem& coded : along_curve(items))
+  for (const CodedItem& coded : along_curve(items, threads))
     clusters.push_back({items.boxes[coded.item], shape.add_leaf(coded.item)});
   while (clusters.size() > 1) {
-    const std::vector<std::size_t> nearest = nearest_of(clusters);
+    const std::vector<std::size_t> nearest = nearest_of(clusters, threads);
     std::vector<Cluster> merged;
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       const std::size_t j = nearest[i];

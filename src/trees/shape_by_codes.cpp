@@ -48,20 +48,20 @@ std::size_t first_part(std::span<const CodedItem> run) {
 
 }  // namespace
 
-std::vector<CodedItem> along_curve(const ShapeItems& items) {
+std::vector<CodedItem> along_curve(const ShapeItems& items, int threads) {
   Aabb box;
   for (const Vec3& centroid : items.centroids) box = merge(box, centroid);
-  std::vector<CodedItem> coded;
-  coded.reserve(items.centroids.size());
-  for (const Vec3& centroid : items.centroids)
-    coded.push_back({code_of(centroid, box), static_cast<Index>(coded.size())});
+  std::vector<CodedItem> coded(items.centroids.size());
+  parallel_for(coded.size(), threads, [&](std::size_t i) {
+    coded[i] = {code_of(items.centroids[i], box), static_cast<Index>(i)};
+  });
   std::sort(coded.begin(), coded.end());
   return coded;
 }
 
 // No deeper than the 63 bits, and then the halves of equal codes.
-BinaryShape shape_by_codes(const ShapeItems& items) {
-  const std::vector<CodedItem> coded = along_curve(items);
+BinaryShape shape_by_codes(const ShapeItems& items, int threads) {
+  const std::vector<CodedItem> coded = along_curve(items, threads);
   BinaryShape shape;
   shape.root = shape.add_leaf(coded.front().item);
   std::vector<Task> tasks{{0, coded.size(), shape.root}};

@@ -11,7 +11,10 @@ namespace {
 // Below this depth nodes are halved: centroids over many orders of magnitude cannot make the tree a list.
 constexpr int greatest_split_depth = 64;
 
-/// A run of items that is to be split, and the fork it becomes.
+// Runs that are not larger become a task each for one thread.
+constexpr std::size_t most_of_a_task = 4096;
+
+/// A run of items that is to be split, and the fork it becomes. The forks below it have the numbers after it.
 struct Task {
   std::size_t first;
   std::size_t count;
@@ -25,20 +28,31 @@ class TopDown {
     for (Index i = 0; i < items.boxes.size(); ++i) order_.push_back(i);
   }
 
-  BinaryShape build(TreeDriver driver) {
-    shape_.forks.reserve(2 * order_.size());
-    shape_.root = place(order_.front());
-    const Task all{0, order_.size(), shape_.root, 0};
-    if (driver == TreeDriver::recursive)
-      build_recursively(all);
-    else
-      build_iteratively(all);
+  /// Runs of one depth side by side, each on one thread; none touches what is another's.
+  BinaryShape build(TreeDriver driver, int threads) {
+    shape_.forks.resize(2 * order_.size() - 1);
+    shape_.root = 0;
+    std::vector<Task> tasks{{0, order_.size(), 0, 0}};
+    while (!tasks.empty()) {
+      std::vector<Halves> halves(tasks.size());
+      parallel_for(tasks.size(), threads, [&](std::size_t i) {
+        if (tasks[i].count > most_of_a_task)
+          halves[i] = split(tasks[i]);
+        else if (driver == TreeDriver::recursive)
+          build_recursively(tasks[i]);
+        else
+          build_iteratively(tasks[i]);
+      });
+      tasks.clear();
+      for (const Halves& each : halves)
+        if (each.left.count > 0) tasks.insert(tasks.end(), {each.left, each.right});
+    }
     return std::move(shape_);
   }
 
  private:
   void build_recursively(const Task& task) {
-    if (task.count == 1) return;
+    if (is_leaf(task)) return;
     const auto [left, right] = split(task);
     build_recursively(left);
     build_recursively(right);
@@ -49,7 +63,7 @@ class TopDown {
     while (!tasks.empty()) {
       const Task task = tasks.back();
       tasks.pop_back();
-      if (task.count == 1) continue;
+      if (is_leaf(task)) continue;
       const auto [left, right] = split(task);
       tasks.push_back(right);
       tasks.push_back(left);
@@ -57,30 +71,35 @@ class TopDown {
   }
 
   struct Halves {
-    Task left;
-    Task right;
+    Task left{};
+    Task right{};
   };
 
-  Index place(Index item) { return shape_.add_leaf(item); }
+  /// If it is one, takes note of its item.
+  bool is_leaf(const Task& task) {
+    if (task.count == 1) shape_.forks[task.fork].item = order_[task.first];
+    return task.count == 1;
+  }
 
-  /// The task's fork gets two children, leaves of the first items of their runs as long as they are not split.
+  /// So many items have one fork less than twice as many, in which a part's come right after its parent's.
   Halves split(const Task& task) {
     const auto run = std::span(order_).subspan(task.first, task.count);
     std::size_t border = 0;
     if (task.depth < greatest_split_depth)
       border = method_ == TreeMethod::mean ? split_at_mean(run) : split_at_median(run);
     if (border == 0 || border == run.size()) border = run.size() / 2;
-    const Index left = place(run.front()), right = place(run[border]);
+    const Index left = task.fork + 1, right = task.fork + static_cast<Index>(2 * border);
     shape_.forks[task.fork] = {left, right, no_index};
     return {{task.first, border, left, task.depth + 1},
             {task.first + border, task.count - border, right, task.depth + 1}};
   }
 
   /// How many come first; all or none when no axis parts them.
-  std::size_t split_at_mean(std::span<Index> run) {
-    below_.clear();
-    for (const Index item : run) below_.push_back(items_.triangles[item]);
-    const PrincipalAxes spread = principal_axes(below_);
+  std::size_t split_at_mean(std::span<Index> run) const {
+    std::vector<Triangle> below;
+    below.reserve(run.size());
+    for (const Index item : run) below.push_back(items_.triangles[item]);
+    const PrincipalAxes spread = principal_axes(below);
     for (int axis = 0; axis < 3; ++axis) {
       const auto before = [&](Index item) { return dot(spread.axes[axis], items_.centroids[item] - spread.mean) < 0; };
       const auto border = std::partition(run.begin(), run.end(), before);
@@ -105,14 +124,13 @@ class TopDown {
   const ShapeItems& items_;
   TreeMethod method_;
   std::vector<Index> order_;
-  std::vector<Triangle> below_;
   BinaryShape shape_;
 };
 
 }  // namespace
 
-BinaryShape shape_from_top(const ShapeItems& items, TreeMethod method, TreeDriver driver) {
-  return TopDown(items, method).build(driver);
+BinaryShape shape_from_top(const ShapeItems& items, const TreeOptions& options) {
+  return TopDown(items, options.method).build(options.driver, options.threads);
 }
 
 BinaryShape shape_by_heuristic(const ShapeItems& items) {

@@ -148,6 +148,29 @@ TEST(Builders, TheRecursiveAndTheIterativeDriverMakeTheSameTree) {
     }
 }
 
+/// Larger than what one thread takes on at once.
+TEST(Builders, MakeTheSameTreeOnAnyNumberOfThreads) {
+  for (const std::string& regime : {std::string("random"), std::string("grid")})
+    for (const TreeMethod method : all_methods) {
+      SCOPED_TRACE(text_of(method, regime));
+      Random random(12);
+      const std::vector<Triangle> triangles = triangles_of(regime, random, 5000);
+      const auto one = build_tree<Aabb, 4>(triangles, {.method = method, .threads = 1});
+      for (const int threads : {2, 3}) {
+        const auto other = build_tree<Aabb, 4>(triangles, {.method = method, .threads = threads});
+        EXPECT_EQ(one.items, other.items);
+        EXPECT_EQ(one.built_size, other.built_size);
+        ASSERT_EQ(one.nodes.size(), other.nodes.size());
+        for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+          ASSERT_EQ(one.nodes[i].volume, other.nodes[i].volume);
+          ASSERT_EQ(one.nodes[i].first, other.nodes[i].first);
+          ASSERT_EQ(one.nodes[i].count, other.nodes[i].count);
+          ASSERT_EQ(one.nodes[i].child_count, other.nodes[i].child_count);
+        }
+      }
+    }
+}
+
 TEST(Builders, ReportBalance) {
   Random random(6);
   const std::vector<Triangle> triangles = triangles_of("random", random, 64);

@@ -6,6 +6,7 @@
 
 #include "toccata/bounds/volume.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/trees/refit.hpp"
 #include "toccata/trees/tree.hpp"
 
@@ -42,6 +43,9 @@ struct TreeOptions {
   TreeMethod method = TreeMethod::heuristic;
   Index leaf_size = 1;  ///< at most this many triangles in a leaf; at least 1
   TreeDriver driver = TreeDriver::iterative;
+  /// Up to so many (0: as many as the machine has); the tree does not depend on it. Volumes are fitted by all of them,
+  /// and `mean`, `median`, `agglomeration` and `morton` find their shape so too, but for the last one's sort.
+  int threads = 1;
 };
 
 struct NoVolume {};
@@ -73,15 +77,15 @@ template <BoundingVolume Volume, int Arity = 2>
   for (const Index item : shape.items) ordered.push_back(triangles[item]);
   Tree<Volume, Arity> tree;
   tree.items = shape.items;
-  tree.built_size = 0;
-  tree.nodes.reserve(shape.nodes.size());
+  tree.nodes.resize(shape.nodes.size());
   const std::vector<ItemRun> runs = item_runs(shape);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  parallel_for(runs.size(), options.threads, [&](std::size_t i) {
     const TreeNode<NoVolume>& node = shape.nodes[i];
     const auto below = std::span<const Triangle>(ordered).subspan(runs[i].first, runs[i].count);
-    tree.nodes.push_back({fit<Volume>(below), node.first, node.count, node.child_count});
-    tree.built_size += half_area(tree.nodes.back().volume);
-  }
+    tree.nodes[i] = {fit<Volume>(below), node.first, node.count, node.child_count};
+  });
+  tree.built_size = 0;
+  for (const TreeNode<Volume>& node : tree.nodes) tree.built_size += half_area(node.volume);
   return tree;
 }
 
