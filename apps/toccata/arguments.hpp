@@ -64,6 +64,7 @@ struct NearestArguments : PosedArguments {
   std::string points;  ///< a file of points; empty: `point`
   std::size_t k = 1;
   double within = std::numeric_limits<double>::infinity();
+  bool sides = false;  ///< tells on which side of the surface each point is
 };
 
 struct InspectArguments {

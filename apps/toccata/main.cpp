@@ -227,6 +227,9 @@ void add_nearest(CLI::App& app, Options& options) {
       ->type_name("NUMBER");
   nearest->add_option("--within", options.nearest.within, "leave out what is farther away, in the world")
       ->type_name("DISTANCE");
+  nearest->add_flag("--signed", options.nearest.sides,
+                    "tell on which side of the surface the point is: exactly of a closed mesh, by the generalised "
+                    "winding number of an open one");
   add_writing(*nearest, options, options.nearest.threads, "docs/reference/nearest-report.md");
   nearest->footer(
       with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "arguments.hpp"
@@ -10,6 +11,7 @@
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/points_file.hpp"
 #include "toccata/query/batch.hpp"
+#include "toccata/query/signed_distance.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -58,10 +60,37 @@ void find_nearest(const CheckInput& input, const NearestArguments& arguments, st
   }
 }
 
+/// On which side of each object found every point is.
+void find_sides(const CheckInput& input, std::vector<ReportedPoint>& asked) {
+  Workspace workspace;
+  for (ReportedPoint& one : asked)
+    for (ReportedSurfacePoint& found : one.nearest) {
+      const Posed& surface = input.models[found.object];
+      try {
+        found.signed_distance = signed_distance(one.point, surface.model, surface.pose, SignBy::automatic, workspace);
+      } catch (const Error& error) {
+        throw Error(fmt::format("'{}': {}", surface.name, error.what()));
+      }
+    }
+}
+
+/// Nothing unless it was asked for.
+std::string side_text(const std::optional<SignedDistance>& from) {
+  if (!from) return "";
+  const std::string by = from->sign_by == SignBy::winding_number ? "" : ", by the generalised winding number";
+  if (from->side == Side::boundary) return "on it";
+  if (from->status == Status::undecided) return "side undecided" + by;
+  return (from->side == Side::inside ? "inside" : "outside") + by;
+}
+
 std::vector<std::string> row_of(const CheckInput& input, const ReportedSurfacePoint& one, const std::string& point) {
   const Posed& surface = input.models[one.object];
-  return {point, printable(surface.name), surface.model.has_mesh() ? fmt::format("face {}", one.nearest.face) : "",
-          fmt::format("{:.12g} away", one.nearest.upper), "at " + point_text(one.nearest.point)};
+  return {point,
+          printable(surface.name),
+          surface.model.has_mesh() ? fmt::format("face {}", one.nearest.face) : "",
+          fmt::format("{:.12g} away", one.nearest.upper),
+          "at " + point_text(one.nearest.point),
+          side_text(one.signed_distance)};
 }
 
 std::string nearest_table(const CheckInput& input, const std::vector<ReportedPoint>& points) {
@@ -69,7 +98,7 @@ std::string nearest_table(const CheckInput& input, const std::vector<ReportedPoi
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string point = fmt::format("point {}", i);
     for (const ReportedSurfacePoint& one : points[i].nearest) rows.push_back(row_of(input, one, point));
-    if (points[i].nearest.empty()) rows.push_back({point, "nothing within the greatest distance", "", "", ""});
+    if (points[i].nearest.empty()) rows.push_back({point, "nothing within the greatest distance", "", "", "", ""});
   }
   return columns(rows, 2);
 }
@@ -86,6 +115,7 @@ int run_nearest(const NearestArguments& arguments) {
   std::vector<ReportedPoint> points = points_asked(arguments);
   const CheckInput input = read_check_input(arguments);
   find_nearest(input, arguments, points);
+  if (arguments.sides) find_sides(input, points);
   const std::string text = text_of(input, points, arguments.format);
   print_warnings(input.loaded.warnings);
   print_answer(text);

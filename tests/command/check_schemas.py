@@ -73,6 +73,7 @@ def nearest_points(folder):
     """Points near surfaces, and too far from them."""
     (folder / "points.txt").write_text("0 0 9\n900 900 900\n")
     yield asked(folder, "nearest", "scenes/a.obj", "--points", "points.txt", "--k", "3", "--within", "100")
+    yield asked(folder, "nearest", "scenes/a.obj", "bow.off", "--points", "points.txt", "--k", "3", "--signed")
 
 
 def reports(folder):

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/nearest.hpp"
+#include "toccata/query/signed_distance.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata {
@@ -14,6 +16,7 @@ namespace toccata {
 struct ReportedSurfacePoint {
   SurfacePoint nearest;
   Index object = 0;
+  std::optional<SignedDistance> signed_distance{};  ///< of the point from the whole object, when asked for
 };
 
 /// A point that was asked about, and what is nearest to it, nearest first; none where nothing is within the greatest
