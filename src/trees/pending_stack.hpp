@@ -22,10 +22,14 @@ struct Pending {
 class PendingStack {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const Pending& top() const { return place_[size_ - 1]; }
   Pending pop() { return place_[--size_]; }
   void make_room() {
     if (size_ + WideBlock::width > capacity_) grow();
   }
+  /// After `make_room`: at so many places beyond the last, for `claim` to take.
+  void put(std::size_t beyond, const Pending& one) { place_[size_ + beyond] = one; }
+  void claim(std::size_t count) { size_ += count; }
   /// Among the last `count`, so that the earliest comes last.
   void insert(const Pending& one, std::size_t count) {
     std::size_t at = size_++;

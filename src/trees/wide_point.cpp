@@ -25,8 +25,11 @@ using Floats = hn::Rebind<float, Tag>;
 constexpr std::size_t lanes = hn::MaxLanes(Tag()), parts = WideBlock::width / lanes;
 constexpr unsigned part_mask = (1U << lanes) - 1U;
 
-/// Squares wait as floats, which are off by less than that, relatively.
-constexpr float of_floats = 1 + 0x1p-22F;
+using Integers = hn::CappedTag<std::int32_t, WideBlock::width>;
+alignas(64) constexpr std::array<std::int32_t, WideBlock::width> lane_bit{1, 2, 4, 8, 16, 32, 64, 128};
+
+/// Squares wait as floats whose last three bits tell lanes apart: above them by less than that, relatively.
+constexpr float of_floats = 1 + 0x1p-19F;
 
 class PointWalk {
  public:
@@ -75,15 +78,30 @@ class PointWalk {
     if (inner != 0) wait(block, inner, squared);
   }
 
-  /// The nearest comes next.
-  void wait(const WideBlock& block, unsigned inner, const std::array<float, WideBlock::width>& squared) {
-    pending_.make_room();
-    for (std::size_t count = 0; inner != 0; inner &= inner - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(inner));
-      if (squared[lane] > pending_limit_) continue;
-      prefetch(block.child[lane]);
-      pending_.insert({squared[lane], block.child[lane]}, count++);
+  /// The nearest comes next. Sorted without branches, which could not be foreseen: each is put where the number of
+  /// farther ones says. Those that do not wait come last, and are not claimed.
+  HWY_INLINE void wait(const WideBlock& block, unsigned inner, const std::array<float, WideBlock::width>& squared) {
+    const Integers d;
+    const hn::Rebind<float, Integers> f;
+    alignas(64) std::array<std::int32_t, WideBlock::width> key, place;
+    for (std::size_t first = 0; first < WideBlock::width; first += hn::Lanes(d)) {
+      const auto lane = hn::Iota(d, static_cast<std::int32_t>(first));
+      const auto bits = hn::And(hn::BitCast(d, hn::Load(f, squared.data() + first)), hn::Set(d, 0x7FFFFFF8));
+      const auto bit = hn::Load(d, lane_bit.data() + first);
+      const auto waits = hn::Eq(hn::And(hn::Set(d, static_cast<std::int32_t>(inner)), bit), bit);
+      hn::Store(hn::IfThenElse(waits, hn::Or(bits, lane), hn::Not(lane)), d, key.data() + first);
     }
+    for (std::size_t first = 0; first < WideBlock::width; first += hn::Lanes(d)) {
+      const auto own = hn::Load(d, key.data() + first);
+      auto farther = hn::Zero(d);
+      for (const std::int32_t other : key)
+        farther = hn::Sub(farther, hn::VecFromMask(d, hn::Gt(hn::Set(d, other), own)));
+      hn::Store(farther, d, place.data() + first);
+    }
+    pending_.make_room();
+    for (std::size_t lane = 0; lane < WideBlock::width; ++lane)
+      pending_.put(static_cast<std::size_t>(place[lane]), {std::bit_cast<float>(key[lane]), block.child[lane]});
+    pending_.claim(static_cast<std::size_t>(std::popcount(inner)));
   }
 
   /// Asks for the memory of a block before its turn comes.
@@ -97,7 +115,9 @@ class PointWalk {
     while (!pending_.empty()) {
       const Pending one = pending_.pop();
       child = one.child;
-      if (!(one.when > pending_limit_)) return true;
+      if (one.when > pending_limit_) continue;
+      if (!pending_.empty()) prefetch(pending_.top().child);
+      return true;
     }
     return false;
   }
