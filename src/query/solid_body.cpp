@@ -11,6 +11,9 @@
 namespace toccata {
 namespace {
 
+/// Of meshes with more vertices it is not tried in every case whether they are convex.
+constexpr std::size_t many_vertices = 10'000;
+
 std::vector<Vec3> corners_of(const Aabb& box) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i)
@@ -89,10 +92,13 @@ void SolidBody::find_whole() {
     exactly_convex_ = true;
   } else {
     const PosedMesh& mesh = std::get<PosedTriangles>(posed_.parts[0].shape).mesh;
-    const ConvexHull hull{used_vertices(mesh)};
+    const std::vector<Vec3> vertices = used_vertices(mesh);
+    const ConvexHull hull{vertices};
     outer_.emplace(hull);
-    whole_ = hull.dimension() == 3 ? keep(mesh, hull, mean_vertex(hull), 1 - 0x1p-36) : nullptr;
-    exactly_convex_ = whole_ != nullptr && is_convex_solid(mesh);
+    const bool is_large = vertices.size() > many_vertices;
+    exactly_convex_ = (!is_large || 2 * std::size_t{hull.vertex_count()} >= vertices.size()) && is_convex_solid(mesh);
+    if (!exactly_convex_ && !is_large && hull.dimension() == 3)
+      whole_ = keep(mesh, hull, mean_vertex(hull), 1 - 0x1p-36);
   }
   if (exactly_convex_) whole_ = &*outer_;
 }

@@ -153,6 +153,16 @@ Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, co
   return depth;
 }
 
+Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+                     Workspace& workspace) {
+  if (relation_of(models.a, models.b, workspace.scratch()).kind != RelationKind::overlapping)
+    return without_overlap(a, b, query, workspace);
+  if (is_half_space(models.b)) return of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape));
+  if (is_half_space(models.a))
+    return flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)));
+  return of_bodies(a, b, query, models, workspace);
+}
+
 }  // namespace
 
 bool may_be_parted(const PosedModel& a, const PosedModel& b) {
@@ -167,15 +177,10 @@ Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuer
     throw Error(
         "penetration: a compound has a half-space among its parts, which has no end, so that no translation parts it "
         "from another for sure; ask about its parts");
-  if (relation_of(models.a, models.b, workspace.scratch()).kind != RelationKind::overlapping)
-    return without_overlap(a, b, query, workspace);
-  if (is_half_space(models.b)) return of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape));
-  if (is_half_space(models.a))
-    return flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)));
-  if (is_canonical_order(models.a, models.b)) return of_bodies(a, b, query, models, workspace);
+  if (is_canonical_order(models.a, models.b)) return in_order(a, b, query, models, workspace);
   const PairQuery other{query.pose_b, query.pose_a, query.solid_b, query.solid_a, query.threads};
   const PosedModels exchanged(b, a, other, workspace.scratch());
-  return flipped(of_bodies(b, a, other, exchanged, workspace));
+  return flipped(in_order(b, a, other, exchanged, workspace));
 }
 
 }  // namespace toccata

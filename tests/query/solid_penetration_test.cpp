@@ -27,6 +27,13 @@ Model corner_piece() { return prism_over({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}
 
 Model channel() { return prism_over({{-2, -1}, {2, -1}, {2, 2}, {1, 2}, {1, 0}, {-1, 0}, {-1, 2}, {-2, 2}}, 4); }
 
+/// With a square hole of edge 1, and a slit to it.
+Model plate() {
+  const std::vector<Vec2> outline = {{-2, -2},    {2, -2},    {2, 2},      {-2, 2},      {-2, 0.0001}, {-0.5, 0.0001},
+                                     {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, -0.5}, {-0.5, 0},    {-2, 0}};
+  return prism_over(outline, 0.5);
+}
+
 struct DepthCase {
   std::string name;
   Model a;
@@ -51,6 +58,10 @@ std::vector<DepthCase> listed_cases() {
       {"corner pieces", corner_piece(), corner_piece(), {.pose_b = Pose::translation(2.5, 0.25, 0.125)}},
       {"box in a channel", channel(), Model(box_mesh({0.9, 0.9, 0.9})), {.pose_b = Pose::translation(0, 0.8, 2)}},
       {"box too wide for a channel", channel(), Model(box_mesh({1.2, 1, 1})), {.pose_b = Pose::translation(0, 1.2, 2)}},
+      {"peg too wide for its hole",
+       plate(),
+       Model(box_mesh({0.52, 0.52, 1})),
+       {.pose_b = Pose::translation(0, 0, 0.3)}},
       {"tori", torus, torus, {.pose_b = Pose::translation(1.9, 0.5, 0.1)}},
       {"gears", gear, gear, {.pose_b = Pose::translation(1.95, 0, 0.02)}},
       {"bumpy balls", bumpy, bumpy, {.pose_b = turned({1, 2, 3}, 40, {1.7, 0.3, 0.2})}},
