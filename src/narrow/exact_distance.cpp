@@ -100,6 +100,10 @@ Sign compare_core_distance(const ExactNearest& nearest, double x, double y) {
   return compare_distance(nearest, x, y, 0, 0);
 }
 
+Sign compare_grown_distance(const ExactNearest& nearest, double radius_a, double radius_b, double length) {
+  return compare_distance(nearest, radius_a, radius_b, length, length);
+}
+
 Distance rounded_distance(const ExactNearest& nearest, double radius_a, double radius_b) {
   if (nearest.meet) return at_common_point(nearest.on_a, nearest.exponent);
   if (grown_meet(nearest, radius_a, radius_b))

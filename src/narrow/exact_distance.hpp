@@ -11,6 +11,9 @@ namespace toccata {
 /// The sign of (distance of the cores) − (x + y), exactly; x + y is not negative.
 [[nodiscard]] Sign compare_core_distance(const ExactNearest& nearest, double x, double y);
 
+/// The sign of (distance of the cores) − (radius_a + radius_b + length), exactly; the sum is not negative.
+[[nodiscard]] Sign compare_grown_distance(const ExactNearest& nearest, double radius_a, double radius_b, double length);
+
 /// The answer of `distance`, from the exact nearest points of the cores.
 ///
 /// Where the grown shapes meet and the cores do not, the common point is the one that divides the way from core to core

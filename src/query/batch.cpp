@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "query/ask_each.hpp"
 #include "query/nearest_search.hpp"
 #include "query/ray_search.hpp"
 #include "query/search_scratch.hpp"
+#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
 #include "trees/chunks.hpp"
 
@@ -61,6 +63,22 @@ struct AskDistance {
   }
 };
 
+struct AskCloserThan {
+  using Answer = char;
+  char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return closer_than(a, b, tolerance, query, workspace) ? 1 : 0;
+  }
+  double tolerance;
+};
+
+struct AskDistanceWithin {
+  using Answer = std::optional<Distance>;
+  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return distance_within(a, b, limit, query, workspace);
+  }
+  double limit;
+};
+
 struct AskPenetration {
   using Answer = Penetration;
   Penetration operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
@@ -84,16 +102,16 @@ struct AskCast {
 
 template <class Ask, class Query>
 std::vector<typename Ask::Answer> ask_at_poses(const Model& a, const Model& b, std::span<const Query> queries,
-                                               const BatchOptions& options) {
-  return ask_each<typename Ask::Answer>(queries, "query", options, [&](const Query& query, Workspace& workspace) {
-    return Ask{}(a, b, query, workspace);
-  });
+                                               const BatchOptions& options, const Ask& ask = {}) {
+  return ask_each<typename Ask::Answer>(
+      queries, "query", options, [&](const Query& query, Workspace& workspace) { return ask(a, b, query, workspace); });
 }
 
 template <class Ask, class Pair>
-std::vector<typename Ask::Answer> ask_of_pairs(std::span<const Pair> pairs, const BatchOptions& options) {
-  return ask_each<typename Ask::Answer>(pairs, "pair", options, [](const Pair& pair, Workspace& workspace) {
-    return Ask{}(pair.a, pair.b, pair.query, workspace);
+std::vector<typename Ask::Answer> ask_of_pairs(std::span<const Pair> pairs, const BatchOptions& options,
+                                               const Ask& ask = {}) {
+  return ask_each<typename Ask::Answer>(pairs, "pair", options, [&](const Pair& pair, Workspace& workspace) {
+    return ask(pair.a, pair.b, pair.query, workspace);
   });
 }
 
@@ -184,6 +202,26 @@ std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<co
 
 std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
   return ask_of_pairs<AskDistance>(pairs, options);
+}
+
+std::vector<bool> closer_than_each(const Model& a, const Model& b, double tolerance, std::span<const PairQuery> queries,
+                                   const BatchOptions& options) {
+  return as_bits(ask_at_poses(a, b, queries, options, AskCloserThan{tolerance}));
+}
+
+std::vector<bool> closer_than_each(std::span<const ModelPair> pairs, double tolerance, const BatchOptions& options) {
+  return as_bits(ask_of_pairs(pairs, options, AskCloserThan{tolerance}));
+}
+
+std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
+                                                          std::span<const PairQuery> queries,
+                                                          const BatchOptions& options) {
+  return ask_at_poses(a, b, queries, options, AskDistanceWithin{limit});
+}
+
+std::vector<std::optional<Distance>> distance_within_each(std::span<const ModelPair> pairs, double limit,
+                                                          const BatchOptions& options) {
+  return ask_of_pairs(pairs, options, AskDistanceWithin{limit});
 }
 
 std::vector<Penetration> penetration_each(const Model& a, const Model& b, std::span<const PairQuery> queries,

@@ -4,6 +4,7 @@
 
 #include "query/ask.hpp"
 #include "query/mesh_distance.hpp"
+#include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
 
 namespace toccata {
@@ -22,15 +23,6 @@ struct AskDistance {
 
   SearchScratch& scratch;
 };
-
-/// Counted from where those of the parts begin.
-Distance numbered(Distance d, const PosedPart& a, const PosedPart& b) {
-  d.element_a += a.first_element;
-  d.element_b += b.first_element;
-  d.face_a += a.first_face;
-  d.face_b += b.first_face;
-  return d;
-}
 
 }  // namespace
 

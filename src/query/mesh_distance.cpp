@@ -6,9 +6,9 @@
 #include <optional>
 #include <tuple>
 
-#include "math/world_vertex.hpp"
-#include "narrow/triangle_gaps.hpp"
+#include "narrow/within.hpp"
 #include "query/near_view.hpp"
+#include "query/nearest_triangles.hpp"
 #include "query/pair_search.hpp"
 #include "query/part_inside.hpp"
 #include "query/triangles_shape.hpp"
@@ -20,172 +20,74 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What is kept of every pair is an interval around its distance, of at most this relative width or from one double to
-/// the next, that depends on the pair alone. The least of the upper ends is the distance of the meshes up to that
-/// width, and the first pair that has it the nearest one, in whichever order they were found.
-constexpr double interval_width = 0.99e-12;
-
-/// A distance that lies in an interval of that width and is less than `upper`, or has an interval with a lesser upper
-/// end, is not above this.
-double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), infinity); }
-
-/// The lower end that goes with the least upper one.
-double lower_from(double upper) {
-  return upper == 0 ? 0 : std::min(upper * (1 - 0.995e-12), std::nextafter(upper, 0.0));
-}
-
 PosedConvex convex(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
 
-void put(TrianglePairBlock::Corners& corners, std::size_t lane, const Triangle& triangle) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) corners[i][static_cast<std::size_t>(axis)][lane] = triangle.vertex[i][axis];
-}
-
-/// World triangles for a loop over many.
-class WorldTriangles {
- public:
-  explicit WorldTriangles(const PosedMesh& mesh)
-      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {}
-
-  Triangle operator[](Index number) const {
-    const auto& corner = triangles_[number];
-    return {{world_vertex(pose_, vertices_[corner[0]]), world_vertex(pose_, vertices_[corner[1]]),
-             world_vertex(pose_, vertices_[corner[2]])}};
-  }
-
- private:
-  Pose pose_;
-  std::span<const Vec3> vertices_;
-  std::span<const std::array<Index, 3>> triangles_;
-};
-
-/// Keeps the pairs of triangles that may be the nearest; ends when two meet.
-class NearestTriangles final : public NearQuestion {
- public:
-  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
-      : a_(a), b_(b), block_(scratch.main.blocks[0]), candidates_(scratch.candidates) {
-    candidates_.clear();
-  }
-
-  [[nodiscard]] double limit() const override { return limit_; }
-
-  void visit(std::span<const ItemPair> pairs) override {
-    for (; !pairs.empty(); pairs = pairs.subspan(std::min(TrianglePairBlock::lanes, pairs.size())))
-      bound(pairs.first(std::min(TrianglePairBlock::lanes, pairs.size())));
-  }
-
-  [[nodiscard]] bool found_meeting() const { return limit_ < 0; }
-
-  /// Of all pairs that were seen; none of them meet.
-  Distance nearest() {
-    Key best{infinity, {}};
-    std::sort(candidates_.begin(), candidates_.end(),
-              [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
-    for (const NearCandidate& candidate : candidates_) {
-      if (candidate.lower > limit_) break;
-      const Key key{upper_of(candidate), candidate.pair};
-      limit_ = std::min(limit_, limit_from(key.upper));
-      if (key < best) best = key;
-    }
-    Distance result = exact(best.pair);
-    result.upper = std::min(result.upper, best.upper);
-    result.lower = lower_from(result.upper);
-    result.element_a = best.pair.first;
-    result.element_b = best.pair.second;
-    return result;
-  }
-
- private:
-  struct Key {
-    double upper;
-    ItemPair pair;
-    bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
-  };
-
-  [[nodiscard]] Distance exact(const ItemPair& pair) const {
-    return distance(PosedConvex(a_[pair.first]), PosedConvex(b_[pair.second]));
-  }
-
-  /// Not when the upper end is infinite: nothing is known then.
-  static bool is_narrow(double lower, double upper) { return upper - lower < 0.9 * interval_width * upper; }
-
-  /// The upper end of the pair's own interval.
-  [[nodiscard]] double upper_of(const NearCandidate& candidate) const {
-    if (is_narrow(candidate.lower, candidate.upper)) return candidate.upper;
-    const auto [x, y] = in_order(candidate.pair);
-    const GapInterval precise = precise_gap(x, y, candidate.points);
-    return is_narrow(precise.lower, precise.upper) ? precise.upper : exact(candidate.pair).upper;
-  }
-
-  /// The triangles of a pair that do not meet: so it is told which comes first, and what is computed of them is the
-  /// same either way round.
-  [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const {
-    const Triangle x = a_[pair.first], y = b_[pair.second];
-    return lexicographically_less(x[0], y[0]) ? std::pair(x, y) : std::pair(y, x);
-  }
-
-  void bound(std::span<const ItemPair> pairs) {
-    for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
-      const auto [x, y] = in_order(pairs[lane]);
-      put(block_.a, lane, x);
-      put(block_.b, lane, y);
-    }
-    bound_gaps(block_, gaps_);
-    for (std::size_t lane = 0; lane < pairs.size() && limit_ >= 0; ++lane)
-      keep({gaps_.lower[lane], gaps_.upper[lane], pairs[lane], gaps_.points(lane)});
-  }
-
-  void keep(NearCandidate candidate) {
-    if (candidate.lower > limit_) return;
-    if (candidate.lower == 0 && meet(candidate.pair)) {
-      limit_ = -1;
-      return;
-    }
-    if (candidate.upper == infinity) {
-      const Distance found = exact(candidate.pair);
-      candidate.lower = found.lower;
-      candidate.upper = found.upper;
-    }
-    limit_ = std::min(limit_, limit_from(candidate.upper));
-    if (!(candidate.lower > limit_)) candidates_.push_back(candidate);
-  }
-
-  [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
-
-  WorldTriangles a_;
-  WorldTriangles b_;
-  TrianglePairBlock& block_;
-  TriangleGaps gaps_{};
-  std::vector<NearCandidate>& candidates_;
-  double limit_ = infinity;
-};
-
-/// The nearest triangle to a convex shape.
+/// The nearest triangle to a convex shape; what is farther than the cutoff is not wanted.
 class NearestToShape final : public NearQuestion {
  public:
-  NearestToShape(const PosedMesh& mesh, const PosedConvex& shape, ConvexWorkspace& workspace)
-      : mesh_(mesh), shape_(shape), workspace_(workspace) {}
+  NearestToShape(const PosedMesh& mesh, const PosedConvex& shape, double cutoff, ConvexWorkspace& workspace)
+      : mesh_(mesh), shape_(shape), workspace_(workspace), cutoff_(cutoff), limit_(limit_from(cutoff)) {}
 
   /// Of the shape's core, which boxes are compared with.
-  [[nodiscard]] double limit() const override { return std::nextafter(limit_ + shape_.radius(), infinity); }
+  [[nodiscard]] double limit() const override {
+    return std::max(std::nextafter(limit_ + shape_.radius(), infinity), least_limit);
+  }
 
   void visit(std::span<const ItemPair> pairs) override {
     for (const ItemPair& pair : pairs) {
-      Distance found = distance(convex(mesh_, pair.first), shape_, &workspace_);
+      const PosedConvex triangle = convex(mesh_, pair.first);
+      Distance found = distance(triangle, shape_, &workspace_);
       found.element_a = pair.first;
-      if (best && std::tie(best->upper, best->element_a) <= std::tie(found.upper, found.element_a)) continue;
-      best = found;
-      limit_ = limit_from(found.upper);
+      if (found.lower > limit_) continue;
+      within_ = within_ || is_within(found, triangle, shape_, cutoff_);
+      if (best_ && std::tie(best_->upper, best_->element_a) <= std::tie(found.upper, found.element_a)) continue;
+      best_ = found;
+      limit_ = std::min(limit_, limit_from(found.upper));
     }
   }
 
-  std::optional<Distance> best;
+  [[nodiscard]] std::optional<Nearby> nearest() const {
+    if (!best_) return {};
+    Nearby result{*best_, within_};
+    result.distance.lower = lower_from(best_->upper);
+    return result;
+  }
 
  private:
   const PosedMesh& mesh_;
   const PosedConvex& shape_;
   ConvexWorkspace& workspace_;
-  double limit_ = infinity;
+  double cutoff_;
+  double limit_;
+  std::optional<Distance> best_;
+  bool within_ = false;
+};
+
+/// Ends when a triangle is found that is at most `tolerance` from the shape.
+class CloseToShape final : public NearQuestion {
+ public:
+  CloseToShape(const PosedMesh& mesh, const PosedConvex& shape, double tolerance, ConvexWorkspace& workspace)
+      : mesh_(mesh), shape_(shape), tolerance_(tolerance), workspace_(workspace) {}
+
+  [[nodiscard]] double limit() const override {
+    return found_ ? -1 : std::max(std::nextafter(tolerance_ + shape_.radius(), infinity), least_limit);
+  }
+
+  void visit(std::span<const ItemPair> pairs) override {
+    found_ = found_ || std::any_of(pairs.begin(), pairs.end(), [&](const ItemPair& pair) {
+               workspace_.element_a = pair.first;
+               return is_within(convex(mesh_, pair.first), shape_, tolerance_, &workspace_);
+             });
+  }
+
+  [[nodiscard]] bool found() const { return found_; }
+
+ private:
+  const PosedMesh& mesh_;
+  const PosedConvex& shape_;
+  double tolerance_;
+  ConvexWorkspace& workspace_;
+  bool found_ = false;
 };
 
 Distance with_faces(Distance d, const PosedMesh& a) {
@@ -195,49 +97,24 @@ Distance with_faces(Distance d, const PosedMesh& a) {
 
 Distance at_common_point(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
 
-/// At the least pair of triangles that meet.
-Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  const Contact contact = *first_surface_contact(a, b, scratch);
-  Distance found = distance(convex(a, contact.triangle_a), convex(b, contact.triangle_b));
-  found.element_a = contact.triangle_a;
-  found.element_b = contact.triangle_b;
-  return found;
-}
-
-/// Of solids whose surfaces do not meet, where one lies within the other.
-std::optional<Distance> inner_point(const PosedTriangles& a, const PosedTriangles& b) {
-  if (!overlap(a.mesh.box(), b.mesh.box())) return {};
-  if (b.solid)
-    if (const auto triangle = part_inside(a.mesh, b.mesh)) {
-      Distance found = at_common_point(a.mesh.triangle(*triangle)[0]);
-      found.element_a = *triangle;
-      return found;
-    }
-  if (a.solid)
-    if (const auto triangle = part_inside(b.mesh, a.mesh)) {
-      Distance found = at_common_point(b.mesh.triangle(*triangle)[0]);
-      found.element_b = *triangle;
-      return found;
-    }
-  return {};
-}
-
-Distance surface_distance(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  const NearFrame frame_a = near_frame(a), frame_b = near_frame(b);
-  const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items},
-                      {b.model().oriented_boxes(), b.model().wide_tree().items}, near_view(frame_a, frame_b),
-                      near_view(frame_b, frame_a));
-  NearestTriangles question(a, b, scratch);
-  ConvexWorkspace& kept = scratch.convex;
-  const ItemPair warm{kept.element_a, kept.element_b};
+/// Shows the question the pair that was nearest before, and then all others that may matter.
+void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, NearQuestion& question) {
+  const ItemPair warm{scratch.convex.element_a, scratch.convex.element_b};
+  scratch.near.counts = {};
   if (warm.first < a.model().element_count() && warm.second < b.model().element_count()) question.visit({&warm, 1});
-  walk.run(scratch.near, question);
-  if (question.found_meeting()) return at_contact(a, b, scratch);
+  if (question.limit() >= 0) {
+    near_walk(a, b).run(scratch.near, question);
+  }
   scratch.counts = scratch.near.counts;
-  const Distance nearest = question.nearest();
-  kept.element_a = nearest.element_a;
-  kept.element_b = nearest.element_b;
-  return nearest;
+}
+
+bool surfaces_within(const PosedMesh& a, const PosedMesh& b, double tolerance, SearchScratch& scratch) {
+  CloseTriangles question(a, b, scratch, tolerance);
+  ask_near(a, b, scratch, question);
+  if (!question.found()) return false;
+  scratch.convex.element_a = question.pair().first;
+  scratch.convex.element_b = question.pair().second;
+  return true;
 }
 
 /// Where a shape meets triangles or lies inside the solid.
@@ -250,19 +127,29 @@ std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& 
   return with_faces(found, a.mesh);
 }
 
-Distance outer_distance(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
-  const ConvexNearTree shape(b);
-  const NearFrame frame = near_frame(a);
-  const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items}, shape.tree(),
-                      near_view(frame, shape.frame), near_view(shape.frame, frame));
-  NearestToShape question(a, b, scratch.convex);
+/// The same for one mesh and a shape.
+void ask_near(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch, NearQuestion& question) {
   const ItemPair warm{scratch.convex.element_a, 0};
+  scratch.near.counts = {};
   if (warm.first < a.model().element_count()) question.visit({&warm, 1});
-  walk.run(scratch.near, question);
+  if (question.limit() >= 0) {
+    const ConvexNearTree shape(b);
+    const NearFrame frame = near_frame(a);
+    const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items}, shape.tree(),
+                        near_view(frame, shape.frame), near_view(shape.frame, frame));
+    walk.run(scratch.near, question);
+  }
   scratch.counts = scratch.near.counts;
-  scratch.convex.element_a = question.best->element_a;
-  question.best->lower = lower_from(question.best->upper);
-  return with_faces(*question.best, a);
+}
+
+std::optional<Nearby> outer_nearby(const PosedMesh& a, const PosedConvex& b, double cutoff, SearchScratch& scratch) {
+  NearestToShape question(a, b, cutoff, scratch.convex);
+  ask_near(a, b, scratch, question);
+  std::optional<Nearby> nearest = question.nearest();
+  if (!nearest) return {};
+  scratch.convex.element_a = nearest->distance.element_a;
+  nearest->distance = with_faces(nearest->distance, a);
+  return nearest;
 }
 
 /// The triangle with the corner that is lowest over the half-space, but for rounding.
@@ -307,19 +194,106 @@ Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
 
 }  // namespace
 
+NearWalk near_walk(const PosedMesh& a, const PosedMesh& b) {
+  const NearFrame frame_a = near_frame(a), frame_b = near_frame(b);
+  return {{a.model().oriented_boxes(), a.model().wide_tree().items},
+          {b.model().oriented_boxes(), b.model().wide_tree().items},
+          near_view(frame_a, frame_b),
+          near_view(frame_b, frame_a)};
+}
+
+Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  const Contact contact = *first_surface_contact(a, b, scratch);
+  Distance found = distance(convex(a, contact.triangle_a), convex(b, contact.triangle_b));
+  found.element_a = contact.triangle_a;
+  found.element_b = contact.triangle_b;
+  return found;
+}
+
+std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b, double cutoff, SearchScratch& scratch) {
+  NearestTriangles question(a, b, scratch, cutoff);
+  ask_near(a, b, scratch, question);
+  if (question.found_meeting()) return Nearby{at_contact(a, b, scratch), true};
+  if (!question.found_any()) return {};
+  const Distance nearest = question.nearest();
+  scratch.convex.element_a = nearest.element_a;
+  scratch.convex.element_b = nearest.element_b;
+  return Nearby{nearest, nearest.upper <= cutoff || question.any_within(cutoff)};
+}
+
+std::optional<InnerPart> inner_part(const PosedTriangles& a, const PosedTriangles& b) {
+  if (!overlap(a.mesh.box(), b.mesh.box())) return {};
+  if (b.solid)
+    if (const auto triangle = part_inside(a.mesh, b.mesh)) return InnerPart{true, *triangle};
+  if (a.solid)
+    if (const auto triangle = part_inside(b.mesh, a.mesh)) return InnerPart{false, *triangle};
+  return {};
+}
+
+Distance at_inner_part(const InnerPart& part, const PosedMesh& a, const PosedMesh& b) {
+  Distance found = at_common_point((part.of_a ? a : b).triangle(part.triangle)[0]);
+  (part.of_a ? found.element_a : found.element_b) = part.triangle;
+  return found;
+}
+
+Distance with_faces(Distance d, const PosedMesh& a, const PosedMesh& b) {
+  d.face_b = b.model().mesh().face_of(d.element_b);
+  return with_faces(d, a);
+}
+
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, double cutoff, SearchScratch& scratch) {
+  std::optional<Nearby> found = surfaces_nearby(a.mesh, b.mesh, cutoff, scratch);
+  if (!found || found->distance.upper > 0)
+    if (const auto part = inner_part(a, b)) found = Nearby{at_inner_part(*part, a.mesh, b.mesh), true};
+  if (found) found->distance = with_faces(found->distance, a.mesh, b.mesh);
+  return found;
+}
+
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedConvex& b, double cutoff, SearchScratch& scratch) {
+  scratch.counts = {};
+  if (const auto common = at_least_triangle(a, b, scratch)) return Nearby{*common, true};
+  if (a.solid && is_interior(b.vertex(0), a.mesh))
+    return Nearby{with_faces(at_common_point(b.vertex(0)), a.mesh), true};
+  return outer_nearby(a.mesh, b, cutoff, scratch);
+}
+
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff, SearchScratch& scratch) {
+  if (cutoff < infinity && !is_within(a, b, limit_from(cutoff), scratch)) return {};
+  const Distance found = distance(a, b, scratch);
+  return Nearby{found, found.upper <= cutoff};  // the least double not below the exact one
+}
+
+bool is_within(const PosedTriangles& a, const PosedTriangles& b, double tolerance, SearchScratch& scratch) {
+  return surfaces_within(a.mesh, b.mesh, tolerance, scratch) || inner_part(a, b);
+}
+
+bool is_within(const PosedTriangles& a, const PosedConvex& b, double tolerance, SearchScratch& scratch) {
+  CloseToShape question(a.mesh, b, tolerance, scratch.convex);
+  ask_near(a.mesh, b, scratch, question);
+  return question.found() || (a.solid && is_interior(b.vertex(0), a.mesh));
+}
+
+bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance, SearchScratch& scratch) {
+  scratch.counts = {};
+  bool found = false;
+  const auto see = [&](Index triangle) {
+    found = is_within(distance(convex(a.mesh, triangle), b), convex(a.mesh, triangle), b, tolerance);
+    return !found;
+  };
+  const PosedHalfSpace region = widened(b, tolerance);
+  if (is_finite(region.point))
+    visit_triangles_near(a.mesh, region, see);
+  else
+    for (Index i = 0; i < a.mesh.model().element_count() && !found; ++i) see(i);
+  return found;
+}
+
 Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
-  Distance found = surface_distance(a.mesh, b.mesh, scratch);
-  if (found.upper > 0)
-    if (const auto common = inner_point(a, b)) found = *common;
-  found.face_b = b.mesh.model().mesh().face_of(found.element_b);
-  return with_faces(found, a.mesh);
+  return nearby(a, b, infinity, scratch)->distance;
 }
 
 Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch) {
-  scratch.counts = {};
-  if (const auto common = at_least_triangle(a, b, scratch)) return *common;
-  if (a.solid && is_interior(b.vertex(0), a.mesh)) return with_faces(at_common_point(b.vertex(0)), a.mesh);
-  return outer_distance(a.mesh, b, scratch);
+  return nearby(a, b, infinity, scratch)->distance;
 }
 
 Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch) {

@@ -155,8 +155,7 @@ class Run {
 
   void run() {
     f_.clear();
-    dive();
-    if (question_.limit() < 0) return;
+    if (!dive() || question_.limit() < 0) return;
     set_limits(question_.limit());
     const std::uint32_t lanes = block(1, 0).count;
     for (std::uint32_t lane = 0; lane < lanes; ++lane) push_boxes(0, 0, lane, 0);
@@ -168,8 +167,9 @@ class Run {
     return walk_.tree(side).blocks[number];
   }
 
-  /// Follows the nearest boxes down to two items, so that there is a limit to begin with.
-  void dive() {
+  /// Follows the nearest boxes down to two items, so that there is a limit to begin with, unless they turn out to be
+  /// beyond that which there is. False where all boxes are.
+  bool dive() {
     BoxNumber of_b;
     double least = expand(0, 0, of_b).bound;
     for (std::uint32_t lane = 1; lane < block(1, 0).count; ++lane) {
@@ -179,18 +179,22 @@ class Run {
         of_b.lane = lane;
       }
     }
+    const double limit = question_.limit();
+    if (least > limit) return false;
     std::size_t side = 0;
     std::uint32_t own_block = 0;
     BoxNumber other = of_b;
     for (;;) {
-      const BoxNumber own{own_block, expand(side, own_block, other).lane};
+      const Nearest nearest = expand(side, own_block, other);
+      if (nearest.bound > limit) return true;
+      const BoxNumber own{own_block, nearest.lane};
       const std::int32_t child = block(side, own.block).child[own.lane];
       const std::int32_t other_child = block(side ^ 1, other.block).child[other.lane];
       if (child < 0 && other_child < 0) {
         const auto place = static_cast<std::uint32_t>(~child), other_place = static_cast<std::uint32_t>(~other_child);
         side == 0 ? add_pair(place, other_place) : add_pair(other_place, place);
         hand_on();
-        return;
+        return true;
       }
       if (other_child < 0 || (child >= 0 && opens_own_)) {
         own_block = static_cast<std::uint32_t>(child);
@@ -368,6 +372,14 @@ void run_near(const NearWalk& walk, NearFrontier& frontier, NearQuestion& questi
   Run(walk, frontier, question).run();
 }
 
+NearBounds bounds_of_block(const NearWalk& walk, std::size_t side, std::uint32_t number, std::uint32_t other) {
+  NearBounds bounds;
+  const Seen box = seen(walk.view(side), walk.tree(side ^ 1).blocks[other >> 3], other & 7U);
+  bounds_of(walk.view(side), walk.tree(side).blocks[number], box, bounds.least);
+  bounds.other_size = box.size;
+  return bounds;
+}
+
 }  // namespace
 }  // namespace toccata::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -376,6 +388,7 @@ HWY_AFTER_NAMESPACE();
 namespace toccata {
 
 HWY_EXPORT(run_near);
+HWY_EXPORT(bounds_of_block);
 
 void NearFrontier::clear() {
   entries.clear();
@@ -388,6 +401,10 @@ void NearFrontier::clear() {
 
 void NearWalk::run(NearFrontier& frontier, NearQuestion& question) const {
   HWY_DYNAMIC_DISPATCH(run_near)(*this, frontier, question);
+}
+
+NearBounds NearWalk::bounds(std::size_t side, std::uint32_t number, std::uint32_t other) const {
+  return HWY_DYNAMIC_DISPATCH(bounds_of_block)(*this, side, number, other);
 }
 
 }  // namespace toccata

@@ -66,6 +66,12 @@ struct NearTree {
   std::span<const Index> items;
 };
 
+/// How far the boxes of a block are from a box of the other tree.
+struct NearBounds {
+  std::array<double, OrientedBlock::width> least;  ///< of lanes that are used: lower bounds, in the units of the limit
+  double other_size;                               ///< of the other box: the sum of its extents, in the block's units
+};
+
 /// A walk over pairs of boxes of two trees, nearest first: pairs wait in buckets by their bounds, which are as good as
 /// a sorted queue and cost nothing (R. Dial, "Algorithm 360: shortest-path forest with topological ordering", 1969).
 /// Same pairs, same order and same counts at every SIMD level.
@@ -77,6 +83,9 @@ class NearWalk {
 
   /// Shows the question every pair of items whose distance may be below its limit. Neither tree is empty.
   void run(NearFrontier& frontier, NearQuestion& question) const;
+
+  /// For one block of the tree `side` and one box of the other: block · 8 + lane.
+  [[nodiscard]] NearBounds bounds(std::size_t side, std::uint32_t number, std::uint32_t other) const;
 
   [[nodiscard]] const NearTree& tree(std::size_t side) const { return trees_[side]; }
   [[nodiscard]] const NearView& view(std::size_t side) const { return views_[side]; }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "toccata/core/progress.hpp"
 #include "toccata/query/casts.hpp"
+#include "toccata/query/closer_than.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
@@ -67,6 +69,17 @@ struct ContactCount {
 [[nodiscard]] std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                                   const BatchOptions& options = {});
 [[nodiscard]] std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
+
+[[nodiscard]] std::vector<bool> closer_than_each(const Model& a, const Model& b, double tolerance,
+                                                 std::span<const PairQuery> queries, const BatchOptions& options = {});
+[[nodiscard]] std::vector<bool> closer_than_each(std::span<const ModelPair> pairs, double tolerance,
+                                                 const BatchOptions& options = {});
+
+[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
+                                                                        std::span<const PairQuery> queries,
+                                                                        const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(std::span<const ModelPair> pairs, double limit,
+                                                                        const BatchOptions& options = {});
 
 [[nodiscard]] std::vector<Penetration> penetration_each(const Model& a, const Model& b,
                                                         std::span<const PairQuery> queries,

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "math/world_vertex.hpp"
+#include "narrow/triangle_gaps.hpp"
+#include "query/posed_mesh.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "trees/near_front.hpp"
+#include "trees/near_walk.hpp"
+
+// Which triangles of two posed meshes are nearest, or near enough (docs/methods/mesh-distance.md).
+namespace toccata {
+
+/// A distance that lies in the interval of a pair and is less than `upper`, or has an interval with a lesser upper end,
+/// is not above this.
+[[nodiscard]] double limit_from(double upper);
+
+/// The lower end that goes with the least upper one.
+[[nodiscard]] double lower_from(double upper);
+
+/// No walk is given a lesser limit: it divides by it.
+inline constexpr double least_limit = 1e-200;
+
+/// World triangles for a loop over many.
+class WorldTriangles {
+ public:
+  explicit WorldTriangles(const PosedMesh& mesh)
+      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {}
+
+  Triangle operator[](Index number) const {
+    const auto& corner = triangles_[number];
+    return {{world_vertex(pose_, vertices_[corner[0]]), world_vertex(pose_, vertices_[corner[1]]),
+             world_vertex(pose_, vertices_[corner[2]])}};
+  }
+
+ private:
+  Pose pose_;
+  std::span<const Vec3> vertices_;
+  std::span<const std::array<Index, 3>> triangles_;
+};
+
+/// The distances of pairs of triangles of two posed meshes: what is said of a pair depends on its two alone.
+class PairDistances {
+ public:
+  PairDistances(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
+      : a_(a), b_(b), block_(scratch.main.blocks[0]) {}
+
+  /// Calls `see(candidate)` for all of the pairs, in their order, until it returns false.
+  template <class See>
+  void bound(std::span<const ItemPair> pairs, const See& see) {
+    for (; !pairs.empty(); pairs = pairs.subspan(std::min(TrianglePairBlock::lanes, pairs.size()))) {
+      const auto block = pairs.first(std::min(TrianglePairBlock::lanes, pairs.size()));
+      bound_block(block);
+      for (std::size_t lane = 0; lane < block.size(); ++lane)
+        if (!see(NearCandidate{gaps_.lower[lane], gaps_.upper[lane], block[lane], gaps_.points(lane)})) return;
+    }
+  }
+
+  [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
+  [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
+
+  /// The upper end of the pair's own interval. They do not meet.
+  [[nodiscard]] double upper_of(const NearCandidate& candidate) const;
+
+  /// Its exact distance is at most that.
+  [[nodiscard]] bool is_within(const NearCandidate& candidate, double tolerance) const;
+
+ private:
+  void bound_block(std::span<const ItemPair> pairs);
+  [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const;
+
+  WorldTriangles a_;
+  WorldTriangles b_;
+  TrianglePairBlock& block_;
+  TriangleGaps gaps_{};
+};
+
+/// Keeps the pairs of triangles that may be the nearest; ends when two meet. Pairs farther than `limit_from(cutoff)`
+/// are not wanted.
+class NearestTriangles final : public NearQuestion, public FrontQuestion {
+ public:
+  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
+                   double cutoff = std::numeric_limits<double>::infinity())
+      : pairs_(a, b, scratch), candidates_(scratch.candidates), limit_(limit_from(cutoff)) {
+    candidates_.clear();
+  }
+
+  [[nodiscard]] double limit() const override { return found_meeting() ? -1 : std::max(limit_, least_limit); }
+  void visit(std::span<const ItemPair> pairs) override {
+    if (limit_ >= 0) pairs_.bound(pairs, [&](const NearCandidate& candidate) { return keep(candidate); });
+  }
+
+  void visit(std::span<const ItemPair> pairs, std::span<double> least) override {
+    std::size_t seen = 0;
+    pairs_.bound(pairs, [&](const NearCandidate& candidate) {
+      least[seen++] = candidate.lower;
+      return keep(candidate);
+    });
+  }
+
+  [[nodiscard]] bool found_meeting() const { return limit_ < 0; }
+
+  /// There is a pair within the cutoff, but for what intervals leave open.
+  [[nodiscard]] bool found_any() const { return found_meeting() || !candidates_.empty(); }
+
+  /// Of all pairs that were seen and wanted; none of them meet, and there is one. What is kept of the nearest two saves
+  /// time and changes nothing.
+  [[nodiscard]] Distance nearest(ConvexWorkspace* kept = nullptr);
+
+  /// Of the same: one is at most that far.
+  [[nodiscard]] bool any_within(double tolerance) const;
+
+ private:
+  bool keep(NearCandidate candidate);
+
+  PairDistances pairs_;
+  std::vector<NearCandidate>& candidates_;
+  double limit_;
+};
+
+/// Ends when two triangles are found that are at most `tolerance` apart.
+class CloseTriangles final : public NearQuestion {
+ public:
+  CloseTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, double tolerance)
+      : pairs_(a, b, scratch), tolerance_(tolerance) {}
+
+  [[nodiscard]] double limit() const override { return found_ ? -1 : std::max(tolerance_, least_limit); }
+  void visit(std::span<const ItemPair> pairs) override {
+    if (!found_)
+      pairs_.bound(pairs, [&](const NearCandidate& candidate) {
+        if (candidate.lower <= tolerance_ && pairs_.is_within(candidate, tolerance_)) found_ = true;
+        if (found_) pair_ = candidate.pair;
+        return !found_;
+      });
+  }
+
+  [[nodiscard]] bool found() const { return found_; }
+  [[nodiscard]] const ItemPair& pair() const { return pair_; }
+
+ private:
+  PairDistances pairs_;
+  double tolerance_;
+  bool found_ = false;
+  ItemPair pair_{};
+};
+
+}  // namespace toccata
