@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "toccata/query/distance.hpp"
+
+namespace toccata {
+
+struct CoherentState;
+
+/// What the questions asked with a cache cost.
+struct DistanceCacheCounts {
+  std::size_t questions = 0;
+  std::size_t searches = 0;  ///< of them, those for which everything was searched as without a cache
+  WalkCounts last{};         ///< boxes compared and pairs of triangles looked at by the last
+};
+
+/// What is kept of one question of distance for the next about the same two meshes or height fields, which have moved
+/// little in between: where the search stopped, and how far everything that it left out is at least. The next looks
+/// only at what can have come near by the motion since, which it computes from the poses. It changes no bit of any
+/// answer, and any motion is allowed; the smaller the motion, the less is looked at. While surfaces meet, a question
+/// costs what it costs without.
+///
+/// It holds on to the models. One thread may use it at a time.
+class DistanceCache {
+ public:
+  DistanceCache();
+  ~DistanceCache();
+  DistanceCache(DistanceCache&&) noexcept;
+  DistanceCache& operator=(DistanceCache&&) noexcept;
+
+  /// Forgets everything, also which models it was used for.
+  void clear();
+
+  [[nodiscard]] const DistanceCacheCounts& counts() const;
+
+  /// For the library itself.
+  [[nodiscard]] CoherentState& state() { return *state_; }
+
+ private:
+  std::unique_ptr<CoherentState> state_;
+};
+
+/// What `distance` answers without a cache, to the last bit. The first question binds the cache to its two models, in
+/// their order; with any other model or mesh it throws Error, and so it does for copies made before one was deformed.
+/// Where one of the two is no mesh or height field, or a compound, it costs what `distance` costs with a Workspace.
+/// Throws like that else.
+[[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query, DistanceCache& cache);
+
+}  // namespace toccata
