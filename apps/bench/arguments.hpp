@@ -14,6 +14,7 @@ struct MeshArguments {
   std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
   std::uint64_t seed = 1;
   bool near = false;
+  double motion = 0.01;  ///< of coherent-distance: a step, as a part of the smaller diagonal
   std::string task = "overlap";
   std::vector<std::string> peers;
   std::vector<int> threads{1};

@@ -19,8 +19,11 @@ using SharedMesh = std::shared_ptr<const TriangleMesh>;
 constexpr std::size_t standard_queries = 1000;
 
 Task task_of(const std::string& word) {
-  static const std::map<std::string, Task> words{
-      {"overlap", Task::overlap}, {"contacts", Task::contacts}, {"distance", Task::distance}, {"build", Task::build}};
+  static const std::map<std::string, Task> words{{"overlap", Task::overlap},
+                                                 {"contacts", Task::contacts},
+                                                 {"distance", Task::distance},
+                                                 {"coherent-distance", Task::coherent_distance},
+                                                 {"build", Task::build}};
   return words.at(word);
 }
 
@@ -37,6 +40,9 @@ std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh&
     std::vector<PosePair> poses = read_poses(arguments.poses);
     return arguments.random ? moved_together(poses, *arguments.random, arguments.seed) : poses;
   }
+  if (task_of(arguments.task) == Task::coherent_distance)
+    return poses_on_the_way(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed,
+                            arguments.motion);
   const Nearness nearness = arguments.near                              ? Nearness::close
                             : task_of(arguments.task) == Task::distance ? Nearness::separated
                                                                         : Nearness::jittered;
@@ -93,6 +99,9 @@ Measured measure_all(MeshLibraries libraries, const MeshArguments& arguments, co
   const bool only_build = task_of(arguments.task) == Task::build;
   Measured measured;
   for (auto& library : libraries) {
+    if (library != libraries.front() && !library->obstacle(task_of(arguments.task), 1).empty() &&
+        library->description().library == "toccata")
+      continue;
     Result build = measure_build(*library, *a, *b, {1, only_build ? arguments.rounds : 1, clock_of(arguments)});
     build.task = arguments.task;
     if (only_build)

@@ -16,7 +16,7 @@ constexpr double distance_tolerance = 1e-9;
 bool are_near(double x, double y) { return std::abs(x - y) <= distance_tolerance * std::max(x, y); }
 
 bool differ(Task task, const Answer& x, const Answer& y) {
-  if (task == Task::distance) return !are_near(x.distance, y.distance);
+  if (asks_distance(task)) return !are_near(x.distance, y.distance);
   return task == Task::overlap ? x.overlap != y.overlap : x.pairs != y.pairs;
 }
 
@@ -65,9 +65,21 @@ void judge_distance(const Questions& questions, std::size_t query, std::vector<A
 }
 
 void judge_one(const Questions& questions, std::size_t query, std::vector<Answered>& answered) {
-  if (questions.task == Task::distance) return judge_distance(questions, query, answered);
+  if (asks_distance(questions.task)) return judge_distance(questions, query, answered);
   return questions.task == Task::overlap ? judge_overlap(questions, query, answered)
                                          : judge_contacts(questions, query, answered);
+}
+
+/// Toccata says the same in every way that it can be asked, to the bit.
+void judge_ways(std::vector<Answered>& answered) {
+  const Answered& first = answered.front();
+  for (Answered& one : answered) {
+    if (one.result.who.library != first.result.who.library) continue;
+    for (std::size_t query = 0; query < one.answers.size(); ++query)
+      if (one.answers[query].distance != first.answers[query].distance ||
+          one.answers[query].pairs != first.answers[query].pairs)
+        ++one.result.wrong;
+  }
 }
 
 }  // namespace
@@ -86,6 +98,7 @@ void judge(const Questions& questions, std::vector<Answered>& answered) {
     if (!any && questions.judged == Judged::differing) continue;
     judge_one(questions, query, answered);
   }
+  if (questions.task == Task::coherent_distance) judge_ways(answered);
 }
 
 void judge(std::span<const TriangleQuestion> questions, const std::vector<std::vector<char>>& answers, Judged judged,

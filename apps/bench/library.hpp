@@ -23,7 +23,12 @@ struct Description {
   friend bool operator==(const Description&, const Description&) = default;
 };
 
-enum class Task { overlap, contacts, distance, build };
+enum class Task { overlap, contacts, distance, coherent_distance, build };
+
+/// Distances are asked for, of poses that have nothing to do with each other or of meshes on their way.
+[[nodiscard]] constexpr bool asks_distance(Task task) {
+  return task == Task::distance || task == Task::coherent_distance;
+}
 
 struct PosePair {
   Pose a;
@@ -49,7 +54,7 @@ class MeshLibrary {
   virtual void build(const TriangleMesh& a, const TriangleMesh& b) = 0;
   /// What `build` keeps of both, without the meshes' own vertices and indices.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
-  /// Why this is not measured on so many threads; empty where it is.
+  /// Why this is not measured, or not on so many threads; empty where it is.
   [[nodiscard]] virtual std::string obstacle(Task, int) const { return {}; }
   /// Told before queries. True: each query is itself spread over so many threads. Else that many are asked at a time.
   virtual bool spreads_queries(Task, int) { return false; }

@@ -53,7 +53,11 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::PositiveNumber);
   mesh->add_flag("--near", arguments.near, "random poses within 1e-6 to 1e-14 of contact instead of 2 %");
   mesh->add_option("--task", arguments.task, "what to ask")
-      ->check(CLI::IsMember({"overlap", "contacts", "distance", "build"}))
+      ->check(CLI::IsMember({"overlap", "contacts", "distance", "coherent-distance", "build"}))
+      ->capture_default_str();
+  mesh->add_option("--motion", arguments.motion,
+                   "of coherent-distance: how far a vertex moves at most in a step, as a part of the smaller diagonal")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")

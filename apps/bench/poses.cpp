@@ -8,6 +8,7 @@
 #include "toccata/core/random.hpp"
 #include "toccata/io/poses_file.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata::bench {
@@ -103,6 +104,36 @@ PosePair random_pose_pair(const Pair& pair, Random& random, Nearness nearness) {
   throw Error("the meshes met in none of 100 random directions, so no poses near contact can be made");
 }
 
+/// A turn about B's centre and a translation.
+struct Step {
+  Mat3 turn;
+  Vec3 translation;
+};
+
+/// No vertex within half of B's diagonal of its centre moves farther than `length`: by half of that each.
+Step random_step(Random& random, double length, double diagonal) {
+  const double degrees = length / diagonal * 180 / 3.14159265358979;
+  return {rotation_about(random_direction(random), degrees), 0.5 * length * random_direction(random)};
+}
+
+Pose moved_on(const Pose& pose, const Vec3& centre, const Step& step) {
+  const Vec3 at = transform(pose, centre);
+  const Pose turned = compose({step.turn, {}}, {pose.linear, {}});
+  return {turned.linear, at + step.translation - transform(turned, centre)};
+}
+
+/// The way on from a pose of B; where none of a hundred directions is free, it stays.
+Pose next_on_the_way(const Pair& pair, const PosePair& now, double length, Step& step, Random& random) {
+  const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const Pose next = moved_on(now.b, pair.extent_b.centre, step);
+    const PairQuery query{now.a, next, Solid::none, Solid::none};
+    if (!overlap(pair.a, pair.b, query) && closer_than(pair.a, pair.b, 0.04 * diagonal, query)) return next;
+    step = random_step(random, length, pair.extent_b.diagonal);
+  }
+  return now.b;
+}
+
 }  // namespace
 
 std::vector<PosePair> read_poses(const std::filesystem::path& file) {
@@ -119,6 +150,24 @@ std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t c
   while (randoms.size() < count) randoms.emplace_back(seeds.bits());
   std::vector<PosePair> poses(count);
   parallel_for(count, threads, [&](std::size_t i) { poses[i] = random_pose_pair(pair, randoms[i], nearness); });
+  return poses;
+}
+
+std::vector<PosePair> poses_on_the_way(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
+                                       double motion) {
+  constexpr std::size_t steps = 50;
+  const Pair pair{a, b};
+  Random random(seed);
+  const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
+  std::vector<PosePair> poses;
+  for (const PosePair& start : random_poses(a, b, (count + steps - 1) / steps, seed, Nearness::separated, 0)) {
+    PosePair now = start;
+    Step step = random_step(random, motion * diagonal, pair.extent_b.diagonal);
+    for (std::size_t i = 0; i < steps && poses.size() < count; ++i) {
+      poses.push_back(now);
+      now.b = next_on_the_way(pair, now, motion * diagonal, step, random);
+    }
+  }
   return poses;
 }
 

@@ -7,6 +7,7 @@
 #include "toccata/core/version.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
+#include "toccata/query/distance_cache.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata::bench {
@@ -17,18 +18,32 @@ Description described(const std::string& variant) {
           fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
 }
 
+/// How distances of meshes on their way are asked for; of everything else there is one way.
+enum class Way { alone, cached };
+
 std::size_t bytes_of(const WideTree& tree) {
   return tree.blocks.capacity() * sizeof tree.blocks[0] + tree.items.capacity() * sizeof tree.items[0];
 }
 
 class ToccataMeshes : public MeshLibrary {
  public:
-  Description description() const override { return described(std::string(name_of(simd_level()))); }
+  explicit ToccataMeshes(Way way) : way_(way) {}
+
+  Description description() const override {
+    return described(std::string(name_of(simd_level())) + (way_ == Way::cached ? ", cached" : ""));
+  }
+
+  std::string obstacle(Task task, int threads) const override {
+    if (way_ == Way::alone) return {};
+    if (task != Task::coherent_distance) return "keeps nothing for this";
+    return threads > 1 ? "a cache is for one thread" : "";
+  }
 
   void build(const TriangleMesh& a, const TriangleMesh& b) override {
     // Models share their mesh with whoever made it; this one does not own it.
     a_.emplace(std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &a));
     b_.emplace(std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &b));
+    cache_.clear();
   }
 
   std::size_t bytes() const override { return bytes_of(a_->wide_tree()) + bytes_of(b_->wide_tree()); }
@@ -43,7 +58,7 @@ class ToccataMeshes : public MeshLibrary {
     const PairQuery query{poses.a, poses.b, Solid::none, Solid::none, threads_};
     thread_local Workspace workspace;
     if (task == Task::overlap) return {overlap(*a_, *b_, query, workspace), {}};
-    if (task == Task::distance) return distance_answer(query);
+    if (asks_distance(task)) return distance_answer(query);
     const auto found = contacts(*a_, *b_, query, workspace);
     Answer answer;
     answer.pairs.reserve(found.size());
@@ -53,16 +68,19 @@ class ToccataMeshes : public MeshLibrary {
   }
 
  private:
-  /// The queries have nothing to do with each other, so what was nearest before helps none of them.
+  /// Where the queries have nothing to do with each other, what was nearest before helps none of them.
   Answer distance_answer(const PairQuery& query) const {
     thread_local Workspace workspace;
-    const Distance found = distance(*a_, *b_, query, workspace);
+    const Distance found =
+        way_ == Way::cached ? distance(*a_, *b_, query, cache_) : distance(*a_, *b_, query, workspace);
     return {found.upper == 0, {{found.element_a, found.element_b}}, found.upper};
   }
 
+  Way way_;
   std::optional<Model> a_;
   std::optional<Model> b_;
   int threads_ = 1;
+  mutable DistanceCache cache_;
 };
 
 using TriangleMethod = bool (*)(const Triangle&, const Triangle&);
@@ -90,7 +108,8 @@ bool meets(const Triangle& a, const Triangle& b) { return meeting(a, b).kind != 
 
 MeshLibraries toccata_mesh_libraries() {
   MeshLibraries libraries;
-  libraries.push_back(std::make_unique<ToccataMeshes>());
+  libraries.push_back(std::make_unique<ToccataMeshes>(Way::alone));
+  libraries.push_back(std::make_unique<ToccataMeshes>(Way::cached));
   return libraries;
 }
 

@@ -53,8 +53,8 @@ class FclMeshes : public MeshLibrary {
   }
 
   std::string obstacle(Task task, int) const override {
-    if (task == Task::distance && is_plain) return "has no distance";
-    return task != Task::distance && is_swept ? "copies both models for every question" : "";
+    if (asks_distance(task) && is_plain) return "has no distance";
+    return !asks_distance(task) && is_swept ? "copies both models for every question" : "";
   }
 
   void build(const TriangleMesh& a, const TriangleMesh& b) override {
@@ -65,7 +65,7 @@ class FclMeshes : public MeshLibrary {
   std::size_t bytes() const override { return bytes_of(*a_) + bytes_of(*b_); }
 
   Answer answer(Task task, const PosePair& poses) const override {
-    if (task == Task::distance) return distance_answer(poses);
+    if (asks_distance(task)) return distance_answer(poses);
     const std::size_t wanted = task == Task::overlap ? 1 : std::numeric_limits<std::size_t>::max();
     const fcl::CollisionRequestd request(wanted, false);
     fcl::CollisionResultd result;
