@@ -40,6 +40,8 @@ struct CheckArguments : PosedArguments {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
+  std::string clearance;                   ///< a length, or "all"; empty: none is asked for
+  std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
 };
 
 struct DistanceArguments : PosedArguments {};

@@ -3,6 +3,7 @@
 #include "arguments.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
+#include "clearance.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
@@ -11,11 +12,14 @@
 namespace toccata::command {
 namespace {
 
-CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments) {
+CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments,
+                                 const ClearanceQuestion& clearances) {
   ProgressBar bar("checking");
   CheckOptions options;
   options.contacts = arguments.faces;
   options.penetration = arguments.penetration;
+  options.clearance = clearances.common;
+  options.pair_clearances = clearances.of_pairs;
   options.threads = arguments.threads;
   options.progress = bar.callback();
   return check_all(models, options);
@@ -47,9 +51,11 @@ int run_check(const CheckArguments& arguments) {
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
-  const CheckAnswer answer = answer_with_progress(input.models, arguments);
-  const CheckReport report =
-      make_check_report(input.models, answer, {arguments.touching, arguments.faces, arguments.penetration});
+  const ClearanceQuestion clearances = read_clearances(arguments, loaded.scene);
+  const CheckAnswer answer = answer_with_progress(input.models, arguments, clearances);
+  const CheckReport report = make_check_report(input.models, answer,
+                                               {arguments.touching, arguments.faces, arguments.penetration,
+                                                clearances.asked ? std::optional(clearances.common) : std::nullopt});
   const std::string text = text_of(loaded, input.models, report, arguments.format);
   print_warnings(loaded.warnings);
   print_answer(text);

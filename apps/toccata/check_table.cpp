@@ -19,8 +19,10 @@ std::string points_text(const ReportedMeeting& meeting) {
 }
 
 std::vector<std::string> row_of(const Scene& scene, const ReportedPair& pair) {
-  return {printable(scene.objects[pair.a].name), verb(pair.relation), printable(scene.objects[pair.b].name),
-          remark(pair.relation)};
+  const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
+  return {printable(scene.objects[pair.a].name), is_near ? "is near" : verb(pair.relation),
+          printable(scene.objects[pair.b].name),
+          is_near ? distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) : remark(pair.relation)};
 }
 
 /// Why a pair has no depth.
@@ -49,6 +51,7 @@ std::string region_lines(const std::vector<ContactRegion>& regions) {
 
 /// How deep they overlap, and a line for each point and region of contact.
 std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
+  if (pair.relation.kind == RelationKind::apart) return {};
   std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + "\n" : depth_refusal(scene, pair));
   for (int i = 0; pair.manifold && i < pair.manifold->count; ++i) {
     const ManifoldPoint& point = pair.manifold->points[static_cast<std::size_t>(i)];
@@ -66,7 +69,8 @@ std::string pair_lines(const Scene& scene, const CheckReport& report) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += columns({rows[i]}, 2);
     if (report.has_penetration) text += depth_lines(scene, report.pairs[i]);
-    if (report.has_faces) text += face_lines(report.pairs[i].face_pairs);
+    const bool is_apart = report.pairs[i].relation.kind == RelationKind::apart;
+    if (report.has_faces && !is_apart) text += face_lines(report.pairs[i].face_pairs);
   }
   return text;
 }
@@ -100,14 +104,20 @@ std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
 }
 
 std::string check_table(const Scene& scene, const CheckReport& report) {
-  std::string text =
-      fmt::format("{} with {}; the bounding boxes of {} overlap.\n", counted(scene.objects.size(), "object"),
-                  counted(triangle_count(scene), "triangle"), counted(report.candidate_pairs, "pair"));
+  const auto near =
+      static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
+        return pair.relation.kind == RelationKind::apart;
+      }));
+  std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
+                                 counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),
+                                 counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
   if (report.pairs.empty())
-    text += report.ignored_touching > 0 ? "Nothing collides beyond touching.\n" : "Nothing collides.\n";
+    text += std::string("Nothing collides") + (report.clearance ? " or is nearer than its clearance" : "") +
+            (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");
   else
     text += pair_lines(scene, report) +
-            fmt::format("{} in contact, decided exactly.\n", counted(report.pairs.size(), "pair"));
+            fmt::format("{} in contact{}, decided exactly.\n", counted(report.pairs.size() - near, "pair"),
+                        report.clearance ? fmt::format(" and {} not farther apart than asked", near) : "");
   if (report.ignored_touching > 0)
     text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
   return text;

@@ -103,18 +103,37 @@ void add_check(CLI::App& app, Options& options) {
   CLI::Option* penetration = check->add_flag(
       "--penetration", options.check.penetration,
       "how deep solids overlap, a way to part them, and (without --poses) their points and regions of contact");
+  CLI::Option* clearance =
+      check
+          ->add_option(
+              "--clearance", options.check.clearance,
+              "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
+              "its own (0.5, 2mm, 0.1in); all: every pair")
+          ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
+          ->type_name("LENGTH")
+          ->excludes(poses);
+  CLI::Option* clearance_of = check
+                                  ->add_option("--clearance-of", options.check.clearances_of,
+                                               "another clearance for two objects; may be repeated")
+                                  ->type_name("NAME,NAME=LENGTH")
+                                  ->expected(1)
+                                  ->allow_extra_args(false)
+                                  ->take_all()
+                                  ->excludes(poses);
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")
       ->excludes(poses)
       ->excludes(penetration)
+      ->excludes(clearance)
+      ->excludes(clearance_of)
       ->excludes(solid)
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   add_writing(*check, options, options.check.threads, "docs/reference/check-report.md");
   check->footer(
-      with_name("Exit code: 0 nothing touches, 1 something does, 2 trouble.\n\n"
+      with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.\n\n"
                 "Example:\n"
                 "  {0} demo --write scenes\n"
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"
@@ -122,6 +141,7 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check robot.stl table.obj --poses path.txt --csv\n"
                 "  {0} check part.stl --self --faces\n"
                 "  {0} check shapes.json --penetration\n"
+                "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 

@@ -10,35 +10,18 @@
 namespace toccata {
 namespace {
 
-constexpr const char* csv_names = "lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status\n";
-
-void add(io::Json& line, const Distance& d) {
-  line["lower"] = d.lower;
-  line["upper"] = d.upper;
-  line["on_a"] = io::json_of(d.on_a);
-  line["on_b"] = io::json_of(d.on_b);
-  line["face_a"] = d.face_a;
-  line["face_b"] = d.face_b;
-  line["status"] = name_of(d.status);
-}
-
-std::string csv_of(const Distance& d) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", d.lower, d.upper, d.on_a.x, d.on_a.y, d.on_a.z, d.on_b.x,
-                     d.on_b.y, d.on_b.z, d.face_a, d.face_b, name_of(d.status));
-}
-
 std::string line_of(const ReportedDistance& pair, const Scene& scene) {
   io::Json line = {{"a", io::as_utf8(scene.objects[pair.a].name)},
                    {"b", io::as_utf8(scene.objects[pair.b].name)},
                    {"a_index", pair.a},
                    {"b_index", pair.b}};
-  add(line, pair.distance);
+  io::add(line, pair.distance);
   return io::line_of(line);
 }
 
 std::string line_of(const DistancePosesReport& report, std::size_t i) {
   io::Json line = {{"query", i}};
-  add(line, report.distances[i]);
+  io::add(line, report.distances[i]);
   line["pose_a"] = report.queries[i].pose_a.numbers();
   line["pose_b"] = report.queries[i].pose_b.numbers();
   return io::line_of(line);
@@ -53,10 +36,10 @@ std::string distance_report_json(const Scene& scene, std::span<const Posed> mode
 }
 
 std::string distance_report_csv(const Scene& scene, std::span<const ReportedDistance> distances) {
-  std::string csv = std::string("a,b,") + csv_names;
+  std::string csv = std::string("a,b") + io::csv_distance_names + "\n";
   for (const ReportedDistance& pair : distances)
     csv += io::csv_field(io::as_utf8(scene.objects[pair.a].name)) + "," +
-           io::csv_field(io::as_utf8(scene.objects[pair.b].name)) + "," + csv_of(pair.distance);
+           io::csv_field(io::as_utf8(scene.objects[pair.b].name)) + io::csv_of(pair.distance) + "\n";
   return csv;
 }
 
@@ -74,8 +57,9 @@ std::string distance_poses_report_json(const Scene& scene, std::span<const Posed
 }
 
 std::string distance_poses_report_csv(const DistancePosesReport& report) {
-  std::string csv = std::string("query,") + csv_names;
-  for (std::size_t i = 0; i < report.distances.size(); ++i) csv += fmt::format("{},", i) + csv_of(report.distances[i]);
+  std::string csv = std::string("query") + io::csv_distance_names + "\n";
+  for (std::size_t i = 0; i < report.distances.size(); ++i)
+    csv += fmt::format("{}", i) + io::csv_of(report.distances[i]) + "\n";
   return csv;
 }
 

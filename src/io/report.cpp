@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 #include "io/report_parts.hpp"
@@ -32,6 +33,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
     line["regions"] = Json::array();
     for (const ContactRegion& region : pair.regions) line["regions"].push_back(json_of(region));
   }
+  if (report.clearance) io::add(line["distance"] = Json::object(), *pair.distance);
   std::string text = io::line_of(line);
   if (!report.has_faces) return text;
   text.back() = ',';
@@ -45,25 +47,39 @@ std::string csv_names(const Scene& scene, const ReportedPair& pair) {
   return csv_field(io::as_utf8(scene.objects[pair.a].name)) + "," + csv_field(io::as_utf8(scene.objects[pair.b].name));
 }
 
+/// The end of a line: what is told of pairs besides, where it is.
+std::string csv_end_names(const CheckReport& report) {
+  std::string names = io::csv_penetration_head(report.has_penetration);
+  if (!report.clearance) return names;
+  names.pop_back();
+  for (const std::string_view name :
+       {"lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"})
+    names += fmt::format(",distance_{}", name);
+  return names + "\n";
+}
+
+std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
+  return (report.has_penetration ? io::csv_of(pair.penetration) : "") +
+         (report.clearance ? io::csv_of(*pair.distance) : "") + "\n";
+}
+
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
-  std::string csv =
-      "a,b,relation,containment,side_unresolved,status" + io::csv_penetration_head(report.has_penetration);
+  std::string csv = "a,b,relation,containment,side_unresolved,status" + csv_end_names(report);
   for (const ReportedPair& pair : report.pairs)
     csv +=
         fmt::format("{},{},{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                     name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status)) +
-        (report.has_penetration ? io::csv_of(pair.penetration) : "") + "\n";
+        csv_end(report, pair);
   return csv;
 }
 
 /// A pair without meeting faces (one solid inside the other) still has its line, with empty face fields.
 std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
-  std::string csv =
-      "a,b,relation,containment,face_a,face_b,crossing" + io::csv_penetration_head(report.has_penetration);
+  std::string csv = "a,b,relation,containment,face_a,face_b,crossing" + csv_end_names(report);
   for (const ReportedPair& pair : report.pairs) {
     const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                                           name_of(pair.relation.containment));
-    const std::string end = report.has_penetration ? io::csv_of(pair.penetration) + "\n" : "\n";
+    const std::string end = csv_end(report, pair);
     if (pair.face_pairs.empty()) csv += start + ",,," + end;
     for (const ReportedFacePair& faces : pair.face_pairs)
       csv += fmt::format("{},{},{},{}", start, faces.face_a, faces.face_b, faces.crossing) + end;
@@ -137,8 +153,10 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
   report.candidate_pairs = answer.candidate_pairs;
   report.has_faces = options.faces;
   report.has_penetration = options.penetration;
+  report.clearance = options.clearance;
   for (const PairAnswer& pair : answer.pairs) {
-    if (!counts_as_contact(pair.relation, options.touching)) {
+    const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
+    if (!is_near && !counts_as_contact(pair.relation, options.touching)) {
       ++report.ignored_touching;
       continue;
     }
@@ -150,6 +168,7 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
     reported.penetration = pair.penetration;
     reported.manifold = pair.manifold;
     reported.regions = pair.regions;
+    reported.distance = pair.distance;
   }
   return report;
 }
@@ -159,6 +178,7 @@ std::string check_report_json(const Scene& scene, std::span<const Posed> models,
   Json json = io::report_head("toccata/check/1", scene, models, warnings);
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
+  if (report.clearance) json["clearance"] = std::isinf(*report.clearance) ? Json("all") : Json(*report.clearance);
   return io::with_list(document(json), "pairs", report.pairs.size(),
                        [&](std::size_t i) { return text_of(report.pairs[i], scene, report); });
 }

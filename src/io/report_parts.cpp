@@ -117,6 +117,21 @@ std::string csv_of(const std::optional<Penetration>& penetration) {
   return fmt::format(",{},{},{},{},{}", penetration->lower, penetration->upper, direction.x, direction.y, direction.z);
 }
 
+void add(Json& line, const Distance& d) {
+  line["lower"] = d.lower;
+  line["upper"] = d.upper;
+  line["on_a"] = json_of(d.on_a);
+  line["on_b"] = json_of(d.on_b);
+  line["face_a"] = d.face_a;
+  line["face_b"] = d.face_b;
+  line["status"] = name_of(d.status);
+}
+
+std::string csv_of(const Distance& d) {
+  return fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", d.lower, d.upper, d.on_a.x, d.on_a.y, d.on_a.z, d.on_b.x,
+                     d.on_b.y, d.on_b.z, d.face_a, d.face_b, name_of(d.status));
+}
+
 std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }

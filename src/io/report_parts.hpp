@@ -37,6 +37,13 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::string csv_penetration_head(bool told);
 [[nodiscard]] std::string csv_of(const std::optional<Penetration>& penetration);
 
+/// Adds what a distance says to an object, and to a line of comma-separated values, under names that begin with a
+/// comma.
+void add(Json& line, const Distance& d);
+[[nodiscard]] std::string csv_of(const Distance& d);
+inline constexpr const char* csv_distance_names =
+    ",lower,upper,on_a_x,on_a_y,on_a_z,on_b_x,on_b_y,on_b_z,face_a,face_b,status";
+
 /// The document as text, with a line end.
 [[nodiscard]] std::string document(const Json& json);
 

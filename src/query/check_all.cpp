@@ -1,5 +1,8 @@
 #include "toccata/query/check_all.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -16,7 +19,9 @@
 #include "query/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/broad/box_pairs.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/query/closer_than.hpp"
 
 namespace toccata {
 namespace {
@@ -32,10 +37,52 @@ Aabb world_box(const PosedModel& model) {
 
 bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
+void require_length(double clearance) {
+  if (!(clearance >= 0)) throw Error(fmt::format("a clearance is {}; it has to be a length of 0 or more", clearance));
+}
+
+/// Rounded up.
+double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
+
+/// How near which pairs have to be to be told.
+class Clearances {
+ public:
+  Clearances(std::size_t models, const CheckOptions& options) : common_(options.clearance), largest_(models, common_) {
+    require_length(common_);
+    for (const PairClearance& pair : options.pair_clearances) {
+      require_length(pair.clearance);
+      if (pair.a >= models || pair.b >= models || pair.a == pair.b)
+        throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
+                                pair.a, pair.b, models));
+      of_pair_[std::minmax(pair.a, pair.b)] = pair.clearance;
+      for (const Index i : {pair.a, pair.b}) largest_[i] = std::max(largest_[i], pair.clearance);
+    }
+  }
+
+  /// Of a pair in ascending order.
+  [[nodiscard]] double of(const IndexPair& pair) const {
+    const auto found = of_pair_.find({pair.first, pair.second});
+    return found == of_pair_.end() ? common_ : found->second;
+  }
+
+  /// Not less than that of any pair of this model.
+  [[nodiscard]] double largest_of(std::size_t model) const { return largest_[model]; }
+
+ private:
+  double common_;
+  std::vector<double> largest_;
+  std::map<std::pair<Index, Index>, double> of_pair_;
+};
+
 class Check {
  public:
   Check(std::span<const Posed> models, const CheckOptions& options)
-      : models_(models), options_(options), posed_(posed_models()), groups_(group_numbers()), boxes_(world_boxes()) {}
+      : models_(models),
+        options_(options),
+        clearances_(models.size(), options),
+        posed_(posed_models()),
+        groups_(group_numbers()),
+        boxes_(world_boxes()) {}
 
   CheckAnswer answer() {
     const std::vector<std::size_t> counts = candidate_counts();
@@ -76,7 +123,8 @@ class Check {
   [[nodiscard]] BoxIndex world_boxes() const {
     std::vector<Aabb> boxes;
     boxes.reserve(posed_.size());
-    for (const PosedModel& model : posed_) boxes.push_back(world_box(model));
+    for (std::size_t i = 0; i < posed_.size(); ++i)
+      boxes.push_back(grown(world_box(posed_[i]), half_of(clearances_.largest_of(i))));
     Aabb all{{0, 0, 0}, {0, 0, 0}};
     for (const Aabb& box : boxes)
       if (is_bounded(box)) all = merge(all, box);
@@ -113,25 +161,36 @@ class Check {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
       if (reporter.cancelled()) return;
-      answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace.scratch()); });
+      answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace); });
       reporter.finished_one();
     });
     return answers;
   }
 
-  /// Nothing where the two are apart.
-  [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair, SearchScratch& scratch) const {
+  /// Nothing where the two are apart, by more than their clearance.
+  [[nodiscard]] std::optional<PairAnswer> answer_of(const IndexPair& pair, Workspace& workspace) const {
+    SearchScratch& scratch = workspace.scratch();
     const PosedModel& a = posed_[pair.first];
     const PosedModel& b = posed_[pair.second];
-    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}};
+    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}, {}, {}};
     const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
     if (mesh_a != nullptr && mesh_b != nullptr)
       answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, scratch, answer);
     else
       answer_of_shapes(a, b, scratch, answer);
-    if (answer.relation.kind == RelationKind::apart) return std::nullopt;
+    answer.distance = distance_in(pair, workspace);
+    if (answer.relation.kind == RelationKind::apart) return answer.distance ? std::optional(answer) : std::nullopt;
     if (options_.penetration) add_depth(answer);
     return answer;
+  }
+
+  /// Where clearances are asked for, and the two are as near.
+  [[nodiscard]] std::optional<Distance> distance_in(const IndexPair& pair, Workspace& workspace) const {
+    if (options_.clearance == 0 && options_.pair_clearances.empty()) return std::nullopt;
+    const double clearance = clearances_.of(pair);
+    const Posed &a = models_[pair.first], &b = models_[pair.second];
+    workspace.scratch().convex = {};  // it was another pair's
+    return distance_within(a.model, b.model, clearance, {a.pose, b.pose, a.solid, b.solid}, workspace);
   }
 
   /// The mesh that a model is, if it is one.
@@ -172,6 +231,7 @@ class Check {
 
   std::span<const Posed> models_;
   const CheckOptions& options_;
+  Clearances clearances_;
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
   BoxIndex boxes_;

@@ -114,10 +114,14 @@ PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::st
 Aabb world_box(const PosedConvex& shape) {
   Aabb box;
   for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
-  if (shape.radius() == 0) return box;
+  return grown(box, shape.radius());
+}
+
+Aabb grown(Aabb box, double by) {
+  if (by == 0 || is_empty(box) || !is_finite(box.lower) || !is_finite(box.upper)) return box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = -sum_not_less(-box.lower[axis], shape.radius());
-    box.upper[axis] = sum_not_less(box.upper[axis], shape.radius());
+    box.lower[axis] = -sum_not_less(-box.lower[axis], by);
+    box.upper[axis] = sum_not_less(box.upper[axis], by);
   }
   return box;
 }

@@ -48,6 +48,10 @@ struct PosedModel {
 [[nodiscard]] Aabb world_box(const PosedShape& shape);
 [[nodiscard]] Aabb world_box(const PosedConvex& shape);
 
+/// The box with all that is as near to it along every axis, and a little more where that is no double; an empty box
+/// stays empty, and what has no end has none.
+[[nodiscard]] Aabb grown(Aabb box, double by);
+
 [[nodiscard]] bool is_solid(const PosedShape& shape);
 
 }  // namespace toccata

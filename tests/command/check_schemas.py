@@ -96,6 +96,8 @@ def reports(folder):
     solids = check("scenes/a.obj", "scenes/b.stl", "--penetration")
     assert solids["pairs"] and all(p["penetration"] and p["regions"] for p in solids["pairs"]), solids
     yield solids
+    yield check("shapes.json", "--clearance", "1cm", "--clearance-of", "ball,ground=3", "--faces")
+    yield check("shapes.json", "--clearance", "all")
     (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
     yield check("ball.json", "ball.json", "--poses", "poses.txt", "--penetration")

@@ -34,6 +34,7 @@ struct ReportedPair {
   std::optional<Penetration> penetration;    ///< as in PairAnswer
   std::optional<Manifold> manifold;
   std::vector<ContactRegion> regions;
+  std::optional<Distance> distance;  ///< filled when the answer has distances
 };
 
 /// Whether pairs that touch without their interiors meeting are reported.
@@ -42,21 +43,23 @@ enum class Touching { count, ignore };
 /// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
 [[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
 
-/// What `check` found, ready to be written: pairs that count as contact, and how many merely touching ones were left
-/// out.
+/// What `check` found, ready to be written: pairs that count as contact or are nearer than their clearance, and how
+/// many merely touching ones were left out.
 struct CheckReport {
   std::vector<ReportedPair> pairs;
   std::size_t ignored_touching = 0;
   std::size_t candidate_pairs = 0;
   bool has_faces = false;
   bool has_penetration = false;
+  std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
 };
 
-/// What of an answer is reported. Faces and penetrations are there when `check_all` was asked for them.
+/// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them.
 struct ReportOptions {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
+  std::optional<double> clearance{};
 };
 
 [[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer,

@@ -8,6 +8,7 @@
 #include "toccata/core/progress.hpp"
 #include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
@@ -26,27 +27,41 @@ struct Posed {
 struct PairAnswer {
   Index a = 0;  ///< index in the span, a < b
   Index b = 0;
-  Relation relation;
+  Relation relation;                         ///< apart: of a pair that is no farther than its clearance
   std::vector<Contact> contacts;             ///< filled when asked for
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
   std::vector<ContactRegion> regions{};      ///< with the penetration, of two meshes
+  std::optional<Distance> distance{};        ///< where a clearance is asked for
+};
+
+/// How far two of the models should be from each other.
+struct PairClearance {
+  Index a = 0;  ///< indices in the span, in either order
+  Index b = 0;
+  double clearance = 0;
 };
 
 struct CheckOptions {
   bool contacts = false;     ///< list the meeting triangles of every pair
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
-  int threads = 0;           ///< 0: as many as the machine has; the answer does not depend on it
-  Progress progress{};       ///< told the pairs of overlapping boxes that are done
+  /// World units. Above 0, pairs are told that are at most so far apart, decided exactly (closer_than), and the
+  /// distance of every pair that is told. +∞: all pairs.
+  double clearance = 0;
+  std::vector<PairClearance> pair_clearances{};  ///< instead of it, for some pairs; the last counts where one has two
+  int threads = 0;                               ///< 0: as many as the machine has; the answer does not depend on it
+  Progress progress{};                           ///< told the pairs of overlapping boxes that are done
 };
 
 struct CheckAnswer {
-  std::vector<PairAnswer> pairs;    ///< those that are not apart, ascending by (a, b)
-  std::size_t candidate_pairs = 0;  ///< pairs whose boxes overlap: those that were looked at
+  std::vector<PairAnswer>
+      pairs;  ///< those that are not apart, or not by more than their clearance; ascending by (a, b)
+  std::size_t candidate_pairs = 0;  ///< pairs whose boxes, grown by the clearance, overlap: those that were looked at
 };
 
-/// Every two of the posed models that are not apart, and their relation. Only pairs whose boxes overlap are looked at.
-/// Throws Error naming the model when one is asked about wrongly.
+/// Every two of the posed models that are not apart, or nearer than their clearance, and their relation. Only pairs
+/// whose boxes overlap, or are as near, are looked at. Throws Error naming the model when one is asked about wrongly,
+/// and for a clearance that is no length or of models that are not there.
 [[nodiscard]] CheckAnswer check_all(std::span<const Posed> models, const CheckOptions& options = {});
 
 }  // namespace toccata

@@ -1,0 +1,93 @@
+// check --clearance as a person or a script meets it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+const char* const cell = R"({"format": "toccata-scene", "version": 1, "unit": "mm", "objects": [
+  {"name": "table", "shape": {"type": "box", "half_extents": [500, 300, 10]}},
+  {"name": "tool, left", "shape": {"type": "sphere", "radius": 20}, "pose": {"translation": [0, 0, 32]}},
+  {"name": "wall", "shape": {"type": "box", "half_extents": [10, 300, 400]}, "pose": {"translation": [560, 0, 0]}}]})";
+
+class CheckClearanceCommand : public testing::Test {
+ protected:
+  std::size_t pairs_told(const std::vector<std::string>& options) {
+    std::vector<std::string> words{"check", file, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto run = run_command(words);
+    EXPECT_NE(run.exit_code, 2) << run.err;
+    const std::size_t count = Json::parse(run.out)["pairs"].size();
+    EXPECT_EQ(run.exit_code, count > 0 ? 1 : 0);
+    return count;
+  }
+
+  TemporaryFolder folder;
+  std::string file = folder.write("cell.json", cell).string();
+};
+
+TEST_F(CheckClearanceCommand, TakesLengthsWithAndWithoutTheirUnit) {
+  EXPECT_EQ(pairs_told({}), 0U);
+  EXPECT_EQ(pairs_told({"--clearance", "2mm"}), 1U);
+  EXPECT_EQ(pairs_told({"--clearance", "2"}), 1U);
+  EXPECT_EQ(pairs_told({"--clearance", "1.999"}), 0U);
+  EXPECT_EQ(pairs_told({"--clearance", "5cm"}), 2U);
+  EXPECT_EQ(pairs_told({"--clearance", "2in"}), 2U);
+  EXPECT_EQ(pairs_told({"--clearance", "all"}), 3U);
+  EXPECT_EQ(pairs_told({"--clearance-of", "wall,table=5cm"}), 1U);
+  EXPECT_EQ(pairs_told({"--clearance", "5cm", "--clearance-of", "table,tool, left=1mm"}), 1U);
+  EXPECT_EQ(pairs_told({"--clearance-of", "wall,table=5cm", "--clearance-of", "tool, left,table=2"}), 2U);
+}
+
+TEST_F(CheckClearanceCommand, TellsTheDistance) {
+  const auto json = run_command({"check", file, "--clearance", "2mm", "--json"});
+  const Json report = Json::parse(json.out);
+  EXPECT_EQ(report["clearance"], 2);
+  const Json pair = report["pairs"][0];
+  EXPECT_EQ(pair["relation"], "apart");
+  EXPECT_NEAR(pair["distance"]["upper"], 2, 1e-11);
+  EXPECT_NEAR(pair["distance"]["on_b"][2], 12, 1e-9);
+  const auto table = run_command({"check", file, "--clearance", "2mm"});
+  EXPECT_NE(table.out.find("table  is near  tool, left  2 apart"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("0 pairs in contact and 1 not farther apart than asked"), std::string::npos) << table.out;
+  const auto csv = run_command({"check", file, "--clearance", "2mm", "--csv"});
+  EXPECT_NE(csv.out.find("status,distance_lower,distance_upper"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("table,\"tool, left\",apart,none,false,exact,"), std::string::npos) << csv.out;
+}
+
+TEST_F(CheckClearanceCommand, OfTwoFiles) {
+  const std::vector<std::string> words{"check", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0",
+                                       "1",     "0",       "0",       "0",        "1", "2", "0", "0"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return run_command(all);
+  };
+  EXPECT_EQ(with({"--clearance", "0.99"}).exit_code, 0);
+  EXPECT_EQ(with({"--clearance", "1"}).exit_code, 1);
+  EXPECT_EQ(with({"--clearance", "1m", "--unit", "m"}).exit_code, 1);
+  const auto unknown = with({"--clearance", "2mm"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("add --unit"), std::string::npos) << unknown.err;
+}
+
+TEST_F(CheckClearanceCommand, RefusesWhatIsNoLength) {
+  for (const std::string wrong : {"-1", "2 mm", "mm", "nan", "inf", "", "2mile"}) {
+    const auto run = run_command({"check", file, "--clearance=" + wrong});
+    EXPECT_EQ(run.exit_code, 2) << wrong << run.out;
+    EXPECT_TRUE(run.out.empty()) << wrong;
+  }
+  for (const std::string wrong : {"table,door=1", "table=1", "table,wall", "table,table=1", "table,wall=x"})
+    EXPECT_EQ(run_command({"check", file, "--clearance-of", wrong}).exit_code, 2) << wrong;
+  EXPECT_EQ(run_command({"check", file, "--self", "--clearance", "1"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace toccata

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/mesh_soups.hpp"
+#include "toccata/toccata.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Posed at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
+
+/// A ground, shapes of all kinds over it, some of them in a group.
+std::vector<Posed> shelf() {
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1})), ball(icosphere_mesh(1, 2));
+  const std::vector<CompoundPart> parts{{Sphere{0.5}, {}}, {Sphere{0.5}, Pose::translation(0, 0, 3)}};
+  const Model pair{Compound(parts)};
+  std::vector<Posed> models{at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
+                            at(cube, 0, 0, 1.25),
+                            at(ball, 3, 0, 2),
+                            at(Sphere{1}, 3.5, 3, 1),
+                            at(pair, 0, 4, 1),
+                            at(cube, 0.5, 0.5, 1.5),
+                            at(Point{}, 1, 4, 1)};
+  models[3].group = models[4].group = "twins";
+  return models;
+}
+
+TEST(CheckClearance, TellsThePairsThatAreAsNear) {
+  const std::vector<Posed> models = shelf();
+  for (const double clearance : {0.0, 0.25, std::nextafter(0.25, 0.0), 1.0, 2.5, infinity}) {
+    SCOPED_TRACE(clearance);
+    const CheckAnswer answer = check_all(models, {.clearance = clearance, .threads = 2});
+    std::size_t next = 0;
+    for (Index i = 0; i < models.size(); ++i)
+      for (Index j = i + 1; j < models.size(); ++j) {
+        if (!models[i].group.empty() && models[i].group == models[j].group) continue;
+        const PairQuery query{models[i].pose, models[j].pose};
+        if (!closer_than(models[i].model, models[j].model, clearance, query)) continue;
+        ASSERT_LT(next, answer.pairs.size());
+        const PairAnswer& found = answer.pairs[next++];
+        EXPECT_EQ(std::pair(found.a, found.b), std::pair(i, j));
+        EXPECT_EQ(found.relation, relation(models[i].model, models[j].model, query));
+        EXPECT_EQ(found.distance.has_value(), clearance > 0);
+        if (found.distance) {
+          EXPECT_EQ(*found.distance, distance(models[i].model, models[j].model, query));
+        }
+      }
+    EXPECT_EQ(next, answer.pairs.size());
+  }
+}
+
+TEST(CheckClearance, ThatIsExactlyTheDistanceCounts) {
+  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const double gap = 0x1p-40;
+  const std::vector<Posed> models{at(cube, 0, 0, 0), at(cube, 2 + gap, 0, 0)};
+  EXPECT_EQ(check_all(models, {.clearance = gap}).pairs.size(), 1U);
+  EXPECT_EQ(check_all(models, {.clearance = std::nextafter(gap, 0)}).pairs.size(), 0U);
+  EXPECT_EQ(check_all(models).pairs.size(), 0U);
+}
+
+TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
+  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 0, 4, 0)};
+  const auto told = [&](double common, std::vector<PairClearance> of_pairs) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const PairAnswer& pair : check_all(models, {.clearance = common, .pair_clearances = of_pairs}).pairs)
+      pairs.emplace_back(pair.a, pair.b);
+    return pairs;
+  };
+  using Pairs = std::vector<std::pair<Index, Index>>;
+  EXPECT_EQ(told(1, {}), (Pairs{{0, 1}}));
+  EXPECT_EQ(told(1, {{1, 0, 0.5}}), (Pairs{}));
+  EXPECT_EQ(told(0, {{2, 1, 3}}), (Pairs{{1, 2}}));
+  EXPECT_EQ(told(1, {{0, 2, 1}, {2, 0, 2}}), (Pairs{{0, 1}, {0, 2}}));
+  EXPECT_EQ(told(infinity, {}).size(), 3U);
+}
+
+TEST(CheckClearance, RefusesWhatIsNoLengthAndPairsThatAreNot) {
+  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0)};
+  for (const double wrong : {-1.0, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(static_cast<void>(check_all(models, {.clearance = wrong})), Error);
+    EXPECT_THROW(static_cast<void>(check_all(models, {.pair_clearances = {{0, 1, wrong}}})), Error);
+  }
+  EXPECT_THROW(static_cast<void>(check_all(models, {.pair_clearances = {{0, 2, 1}}})), Error);
+  EXPECT_THROW(static_cast<void>(check_all(models, {.pair_clearances = {{1, 1, 1}}})), Error);
+}
+
+}  // namespace
+}  // namespace toccata
