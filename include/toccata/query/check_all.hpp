@@ -54,8 +54,7 @@ struct CheckOptions {
 };
 
 struct CheckAnswer {
-  std::vector<PairAnswer>
-      pairs;  ///< those that are not apart, or not by more than their clearance; ascending by (a, b)
+  std::vector<PairAnswer> pairs;    ///< those that are not apart by more than their clearance, ascending by (a, b)
   std::size_t candidate_pairs = 0;  ///< pairs whose boxes, grown by the clearance, overlap: those that were looked at
 };
 
