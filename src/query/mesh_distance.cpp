@@ -8,6 +8,7 @@
 
 #include "narrow/within.hpp"
 #include "query/near_view.hpp"
+#include "query/nearest_elements.hpp"
 #include "query/nearest_triangles.hpp"
 #include "query/pair_search.hpp"
 #include "query/part_inside.hpp"

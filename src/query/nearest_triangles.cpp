@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "narrow/within.hpp"
+#include "query/nearest_elements.hpp"
 
 namespace toccata {
 namespace {
@@ -32,10 +33,6 @@ struct Key {
 }  // namespace
 
 double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), infinity); }
-
-double lower_from(double upper) {
-  return upper == 0 ? 0 : std::min(upper * (1 - 0.995e-12), std::nextafter(upper, 0.0));
-}
 
 void PairDistances::bound_block(std::span<const ItemPair> pairs) {
   for (std::size_t lane = 0; lane < pairs.size(); ++lane) {

@@ -22,9 +22,6 @@ namespace toccata {
 /// is not above this.
 [[nodiscard]] double limit_from(double upper);
 
-/// The lower end that goes with the least upper one.
-[[nodiscard]] double lower_from(double upper);
-
 /// No walk is given a lesser limit: it divides by it.
 inline constexpr double least_limit = 1e-200;
 
