@@ -30,7 +30,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
 
 // Two meshes on a way of twenty steps, every distance with a cache against the one without, to the bit, the SIMD levels
 // in turn.
-const bool known = register_sweep({"coherent-distances", motion_families(), 10000, 10, run});
+const bool known = register_sweep({"coherent-distances", motion_families(), 10000, 6, run});
 
 }  // namespace
 }  // namespace toccata::test
