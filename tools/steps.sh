@@ -42,7 +42,11 @@ configure() {
   if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source_folder" "$folder/CMakeCache.txt"; then
     rm -rf -- "$folder"
   fi
-  if command -v ccache >/dev/null; then set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+  if command -v ccache >/dev/null; then
+    set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  elif [[ $preset == asan-ubsan ]]; then
+    set -- "$@" -DTOCCATA_PRECOMPILE=ON  # here only, so that the other builds tell of missing includes
+  fi
   wanted=("$(cksum <"$source_folder/CMakePresets.json")" "$@")
   if [[ -f $folder/build.ninja && -f $folder/.configured-with ]]; then known=$(<"$folder/.configured-with"); fi
   for word in "${wanted[@]}"; do [[ $known == *"$word"* ]] || new=yes; done
