@@ -8,7 +8,7 @@ endforeach()
 add_subdirectory(package)
 add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py --compiler ${CMAKE_CXX_COMPILER}
                                       --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
-set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2)
+set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 1000)  # begun first: it is the longest
 
 # Every header compiles alone: a unit that includes nothing else, for each but those which a source of the library
 # includes before anything else.

@@ -125,13 +125,13 @@ HWY_INLINE void bound_lanes(const Vector& p, const Pose& pose, const TriangleBlo
 
 void bound_at_this_level(const Vec3& point, const Pose& pose, const TriangleBlock& triangles, PointBounds& bounds) {
   const Vector p = lanes_of(point);
-  for (std::size_t lane = 0; lane < TriangleBlock::lanes; lane += hn::Lanes(Tag()))
+  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(Tag()))
     bound_lanes(p, pose, triangles, lane, bounds);
 }
 
 void measure_at_this_level(const Vec3& point, const TriangleBlock& triangles, PointDistances& distances) {
   const Vector p = lanes_of(point);
-  for (std::size_t lane = 0; lane < TriangleBlock::lanes; lane += hn::Lanes(Tag()))
+  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(Tag()))
     measure_lanes(p, triangles, lane, distances);
 }
 

@@ -7,10 +7,12 @@
 
 namespace toccata {
 
-/// Up to eight triangles side by side. All lanes are computed, so none may be left unwritten.
+/// Up to eight triangles side by side, in the first lanes. Others may be computed too, so none may be left unwritten;
+/// nothing is told of them.
 struct alignas(64) TriangleBlock {
   static constexpr std::size_t lanes = 8;
   std::array<std::array<std::array<double, lanes>, 3>, 3> corner{};  ///< by corner and axis
+  std::size_t count = 0;
 };
 
 /// Numbers between which the distance of each from a point lies: mostly to some 2⁻⁴⁶ of the greatest difference of a

@@ -18,12 +18,32 @@
 namespace toccata {
 namespace {
 
+/// Of whatever size.
 Vec3 unit_or_zero(const Vec3& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vec3{};
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const Vec3 scaled{v.x / largest, v.y / largest, v.z / largest};
+  return (1 / std::sqrt(dot(scaled, scaled))) * scaled;
 }
 
-Vec3 normal_of(const Triangle& t) { return unit_or_zero(cross(t[1] - t[0], t[2] - t[0])); }
+Vec3 normal_of(const Triangle& t) { return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0]))); }
+
+/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example.
+double turn_of(const PosedMesh& mesh, bool solid) {
+  if (!solid) return 1;
+  const Aabb& box = mesh.box();
+  const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper, size = box.upper - middle;
+  const double unit = std::max({size.x, size.y, size.z});
+  const auto seen = [&](const Vec3& v) -> Vec3 {
+    return {(v.x - middle.x) / unit, (v.y - middle.y) / unit, (v.z - middle.z) / unit};
+  };
+  double volume = 0;
+  for (Index t = 0; t < mesh.model().element_count(); ++t) {
+    const Triangle triangle = mesh.triangle(t);
+    volume += dot(seen(triangle[0]), cross(seen(triangle[1]), seen(triangle[2])));
+  }
+  return volume < 0 ? -1 : 1;
+}
 
 /// The regions as lists of contacts, each ascending, the one with the least contact first.
 std::vector<std::vector<Index>> connected(std::span<const Contact> contacts, const VertexGraph& a,
@@ -54,14 +74,14 @@ struct Outline {
 
 class RegionSum {
  public:
-  explicit RegionSum(const PosedPair& pair) : pair_(pair) {}
+  RegionSum(const PosedPair& pair, double turn_a, double turn_b) : pair_(pair), turn_a_(turn_a), turn_b_(turn_b) {}
 
   void add(const Contact& contact) {
     const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
     const MeetingCoordinates found = coordinates(contact.meeting, a, b);
     const std::span<const Vec3> points(found.points.data(), found.count);
     outline_.points.insert(outline_.points.end(), points.begin(), points.end());
-    const Vec3 normal_a = normal_of(a), normal_b = normal_of(b);
+    const Vec3 normal_a = turn_a_ * normal_of(a), normal_b = turn_b_ * normal_of(b);
     outline_.of_normals = outline_.of_normals + (normal_a - normal_b);
     if (contact.meeting.kind == MeetingKind::polygon) add_polygon(points, normal_a);
     if (contact.meeting.kind == MeetingKind::segment && contact.meeting.crossing)
@@ -87,6 +107,8 @@ class RegionSum {
   }
 
   const PosedPair& pair_;
+  double turn_a_;
+  double turn_b_;
   Outline outline_;
 };
 
@@ -119,7 +141,12 @@ std::size_t distinct_pairs(std::span<const Contact> contacts, std::span<const In
 class Regions {
  public:
   Regions(const PosedPair& pair, std::span<const Contact> contacts)
-      : pair_(pair), contacts_(contacts), graph_a_(pair.a), graph_b_(pair.b) {}
+      : pair_(pair),
+        contacts_(contacts),
+        graph_a_(pair.a),
+        graph_b_(pair.b),
+        turn_a_(turn_of(pair.a, pair.a_solid)),
+        turn_b_(turn_of(pair.b, pair.b_solid)) {}
 
   [[nodiscard]] std::vector<ContactRegion> sorted() const {
     std::vector<ContactRegion> regions;
@@ -133,7 +160,7 @@ class Regions {
 
  private:
   [[nodiscard]] ContactRegion region_of(const std::vector<Index>& members) const {
-    RegionSum sum(pair_);
+    RegionSum sum(pair_, turn_a_, turn_b_);
     for (const Index i : members) sum.add(contacts_[i]);
     const Outline& outline = sum.outline();
     const std::vector<Vec3> points = distinct(outline.points);
@@ -145,7 +172,7 @@ class Regions {
     region.box = fit_aabb(points);
     region.closed = is_closed(outline.ends);
     const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
-    region.area = std::sqrt(dot(twice, twice)) / 2;
+    region.area = std::hypot(twice.x, twice.y, twice.z) / 2;
     region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);
     add_depth(region, points, members);
     return region;
@@ -154,7 +181,7 @@ class Regions {
   void add_depth(ContactRegion& region, const std::vector<Vec3>& points, const std::vector<Index>& members) const {
     for (const Vec3& point : points)
       region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
-    if (!pair_.a_solid || !pair_.b_solid || region.normal == Vec3{}) return;
+    if (!pair_.a_solid || !pair_.b_solid || !(region.area > 0)) return;
     std::vector<Index> of_a, of_b;
     for (const Index i : members) {
       of_a.push_back(contacts_[i].triangle_a);
@@ -173,6 +200,8 @@ class Regions {
   std::span<const Contact> contacts_;
   VertexGraph graph_a_;
   VertexGraph graph_b_;
+  double turn_a_;
+  double turn_b_;
 };
 
 }  // namespace

@@ -169,9 +169,11 @@ Index lowest_triangle(const PosedMesh& a, const PosedHalfSpace& b) {
 
 /// Contains all that is within the distance of the half-space.
 PosedHalfSpace widened(PosedHalfSpace b, double by) {
-  const double length = std::sqrt(dot(b.normal, b.normal));
+  const double largest = std::max({std::abs(b.normal.x), std::abs(b.normal.y), std::abs(b.normal.z)});
+  const Vec3 normal{b.normal.x / largest, b.normal.y / largest, b.normal.z / largest};
+  const double length = std::sqrt(dot(normal, normal));
   const double size = std::max({std::abs(b.point.x), std::abs(b.point.y), std::abs(b.point.z)});
-  b.point = b.point + ((by + 1e-9 * (by + size)) / length) * b.normal;
+  b.point = b.point + ((by + 1e-9 * (by + size)) / length) * normal;
   return b;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -14,18 +15,19 @@ namespace toccata {
 /// The lower end that goes with the upper end of an interval of at most 0.99 · 10⁻¹² of it, or with the greater of two
 /// neighbouring doubles: what is not nearer than such an interval allows is not below it.
 inline double lower_from(double upper) {
-  return upper == 0 ? 0 : std::min(upper * (1 - 0.995e-12), std::nextafter(upper, 0.0));
+  const double lower = upper * (1 - 0.995e-12);
+  return lower < upper || upper == 0 ? lower : std::nextafter(upper, 0.0);
 }
+
+/// Not less than (1 + 2 · 10⁻¹²) x, where that is rounded.
+inline double a_little_above(double x) { return x * (1 + 2e-12) + std::numeric_limits<double>::min(); }
 
 /// The k nearest of the elements that it is told of, by (upper, element), of those within the greatest distance.
 class NearestElements {
  public:
   /// It keeps them in `memory`.
   NearestElements(std::size_t k, double max_distance, std::vector<SurfacePoint>& memory)
-      : k_(k),
-        max_distance_(max_distance),
-        limit_(std::nextafter(max_distance * (1 + 2e-12), HUGE_VAL)),
-        kept_(memory) {
+      : k_(k), max_distance_(max_distance), limit_(a_little_above(max_distance)), kept_(memory) {
     kept_.clear();
     if (k == 0) limit_ = -1;
   }
@@ -98,10 +100,11 @@ class NearestCandidates {
       uppers.push_back(upper);
     }
     std::push_heap(uppers.begin(), uppers.end());
-    if (uppers.size() == k_) limit_ = std::min(limit_, limit_from(uppers.front()));
+    if (uppers.size() == k_) limit_ = std::min(limit_, a_little_above(uppers.front()));
   }
 
-  /// Calls `visit(number)` with those that may still be.
+  /// Calls `visit(number)` with those that may still be. Where a distance is at most an upper bound, the upper end of
+  /// its own interval is at most a little above it.
   template <class Visit>
   void for_each(const Visit& visit) const {
     for (const Memory::Element& element : memory_.elements)
@@ -109,9 +112,6 @@ class NearestCandidates {
   }
 
  private:
-  /// Where an element's distance is at most `upper`, the upper end of its own interval is at most this.
-  static double limit_from(double upper) { return std::nextafter(upper * (1 + 2e-12), HUGE_VAL); }
-
   std::size_t k_;
   double limit_;
   Memory& memory_;

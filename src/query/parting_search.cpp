@@ -12,7 +12,8 @@ namespace {
 constexpr double good_ratio = 1.02;  // at which the search ends
 constexpr std::size_t first_seeds = 8, more_seeds = 3;
 constexpr std::size_t most_cells = 6000;
-constexpr double finest_share = 0.04;   // half-edge of a cell, of its way from no translation
+constexpr double finest_share = 0.04;  // half-edge of a cell, of its way from no translation
+constexpr double least_extent = 0x1p-450, greatest_extent = 0x1p450;  // squares of others leave the doubles
 constexpr double first_stretch = 1.06;  // beyond the way out of two bodies, where other bodies are in the way
 
 /// Nearest first; of equally near ones the order does not depend on how they came about.
@@ -149,8 +150,11 @@ void PartingSearch::cover() {
 Penetration PartingSearch::answer() {
   best_ = penetration(a_.outer(), b_.outer());
   // The hulls part after it, in exact arithmetic; for the world doubles a little more.
-  for (double more = slack(best_.upper); !parted(best_.upper * best_.direction); more *= 2) best_.upper += more;
+  for (double more = slack(best_.upper) + least_step; !parted(best_.upper * best_.direction); more *= 2)
+    best_.upper += more;
   best_.lower = 0;
+  best_.status = Status::not_converged;
+  if (!(extent_ > least_extent) || !(extent_ < greatest_extent)) return best_;
   reach_ = 4 * best_.upper;
   const std::vector<const InnerPart*> parts_of_b = b_.convex_parts();
   for (const InnerPart* a : a_.convex_parts())

@@ -9,6 +9,9 @@
 
 namespace toccata {
 
+/// A way that is made longer to part two solids grows by at least that, however small they are.
+inline constexpr double least_step = 0x1p-1020;
+
 /// What is asked of two solids whose convex bodies are searched.
 struct PartingQuestions {
   /// A lower bound of the distance of A from B, moved; 0 when they meet.

@@ -23,17 +23,23 @@ Motion difference(const Motion& after, const Motion& before) {
           after.offset - before.offset};
 }
 
+/// Not less than the length, however small it is.
+double length_of(const Vec3& v) {
+  const double squared = dot(v, v);
+  return squared > 0x1p-900 ? std::sqrt(squared) : sum_of(v);
+}
+
 /// The greatest length of linear · x + offset in the box.
 double farthest(const Motion& motion, const Aabb& box) {
-  double squared = 0;
+  double length = 0;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 x;
     for (int axis = 0; axis < 3; ++axis) x[axis] = (corner >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
     const Vec3 moved = {dot(motion.linear[0], x) + motion.offset.x, dot(motion.linear[1], x) + motion.offset.y,
                         dot(motion.linear[2], x) + motion.offset.z};
-    squared = std::max(squared, dot(moved, moved));
+    length = std::max(length, length_of(moved));
   }
-  return std::sqrt(squared);
+  return length;
 }
 
 double in_world(const Pose& before, const Pose& after, const Aabb& box) {

@@ -49,6 +49,18 @@ bool has_parts_without_end(const PosedModel& posed) {
 
 bool is_before(const Vec3& p, const Vec3& q) { return lexicographically_less(p, q); }
 
+/// Of its triangles, or of its core; none of a half-space.
+std::vector<Vec3> vertices_of(const PosedShape& shape) {
+  std::vector<Vec3> vertices;
+  if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) {
+    for (Index t = 0; t < triangles->mesh.model().element_count(); ++t)
+      for (const Vec3& corner : triangles->mesh.triangle(t).vertex) vertices.push_back(corner);
+  } else if (const auto* convex = std::get_if<PosedConvex>(&shape)) {
+    for (Index i = 0; i < convex->vertex_count(); ++i) vertices.push_back(convex->vertex(i));
+  }
+  return vertices;
+}
+
 /// An order that is the same whichever of the two comes first in the question.
 bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
   if (a.parts.size() != b.parts.size()) return a.parts.size() > b.parts.size();
@@ -57,13 +69,10 @@ bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
     const Aabb s = world_box(a.parts[i].shape), t = world_box(b.parts[i].shape);
     if (s.lower != t.lower) return is_before(s.lower, t.lower);
     if (s.upper != t.upper) return is_before(s.upper, t.upper);
-    const auto *p = std::get_if<PosedTriangles>(&a.parts[i].shape), *q = std::get_if<PosedTriangles>(&b.parts[i].shape);
-    if (p == nullptr || q == nullptr) continue;
-    const Index count = p->mesh.model().element_count();
-    if (count != q->mesh.model().element_count()) return count > q->mesh.model().element_count();
-    for (Index k = 0; k < count; ++k)
-      for (int corner = 0; corner < 3; ++corner)
-        if (const Vec3 v = p->mesh.triangle(k)[corner], w = q->mesh.triangle(k)[corner]; v != w) return is_before(v, w);
+    const std::vector<Vec3> p = vertices_of(a.parts[i].shape), q = vertices_of(b.parts[i].shape);
+    if (p.size() != q.size()) return p.size() > q.size();
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (p[k] != q[k]) return is_before(p[k], q[k]);
   }
   return true;
 }
@@ -118,8 +127,8 @@ Penetration of_half_space(const PosedModel& a, const PosedHalfSpace& b) {
 /// to an overlap.
 void part_in_doubles(Penetration& depth, const SolidBody& body_a, const SolidBody& body_b,
                      const std::function<bool(const Vec3& move)>& overlapping) {
-  for (double more = 0x1p-48 * (body_a.extent() + body_b.extent()); overlapping(depth.upper * depth.direction);
-       more *= 2)
+  for (double more = 0x1p-48 * (body_a.extent() + body_b.extent()) + least_step;
+       overlapping(depth.upper * depth.direction); more *= 2)
     depth.upper += more;
 }
 

@@ -58,6 +58,7 @@ void SurfaceTarget::find(const Vec3& point, const WidePoint& in_tree, NearestCan
       const auto& corner = mesh_.triangles()[tree_.items[places[lane]]];
       put(block, lane, {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}});
     }
+    block.count = places.size();
     bound(point, posed_.pose(), block, bounds);
     for (std::size_t lane = 0; lane < places.size(); ++lane)
       candidates.see(tree_.items[places[lane]], bounds.lower[lane], bounds.upper[lane]);
@@ -76,6 +77,7 @@ void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, Nea
   TriangleBlock block;
   PointDistances distances;
   for (std::size_t lane = 0; lane < triangles.size(); ++lane) put(block, lane, world_triangle(triangles[lane]));
+  block.count = triangles.size();
   measure(point, block, distances);
   for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
     if (distances.lower[lane] > nearest.limit()) continue;

@@ -53,6 +53,7 @@ WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
 double greatest_stretch(const Mat3& m) {
   double squares = 0;
   for (int i = 0; i < 3; ++i) squares += dot(m[i], m[i]);
+  if (!(squares > 0x1p-900) || !(squares < 0x1p900)) return HUGE_VAL;
   const double factor = std::sqrt(squares / 3);
   Mat3 unit = m;
   for (int i = 0; i < 3; ++i) unit[i] = (1 / factor) * m[i];

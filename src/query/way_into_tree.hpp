@@ -32,7 +32,7 @@ class WayIntoTree {
   bool usable_ = false;
 };
 
-/// At least by how much any length grows on its way through the matrix.
+/// At least by how much any length grows on its way through the matrix; infinite where squares leave the doubles.
 [[nodiscard]] double greatest_stretch(const Mat3& m);
 
 }  // namespace toccata

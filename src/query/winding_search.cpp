@@ -139,11 +139,10 @@ WindingNumber WindingSearch::search(const Vec3& point, WindingEntries& memory, c
     // What was added and taken away again rounds: before it counts, all is added anew.
     if (seen.far.empty() || done(seen.near.value + seen.far_value, seen.near.bound + seen.far_bound)) {
       const BoundedSum all = seen.sum();
-      if (seen.far.empty() || done(all.value, all.bound)) {
-        const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
+      const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
+      if (seen.far.empty() || done(all.value, bound))
         return {all.value, all.value - bound, all.value + bound,
-                done(all.value, all.bound) ? Status::exact : Status::not_converged};
-      }
+                done(all.value, bound) ? Status::exact : Status::not_converged};
     }
     open(seen.take_worst().block, seen);
   }

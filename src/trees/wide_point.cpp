@@ -20,21 +20,25 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, WideBlock::width>;
-using Floats = hn::Rebind<float, Tag>;
-constexpr std::size_t lanes = hn::MaxLanes(Tag()), parts = WideBlock::width / lanes;
+using Floats = hn::CappedTag<float, WideBlock::width>;
+constexpr std::size_t lanes = hn::MaxLanes(Floats()), parts = WideBlock::width / lanes;
 constexpr unsigned part_mask = (1U << lanes) - 1U;
 
 using Integers = hn::CappedTag<std::int32_t, WideBlock::width>;
 alignas(64) constexpr std::array<std::int32_t, WideBlock::width> lane_bit{1, 2, 4, 8, 16, 32, 64, 128};
 
-/// Squares wait as floats whose last three bits tell lanes apart: above them by less than that, relatively.
-constexpr float of_floats = 1 + 0x1p-19F;
+/// What is rounded in a square of floats, and the last three bits of those that wait, which tell lanes apart: less than
+/// that, relatively.
+constexpr float of_squares = 1 + 0x1p-19F;
+
+float as_float(double x) { return static_cast<float>(x); }
 
 class PointWalk {
  public:
   PointWalk(const WideTree& tree, const WidePoint& point, double limit)
-      : tree_(tree), at_(point.at), pad_(point.pad + rounding_of(point.at)) {
+      : tree_(tree),
+        at_{as_float(point.at.x), as_float(point.at.y), as_float(point.at.z)},
+        pad_(point.pad + rounding_of(point.at)) {
     keep_within(limit);
   }
 
@@ -46,15 +50,15 @@ class PointWalk {
   }
 
  private:
-  /// At least what is rounded in the gap along any axis, added up; boxes are within 2 of the origin.
+  /// At least what is rounded in the gaps along the axes, added up; boxes are within 2 of the origin. Of |x| and at
+  /// most 2 for the centre, three floats are rounded: x itself, the difference, and that less the extent.
   static double rounding_of(const Vec3& at) {
-    return 0x1p-50 * (((std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z)) + 8);
+    return 0x1p-22 * (((std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z)) + 8);
   }
 
   void keep_within(double limit) {
-    const double length = (limit + pad_) * (1 + 0x1p-40);
-    limit_squared_ = limit < 0 ? -1 : length * length;
-    pending_limit_ = limit_squared_ < 0x1p126 ? static_cast<float>(limit_squared_) * of_floats : HUGE_VALF;
+    const double length = (limit + pad_) * (1 + 0x1p-40), squared = length * length;
+    limit_squared_ = limit < 0 ? -1 : squared < 0x1p126 ? static_cast<float>(squared) * of_squares : HUGE_VALF;
   }
 
   void open(const WideBlock& block, FunctionRef<double(std::span<const Index>)> visit) {
@@ -115,7 +119,7 @@ class PointWalk {
     while (!pending_.empty()) {
       const Pending one = pending_.pop();
       child = one.child;
-      if (one.when > pending_limit_) continue;
+      if (one.when > limit_squared_) continue;
       if (!pending_.empty()) prefetch(pending_.top().child);
       return true;
     }
@@ -125,26 +129,23 @@ class PointWalk {
   /// The squares of how far boxes are, and which of them are within the limit. What is not a number keeps the lane.
   HWY_INLINE unsigned measure(const WideBlock& block, std::size_t first,
                               std::array<float, WideBlock::width>& squared) const {
-    const Tag d;
-    const Floats f;
-    const auto gap = [&](std::size_t axis, double at) HWY_ATTR {
-      const auto centre = hn::PromoteTo(d, hn::Load(f, block.centre[axis].data() + first));
-      const auto extent = hn::PromoteTo(d, hn::Load(f, block.extent[axis].data() + first));
-      const auto one = hn::Max(hn::Sub(hn::Abs(hn::Sub(centre, hn::Set(d, at))), extent), hn::Zero(d));
+    const Floats d;
+    const auto gap = [&](std::size_t axis) HWY_ATTR {
+      const auto from = hn::Sub(hn::Load(d, block.centre[axis].data() + first), hn::Set(d, at_[axis]));
+      const auto one = hn::Max(hn::Sub(hn::Abs(from), hn::Load(d, block.extent[axis].data() + first)), hn::Zero(d));
       return hn::Mul(one, one);
     };
-    const auto sum = hn::Add(hn::Add(gap(0, at_.x), gap(1, at_.y)), gap(2, at_.z));
-    hn::Store(hn::DemoteTo(f, sum), f, squared.data() + first);
+    const auto sum = hn::Add(hn::Add(gap(0), gap(1)), gap(2));
+    hn::Store(sum, d, squared.data() + first);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Gt(sum, hn::Set(d, limit_squared_)), bits);
     return ~static_cast<unsigned>(bits[0]) & part_mask;
   }
 
   const WideTree& tree_;
-  Vec3 at_;
+  std::array<float, 3> at_;
   double pad_;
-  double limit_squared_ = 0;
-  float pending_limit_ = 0;
+  float limit_squared_ = 0;
   std::size_t boxes_ = 0;
   PendingStack pending_;
 };

@@ -30,7 +30,7 @@ struct ContactRegion {
   Vec3 normal{};
   /// Of two solids, how far the two reach into each other here along the normal: from the farthest point of B, against
   /// it, to the farthest point of A, among the curve, the vertices of A inside B that are connected with it through
-  /// such, and those of B inside A. Not a bound: ask `penetration`. None where one is a surface, or there is no normal.
+  /// such, and those of B inside A. Not a bound: ask `penetration`. None where one is a surface, or the area is 0.
   std::optional<double> depth{};
   Vec3 deepest{};  ///< that farthest point of A; where there is no depth, the mean of the points
 };

@@ -42,10 +42,10 @@ class DistanceCache {
   std::unique_ptr<CoherentState> state_;
 };
 
-/// What `distance` answers without a cache, to the last bit. The first question binds the cache to its two models, in
-/// their order; with any other model or mesh it throws Error, and so it does for copies made before one was deformed.
-/// Where one of the two is no mesh or height field, or a compound, it costs what `distance` costs with a Workspace.
-/// Throws like that else.
+/// What `distance` answers without a cache, to the last bit. The first question binds the cache to the meshes and
+/// height fields among its two models, in their order; with another mesh it throws Error, and so it does for copies
+/// made before one was deformed. Of other shapes nothing is kept, so they may change; where one of the two is such, it
+/// costs what `distance` costs with a Workspace. Throws like that else.
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query, DistanceCache& cache);
 
 }  // namespace toccata

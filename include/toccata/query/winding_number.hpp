@@ -32,8 +32,9 @@ struct WindingOptions {
 /// proved bound, near ones each (docs/methods/winding-numbers.md; A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust
 /// inside-outside segmentation using generalized winding numbers", 2013; G. Barill, N. G. Dickson, R. Schmidt,
 /// D. I. W. Levin, A. Jacobson, "Fast winding numbers for soups and clouds", 2018). A pose that turns, scales or
-/// mirrors keeps it fast; one that deforms costs every triangle. Throws Error when the point is not finite, the
-/// tolerance not positive, the model no mesh, and for poses as `overlap` does.
+/// mirrors keeps it fast; one that deforms costs every triangle. Which triangles are summed together depends on the
+/// model's tree: after `Model::deform` the value may be another within the bounds. Throws Error when the point is not
+/// finite, the tolerance not positive, the model no mesh, and for poses as `overlap` does.
 [[nodiscard]] WindingNumber generalized_winding_number(const Vec3& point, const Model& model, const Pose& pose = {},
                                                        const WindingOptions& options = {});
 

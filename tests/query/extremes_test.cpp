@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/query/closer_than.hpp"
+#include "toccata/query/contact_regions.hpp"
+#include "toccata/query/distance_cache.hpp"
+#include "toccata/query/flipped.hpp"
+#include "toccata/query/nearest.hpp"
+#include "toccata/query/penetration.hpp"
+#include "toccata/query/winding_number.hpp"
+
+// Sizes near the ends of the doubles, and solids that are inside out.
+namespace toccata {
+namespace {
+
+TriangleMesh cube(double size) { return box_mesh({0.5 * size, 0.5 * size, 0.5 * size}); }
+
+TriangleMesh inside_out(const TriangleMesh& mesh) {
+  std::vector<std::array<Index, 3>> triangles;
+  for (const auto& [i, j, k] : mesh.triangles()) triangles.push_back({j, i, k});
+  return {{mesh.vertices().begin(), mesh.vertices().end()}, triangles};
+}
+
+TEST(Extremes, ACacheSeesTinyMeshesMove) {
+  for (const double size : {1e-165}) {
+    const Model a(cube(size)), b(cube(0.1 * size));
+    DistanceCache cache;
+    for (const double x : {0.0, 5.0, 0.0}) {
+      PairQuery query;
+      query.pose_b.offset = {x * size, 0, 0};
+      EXPECT_EQ(distance(a, b, query, cache), distance(a, b, query)) << size << ", " << x;
+    }
+  }
+}
+
+TEST(Extremes, WhatIsWithinTheGreatestDistanceIsFoundOfAnySize) {
+  for (const double size : {1e-160, 1.0, 1e160, 1e298}) {
+    const Model mesh(icosphere_mesh(size, 1));
+    const SurfacePoint found = nearest_point({3 * size, 0, 0}, mesh, {.pose = {}, .max_distance = 2.5 * size});
+    EXPECT_TRUE(found.found) << size;
+    EXPECT_EQ(found, nearest_point({3 * size, 0, 0}, mesh)) << size;
+    EXPECT_NEAR(found.upper / size, 2, 0.05) << size;
+  }
+}
+
+TEST(Extremes, RegionsDoNotDependOnSizeOrOrientation) {
+  for (const double size : {1e-100, 1e-90, 1.0, 1e90, 1e100})
+    for (const bool a_turned : {false, true})
+      for (const bool b_turned : {false, true}) {
+        const Model a(a_turned ? inside_out(cube(size)) : cube(size)),
+            b(b_turned ? inside_out(cube(size)) : cube(size));
+        PairQuery query;
+        query.pose_b.offset = {0.4 * size, 0.3 * size, 0.45 * size};
+        const auto regions = contact_regions(a, b, query);
+        ASSERT_EQ(regions.size(), 1U) << size;
+        EXPECT_TRUE(regions[0].closed) << size;
+        EXPECT_NEAR(regions[0].normal.x, 0.585, 0.001) << size;
+        EXPECT_NEAR(regions[0].normal.z, 0.638, 0.001) << size;
+        ASSERT_TRUE(regions[0].depth) << size;
+        EXPECT_NEAR(*regions[0].depth / size, 1.0525, 0.001) << size;
+      }
+}
+
+TEST(Extremes, AMirroredSolidIsNoOtherThanItsImage) {
+  const Model a(cube(1)), b(cube(1));
+  PairQuery query;
+  query.pose_b = {Mat3{{Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {0.4, 0.3, 0.45}};
+  const auto regions = contact_regions(a, b, query);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_NEAR(regions[0].normal.x, 0.585, 0.001);
+}
+
+TEST(Extremes, TouchingSolidsHaveNoDepthOfARegion) {
+  PairQuery query;
+  query.pose_b.offset = {1, 1, 0};
+  const auto regions = contact_regions(Model(cube(1)), Model(cube(1)), query);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_FALSE(regions[0].depth);
+}
+
+TEST(Extremes, AHalfSpaceMayHaveALongNormal) {
+  for (const double length : {1e-200, 1.0, 1e155, 1e200})
+    for (const double gap : {0.25, 2.0, 1000.0}) {
+      PairQuery query;
+      query.pose_a.offset = {0, 0, 0.5 + gap};
+      const HalfSpace ground({0, 0, 0}, {0, 0, length});
+      EXPECT_TRUE(closer_than(Model(cube(1)), ground, gap, query)) << length << ", " << gap;
+      EXPECT_FALSE(closer_than(Model(cube(1)), ground, std::nextafter(gap, 0.0), query)) << length << ", " << gap;
+    }
+}
+
+TEST(Extremes, AWindingNumberThatIsToldExactIsWithinItsTolerance) {
+  const Model mesh(cube(1));
+  for (const double tolerance : {1e-2, 1e-13, 2e-14, 1.6969e-14, 1e-14})
+    for (const double x : {0.1, 0.4, 0.7}) {
+      const WindingNumber w = generalized_winding_number({x, 0.2, 0.1}, mesh, {}, {tolerance});
+      const double reach = std::max(w.upper - w.value, w.value - w.lower);
+      EXPECT_TRUE(w.status != Status::exact || reach <= tolerance * (1 + 1e-15)) << tolerance << ", " << x;
+    }
+}
+
+TEST(Extremes, PenetrationOfCompoundsIsThatOfTheExchangedOnes) {
+  const auto part = [](double degrees) {
+    const std::vector<CompoundPart> parts{{Box({0.5, 0.2, 0.3}), {rotation_about({0, 0, 1}, degrees), {}}},
+                                          {Sphere(0.6), {}}};
+    return Model(Compound(parts));
+  };
+  const Model a = part(30), b = part(-30);
+  PairQuery query, other;
+  query.pose_b.offset = other.pose_a.offset = {0.3, 0.1, 0};
+  EXPECT_EQ(penetration(a, b, query), flipped(penetration(b, a, other)));
+}
+
+TEST(Extremes, PenetrationOfTinyAndHugeSolidsEnds) {
+  for (const double size : {1e-160, 1e99}) {
+    PairQuery query;
+    query.pose_b.offset = {0.9 * size, 0, 0};
+    const Penetration depth =
+        penetration(Model(torus_mesh({.radius = size, .tube_radius = 0.4 * size, .around = 6, .sides = 4})),
+                    Model(cube(size)), query);
+    EXPECT_LE(depth.lower, depth.upper) << size;
+    EXPECT_GT(depth.upper, 0) << size;
+  }
+}
+
+}  // namespace
+}  // namespace toccata
