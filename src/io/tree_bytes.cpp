@@ -103,7 +103,7 @@ Header next_header(ByteReader& reader) {
 }
 
 void require_known(std::span<const char> bytes, std::string_view name) {
-  if (std::string_view(bytes.data(), bytes.size()).substr(0, magic.size()) != magic)
+  if (!begins_as_tree({bytes.data(), bytes.size()}))
     fail_in_file(name, {"this is no tree file", "write one with save_tree or `toccata tree MESH --save FILE`"});
   if (bytes.size() < header_size) fail_in_file(name, {"the tree file is cut short", "write it again"});
 }
@@ -134,6 +134,8 @@ void require_same_mesh(const Header& header, const TriangleMesh& mesh, std::stri
 }
 
 }  // namespace
+
+bool begins_as_tree(std::string_view bytes) { return bytes.substr(0, magic.size()) == magic; }
 
 std::uint64_t checksum_of(std::span<const char> bytes) {
   Checksum checksum;

@@ -18,6 +18,9 @@ namespace toccata::io {
 /// of another version, or of another mesh.
 [[nodiscard]] WideTree parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::string_view name);
 
+/// Whether a file of these bytes was meant as a tree file: its first eight are those of one.
+[[nodiscard]] bool begins_as_tree(std::string_view bytes);
+
 /// Tells apart meshes with different vertices or triangles; −0 is 0.
 [[nodiscard]] std::uint64_t digest_of(const TriangleMesh& mesh);
 

@@ -44,6 +44,10 @@ TEST(TreeCommand, RefusesWhatItCannotDo) {
   trouble({"tree", "gen:torus-knot", "--check", "no.tree"}, "no tree file");
   trouble({"tree", "gen:torus-knot", "--check", "none.tree"}, "no such file");
   trouble({"tree", "gen:torus-knot", "--save", "no-folder/a.tree"}, "no-folder");
+  trouble({"tree", "shape.json", "--save", "shape.json"}, "no mesh");
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  trouble({"tree", "a.off", "--save", "a.off"}, "exists and is no tree file");
+  trouble({"tree", "a.off", "--check", "a.off"}, "is no tree file");
 }
 
 /// Two rows of triangles: a node for all at even places and one for all at odd places.

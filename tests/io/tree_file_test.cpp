@@ -1,7 +1,11 @@
 #include "toccata/io/tree_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "io/text_file.hpp"
@@ -161,6 +165,50 @@ TEST(TreeFile, BadInputIsToldByName) {
   EXPECT_THROW(save_tree(Model(mesh), folder / "no-folder" / "a.tree"), Error);
   EXPECT_THROW(save_tree(Model(Sphere(1)), folder / "a.tree"), Error);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.tree"));
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(TreeFile, NothingButATreeIsWrittenOver) {
+  const TemporaryFolder folder;
+  const Model model(ball()), other(knot());
+  const auto refused = [&](const std::filesystem::path& path) { return message_of([&] { save_tree(model, path); }); };
+  folder.file("mesh.off", "OFF\n0 0 0\n");
+  EXPECT_NE(refused(folder / "mesh.off").find("mesh.off: the file exists and is no tree file; choose another name"),
+            std::string::npos);
+  EXPECT_EQ(content_of(folder / "mesh.off"), "OFF\n0 0 0\n");
+  EXPECT_NE(refused(folder.file("empty", "")).find("no tree file"), std::string::npos);
+  std::filesystem::create_symlink("mesh.off", folder / "link.tree");
+  EXPECT_NE(refused(folder / "link.tree").find("no tree file"), std::string::npos);
+
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(refused(folder / "pipe").find("no regular file"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+  EXPECT_NE(refused(folder / ".").find("no regular file"), std::string::npos);
+  std::filesystem::create_symlink("loop", folder / "loop");
+  EXPECT_NE(refused(folder / "loop"), "");
+
+  save_tree(other, folder / "a.tree");
+  save_tree(model, folder / "a.tree");
+  EXPECT_EQ(content_of(folder / "a.tree"), io::tree_bytes(model.wide_tree(), model.mesh()));
+}
+
+TEST(TreeFile, LinksAreFollowed) {
+  const TemporaryFolder folder;
+  const Model model(ball());
+  std::filesystem::create_directory(folder / "far");
+  std::filesystem::create_symlink("far/next.tree", folder / "near.tree");
+  std::filesystem::create_symlink("end.tree", folder / "far/next.tree");
+  for (int i = 0; i < 2; ++i) {  // where there is nothing, and where there is a tree
+    save_tree(model, folder / "near.tree");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "near.tree"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "far/next.tree"));
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(folder / "far/end.tree")));
+  }
+  EXPECT_EQ(content_of(folder / "far/end.tree"), io::tree_bytes(model.wide_tree(), model.mesh()));
 }
 
 TEST(TreeFile, AModelTakesOnlyATreeOfItsMesh) {

@@ -8,7 +8,8 @@
 namespace toccata {
 
 /// Writes the tree of a mesh's model (docs/reference/tree-file.md), some 40 bytes a triangle, so that another run need
-/// not build it. The file is complete or not there. Throws Error naming the file, and for a model that is no mesh.
+/// not build it. The file is complete or not there. A tree file that is there is replaced; a link is followed.
+/// Throws Error naming the file, for anything else that is there, and for a model that is no mesh.
 void save_tree(const Model& model, const std::filesystem::path& path);
 
 /// The mesh made ready for questions with a tree that `save_tree` wrote for it, or for a mesh of the same vertices and
