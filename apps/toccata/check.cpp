@@ -43,6 +43,7 @@ std::string text_of(const LoadedScene& loaded, const std::vector<Posed>& models,
 int run_check(const CheckArguments& arguments) {
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
+  require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)
@@ -53,9 +54,9 @@ int run_check(const CheckArguments& arguments) {
   warn_of_open_meshes(input);
   const ClearanceQuestion clearances = read_clearances(arguments, loaded.scene);
   const CheckAnswer answer = answer_with_progress(input.models, arguments, clearances);
-  const CheckReport report = make_check_report(input.models, answer,
-                                               {arguments.touching, arguments.faces, arguments.penetration,
-                                                clearances.asked ? std::optional(clearances.common) : std::nullopt});
+  const CheckReport report = make_check_report(
+      input.models, answer,
+      {arguments.touching, arguments.faces, arguments.penetration, clearances.common, clearances.of_pairs});
   const std::string text = text_of(loaded, input.models, report, arguments.format);
   print_warnings(loaded.warnings);
   print_answer(text);

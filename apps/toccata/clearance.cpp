@@ -15,32 +15,43 @@
 namespace toccata::command {
 namespace {
 
-[[noreturn]] void refuse(std::string_view option, std::string_view text) {
-  throw Error(fmt::format("{} {}: a length is 0 or more, in units of the scene (0.5) or with its own (2mm, 0.1in)",
-                          option, text));
+/// An option and what was written behind it, for messages.
+struct Typed {
+  std::string_view option;
+  std::string_view text;
+  std::string_view form;  ///< how it is written
+};
+
+constexpr std::string_view pair_form = "NAME,NAME=LENGTH";
+
+[[noreturn]] void refuse(const Typed& typed) {
+  throw Error(
+      fmt::format("{} {}: write {}, where a length is 0 or more, in units of the scene (0.5) or with its own "
+                  "(2mm, 0.1in), or all",
+                  typed.option, typed.text, typed.form));
 }
 
 /// What a length of 1 in the named unit is in the world's.
-double world_units(std::string_view option, std::string_view unit, const Scene& scene) {
+double world_units(const Typed& typed, std::string_view unit, const Scene& scene) {
   if (scene.unit == "unit")
     throw Error(
-        fmt::format("{} is given in {}, and the files do not say what their numbers mean: add --unit, or leave the "
+        fmt::format("{} {} is given in {}, and the files do not say what their numbers mean: add --unit, or leave the "
                     "unit out",
-                    option, unit));
+                    typed.option, typed.text, unit));
   std::string_view world = scene.unit;
   if (world.ends_with(" m")) world.remove_suffix(2);  // metres per unit, as a number
   return metres_per_unit(unit) / metres_per_unit(world);
 }
 
-double length_of(std::string_view option, std::string_view text, const Scene& scene) {
+double length_of(std::string_view text, const Typed& typed, const Scene& scene) {
   if (text == "all") return std::numeric_limits<double>::infinity();
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  if (error != std::errc() || !std::isfinite(number) || number < 0) refuse(option, text);
+  if (error != std::errc() || !std::isfinite(number) || number < 0) refuse(typed);
   if (unit.empty()) return number;
-  if (unit != "mm" && unit != "cm" && unit != "m" && unit != "km" && unit != "in" && unit != "ft") refuse(option, text);
-  return number * world_units(option, unit, scene);
+  if (unit != "mm" && unit != "cm" && unit != "m" && unit != "km" && unit != "in" && unit != "ft") refuse(typed);
+  return number * world_units(typed, unit, scene);
 }
 
 std::optional<Index> object_named(const Scene& scene, std::string_view name) {
@@ -51,24 +62,36 @@ std::optional<Index> object_named(const Scene& scene, std::string_view name) {
 
 /// The names may have commas in them: the first that leaves two objects counts.
 PairClearance pair_clearance(const std::string& text, const Scene& scene) {
-  constexpr std::string_view option = "--clearance-of";
+  const Typed typed{"--clearance-of", text, pair_form};
   const std::size_t equals = text.rfind('=');
-  if (equals == std::string::npos) throw Error(fmt::format("{} {}: write NAME,NAME=LENGTH", option, text));
+  if (equals == std::string::npos) refuse(typed);
   const std::string_view names = std::string_view(text).substr(0, equals);
   for (std::size_t comma = names.find(','); comma != std::string_view::npos; comma = names.find(',', comma + 1)) {
     const auto a = object_named(scene, names.substr(0, comma)), b = object_named(scene, names.substr(comma + 1));
-    if (a && b && *a != *b) return {*a, *b, length_of(option, std::string_view(text).substr(equals + 1), scene)};
+    if (a && b && *a != *b) return {*a, *b, length_of(std::string_view(text).substr(equals + 1), typed, scene)};
   }
-  throw Error(fmt::format("{} {}: there are no two objects of these names; `{} inspect FILE` tells the names", option,
-                          text, called_as()));
+  throw Error(fmt::format("{} {}: there are no two objects of these names; `{} inspect FILE` tells the names",
+                          typed.option, text, called_as()));
+}
+
+bool asks_clearance(const CheckArguments& arguments) {
+  return !arguments.clearance.empty() || !arguments.clearances_of.empty();
 }
 
 }  // namespace
 
+void require_touching_counts(const CheckArguments& arguments) {
+  if (arguments.touching == Touching::ignore && asks_clearance(arguments))
+    throw Error(
+        "--touching ignore leaves out the pairs that touch, and --clearance and --clearance-of tell the pairs that are "
+        "near, to which they belong: leave one of the two out");
+}
+
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene) {
   ClearanceQuestion question;
-  question.asked = !arguments.clearance.empty() || !arguments.clearances_of.empty();
-  if (!arguments.clearance.empty()) question.common = length_of("--clearance", arguments.clearance, scene);
+  if (asks_clearance(arguments)) question.common = 0;
+  if (!arguments.clearance.empty())
+    question.common = length_of(arguments.clearance, {"--clearance", arguments.clearance, "LENGTH"}, scene);
   for (const std::string& text : arguments.clearances_of) question.of_pairs.push_back(pair_clearance(text, scene));
   return question;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,13 +12,15 @@ namespace toccata::command {
 
 /// What is asked about clearances, in world units.
 struct ClearanceQuestion {
-  bool asked = false;
-  double common = 0;
+  std::optional<double> common;  ///< there, and 0, also where lengths are asked for some pairs alone
   std::vector<PairClearance> of_pairs;
 };
 
+/// Throws Error where touching is to be ignored and a clearance is asked for.
+void require_touching_counts(const CheckArguments& arguments);
+
 /// A length is a number of world units, or one with a unit behind it: "2mm". Throws Error naming the option for what is
-/// none, for a unit where the scene has none, and for objects that are not there.
+/// none and the whole argument, for a unit where the scene has none, and for objects that are not there.
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene);
 
 }  // namespace toccata::command

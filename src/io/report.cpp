@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "io/report_parts.hpp"
 #include "io/utf8.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
@@ -15,6 +18,29 @@ using io::csv_field;
 using io::document;
 using io::Json;
 using io::json_of;
+
+constexpr std::array<std::string_view, 11> distance_fields = {
+    "lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"};
+
+Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
+
+Json json_of(const PairClearance& pair, const Scene& scene) {
+  const auto [first, second] = std::minmax(pair.a, pair.b);
+  return {{"a", io::as_utf8(scene.objects[first].name)},
+          {"b", io::as_utf8(scene.objects[second].name)},
+          {"a_index", first},
+          {"b_index", second},
+          {"clearance", json_of_length(pair.clearance)}};
+}
+
+/// What was asked about distances, where something was.
+void add_clearances(Json& json, const Scene& scene, const CheckReport& report) {
+  if (!report.clearance) return;
+  json["clearance"] = json_of_length(*report.clearance);
+  if (report.pair_clearances.empty()) return;
+  Json& pairs = json["pair_clearances"] = Json::array();
+  for (const PairClearance& pair : report.pair_clearances) pairs.push_back(json_of(pair, scene));
+}
 
 /// A line, and where the report has faces one more for each pair of them.
 std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckReport& report) {
@@ -33,7 +59,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
     line["regions"] = Json::array();
     for (const ContactRegion& region : pair.regions) line["regions"].push_back(json_of(region));
   }
-  if (report.clearance) io::add(line["distance"] = Json::object(), *pair.distance);
+  if (report.clearance && pair.distance) io::add(line["distance"] = Json::object(), *pair.distance);
   std::string text = io::line_of(line);
   if (!report.has_faces) return text;
   text.back() = ',';
@@ -52,15 +78,18 @@ std::string csv_end_names(const CheckReport& report) {
   std::string names = io::csv_penetration_head(report.has_penetration);
   if (!report.clearance) return names;
   names.pop_back();
-  for (const std::string_view name :
-       {"lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"})
-    names += fmt::format(",distance_{}", name);
+  for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
   return names + "\n";
+}
+
+/// Empty fields where there is none.
+std::string csv_of_distance(const ReportedPair& pair) {
+  return pair.distance ? io::csv_of(*pair.distance) : std::string(distance_fields.size(), ',');
 }
 
 std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
   return (report.has_penetration ? io::csv_of(pair.penetration) : "") +
-         (report.clearance ? io::csv_of(*pair.distance) : "") + "\n";
+         (report.clearance ? csv_of_distance(pair) : "") + "\n";
 }
 
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
@@ -149,11 +178,15 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
 }
 
 CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, const ReportOptions& options) {
+  const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
+  if (asks_clearance && options.touching == Touching::ignore)
+    throw Error("pairs that touch are nearer than any clearance, so they cannot be ignored where one is asked for");
   CheckReport report;
   report.candidate_pairs = answer.candidate_pairs;
   report.has_faces = options.faces;
   report.has_penetration = options.penetration;
-  report.clearance = options.clearance;
+  if (asks_clearance) report.clearance = options.clearance.value_or(0);
+  report.pair_clearances = options.pair_clearances;
   for (const PairAnswer& pair : answer.pairs) {
     const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
     if (!is_near && !counts_as_contact(pair.relation, options.touching)) {
@@ -178,7 +211,7 @@ std::string check_report_json(const Scene& scene, std::span<const Posed> models,
   Json json = io::report_head("toccata/check/1", scene, models, warnings);
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
-  if (report.clearance) json["clearance"] = std::isinf(*report.clearance) ? Json("all") : Json(*report.clearance);
+  add_clearances(json, scene, report);
   return io::with_list(document(json), "pairs", report.pairs.size(),
                        [&](std::size_t i) { return text_of(report.pairs[i], scene, report); });
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -47,17 +48,26 @@ double half_of(double length) { return std::max(0.5 * length, length - 0.5 * len
 /// How near which pairs have to be to be told.
 class Clearances {
  public:
-  Clearances(std::size_t models, const CheckOptions& options) : common_(options.clearance), largest_(models, common_) {
+  Clearances(std::span<const Posed> models, const CheckOptions& options)
+      : is_asked_(options.clearance || !options.pair_clearances.empty()),
+        common_(options.clearance.value_or(0)),
+        largest_(models.size(), common_) {
     require_length(common_);
     for (const PairClearance& pair : options.pair_clearances) {
       require_length(pair.clearance);
-      if (pair.a >= models || pair.b >= models || pair.a == pair.b)
-        throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
-                                pair.a, pair.b, models));
-      of_pair_[std::minmax(pair.a, pair.b)] = pair.clearance;
+      require_pair(models, pair);
+      const auto [place, is_new] = of_pair_.emplace(std::minmax(pair.a, pair.b), pair.clearance);
+      if (!is_new && place->second != pair.clearance)
+        throw Error(fmt::format("for {} two clearances are asked, {} and {}; a pair has one", names_of(models, pair),
+                                place->second, pair.clearance));
       for (const Index i : {pair.a, pair.b}) largest_[i] = std::max(largest_[i], pair.clearance);
     }
   }
+
+  [[nodiscard]] bool is_asked() const { return is_asked_; }
+
+  /// Whether all pairs have the same.
+  [[nodiscard]] bool are_equal() const { return of_pair_.empty(); }
 
   /// Of a pair in ascending order.
   [[nodiscard]] double of(const IndexPair& pair) const {
@@ -69,6 +79,24 @@ class Clearances {
   [[nodiscard]] double largest_of(std::size_t model) const { return largest_[model]; }
 
  private:
+  static std::string names_of(std::span<const Posed> models, const PairClearance& pair) {
+    const auto [first, second] = std::minmax(pair.a, pair.b);
+    return name_for_messages(models[first], first) + " and " + name_for_messages(models[second], second);
+  }
+
+  static void require_pair(std::span<const Posed> models, const PairClearance& pair) {
+    if (pair.a >= models.size() || pair.b >= models.size() || pair.a == pair.b)
+      throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
+                              pair.a, pair.b, models.size()));
+    const std::string& group = models[pair.a].group;
+    if (!group.empty() && group == models[pair.b].group)
+      throw Error(
+          fmt::format("a clearance is asked for {}, which are not checked against each other: both are in the "
+                      "group \"{}\"",
+                      names_of(models, pair), group));
+  }
+
+  bool is_asked_;
   double common_;
   std::vector<double> largest_;
   std::map<std::pair<Index, Index>, double> of_pair_;
@@ -79,10 +107,11 @@ class Check {
   Check(std::span<const Posed> models, const CheckOptions& options)
       : models_(models),
         options_(options),
-        clearances_(models.size(), options),
+        clearances_(models, options),
         posed_(posed_models()),
         groups_(group_numbers()),
-        boxes_(world_boxes()) {}
+        world_boxes_(world_boxes()),
+        boxes_(grown_boxes()) {}
 
   CheckAnswer answer() {
     const std::vector<std::size_t> counts = candidate_counts();
@@ -119,12 +148,19 @@ class Check {
     return numbers;
   }
 
+  [[nodiscard]] std::vector<Aabb> world_boxes() const {
+    std::vector<Aabb> boxes;
+    boxes.reserve(posed_.size());
+    for (const PosedModel& model : posed_) boxes.push_back(world_box(model));
+    return boxes;
+  }
+
   /// Half-spaces have no end; what of one lies where the others are is all that matters.
-  [[nodiscard]] BoxIndex world_boxes() const {
+  [[nodiscard]] BoxIndex grown_boxes() const {
     std::vector<Aabb> boxes;
     boxes.reserve(posed_.size());
     for (std::size_t i = 0; i < posed_.size(); ++i)
-      boxes.push_back(grown(world_box(posed_[i]), half_of(clearances_.largest_of(i))));
+      boxes.push_back(grown(world_boxes_[i], half_of(clearances_.largest_of(i))));
     Aabb all{{0, 0, 0}, {0, 0, 0}};
     for (const Aabb& box : boxes)
       if (is_bounded(box)) all = merge(all, box);
@@ -133,10 +169,18 @@ class Check {
     return BoxIndex(boxes);
   }
 
+  /// Whether the boxes of the two, i < j, are as near as the clearance of that pair; those of their other pairs may be
+  /// larger.
+  [[nodiscard]] bool are_boxes_near(std::size_t i, Index j) const {
+    const double half = half_of(clearances_.of({static_cast<Index>(i), j}));
+    return overlap(grown(world_boxes_[i], half), grown(world_boxes_[j], half));
+  }
+
   /// The models after `i` that it may meet.
   [[nodiscard]] std::vector<Index> partners_after(std::size_t i) const {
     std::vector<Index> partners = boxes_.overlapping_after(static_cast<Index>(i));
     if (groups_[i] != 0) std::erase_if(partners, [&](Index j) { return groups_[j] == groups_[i]; });
+    if (!clearances_.are_equal()) std::erase_if(partners, [&](Index j) { return !are_boxes_near(i, j); });
     return partners;
   }
 
@@ -186,7 +230,7 @@ class Check {
 
   /// Where clearances are asked for, and the two are as near.
   [[nodiscard]] std::optional<Distance> distance_in(const IndexPair& pair, Workspace& workspace) const {
-    if (options_.clearance == 0 && options_.pair_clearances.empty()) return std::nullopt;
+    if (!clearances_.is_asked()) return std::nullopt;
     const double clearance = clearances_.of(pair);
     const Posed &a = models_[pair.first], &b = models_[pair.second];
     workspace.scratch().convex = {};  // it was another pair's
@@ -234,7 +278,8 @@ class Check {
   Clearances clearances_;
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
-  BoxIndex boxes_;
+  std::vector<Aabb> world_boxes_;
+  BoxIndex boxes_;  ///< each grown by half the largest clearance of its model
   mutable WorkspacePool workspaces_;
 };
 

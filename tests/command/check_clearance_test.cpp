@@ -78,6 +78,89 @@ TEST_F(CheckClearanceCommand, OfTwoFiles) {
   EXPECT_NE(unknown.err.find("add --unit"), std::string::npos) << unknown.err;
 }
 
+TEST_F(CheckClearanceCommand, OfContactIsADistanceOf0) {
+  const std::vector<std::string> words{"check", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0",           "1",
+                                       "0",     "0",       "0",       "1",        "1", "0", "0", "--clearance", "0"};
+  const auto with = [&](const std::string& format) {
+    std::vector<std::string> all = words;
+    all.push_back(format);
+    const auto run = run_command(all);
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    return run.out;
+  };
+  const Json report = Json::parse(with("--json"));
+  EXPECT_EQ(report["clearance"], 0);
+  ASSERT_EQ(report["pairs"].size(), 1U);
+  const Json pair = report["pairs"][0];
+  EXPECT_EQ(pair["relation"], "touching");
+  EXPECT_EQ(pair["distance"]["lower"], 0);
+  EXPECT_EQ(pair["distance"]["upper"], 0);
+  EXPECT_EQ(pair["distance"]["on_a"][0], 0.5);
+  EXPECT_EQ(pair["distance"]["on_b"], pair["distance"]["on_a"]);
+  const std::string csv = with("--csv");
+  EXPECT_NE(csv.find(",touching,none,false,exact,0,0,0.5,"), std::string::npos) << csv;
+}
+
+TEST_F(CheckClearanceCommand, TellsTheLengthsAsked) {
+  const auto run = run_command({"check", file, "--clearance", "2mm", "--clearance-of", "wall,table=5cm",
+                                "--clearance-of", "wall,tool, left=all", "--json"});
+  const Json report = Json::parse(run.out);
+  EXPECT_EQ(report["clearance"], 2);
+  EXPECT_EQ(report["pair_clearances"],
+            Json::parse(R"([{"a": "table", "b": "wall", "a_index": 0, "b_index": 2, "clearance": 50},
+                            {"a": "tool, left", "b": "wall", "a_index": 1, "b_index": 2, "clearance": "all"}])"));
+}
+
+TEST_F(CheckClearanceCommand, CountsThePairsThatAreAsNearAsTheirOwnLength) {
+  const auto candidates = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"check", file, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    return Json::parse(run_command(words).out)["candidate_pairs"];
+  };
+  EXPECT_EQ(candidates({"--clearance-of", "tool, left,wall=all"}), 1);
+  EXPECT_EQ(candidates({"--clearance", "2mm", "--clearance-of", "table,wall=49mm"}), 1);
+  EXPECT_EQ(candidates({"--clearance", "2mm", "--clearance-of", "table,wall=50mm"}), 2);
+}
+
+TEST_F(CheckClearanceCommand, RefusesWhatContradictsItself) {
+  const auto error_of = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"check", file};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto run = run_command(words);
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_TRUE(run.out.empty()) << run.out;
+    return run.err;
+  };
+  for (const std::string option : {"--clearance=1mm", "--clearance=0", "--clearance-of=table,wall=1"}) {
+    const std::string ignored = error_of({option, "--touching", "ignore"});
+    EXPECT_NE(ignored.find("--touching ignore"), std::string::npos) << ignored;
+  }
+  EXPECT_EQ(run_command({"check", file, "--clearance=1mm", "--touching=count"}).exit_code, 0);
+  const std::string twice = error_of({"--clearance-of", "table,wall=1", "--clearance-of", "wall,table=2"});
+  EXPECT_NE(twice.find("\"table\""), std::string::npos) << twice;
+  EXPECT_NE(twice.find("\"wall\""), std::string::npos) << twice;
+  EXPECT_EQ(pairs_told({"--clearance-of", "table,wall=50", "--clearance-of", "wall,table=5cm"}), 1U);
+}
+
+TEST_F(CheckClearanceCommand, RefusesALengthWithinAGroup) {
+  const auto grouped = folder.write("grouped.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "left", "group": "arm", "shape": {"type": "sphere", "radius": 1}},
+  {"name": "right", "group": "arm", "shape": {"type": "sphere", "radius": 1}}]})");
+  const auto run = run_command({"check", grouped.string(), "--clearance-of", "left,right=1"});
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.err.find("group \"arm\""), std::string::npos) << run.err;
+}
+
+TEST_F(CheckClearanceCommand, NamesTheWholeArgumentAndItsForm) {
+  for (const std::string wrong : {"table,wall=", "table,wall=-3", "table,wall=x", "table,wall", "table,wall=2 mm"}) {
+    const auto run = run_command({"check", file, "--clearance-of", wrong});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("--clearance-of " + wrong + ": write NAME,NAME=LENGTH"), std::string::npos) << run.err;
+  }
+  const auto common = run_command({"check", file, "--clearance=-3"});
+  EXPECT_NE(common.err.find("--clearance -3: write LENGTH"), std::string::npos) << common.err;
+}
+
 TEST_F(CheckClearanceCommand, RefusesWhatIsNoLength) {
   for (const std::string wrong : {"-1", "2 mm", "mm", "nan", "inf", "", "2mile"}) {
     const auto run = run_command({"check", file, "--clearance=" + wrong});

@@ -98,6 +98,8 @@ def reports(folder):
     yield solids
     yield check("shapes.json", "--clearance", "1cm", "--clearance-of", "ball,ground=3", "--faces")
     yield check("shapes.json", "--clearance", "all")
+    yield check("shapes.json", "--clearance", "0")
+    yield check("shapes.json", "--clearance-of", "ball,ground=all", "--clearance-of", "crate,ball=2")
     (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
     yield check("ball.json", "ball.json", "--poses", "poses.txt", "--penetration")

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -46,10 +47,7 @@ TEST(CheckClearance, TellsThePairsThatAreAsNear) {
         const PairAnswer& found = answer.pairs[next++];
         EXPECT_EQ(std::pair(found.a, found.b), std::pair(i, j));
         EXPECT_EQ(found.relation, relation(models[i].model, models[j].model, query));
-        EXPECT_EQ(found.distance.has_value(), clearance > 0);
-        if (found.distance) {
-          EXPECT_EQ(*found.distance, distance(models[i].model, models[j].model, query));
-        }
+        EXPECT_EQ(found.distance, distance(models[i].model, models[j].model, query));
       }
     EXPECT_EQ(next, answer.pairs.size());
   }
@@ -76,8 +74,77 @@ TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
   EXPECT_EQ(told(1, {}), (Pairs{{0, 1}}));
   EXPECT_EQ(told(1, {{1, 0, 0.5}}), (Pairs{}));
   EXPECT_EQ(told(0, {{2, 1, 3}}), (Pairs{{1, 2}}));
-  EXPECT_EQ(told(1, {{0, 2, 1}, {2, 0, 2}}), (Pairs{{0, 1}, {0, 2}}));
+  EXPECT_EQ(told(1, {{0, 2, 2}, {2, 0, 2}}), (Pairs{{0, 1}, {0, 2}}));
   EXPECT_EQ(told(infinity, {}).size(), 3U);
+}
+
+TEST(CheckClearance, ContactHasADistanceUnderEveryLength) {
+  const std::vector<Posed> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0), at(Sphere{1}, 0, 1, 0)};
+  for (const double clearance : {0.0, 1.0}) {
+    const CheckAnswer answer = check_all(models, {.clearance = clearance});
+    ASSERT_GE(answer.pairs.size(), 2U);
+    for (const PairAnswer& pair : answer.pairs) {
+      ASSERT_TRUE(pair.distance);
+      if (pair.relation.kind != RelationKind::apart) {
+        EXPECT_EQ(pair.distance->upper, 0);
+      }
+    }
+  }
+  for (const PairAnswer& pair : check_all(models).pairs) EXPECT_FALSE(pair.distance);
+}
+
+/// The first is near all others by its clearance to the farthest; each other pair counts by its own.
+TEST(CheckClearance, CandidatesAreNearByTheClearanceOfThePair) {
+  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 4, 0, 0), at(Sphere{1}, 0, 40, 0)};
+  const auto candidates = [&](double common, std::vector<PairClearance> of_pairs) {
+    return check_all(models, {.clearance = common, .pair_clearances = of_pairs}).candidate_pairs;
+  };
+  EXPECT_EQ(candidates(0, {}), 0U);
+  EXPECT_EQ(candidates(0, {{0, 2, 38}}), 1U);
+  EXPECT_EQ(candidates(0, {{2, 0, infinity}}), 1U);
+  EXPECT_EQ(candidates(2, {{0, 2, 38}}), 2U);
+  EXPECT_EQ(candidates(2, {{0, 2, 37}}), 1U);
+  EXPECT_EQ(candidates(2, {{0, 1, 1}}), 0U);
+  EXPECT_EQ(candidates(infinity, {{0, 1, 1}}), 2U);
+}
+
+std::string error_of(const std::vector<Posed>& models, const std::vector<PairClearance>& of_pairs) {
+  try {
+    static_cast<void>(check_all(models, {.pair_clearances = of_pairs}));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(CheckClearance, RefusesTwoLengthsForAPairAndOneWithinAGroup) {
+  std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 6, 0, 0)};
+  models[0].name = "table";
+  models[1].group = models[2].group = "arm";
+  const std::string twice = error_of(models, {{0, 1, 1}, {1, 0, 2}});
+  EXPECT_NE(twice.find("object \"table\" and object 1"), std::string::npos) << twice;
+  const std::string within = error_of(models, {{2, 1, 1}});
+  EXPECT_NE(within.find("group \"arm\""), std::string::npos) << within;
+  EXPECT_EQ(error_of(models, {{0, 1, 1}, {1, 0, 1}}), "");
+}
+
+TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
+  const std::vector<Posed> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0)};
+  Scene scene;
+  for (const char* const name : {"a", "b"}) {
+    SceneObject& object = scene.objects.emplace_back();
+    object.name = name;
+    object.shape = Box{{1, 1, 1}};
+  }
+  const CheckAnswer answer = check_all(models);
+  for (const ReportOptions& options : {ReportOptions{.touching = Touching::ignore, .clearance = 0},
+                                       ReportOptions{.touching = Touching::ignore, .pair_clearances = {{0, 1, 0}}}})
+    EXPECT_THROW(static_cast<void>(make_check_report(models, answer, options)), Error);
+  const CheckReport report = make_check_report(models, answer, {.clearance = 0});
+  EXPECT_EQ(check_report_json(scene, models, report, {}).find("\"distance\""), std::string::npos);
+  const std::string csv = check_report_csv(scene, report);
+  const std::string head = csv.substr(0, csv.find('\n')), line = csv.substr(head.size() + 1);
+  EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ',')) << csv;
 }
 
 TEST(CheckClearance, RefusesWhatIsNoLengthAndPairsThatAreNot) {

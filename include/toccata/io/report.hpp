@@ -52,16 +52,20 @@ struct CheckReport {
   bool has_faces = false;
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
+  std::vector<PairClearance> pair_clearances{};
 };
 
-/// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them.
+/// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them. The
+/// clearances are those that it was asked for.
 struct ReportOptions {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
   std::optional<double> clearance{};
+  std::vector<PairClearance> pair_clearances{};
 };
 
+/// Throws Error where touching is to be ignored and a clearance is asked for: a pair that touches is nearer than any.
 [[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer,
                                             const ReportOptions& options = {});
 

@@ -32,10 +32,10 @@ struct PairAnswer {
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
   std::vector<ContactRegion> regions{};      ///< with the penetration, of two meshes
-  std::optional<Distance> distance{};        ///< where a clearance is asked for
+  std::optional<Distance> distance{};        ///< wherever a clearance is asked for: 0 where they have a common point
 };
 
-/// How far two of the models should be from each other.
+/// How far two of the models should be from each other. They are not of one group.
 struct PairClearance {
   Index a = 0;  ///< indices in the span, in either order
   Index b = 0;
@@ -45,22 +45,25 @@ struct PairClearance {
 struct CheckOptions {
   bool contacts = false;     ///< list the meeting triangles of every pair
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
-  /// World units. Above 0, pairs are told that are at most so far apart, decided exactly (closer_than), and the
-  /// distance of every pair that is told. +∞: all pairs.
-  double clearance = 0;
-  std::vector<PairClearance> pair_clearances{};  ///< instead of it, for some pairs; the last counts where one has two
+  /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly (closer_than),
+  /// and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
+  std::optional<double> clearance{};
+  std::vector<PairClearance> pair_clearances{};  ///< instead of it (or of 0), for some pairs; one length for each
   int threads = 0;                               ///< 0: as many as the machine has; the answer does not depend on it
   Progress progress{};                           ///< told the pairs of overlapping boxes that are done
 };
 
 struct CheckAnswer {
-  std::vector<PairAnswer> pairs;    ///< those that are not apart by more than their clearance, ascending by (a, b)
-  std::size_t candidate_pairs = 0;  ///< pairs whose boxes, grown by the clearance, overlap: those that were looked at
+  std::vector<PairAnswer> pairs;  ///< those that are not apart by more than their clearance, ascending by (a, b)
+  /// Pairs that were looked at: whose boxes overlap, each of them grown by half the clearance of that pair (rounded
+  /// up).
+  std::size_t candidate_pairs = 0;
 };
 
 /// Every two of the posed models that are not apart, or nearer than their clearance, and their relation. Only pairs
 /// whose boxes overlap, or are as near, are looked at. Throws Error naming the model when one is asked about wrongly,
-/// and for a clearance that is no length or of models that are not there.
+/// and for a clearance that is no length or of models that are not there, of two models of one group, or of a pair that
+/// has another one.
 [[nodiscard]] CheckAnswer check_all(std::span<const Posed> models, const CheckOptions& options = {});
 
 }  // namespace toccata
