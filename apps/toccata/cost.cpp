@@ -60,9 +60,10 @@ std::string table_of(const CostTable& table, CostWorkload workload, std::size_t 
   return text;
 }
 
-std::string tables_of(const CostTable& table, std::size_t most) {
+std::string tables_of(const CostTable& table, std::size_t most, const std::string& remark) {
   std::string text;
   for (const CostWorkload workload : all_cost_workloads) text += table_of(table, workload, most);
+  if (!remark.empty()) text += remark + ".\n";
   for (const std::string& line : table.left_out) text += "left out: " + line + "\n";
   if (!table.left_out.empty()) text += "--all measures these too.\n";
   return text;
@@ -82,10 +83,10 @@ int run_cost(const CostArguments& arguments) {
   }
   const LoadedScene& loaded = input.loaded;
   const std::size_t most = arguments.rows == 0 ? table.rows.size() : arguments.rows;
-  const std::string text = arguments.format == Format::json
-                               ? cost_report_json(loaded.scene, input.models, table, loaded.warnings)
-                           : arguments.format == Format::csv ? cost_report_csv(table)
-                                                             : tables_of(table, most);
+  const std::string text =
+      arguments.format == Format::json  ? cost_report_json(loaded.scene, input.models, table, loaded.warnings)
+      : arguments.format == Format::csv ? cost_report_csv(table)
+                                        : tables_of(table, most, remark_on_wide(arguments.options));
   print_warnings(loaded.warnings);
   print_answer(text);
   return 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "toccata/core/error.hpp"
@@ -18,8 +19,9 @@ T value_of(const std::string& word, const std::array<T, count>& all, const char*
     if (name_of(value) == word) return value;
     known.emplace_back(name_of(value));
   }
-  throw Error(
-      fmt::format("there is no {} '{}'{} (known: {})", kind, word, suggestion(word, known), fmt::join(known, ", ")));
+  const std::string nearest = nearest_word(word, known);
+  throw Error(fmt::format("there is no {} '{}'{} (known: {})", kind, word,
+                          nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(known, ", ")));
 }
 
 template <class T, std::size_t count>
@@ -29,6 +31,13 @@ void take(std::vector<T>& values, const std::vector<std::string>& words, const s
   values.clear();
   for (const std::string& word : words) values.push_back(value_of(word, all, kind));
 }
+
+template <class T>
+bool lacks(const std::vector<T>& named, const T& value) {
+  return !named.empty() && std::find(named.begin(), named.end(), value) == named.end();
+}
+
+bool is_wide(CostVolume volume) { return volume == CostVolume::wide; }
 
 std::string megabytes(std::size_t bytes) { return fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6); }
 
@@ -49,7 +58,17 @@ CostOptions cost_options_of(const CostWords& words) {
   take(options.workloads, words.workloads, all_cost_workloads, "workload");
   if (!words.arities.empty()) options.arities = words.arities;
   options.leaf_size = words.leaf_size;
+  if (std::all_of(options.volumes.begin(), options.volumes.end(), is_wide) && !remark_on_wide(options).empty())
+    throw Error(remark_on_wide(options) + "; leave these out, or name another volume as well");
   return options;
+}
+
+std::string remark_on_wide(const CostOptions& options) {
+  const bool measured = std::any_of(options.volumes.begin(), options.volumes.end(), is_wide);
+  if (!measured || !(lacks(options.methods, TreeMethod::heuristic) || lacks(options.arities, 8))) return "";
+  return "wide, the library's own tree, has eight children a node and its own builder, by heuristic, whatever "
+         "--arities "
+         "and --builders say";
 }
 
 std::string meaning_of(CostWorkload workload) {

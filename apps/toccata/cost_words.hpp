@@ -22,6 +22,9 @@ struct CostWords {
 /// Throws Error naming a word that is none, and those there are.
 [[nodiscard]] CostOptions cost_options_of(const CostWords& words);
 
+/// That the row `wide` is of another builder or arity than asked for; empty where it is not.
+[[nodiscard]] std::string remark_on_wide(const CostOptions& options);
+
 /// "the meshes move as they are".
 [[nodiscard]] std::string meaning_of(CostWorkload workload);
 

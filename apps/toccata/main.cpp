@@ -215,13 +215,16 @@ void add_cost(CLI::App& app, Options& options) {
   cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
       ->delimiter(',')
       ->allow_extra_args(false)
+      ->check([](const std::string& number) { return number.empty() ? "a number must be given" : std::string(); })
       ->type_name("NUMBER,…");
   cost->add_option("--leaf-size", words.leaf_size, "triangles in a leaf, at most")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   CLI::Option* quick = cost->add_flag("--quick", words.quick, "two builders and two arities, and only what is fast");
   cost->add_flag("--all", words.all, "also what takes long: of large meshes some is left out")->excludes(quick);
-  cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")->capture_default_str();
+  cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
   CLI::Option* json = cost->add_flag("--json", options.json, "write JSON (docs/reference/cost-report.md)");
   cost->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
   cost->footer(

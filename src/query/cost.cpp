@@ -283,8 +283,8 @@ class Measurement {
 CostTable measure_costs(const TriangleMesh& a, const TriangleMesh& b, std::span<const PairQuery> queries,
                         const CostOptions& options) {
   require(!queries.empty(), "there is no query: name at least one pair of poses");
-  check_options(options);
-  return Measurement(a, b, queries, options).measure();
+  const CostOptions checked = checked_options(options);
+  return Measurement(a, b, queries, checked).measure();
 }
 
 }  // namespace toccata

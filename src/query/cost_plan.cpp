@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "query/cost_walk.hpp"
 #include "toccata/core/error.hpp"
@@ -20,14 +22,27 @@ double work_of(const CostOptions& options, CostWorkload workload, CostVolume vol
   return workload == CostWorkload::refit ? all : (walks ? 1 : 0.2) * all;
 }
 
+template <class T>
+void drop_repeats(std::vector<T>& values) {
+  std::vector<T> once;
+  for (const T value : values)
+    if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
+  values = std::move(once);
+}
+
 }  // namespace
 
-void check_options(const CostOptions& options) {
+CostOptions checked_options(CostOptions options) {
   if (options.workloads.empty() || options.volumes.empty() || options.arities.empty() || options.methods.empty())
     throw Error("nothing is asked for: name at least one workload, volume, arity and builder");
   for (const int arity : options.arities)
     if (arity < 2 || arity > 8)
       throw Error(fmt::format("a tree has 2 to 8 children a node, not {}; choose another", arity));
+  drop_repeats(options.workloads);
+  drop_repeats(options.volumes);
+  drop_repeats(options.arities);
+  drop_repeats(options.methods);
+  return options;
 }
 
 CostPlan::CostPlan(const CostOptions& options, std::size_t triangles) {

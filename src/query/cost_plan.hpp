@@ -8,8 +8,9 @@
 
 namespace toccata {
 
-/// Throws Error for options that ask for nothing, or for an arity that no tree has.
-void check_options(const CostOptions& options);
+/// The options with each thing that they name once, where it is first named. Throws Error for options that ask for
+/// nothing, or for an arity that no tree has.
+[[nodiscard]] CostOptions checked_options(CostOptions options);
 
 /// Which combinations are measured within the work that may be done. CostVolume::wide is none of them.
 class CostPlan {

@@ -20,8 +20,8 @@ VolumeCost volume_cost(CostVolume volume, const CostHierarchy& hierarchy, const 
 
 }  // namespace
 
-std::vector<VolumeCost> measure_volumes(const TriangleMesh& mesh, const CostOptions& options) {
-  check_options(options);
+std::vector<VolumeCost> measure_volumes(const TriangleMesh& mesh, const CostOptions& asked) {
+  const CostOptions options = checked_options(asked);
   std::vector<Triangle> triangles;
   for (const auto& corner : mesh.triangles())
     triangles.push_back({{mesh.vertices()[corner[0]], mesh.vertices()[corner[1]], mesh.vertices()[corner[2]]}});

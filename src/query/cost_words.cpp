@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "toccata/query/cost.hpp"
 
@@ -33,7 +34,14 @@ std::string line_about_best(const CostRow& best) {
                      time_text(best.measured_ns), parts_text(best));
 }
 
-/// "4.2 times the tests of volumes at 0.3 times the time each"; nothing where neither has any.
+/// "4.2 times"; empty for a ratio that rounds to 1.
+std::string times_text(double ratio) {
+  const std::string text = fmt::format("{:.2g}", ratio);
+  return text == "1" ? "" : text + " times";
+}
+
+/// "4.2 times the tests of volumes at 0.3 times the time each", without what is the same; nothing where neither has
+/// any.
 void compare(std::vector<std::string>& parts, const char* what, double count, double count_of_best, double each,
              double each_of_best) {
   if (count == 0 && count_of_best == 0) return;
@@ -41,8 +49,11 @@ void compare(std::vector<std::string>& parts, const char* what, double count, do
     parts.push_back(fmt::format("{:.6g} instead of {:.6g} {}", count, count_of_best, what));
     return;
   }
-  parts.push_back(fmt::format("{:.2g} times the {} at {:.2g} times the time each", count / count_of_best, what,
-                              each_of_best > 0 ? each / each_of_best : 1));
+  const std::string counts = times_text(count / count_of_best);
+  const std::string times = times_text(each_of_best > 0 ? each / each_of_best : 1);
+  if (counts.empty() && times.empty()) return;
+  parts.push_back((counts.empty() ? "as many " : counts + " the ") + what +
+                  (times.empty() ? "" : " at " + times + " the time each"));
 }
 
 std::string comparison(const CostRow& other, const CostRow& best) {
@@ -59,21 +70,28 @@ std::string comparison(const CostRow& other, const CostRow& best) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Empty for a row that costs about the same.
 std::string line_about(const CostRow& other, const CostRow& best) {
-  const std::string factor =
-      best.cost() > 0 ? fmt::format("{:.2g} times as much", other.cost() / best.cost()) : time_text(other.cost());
-  return fmt::format("{} costs {}: {}", name_of(other), factor, comparison(other, best));
+  if (other.cost() == best.cost()) return "";
+  std::string factor = time_text(other.cost());
+  if (best.cost() > 0) {
+    const std::string times = times_text(other.cost() / best.cost());
+    if (times.empty()) return "";
+    factor = times + " as much";
+  }
+  const std::string reasons = comparison(other, best);
+  return fmt::format("{} costs {}{}{}", name_of(other), factor, reasons.empty() ? "" : ": ", reasons);
 }
 
 using Rows = std::vector<const CostRow*>;
 
-/// The cheapest rows of other volumes than the best, and of other hierarchies over the same.
+/// The cheapest rows of other volumes than the best, and of other hierarchies over the same; each once.
 Rows rivals(const Rows& rows) {
   const CostRow& best = *rows.front();
   Rows found;
   const auto add = [&](const auto& differs) {
     const auto row = std::find_if(rows.begin(), rows.end(), differs);
-    if (row != rows.end()) found.push_back(*row);
+    if (row != rows.end() && std::find(found.begin(), found.end(), *row) == found.end()) found.push_back(*row);
   };
   std::vector<CostVolume> seen{best.volume};
   for (int i = 0; i < 2; ++i) {
@@ -99,7 +117,8 @@ std::vector<std::string> explain_winner(const CostTable& table, CostWorkload wor
   if (is_wide(rows.front()) && !plain.empty())
     lines.push_back("of the plain trees the cheapest is " + line_about_best(*plain.front()));
   if (!plain.empty())
-    for (const CostRow* rival : rivals(plain)) lines.push_back(line_about(*rival, *plain.front()));
+    for (const CostRow* rival : rivals(plain))
+      if (std::string line = line_about(*rival, *plain.front()); !line.empty()) lines.push_back(std::move(line));
   const CostRow& fastest = **std::min_element(
       rows.begin(), rows.end(), [](const CostRow* x, const CostRow* y) { return x->measured_ns < y->measured_ns; });
   if (&fastest != rows.front())

@@ -79,16 +79,45 @@ TEST_F(Cost, CsvHasALinePerRow) {
             0U);
 }
 
+TEST_F(Cost, WhatIsNamedTwiceIsMeasuredOnce) {
+  const auto result = cost({"--csv", "--volumes", "aabb,aabb", "--workloads", "rigid,rigid", "--builders",
+                            "median,median", "--arities", "2,2,2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 1) << result.out;
+}
+
+TEST_F(Cost, TheLibrarysOwnTreeHasItsOwnBuilder) {
+  const std::string remark = "wide, the library's own tree, has eight children a node and its own builder";
+  const auto says = [&](const char* builder, const char* arity) {
+    const auto result = cost({"--volumes", "wide,aabb", "--builders", builder, "--arities", arity});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out.find(remark) != std::string::npos;
+  };
+  EXPECT_TRUE(says("median", "8"));
+  EXPECT_TRUE(says("heuristic", "2"));
+  EXPECT_FALSE(says("heuristic,median", "2,8"));
+  EXPECT_EQ(cost({"--volumes", "wide", "--builders", "heuristic", "--arities", "8"}).exit_code, 0);
+}
+
 TEST_F(Cost, TroubleIsToldInWords) {
   const auto expect_trouble = [&](const test::CommandResult& result, const std::string& message) {
     EXPECT_EQ(result.exit_code, 2) << result.out;
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
   };
+  const auto unknown = cost({"--volumes", "sausages-and-mash"});
+  expect_trouble(unknown, "there is no volume 'sausages-and-mash' (known: aabb, ball, ");
+  EXPECT_EQ(unknown.err.find("aabb"), unknown.err.rfind("aabb")) << "the list is there once: " << unknown.err;
   expect_trouble(cost({"--volumes", "obbb"}), "there is no volume 'obbb'; did you mean 'obb'? (known: aabb, ball, ");
   expect_trouble(cost({"--builders", "sah"}), "there is no builder 'sah'");
   expect_trouble(cost({"--task", "touch"}), "(known: overlap, contacts, distance)");
   expect_trouble(cost({"--arities", "1"}), "2 to 8 children a node, not 1");
+  expect_trouble(cost({"--arities", ""}), "a number must be given");
+  expect_trouble(cost({"--rows", "-1"}), "--rows");
+  expect_trouble(cost({"--rows", "99999999999999999999"}), "--rows");
+  expect_trouble(cost({"--rows", "18446744073709551615"}), "--rows");
+  expect_trouble(cost({"--volumes", "wide", "--builders", "median"}), "has eight children a node and its own builder");
+  expect_trouble(cost({"--volumes", "wide", "--arities", "2"}), "name another volume as well");
   expect_trouble(cost({"--quick", "--all"}), "excludes");
   expect_trouble(run_command({"cost", "a.obj"}, folder.path()), "two meshes; here is 1");
   folder.write("empty.obj", "v 0 0 0\n");

@@ -262,8 +262,7 @@ TEST(Cost, WordsTellTheWinnerAndWhy) {
           "the cheapest is aabb with 2 children a node by heuristic: 6 us a query (2 ms as it ran), 33 % of it "
           "for updating volumes, 33 % for comparing them, 33 % for triangles",
           "obb with 4 children a node by heuristic costs 1.6 times as much: 0.75 times the updates at 4 times the "
-          "time each, 0.25 times the tests of volumes at 6 times the time each, 0.25 times the triangle pairs at 1 "
-          "times the time each",
+          "time each, 0.25 times the tests of volumes at 6 times the time each, 0.25 times the triangle pairs",
           "as they ran, walk and all, the fastest was obb with 4 children a node by heuristic: 1 ms a query"}));
   EXPECT_TRUE(explain_winner(table, CostWorkload::refit).empty());
   table.rows.insert(table.rows.begin(), row_of(CostVolume::wide, 0, 200, 40));
@@ -274,6 +273,35 @@ TEST(Cost, WordsTellTheWinnerAndWhy) {
             "the cheapest is the library's own tree (wide): 1 us a query (2 ms as it ran), 0 % of it for updating "
             "volumes, the rest is not taken apart");
   EXPECT_EQ(lines[1].substr(0, 59), "of the plain trees the cheapest is aabb with 2 children a n");
+}
+
+TEST(Cost, WordsTellEachThingOnce) {
+  CostTable table;
+  const CostRow best = row_of(CostVolume::aabb, 40, 400, 80);
+  CostRow other = row_of(CostVolume::aabb, 40, 600, 80);
+  other.arity = 4;
+  other.method = TreeMethod::median;
+  table.rows = {best, other};
+  const std::string of_both =
+      "aabb with 4 children a node by median costs 1.2 times as much: 1.5 times the tests of volumes";
+  EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 2U) << "one rival of another arity and builder";
+  EXPECT_EQ(explain_winner(table, CostWorkload::rigid).back(), of_both);
+  table.rows.insert(table.rows.begin() + 1, row_of(CostVolume::ball, 40, 401, 80));
+  EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 2U) << "nothing is told of one that costs the same";
+  table.rows = {best, best};
+  table.rows[1].volume = CostVolume::ball;
+  EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 1U);
+}
+
+TEST(Cost, WhatIsNamedTwiceIsMeasuredOnce) {
+  const TriangleMesh mesh = row_of_triangles({0, 2}, 0);
+  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, TreeMethod::mean, 1);
+  options.workloads.push_back(CostWorkload::rigid);
+  options.volumes.push_back(CostVolume::ball);
+  options.arities.push_back(2);
+  options.methods.push_back(TreeMethod::mean);
+  EXPECT_EQ(measure_costs(mesh, mesh, std::vector<PairQuery>{{}}, options).rows.size(), 1U);
+  EXPECT_EQ(measure_volumes(mesh, options).size(), 1U);
 }
 
 TEST(Cost, VolumesOfAMeshAloneAreToldForEveryHierarchy) {
