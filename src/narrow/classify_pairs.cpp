@@ -4,6 +4,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cstring>
+
 #include "math/filter.hpp"
 #include "narrow/triangle_pair_block.hpp"
 
@@ -12,7 +14,7 @@
 namespace toccata {
 
 // What the levels share. It is defined here, before any level's instructions are switched on.
-using PoseNumbers = const double*;  ///< twelve: R row by row, then t; null: what is posed stays where it is
+using PoseNumbers = const double*;  ///< twelve: R row by row, then t; null: those of no motion at all
 
 inline double* lanes_of(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t axis) {
   return corners[corner][axis].data();
@@ -80,9 +82,11 @@ HWY_INLINE Point posed(TrianglePairBlock::Corners& corners, std::size_t corner, 
   double* y = lanes_of(corners, corner, 1) + lane;
   double* z = lanes_of(corners, corner, 2) + lane;
   const Point local{hn::Load(tag, x), hn::Load(tag, y), hn::Load(tag, z)};
-  if (pose == nullptr) return local;
-  const Point world{row_times(pose, pose[9], local), row_times(pose + 3, pose[10], local),
-                    row_times(pose + 6, pose[11], local)};
+  // No motion is the addition of 0, to the bit: it changes the sign of a zero.
+  const Number zero = hn::Zero(tag);
+  const Point world = pose == nullptr ? Point{hn::Add(local.x, zero), hn::Add(local.y, zero), hn::Add(local.z, zero)}
+                                      : Point{row_times(pose, pose[9], local), row_times(pose + 3, pose[10], local),
+                                              row_times(pose + 6, pose[11], local)};
   hn::Store(world.x, tag, x);
   hn::Store(world.y, tag, y);
   hn::Store(world.z, tag, z);
@@ -311,13 +315,18 @@ HWY_EXPORT(classify_neighbours_at_this_level);
 
 namespace {
 
-/// The numbers of a pose, unless they change nothing but the sign of a zero.
+/// The numbers of a pose, unless they are those of no motion, to the bit.
 class Numbers {
  public:
-  explicit Numbers(const Pose& pose) : numbers_(pose.numbers()), still_(pose == Pose{}) {}
+  explicit Numbers(const Pose& pose) : numbers_(pose.numbers()), still_(is_still(numbers_)) {}
   [[nodiscard]] PoseNumbers get() const { return still_ ? nullptr : numbers_.data(); }
 
  private:
+  static bool is_still(const std::array<double, 12>& numbers) {
+    const std::array<double, 12> none = Pose{}.numbers();
+    return std::memcmp(numbers.data(), none.data(), sizeof none) == 0;
+  }
+
   std::array<double, 12> numbers_;
   bool still_;
 };
