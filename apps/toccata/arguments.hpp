@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@ struct InputArguments {
   std::vector<std::string> files;
   std::string unit;  ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;
+  std::string wanted;  ///< what the subcommand takes, for the error when there are none
 };
 
 /// What is asked about, and where it is.
@@ -65,7 +65,7 @@ struct NearestArguments : PosedArguments {
   std::optional<Vec3> point;
   std::string points;  ///< a file of points; empty: `point`
   std::size_t k = 1;
-  double within = std::numeric_limits<double>::infinity();
+  std::string within;  ///< a length; empty: any
   bool sides = false;  ///< tells on which side of the surface each point is
 };
 

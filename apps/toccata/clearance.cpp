@@ -87,11 +87,14 @@ void require_touching_counts(const CheckArguments& arguments) {
         "near, to which they belong: leave one of the two out");
 }
 
+double read_length(std::string_view option, std::string_view text, const Scene& scene) {
+  return length_of(text, {option, text, "LENGTH"}, scene);
+}
+
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene) {
   ClearanceQuestion question;
   if (asks_clearance(arguments)) question.common = 0;
-  if (!arguments.clearance.empty())
-    question.common = length_of(arguments.clearance, {"--clearance", arguments.clearance, "LENGTH"}, scene);
+  if (!arguments.clearance.empty()) question.common = read_length("--clearance", arguments.clearance, scene);
   for (const std::string& text : arguments.clearances_of) question.of_pairs.push_back(pair_clearance(text, scene));
   return question;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "arguments.hpp"
@@ -19,8 +20,11 @@ struct ClearanceQuestion {
 /// Throws Error where touching is to be ignored and a clearance is asked for.
 void require_touching_counts(const CheckArguments& arguments);
 
-/// A length is a number of world units, or one with a unit behind it: "2mm". Throws Error naming the option for what is
-/// none and the whole argument, for a unit where the scene has none, and for objects that are not there.
+/// A length in world units, from a number of these, one with a unit behind it ("2mm"), or "all" for infinity. Throws
+/// Error naming the option and what was written for what is none, and for a unit where the scene has none.
+double read_length(std::string_view option, std::string_view text, const Scene& scene);
+
+/// Throws Error as `read_length` does, and for objects that are not there.
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene);
 
 }  // namespace toccata::command

@@ -17,12 +17,8 @@ std::vector<ReportedFaces> faces_of(const CheckInput& input, const Region& regio
   Workspace workspace;
   for (std::size_t i = 0; i < input.models.size(); ++i) {
     const Posed& posed = input.models[i];
-    try {
-      const auto here = faces_within(region, posed.model, posed.pose, workspace);
-      if (!here.empty()) found.push_back({static_cast<Index>(i), {here.begin(), here.end()}});
-    } catch (const Error& error) {
-      throw Error(fmt::format("'{}': {}", posed.name, error.what()));
-    }
+    const auto here = asked_of(posed.name, [&] { return faces_within(region, posed.model, posed.pose, workspace); });
+    if (!here.empty()) found.push_back({static_cast<Index>(i), {here.begin(), here.end()}});
   }
   return found;
 }

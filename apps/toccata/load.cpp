@@ -74,7 +74,7 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 }  // namespace
 
 LoadedScene load(const InputArguments& input) {
-  if (input.files.empty()) throw Error("no file was named; name two mesh files, or a scene file");
+  if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   LoadedScene loaded;
   std::map<std::string, Scene> read;
   std::set<std::string> taken;
@@ -108,11 +108,17 @@ Vec3 parse_point(const std::vector<std::string>& words, const std::string& optio
 
 Aabb parse_box(const std::vector<std::string>& words, const std::string& option) {
   const auto n = parse_doubles<6>(words, option, "six numbers, the least corner and then the greatest");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (n[axis] > n[axis + 3])
+      throw Error(
+          fmt::format("{}: the box is empty, its {} goes from {} to {}; give the least corner and then the greatest",
+                      option, "xyz"[axis], n[axis], n[axis + 3]));
   return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
 }
 
 Ball parse_ball(const std::vector<std::string>& words, const std::string& option) {
   const auto n = parse_doubles<4>(words, option, "four numbers, the centre and then the radius");
+  if (n[3] < 0) throw Error(fmt::format("{}: the radius is {}; give a radius of 0 or more", option, n[3]));
   return {{n[0], n[1], n[2]}, n[3]};
 }
 

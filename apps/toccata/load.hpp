@@ -26,7 +26,8 @@ Pose parse_pose(const std::vector<std::string>& words, const std::string& option
 /// Three numbers. `option` names them in errors.
 Vec3 parse_point(const std::vector<std::string>& words, const std::string& option);
 
-/// Six numbers, the least corner and the greatest; four, a centre and a radius.
+/// Six numbers, the least corner and the greatest; four, a centre and a radius. `option` names them in errors, also of
+/// what is empty.
 Aabb parse_box(const std::vector<std::string>& words, const std::string& option);
 Ball parse_ball(const std::vector<std::string>& words, const std::string& option);
 

@@ -51,6 +51,7 @@ Format format_of(const Options& options) {
 std::string with_name(const char* text) { return fmt::format(fmt::runtime(text), called_as()); }
 
 void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
+  input.wanted = what;
   app.add_option("files", input.files, what);
   app.add_option(
       "--unit", input.unit,
@@ -245,11 +246,15 @@ void add_nearest(CLI::App& app, Options& options) {
   nearest->add_option("--points", options.nearest.points, "many points: a file with three numbers a line")
       ->type_name("FILE")
       ->excludes(point);
-  nearest->add_option("--k", options.nearest.k, "so many nearest faces, nearest first")
+  nearest->add_option("--k", options.nearest.k, "so many nearest triangles, nearest first")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("NUMBER");
-  nearest->add_option("--within", options.nearest.within, "leave out what is farther away, in the world")
-      ->type_name("DISTANCE");
+  nearest
+      ->add_option("--within", options.nearest.within,
+                   "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "
+                   "all: nothing is")
+      ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
+      ->type_name("LENGTH");
   nearest->add_flag("--signed", options.nearest.sides,
                     "tell on which side of the surface the point is: exactly of a closed mesh, by the generalised "
                     "winding number of an open one");

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "arguments.hpp"
 #include "check_input.hpp"
+#include "clearance.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/nearest_report.hpp"
@@ -19,8 +22,6 @@ namespace {
 
 std::vector<ReportedPoint> points_asked(const NearestArguments& arguments) {
   std::vector<ReportedPoint> asked;
-  if (!(arguments.within >= 0))
-    throw Error(fmt::format("--within is {}: give a distance of 0 or more", arguments.within));
   if (arguments.points.empty() && !arguments.point)
     throw Error("no point is given: name one with --point X Y Z, or a file with --points");
   if (arguments.points.empty()) return {{*arguments.point, {}}};
@@ -28,16 +29,18 @@ std::vector<ReportedPoint> points_asked(const NearestArguments& arguments) {
   return asked;
 }
 
-std::vector<std::vector<SurfacePoint>> nearest_of(const Posed& surface, const std::vector<Vec3>& points,
-                                                  const NearestArguments& arguments) {
-  const NearestQuery query{.pose = surface.pose, .max_distance = arguments.within};
+BatchOptions on_threads(const NearestArguments& arguments) {
   BatchOptions options;
   options.threads = arguments.threads;
-  try {
-    return nearest_points_each(points, arguments.k, surface.model, query, options);
-  } catch (const Error& error) {
-    throw Error(fmt::format("'{}': {}", surface.name, error.what()));
-  }
+  return options;
+}
+
+std::vector<std::vector<SurfacePoint>> nearest_of(const Posed& surface, const std::vector<Vec3>& points, double within,
+                                                  const NearestArguments& arguments) {
+  const NearestQuery query{.pose = surface.pose, .max_distance = within};
+  return asked_of(surface.name, [&] {
+    return nearest_points_each(points, arguments.k, surface.model, query, on_threads(arguments));
+  });
 }
 
 bool comes_before(const ReportedSurfacePoint& a, const ReportedSurfacePoint& b) {
@@ -49,8 +52,10 @@ bool comes_before(const ReportedSurfacePoint& a, const ReportedSurfacePoint& b) 
 void find_nearest(const CheckInput& input, const NearestArguments& arguments, std::vector<ReportedPoint>& asked) {
   std::vector<Vec3> points;
   for (const ReportedPoint& one : asked) points.push_back(one.point);
+  const double within = arguments.within.empty() ? std::numeric_limits<double>::infinity()
+                                                 : read_length("--within", arguments.within, input.loaded.scene);
   for (std::size_t object = 0; object < input.models.size(); ++object) {
-    const auto found = nearest_of(input.models[object], points, arguments);
+    const auto found = nearest_of(input.models[object], points, within, arguments);
     for (std::size_t i = 0; i < asked.size(); ++i)
       for (const SurfacePoint& one : found[i]) asked[i].nearest.push_back({one, static_cast<Index>(object)});
   }
@@ -60,18 +65,52 @@ void find_nearest(const CheckInput& input, const NearestArguments& arguments, st
   }
 }
 
-/// On which side of each object found every point is.
-void find_sides(const CheckInput& input, std::vector<ReportedPoint>& asked) {
-  Workspace workspace;
-  for (ReportedPoint& one : asked)
-    for (ReportedSurfacePoint& found : one.nearest) {
-      const Posed& surface = input.models[found.object];
-      try {
-        found.signed_distance = signed_distance(one.point, surface.model, surface.pose, SignBy::automatic, workspace);
-      } catch (const Error& error) {
-        throw Error(fmt::format("'{}': {}", surface.name, error.what()));
-      }
-    }
+/// A distance beyond the doubles is not told by one.
+void check_finite(const CheckInput& input, const std::vector<ReportedPoint>& asked) {
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    for (const ReportedSurfacePoint& one : asked[i].nearest)
+      if (!std::isfinite(one.nearest.upper))
+        throw Error(fmt::format("'{}': point {}: it is farther away than a double can tell (1.8e308)",
+                                input.models[one.object].name, i));
+}
+
+/// The distance to an element, with the sign of the side on which the point is of the whole object.
+SignedDistance with_side(const SurfacePoint& nearest, SignedDistance from) {
+  const bool inside = from.side == Side::inside;
+  from.lower = inside ? -nearest.upper : nearest.lower;
+  from.upper = !inside || from.status == Status::undecided ? nearest.upper : -nearest.lower;
+  from.nearest = nearest.point;
+  from.element = nearest.element;
+  from.face = nearest.face;
+  return from;
+}
+
+/// Which points have something of the object among what is nearest to them.
+std::vector<std::size_t> points_near(Index object, const std::vector<ReportedPoint>& asked) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (std::any_of(asked[i].nearest.begin(), asked[i].nearest.end(),
+                    [&](const ReportedSurfacePoint& one) { return one.object == object; }))
+      near.push_back(i);
+  return near;
+}
+
+/// On which side of each object found every point is, once for each.
+void find_sides(const CheckInput& input, const NearestArguments& arguments, std::vector<ReportedPoint>& asked) {
+  for (std::size_t place = 0; place < input.models.size(); ++place) {
+    const auto object = static_cast<Index>(place);
+    const std::vector<std::size_t> near = points_near(object, asked);
+    if (near.empty()) continue;
+    std::vector<Vec3> points;
+    for (const std::size_t i : near) points.push_back(asked[i].point);
+    const Posed& surface = input.models[place];
+    const auto sides = asked_of(surface.name, [&] {
+      return signed_distance_each(points, surface.model, surface.pose, SignBy::automatic, on_threads(arguments));
+    });
+    for (std::size_t n = 0; n < near.size(); ++n)
+      for (ReportedSurfacePoint& one : asked[near[n]].nearest)
+        if (one.object == object) one.signed_distance = with_side(one.nearest, sides[n]);
+  }
 }
 
 /// Nothing unless it was asked for.
@@ -103,10 +142,10 @@ std::string nearest_table(const CheckInput& input, const std::vector<ReportedPoi
   return columns(rows, 2);
 }
 
-std::string text_of(const CheckInput& input, const std::vector<ReportedPoint>& points, Format format) {
+std::string text_of(const CheckInput& input, const std::vector<ReportedPoint>& points, Format format, bool sides) {
   const LoadedScene& loaded = input.loaded;
   if (format == Format::json) return nearest_report_json(loaded.scene, input.models, points, loaded.warnings);
-  return format == Format::csv ? nearest_report_csv(loaded.scene, points) : nearest_table(input, points);
+  return format == Format::csv ? nearest_report_csv(loaded.scene, points, sides) : nearest_table(input, points);
 }
 
 }  // namespace
@@ -115,8 +154,9 @@ int run_nearest(const NearestArguments& arguments) {
   std::vector<ReportedPoint> points = points_asked(arguments);
   const CheckInput input = read_check_input(arguments);
   find_nearest(input, arguments, points);
-  if (arguments.sides) find_sides(input, points);
-  const std::string text = text_of(input, points, arguments.format);
+  check_finite(input, points);
+  if (arguments.sides) find_sides(input, arguments, points);
+  const std::string text = text_of(input, points, arguments.format, arguments.sides);
   print_warnings(input.loaded.warnings);
   print_answer(text);
   return 0;

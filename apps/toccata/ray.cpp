@@ -33,11 +33,7 @@ std::vector<RayHit> hits_of(const Posed& target, std::vector<RayQuery> rays, int
   }
   BatchOptions options;
   options.threads = threads;
-  try {
-    return cast_ray_each(rays, target.model, options);
-  } catch (const Error& error) {
-    throw Error(fmt::format("'{}': {}", target.name, error.what()));
-  }
+  return asked_of(target.name, [&] { return cast_ray_each(rays, target.model, options); });
 }
 
 /// Of all objects the one that is met first, by (upper, place in the scene).

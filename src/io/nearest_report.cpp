@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 
 #include "io/report_parts.hpp"
@@ -24,6 +23,7 @@ io::Json json_of(const Scene& scene, const ReportedSurfacePoint& one) {
   io::Json json = {{"object", io::as_utf8(scene.objects[one.object].name)},
                    {"object_index", one.object},
                    {"face", one.nearest.face},
+                   {"triangle", one.nearest.element},
                    {"lower", one.nearest.lower},
                    {"upper", one.nearest.upper},
                    {"at", io::json_of(one.nearest.point)},
@@ -43,19 +43,15 @@ std::string line_of(const Scene& scene, const ReportedPoint& point, std::size_t 
   return io::line_of({{"number", i}, {"point", io::json_of(point.point)}, {"nearest", std::move(nearest)}});
 }
 
-bool tells_sides(std::span<const ReportedPoint> points) {
-  return std::any_of(points.begin(), points.end(), [](const ReportedPoint& point) {
-    return !point.nearest.empty() && point.nearest[0].signed_distance.has_value();
-  });
-}
-
-std::string csv_of(const Scene& scene, const ReportedSurfacePoint& one) {
+std::string csv_of(const Scene& scene, const ReportedSurfacePoint& one, bool sides) {
   const SurfacePoint& p = one.nearest;
-  std::string csv = fmt::format("{},{},{},{},{},{},{},{}", io::csv_field(io::as_utf8(scene.objects[one.object].name)),
-                                p.face, p.lower, p.upper, p.point.x, p.point.y, p.point.z, name_of(p.status));
-  if (const auto& from = one.signed_distance)
-    csv += fmt::format(",{},{},{},{}", name_of(*from), name_of(from->sign_by), from->lower, from->upper);
-  return csv;
+  std::string csv =
+      fmt::format("{},{},{},{},{},{},{},{},{}", io::csv_field(io::as_utf8(scene.objects[one.object].name)), p.face,
+                  p.element, p.lower, p.upper, p.point.x, p.point.y, p.point.z, name_of(p.status));
+  if (!sides) return csv;
+  const auto& from = one.signed_distance;
+  if (!from) return csv + ",,,,";
+  return csv + fmt::format(",{},{},{},{}", name_of(*from), name_of(from->sign_by), from->lower, from->upper);
 }
 
 }  // namespace
@@ -66,15 +62,14 @@ std::string nearest_report_json(const Scene& scene, std::span<const Posed> model
                        points.size(), [&](std::size_t i) { return line_of(scene, points[i], i); });
 }
 
-std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points) {
-  const bool sides = tells_sides(points);
-  std::string csv = "point,rank,object,face,lower,upper,x,y,z,status";
+std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points, bool sides) {
+  std::string csv = "point,rank,object,face,triangle,lower,upper,x,y,z,status";
   csv += sides ? ",side,side_by,signed_lower,signed_upper\n" : "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& nearest = points[i].nearest;
     for (std::size_t rank = 0; rank < nearest.size(); ++rank)
-      csv += fmt::format("{},{},{}\n", i, rank + 1, csv_of(scene, nearest[rank]));
-    if (nearest.empty()) csv += fmt::format("{},0,,,,,,,,{}\n", i, sides ? ",,,," : "");
+      csv += fmt::format("{},{},{}\n", i, rank + 1, csv_of(scene, nearest[rank], sides));
+    if (nearest.empty()) csv += fmt::format("{},0,,,,,,,,,{}\n", i, sides ? ",,,," : "");
   }
   return csv;
 }

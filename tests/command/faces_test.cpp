@@ -41,10 +41,13 @@ TEST(FacesCommand, WrongRegionsAreTroubleThatSaysWhatToDo) {
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
   };
   refused({"faces", "gen:box"}, "no region is given");
-  refused({"faces", "gen:box", "--box", "1", "0", "0", "0", "1", "1"}, "is empty or not finite");
-  refused({"faces", "gen:box", "--ball", "0", "0", "0", "-1"}, "a radius of 0 or more");
+  refused({"faces", "gen:box", "--box", "1", "0", "0", "0", "1", "1"},
+          "--box: the box is empty, its x goes from 1 to 0");
+  refused({"faces", "gen:box", "--ball", "0", "0", "0", "-1"},
+          "error: --ball: the radius is -1; give a radius of 0 or more");
   refused({"faces", "gen:box", "--ball", "0", "0", "0", "x"}, "--ball: 'x' is not a finite number");
   refused({"faces", "gen:box", "--ball", "0", "0", "0"}, "--ball");
+  refused({"faces", "--ball", "0", "0", "0", "1"}, "no file was named: name mesh files (");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST_F(ShapeCommands, NearestTellsThePointOfASurface) {
   EXPECT_EQ(many.exit_code, 0) << many.err;
   EXPECT_NE(many.out.find("\n0,1,icosphere,"), std::string::npos) << many.out;
   EXPECT_NE(many.out.find("\n0,2,icosphere,"), std::string::npos) << many.out;
-  EXPECT_NE(many.out.find("\n1,0,,,,,,,,\n"), std::string::npos) << many.out;
+  EXPECT_NE(many.out.find("\n1,0,,,,,,,,,\n"), std::string::npos) << many.out;
 }
 
 TEST_F(ShapeCommands, BadQuestionsForTheNearestPointAreRefused) {
@@ -114,7 +114,8 @@ TEST_F(ShapeCommands, BadQuestionsForTheNearestPointAreRefused) {
           "points.txt:2: a line of 3 numbers has 2");
   refused({"nearest", "gen:box", "--points", folder.write("none.txt", "# none\n").string()}, "holds no point");
   refused({"nearest", "gen:box", "--point", "0", "0", "x"}, "--point: 'x' is not a finite number");
-  refused({"nearest", "gen:box", "--point", "0", "0", "1", "--within=-1"}, "--within is -1");
+  refused({"nearest", "gen:box", "--point", "0", "0", "1", "--within=-1"},
+          "--within -1: write LENGTH, where a length is 0 or more");
   refused({"nearest", "gen:box", "--point", "0", "0", "1", "--k=0"}, "--k");
   refused({"nearest", folder.write("scene.json", scene).string(), "--point", "0", "0", "9"}, "has an interior");
 }

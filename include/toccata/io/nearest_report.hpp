@@ -16,7 +16,9 @@ namespace toccata {
 struct ReportedSurfacePoint {
   SurfacePoint nearest;
   Index object = 0;
-  std::optional<SignedDistance> signed_distance{};  ///< of the point from the whole object, when asked for
+  /// When asked for: the side is that of the point, of the whole object; the distance is that of `nearest`, negative
+  /// inside.
+  std::optional<SignedDistance> signed_distance{};
 };
 
 /// A point that was asked about, and what is nearest to it, nearest first; none where nothing is within the greatest
@@ -31,7 +33,8 @@ struct ReportedPoint {
                                               std::span<const ReportedPoint> points,
                                               std::span<const std::string> warnings);
 
-/// Comma-separated values with a header line: a line per point of a surface.
-[[nodiscard]] std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points);
+/// Comma-separated values with a header line: a line per point of a surface. `sides`: with the columns of the signed
+/// distances, empty where there is none.
+[[nodiscard]] std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points, bool sides);
 
 }  // namespace toccata
