@@ -27,9 +27,8 @@ template <class V>
 std::string fault_of_numbers(const V& volume) {
   for (const double number : {measure(volume), surface_area(volume), half_area(volume)})
     if (!(number >= 0)) return "a size is negative or not a number";
-  const Aabb box = box_around(volume);
-  const Vec3 far = farthest_point(volume, {1, -0.5, 0.25});
-  return box.lower.x <= far.x && far.x <= box.upper.x + 1e-12 * std::fabs(far.x) ? "" : "the box is wrong";
+  return holds_but_for_rounding(box_around(volume), farthest_point(volume, {1, -0.5, 0.25}).x) ? ""
+                                                                                               : "the box is wrong";
 }
 
 /// a and b are the volumes of these points.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/mesh_soups.hpp"
+#include "support/volume_cases.hpp"
 #include "support/volume_sets.hpp"
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/core/error.hpp"
@@ -153,6 +154,25 @@ TYPED_TEST(EveryVolume, IsAsTightForTinyPoints) {
   const Pose shrinking{{{Vec3{0x1p-300, 0, 0}, Vec3{0, 0x1p-300, 0}, Vec3{0, 0, 0x1p-300}}}, {}};
   const double here = half_area(fit<TypeParam>(points));
   EXPECT_NEAR(half_area(fit<TypeParam>(transform(shrinking, points))) * 0x1p600 / here, 1, 1e-9);
+}
+
+/// A corner near the plane x = 0 of a box that is 10⁵ times as long: its x is what large numbers leave when they
+/// cancel, and is off by their rounding, not by its own.
+TYPED_TEST(EveryVolume, FarthestPointIsOffByRoundingOfTheLargestCoordinates) {
+  const std::vector<Vec3> points{{-0x1.f31a1f9e7e468p+993, 0x1.57894984fd023p+994, 0x1.ba9c45da4754ep+995},
+                                 {-0x1.6f0d36991af5p+995, 0x1.28468587c7463p+996, 0x1.4137e2d3cb8e7p+995},
+                                 {-0x1.d81b732644dfbp+994, 0x1.18522e04a514cp+994, 0x1.7cb94b48cc6p+990},
+                                 {-0x1.dd622a6ebe254p+992, 0x1.4e06dd1ddb84ep+993, 0x1.f7199e42105e8p+995},
+                                 {-0x1.100d0a440d4fp+992, 0x1.651fa5923f4a9p+995, 0x1.38af6220ce559p+994},
+                                 {-0x1.f6204214a012ap+995, 0x1.bffb7066351a6p+994, 0x1.824ea3a7729c8p+995}};
+  const Pose pose{{{Vec3{0x1.bc6ee19284a6cp-2, 0x1.7ce70f3ee6561p-3, -0x1.c353a8c7151fp-1},
+                    Vec3{0x1.6ff55964f7c77p-1, 0x1.098116d44743dp-1, 0x1.da6037402bd2bp-2},
+                    Vec3{0x1.1627c7401d22bp-1, -0x1.ab4c48b525d9bp-1, 0x1.7661790577848p-4}}},
+                  {-0x1.53d1f0bdbf44ep+993, -0x1.304292e1c4428p+995, 0x1.3d5f6be3926ecp+994}};
+  const TypeParam turned = posed(fit<TypeParam>(points), pose);
+  for (const Vec3& p : points) EXPECT_TRUE(test::holds(turned, transform(pose, p)));
+  const Vec3 far = farthest_point(turned, {1, -0.5, 0.25});
+  EXPECT_TRUE(test::holds_but_for_rounding(box_around(turned), far.x));
 }
 
 /// Turning a tight volume does not make it looser, where it can turn.

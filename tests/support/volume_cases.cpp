@@ -100,6 +100,11 @@ bool found_less_than_every_pair(double gap, const std::vector<Vec3>& a, const st
   return true;
 }
 
+bool holds_but_for_rounding(const Aabb& box, double x) {
+  const double slack = 1e-12 * std::max(std::fabs(box.lower.x), std::fabs(box.upper.x));
+  return box.lower.x - slack <= x && x <= box.upper.x + slack;
+}
+
 std::string to_text(const VolumeCase& input) {
   std::string text;
   const auto add = [&](const char* name, const std::vector<Vec3>& points) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "toccata/bounds/aabb.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/shapes/triangle.hpp"
@@ -33,6 +34,10 @@ std::optional<Vec3> exact_difference_of(const Vec3& p, const Vec3& q);
 
 /// Not above the distance of any two of the points, exactly.
 bool found_less_than_every_pair(double gap, const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+
+/// The x of a point of a volume, where this is the box around it. It was added up from numbers as large as those of
+/// the box, so it may be off by a few roundings of the largest, however near to zero it is itself.
+bool holds_but_for_rounding(const Aabb& box, double x);
 
 /// All numbers in full precision.
 std::string to_text(const VolumeCase& input);
