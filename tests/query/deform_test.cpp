@@ -14,6 +14,7 @@
 #include "toccata/query/relation.hpp"
 #include "toccata/query/self_contacts.hpp"
 #include "toccata/shapes/box.hpp"
+#include "trees/leaf_triangles.hpp"
 
 namespace toccata {
 namespace {
@@ -76,6 +77,19 @@ TEST(Deform, WhatIsFoundOnDemandIsFoundAgain) {
   static_cast<void>(model.deform(twice));
   EXPECT_NEAR(distance(model, Point({3, 0, 0})).upper, 1, 1e-11);
   EXPECT_EQ(model.oriented_boxes().size(), model.wide_tree().blocks.size());
+}
+
+TEST(Deform, TrianglesAtTheLeavesAreThoseOfTheMovedMesh) {
+  Model model(generate_mesh("noise-sphere"));
+  EXPECT_EQ(model.leaf_triangles_for(1), nullptr) << "one question is not worth it";
+  EXPECT_EQ(model.leaf_triangles_for(100'000), &model.leaf_triangles());
+  EXPECT_EQ(model.leaf_triangles_for(1), &model.leaf_triangles());
+  static_cast<void>(model.deform(bent(model.mesh(), 0.1)));
+  EXPECT_EQ(model.leaf_triangles_for(1), nullptr);
+  const LeafTriangles built = leaf_triangles(model.wide_tree(), model.mesh());
+  ASSERT_EQ(model.leaf_triangles().of_block.size(), built.of_block.size());
+  for (std::size_t i = 0; i < built.of_block.size(); ++i)
+    ASSERT_EQ(model.leaf_triangles().of_block[i].corner, built.of_block[i].corner) << i;
 }
 
 TEST(Deform, WhatHasGrownTooMuchIsBuiltAnew) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@
 
 namespace toccata {
 
+struct LeafTriangles;
 struct OrientedBlock;
 struct WindingMoments;
 
@@ -83,6 +85,14 @@ class Model {
   /// What its blocks are as sources of solid angles, for winding numbers; made when first asked for. Some 80 bytes a
   /// triangle. For the library itself.
   [[nodiscard]] std::span<const WindingMoments> winding_moments() const;
+
+  /// Its triangles side by side at the tree's blocks, in its units, as floats; made when first asked for. Some 55 bytes
+  /// a triangle. For the library itself.
+  [[nodiscard]] const LeafTriangles& leaf_triangles() const;
+
+  /// The same once it has been made or, with so many questions more that would gain by it, is worth the time of making
+  /// it: they are counted. Else null. For the library itself.
+  [[nodiscard]] const LeafTriangles* leaf_triangles_for(std::size_t questions) const;
 
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
   [[nodiscard]] const Tree<Aabb>& tree() const;
