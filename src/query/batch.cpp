@@ -269,7 +269,7 @@ std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOpt
 
 std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
                                              const NearestQuery& query, const BatchOptions& options) {
-  const NearestSearch search(surface, query);
+  const NearestSearch search(surface, query, points.size());
   return ask_each<SurfacePoint>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
     return search.nearest(point, workspace.scratch());
   });
@@ -278,7 +278,7 @@ std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const
 std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
                                                            const Model& surface, const NearestQuery& query,
                                                            const BatchOptions& options) {
-  const NearestSearch search(surface, query);
+  const NearestSearch search(surface, query, points.size());
   return ask_each<std::vector<SurfacePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
     return search.nearest(point, k, workspace.scratch());
   });

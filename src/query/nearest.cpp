@@ -12,7 +12,7 @@ SurfacePoint nearest_point(const Vec3& point, const Model& surface, const Neares
 
 SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query, Workspace& workspace) {
   SearchScratch& scratch = workspace.scratch();
-  NearestSearch search(surface, query, std::move(scratch.posed[0]));
+  NearestSearch search(surface, query, 1, std::move(scratch.posed[0]));
   const SurfacePoint found = search.nearest(point, scratch);
   scratch.posed[0] = search.release();
   return found;
@@ -27,7 +27,7 @@ std::vector<SurfacePoint> nearest_points(const Vec3& point, std::size_t k, const
 std::vector<SurfacePoint> nearest_points(const Vec3& point, std::size_t k, const Model& surface,
                                          const NearestQuery& query, Workspace& workspace) {
   SearchScratch& scratch = workspace.scratch();
-  NearestSearch search(surface, query, std::move(scratch.posed[0]));
+  NearestSearch search(surface, query, 1, std::move(scratch.posed[0]));
   std::vector<SurfacePoint> found = search.nearest(point, k, scratch);
   scratch.posed[0] = search.release();
   return found;

@@ -30,14 +30,15 @@ SurfacePoint of_convex(const Vec3& point, const PosedConvex& shape, const PosedP
 
 }  // namespace
 
-NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, std::vector<PosedPart> memory)
+NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, std::size_t points,
+                             std::vector<PosedPart> memory)
     : posed_(pose_model(surface, query.pose, Solid::none, "the surface", std::move(memory))),
       max_distance_(query.max_distance) {
   require_distance(max_distance_);
   for (const PosedPart& part : posed_.parts) {
     require_surface(part);
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
-      meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face);
+      meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
   }
 }
 

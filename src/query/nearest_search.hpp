@@ -13,8 +13,9 @@ namespace toccata {
 /// the point.
 class NearestSearch {
  public:
-  /// The parts take the place of what is in `memory`.
-  NearestSearch(const Model& surface, const NearestQuery& query, std::vector<PosedPart> memory = {});
+  /// About so many points will be asked about. The parts take the place of what is in `memory`.
+  NearestSearch(const Model& surface, const NearestQuery& query, std::size_t points,
+                std::vector<PosedPart> memory = {});
   NearestSearch(const NearestSearch&) = delete;
   NearestSearch& operator=(const NearestSearch&) = delete;
 

@@ -15,6 +15,7 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
+#include "trees/near_triangles.hpp"
 #include "trees/near_walk.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -66,6 +67,7 @@ struct SearchScratch {
   WindingEntries winding;
   std::vector<SurfacePoint> surface_points;  ///< the nearest so far
   NearestCandidates::Memory near_elements;
+  NearTriangles::Memory near_triangles;
 };
 
 }  // namespace toccata

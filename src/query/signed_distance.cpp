@@ -27,8 +27,8 @@ SignBy method_for(const Model& model, const Pose& pose, SignBy asked) {
 /// A posed mesh from which signed distances are asked, and what is the same for all points.
 class SignSearch {
  public:
-  SignSearch(const Model& model, const Pose& pose, SignBy asked)
-      : mesh_(model, pose), method_(method_for(model, pose, asked)), nearest_(model, {.pose = pose}) {
+  SignSearch(const Model& model, const Pose& pose, SignBy asked, std::size_t points)
+      : mesh_(model, pose), method_(method_for(model, pose, asked)), nearest_(model, {.pose = pose}, points) {
     if (method_ == SignBy::generalized_winding_number) winding_.emplace(mesh_);
   }
   // The search refers to the mesh.
@@ -76,12 +76,12 @@ SignedDistance signed_distance(const Vec3& point, const Model& model, const Pose
 
 SignedDistance signed_distance(const Vec3& point, const Model& model, const Pose& pose, SignBy sign_by,
                                Workspace& workspace) {
-  return SignSearch(model, pose, sign_by).from(point, workspace.scratch());
+  return SignSearch(model, pose, sign_by, 1).from(point, workspace.scratch());
 }
 
 std::vector<SignedDistance> signed_distance_each(std::span<const Vec3> points, const Model& model, const Pose& pose,
                                                  SignBy sign_by, const BatchOptions& batch) {
-  const SignSearch search(model, pose, sign_by);
+  const SignSearch search(model, pose, sign_by, points.size());
   return ask_each<SignedDistance>(points, "point", batch, [&](const Vec3& point, Workspace& workspace) {
     return search.from(point, workspace.scratch());
   });

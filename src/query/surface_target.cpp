@@ -21,21 +21,77 @@ void put(TriangleBlock& block, std::size_t lane, const Triangle& triangle) {
 
 }  // namespace
 
-SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face)
+SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face, std::size_t points)
     : posed_(mesh),
       mesh_(mesh.model().mesh()),
       tree_(mesh.model().wide_tree()),
       way_(mesh),
-      stretch_(greatest_stretch(way_.back())),
+      stretch_(stretch_of(way_.back())),
+      leaves_(stretch_.is_equal ? mesh.model().leaf_triangles_for(points) : nullptr),
       first_element_(first_element),
       first_face_(first_face) {}
 
 void SurfaceTarget::see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const {
   const WidePoint in_tree{way_.place(point - posed_.pose().offset), 2 * way_.off(greatest_of(point))};
-  if (!way_.usable() || !is_finite(in_tree.at) || !std::isfinite(in_tree.pad) || !std::isfinite(stretch_))
+  if (!way_.usable() || !is_finite(in_tree.at) || !std::isfinite(in_tree.pad) || !std::isfinite(stretch_.greatest))
     return see_all(point, nearest);
+  if (leaves_ != nullptr && greatest_of(in_tree.at) < greatest_near_coordinate)
+    see_at_leaves(point, in_tree, nearest, scratch);
+  else
+    see_by_walk(point, in_tree, nearest, scratch);
+}
+
+void SurfaceTarget::see_at_leaves(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest,
+                                  SearchScratch& scratch) const {
+  const double in_units = nearest.limit() * stretch_.greatest;
+  const float limit = in_units < 0x1p100 ? static_cast<float>(in_units) * (1 + 0x1p-20F) : HUGE_VALF;
+  NearTriangles near(nearest.k(), limit, scratch.near_triangles);
+  const PointCounts counts = find_near(tree_, *leaves_, in_tree, near);
+  scratch.counts.volume_tests += counts.boxes;
+  scratch.counts.items += counts.triangles;
+  std::span<const Index> left = near.those_left();
+  if (left.size() <= TriangleBlock::lanes) {
+    if (!left.empty()) see(point, left, nearest);
+    return;
+  }
   NearestCandidates candidates(nearest, scratch.near_elements);
-  find(point, in_tree, candidates, scratch.counts);
+  for (; !left.empty(); left = left.subspan(std::min(TriangleBlock::lanes, left.size())))
+    bound_few(point, left.first(std::min(TriangleBlock::lanes, left.size())), candidates);
+  see_candidates(point, candidates, nearest);
+}
+
+void SurfaceTarget::see_by_walk(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest,
+                                SearchScratch& scratch) const {
+  NearestCandidates candidates(nearest, scratch.near_elements);
+  const auto limit = [&] { return candidates.limit() * stretch_.greatest; };
+  scratch.counts.volume_tests += walk_point(tree_, in_tree, limit(), [&](std::span<const Index> places) {
+    std::array<Index, TriangleBlock::lanes> triangles;
+    for (std::size_t lane = 0; lane < places.size(); ++lane) triangles[lane] = tree_.items[places[lane]];
+    bound_few(point, std::span(triangles).first(places.size()), candidates);
+    scratch.counts.items += places.size();
+    return limit();
+  });
+  see_candidates(point, candidates, nearest);
+}
+
+/// At most as many as fit a block.
+void SurfaceTarget::bound_few(const Vec3& point, std::span<const Index> triangles,
+                              NearestCandidates& candidates) const {
+  const Vec3* vertices = mesh_.vertices().data();
+  TriangleBlock block;
+  PointBounds bounds;
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+    const auto& corner = mesh_.triangles()[triangles[lane]];
+    put(block, lane, {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}});
+  }
+  block.count = triangles.size();
+  bound(point, posed_.pose(), block, bounds);
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane)
+    candidates.see(triangles[lane], bounds.lower[lane], bounds.upper[lane]);
+}
+
+void SurfaceTarget::see_candidates(const Vec3& point, const NearestCandidates& candidates,
+                                   NearestElements& nearest) const {
   std::array<Index, TriangleBlock::lanes> few;
   std::size_t count = 0;
   candidates.for_each([&](Index triangle) {
@@ -45,26 +101,6 @@ void SurfaceTarget::see_near(const Vec3& point, NearestElements& nearest, Search
     count = 0;
   });
   if (count > 0) see(point, std::span(few).first(count), nearest);
-}
-
-void SurfaceTarget::find(const Vec3& point, const WidePoint& in_tree, NearestCandidates& candidates,
-                         WalkCounts& counts) const {
-  const auto limit = [&] { return candidates.limit() * stretch_; };
-  const Vec3* vertices = mesh_.vertices().data();
-  TriangleBlock block;
-  PointBounds bounds;
-  counts.volume_tests += walk_point(tree_, in_tree, limit(), [&](std::span<const Index> places) {
-    for (std::size_t lane = 0; lane < places.size(); ++lane) {
-      const auto& corner = mesh_.triangles()[tree_.items[places[lane]]];
-      put(block, lane, {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}});
-    }
-    block.count = places.size();
-    bound(point, posed_.pose(), block, bounds);
-    for (std::size_t lane = 0; lane < places.size(); ++lane)
-      candidates.see(tree_.items[places[lane]], bounds.lower[lane], bounds.upper[lane]);
-    counts.items += places.size();
-    return limit();
-  });
 }
 
 void SurfaceTarget::see_all(const Vec3& point, NearestElements& nearest) const {

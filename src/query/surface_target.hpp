@@ -13,14 +13,20 @@ namespace toccata {
 /// A posed mesh that points are near to, and what is the same for all of them. The mesh must outlive it.
 class SurfaceTarget {
  public:
-  /// Its elements and faces are counted from these on.
-  SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face);
+  /// Its elements and faces are counted from these on; about so many points will be asked about.
+  SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face, std::size_t points);
 
   /// Shows all triangles that may be among the nearest, in any order.
   void see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const;
 
  private:
-  void find(const Vec3& point, const WidePoint& in_tree, NearestCandidates& candidates, WalkCounts& counts) const;
+  /// By the floats at the tree's leaves.
+  void see_at_leaves(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest,
+                     SearchScratch& scratch) const;
+  /// By the vertices in doubles.
+  void see_by_walk(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest, SearchScratch& scratch) const;
+  void bound_few(const Vec3& point, std::span<const Index> triangles, NearestCandidates& candidates) const;
+  void see_candidates(const Vec3& point, const NearestCandidates& candidates, NearestElements& nearest) const;
   void see_all(const Vec3& point, NearestElements& nearest) const;
   void see(const Vec3& point, std::span<const Index> triangles, NearestElements& nearest) const;
   [[nodiscard]] Triangle world_triangle(Index number) const;
@@ -29,7 +35,8 @@ class SurfaceTarget {
   const TriangleMesh& mesh_;
   const WideTree& tree_;
   WayIntoTree way_;
-  double stretch_;  ///< two points of the world are no farther apart in the tree than so many times as far
+  Stretch stretch_;              ///< what becomes of lengths on that way
+  const LeafTriangles* leaves_;  ///< null when they do not pay, or say nothing of what is nearest in the world
   Index first_element_;
   Index first_face_;
 };

@@ -50,15 +50,16 @@ WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
   usable_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
 }
 
-double greatest_stretch(const Mat3& m) {
+Stretch stretch_of(const Mat3& m) {
   double squares = 0;
   for (int i = 0; i < 3; ++i) squares += dot(m[i], m[i]);
-  if (!(squares > 0x1p-900) || !(squares < 0x1p900)) return HUGE_VAL;
+  if (!(squares > 0x1p-900) || !(squares < 0x1p900)) return {HUGE_VAL, false};
   const double factor = std::sqrt(squares / 3);
   Mat3 unit = m;
   for (int i = 0; i < 3; ++i) unit[i] = (1 / factor) * m[i];
+  const bool is_rigid = is_surely_rigid(unit);
   // By the sum of all squares it is never more.
-  return (is_surely_rigid(unit) ? factor : std::sqrt(squares)) * (1 + 0x1p-40);
+  return {(is_rigid ? factor : std::sqrt(squares)) * (1 + 0x1p-40), is_rigid};
 }
 
 }  // namespace toccata

@@ -32,7 +32,12 @@ class WayIntoTree {
   bool usable_ = false;
 };
 
-/// At least by how much any length grows on its way through the matrix; infinite where squares leave the doubles.
-[[nodiscard]] double greatest_stretch(const Mat3& m);
+/// What a matrix does to lengths.
+struct Stretch {
+  double greatest = 0;    ///< at least by how much any length grows; infinite where squares leave the doubles
+  bool is_equal = false;  ///< every length grows by so much, but for 2⁻³⁸
+};
+
+[[nodiscard]] Stretch stretch_of(const Mat3& m);
 
 }  // namespace toccata

@@ -14,6 +14,8 @@
 #include <bit>
 #include <cmath>
 
+#include "trees/point_lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
@@ -33,18 +35,118 @@ constexpr float of_squares = 1 + 0x1p-19F;
 
 float as_float(double x) { return static_cast<float>(x); }
 
+/// Shows items by their places.
+class VisitedLeaves {
+ public:
+  VisitedLeaves(const WideTree& tree, FunctionRef<double(std::span<const Index>)> visit) : tree_(tree), visit_(visit) {}
+
+  /// Of a block the items in these lanes; returns the limit from then on.
+  double see(std::size_t number, unsigned items) {
+    std::array<Index, WideBlock::width> places;
+    std::size_t count = 0;
+    for (; items != 0; items &= items - 1)
+      places[count++] =
+          ~static_cast<Index>(tree_.blocks[number].child[static_cast<std::size_t>(std::countr_zero(items))]);
+    return visit_({places.data(), count});
+  }
+  void prefetch(std::size_t /*number*/) const {}
+
+ private:
+  const WideTree& tree_;
+  FunctionRef<double(std::span<const Index>)> visit_;
+};
+
+std::array<float, 3> as_floats(const Vec3& at) { return {as_float(at.x), as_float(at.y), as_float(at.z)}; }
+
+double sum_of_magnitudes(const Vec3& at) { return (std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z); }
+
+/// Bounds the distances of all triangles of a block at once.
+class BoundedLeaves {
+ public:
+  BoundedLeaves(const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near)
+      : leaves_(leaves), near_(near), at_(as_floats(point.at)), pad_(pad_of(leaves, point)) {}
+
+  double see(std::size_t number, unsigned items) {
+    alignas(64) std::array<float, WideBlock::width> lower, upper;
+    const TriangleLanes& triangles = leaves_.of_block[number];
+    for (std::size_t first = 0; first < WideBlock::width; first += lanes) {
+      const lane_floats::LaneBounds bounds = lane_floats::bounds_of(triangles, first, at_, pad_);
+      hn::Store(bounds.lower, Floats(), lower.data() + first);
+      hn::Store(bounds.upper, Floats(), upper.data() + first);
+    }
+    count_ += static_cast<std::size_t>(std::popcount(items));
+    if (near_.k() == 1)
+      near_.see_upper(least_of(upper, items));
+    else
+      for (unsigned left = items; left != 0; left &= left - 1)
+        near_.see_upper(upper[static_cast<std::size_t>(std::countr_zero(left))]);
+    keep(triangles, items, lower);
+    return static_cast<double>(near_.limit());
+  }
+
+  HWY_INLINE void prefetch(std::size_t number) const {
+    const auto* bytes = reinterpret_cast<const char*>(&leaves_.of_block[number]);
+    for (std::size_t line = 0; line < sizeof(TriangleLanes); line += 64) __builtin_prefetch(bytes + line);
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  /// That of the corners and of the point, √3 times along an axis, and of the bounds' own roundings where they are too
+  /// small for floats.
+  static float pad_of(const LeafTriangles& leaves, const WidePoint& point) {
+    const double off = 2 * static_cast<double>(leaves.off) + 0x1p-24 * sum_of_magnitudes(point.at);
+    return as_float((point.pad + off) * (1 + 0x1p-20) + 0x1p-30);
+  }
+
+  static HWY_INLINE hn::Mask<Floats> lanes_from(std::size_t first, unsigned bits) {
+    const std::uint8_t some[8] = {static_cast<std::uint8_t>(bits >> first)};
+    return hn::LoadMaskBits(Floats(), some);
+  }
+
+  static HWY_INLINE float least_of(const std::array<float, WideBlock::width>& upper, unsigned items) {
+    const Floats d;
+    auto least = hn::Inf(d);
+    for (std::size_t first = 0; first < WideBlock::width; first += lanes)
+      least = hn::Min(least, hn::IfThenElse(lanes_from(first, items), hn::Load(d, upper.data() + first), hn::Inf(d)));
+    return hn::GetLane(hn::MinOfLanes(d, least));
+  }
+
+  /// Those that are within the limit, which is known by now.
+  HWY_INLINE void keep(const TriangleLanes& triangles, unsigned items,
+                       const std::array<float, WideBlock::width>& lower) {
+    const Floats d;
+    const hn::RebindToUnsigned<Floats> of_numbers;
+    near_.make_room();
+    for (std::size_t first = 0; first < WideBlock::width; first += lanes) {
+      const auto bound = hn::Load(d, lower.data() + first);
+      const auto kept = hn::AndNot(hn::Gt(bound, hn::Set(d, near_.limit())), lanes_from(first, items));
+      const auto number = hn::Load(of_numbers, triangles.number.data() + first);
+      hn::StoreU(hn::Compress(bound, kept), d, near_.lowers_place());
+      hn::StoreU(hn::Compress(number, hn::RebindMask(of_numbers, kept)), of_numbers, near_.numbers_place());
+      near_.claim(hn::CountTrue(d, kept));
+    }
+  }
+
+  const LeafTriangles& leaves_;
+  NearTriangles& near_;
+  std::array<float, 3> at_;
+  float pad_;
+  std::size_t count_ = 0;
+};
+
+template <class Leaves>
 class PointWalk {
  public:
-  PointWalk(const WideTree& tree, const WidePoint& point, double limit)
-      : tree_(tree),
-        at_{as_float(point.at.x), as_float(point.at.y), as_float(point.at.z)},
-        pad_(point.pad + rounding_of(point.at)) {
+  PointWalk(const WideTree& tree, const WidePoint& point, double limit, Leaves& leaves)
+      : tree_(tree), leaves_(leaves), at_(as_floats(point.at)), pad_(point.pad + rounding_of(point.at)) {
     keep_within(limit);
   }
 
-  std::size_t run(FunctionRef<double(std::span<const Index>)> visit) {
+  /// Returns how many boxes were compared.
+  std::size_t run() {
     std::int32_t child = 0;
-    do open(tree_.blocks[static_cast<std::size_t>(child)], visit);
+    do open(static_cast<std::size_t>(child));
     while (next(child));
     return boxes_;
   }
@@ -52,34 +154,32 @@ class PointWalk {
  private:
   /// At least what is rounded in the gaps along the axes, added up; boxes are within 2 of the origin. Of |x| and at
   /// most 2 for the centre, three floats are rounded: x itself, the difference, and that less the extent.
-  static double rounding_of(const Vec3& at) {
-    return 0x1p-22 * (((std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z)) + 8);
-  }
+  static double rounding_of(const Vec3& at) { return 0x1p-22 * (sum_of_magnitudes(at) + 8); }
 
   void keep_within(double limit) {
     const double length = (limit + pad_) * (1 + 0x1p-40), squared = length * length;
     limit_squared_ = limit < 0 ? -1 : squared < 0x1p126 ? static_cast<float>(squared) * of_squares : HUGE_VALF;
   }
 
-  void open(const WideBlock& block, FunctionRef<double(std::span<const Index>)> visit) {
+  HWY_INLINE void open(std::size_t number) {
+    const WideBlock& block = tree_.blocks[number];
     alignas(64) std::array<float, WideBlock::width> squared;
-    unsigned near = 0;
-    for (std::size_t part = 0; part < parts; ++part) near |= measure(block, part * lanes, squared) << part * lanes;
+    unsigned near = 0, items = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      near |= measure(block, part * lanes, squared) << part * lanes;
+      items |= items_of(block, part * lanes) << part * lanes;
+    }
     near &= (1U << block.count) - 1U;
     boxes_ += block.count;
-    std::array<Index, WideBlock::width> items;
-    std::size_t count = 0;
-    unsigned inner = 0;
-    for (; near != 0; near &= near - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
-      const std::int32_t child = block.child[lane];
-      if (child < 0)
-        items[count++] = ~static_cast<Index>(child);
-      else
-        inner |= 1U << lane;
-    }
-    if (count > 0) keep_within(visit({items.data(), count}));
-    if (inner != 0) wait(block, inner, squared);
+    if ((near & items) != 0) keep_within(leaves_.see(number, near & items));
+    if ((near & ~items) != 0) wait(block, near & ~items, squared);
+  }
+
+  static HWY_INLINE unsigned items_of(const WideBlock& block, std::size_t first) {
+    const Integers d;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Lt(hn::Load(d, block.child.data() + first), hn::Zero(d)), bits);
+    return static_cast<unsigned>(bits[0]) & part_mask;
   }
 
   /// The nearest comes next. Sorted without branches, which could not be foreseen: each is put where the number of
@@ -112,6 +212,7 @@ class PointWalk {
   HWY_INLINE void prefetch(std::int32_t child) const {
     const auto* bytes = reinterpret_cast<const char*>(&tree_.blocks[static_cast<std::size_t>(child)]);
     for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
+    leaves_.prefetch(static_cast<std::size_t>(child));
   }
 
   /// The next that waits and is still of interest.
@@ -143,6 +244,7 @@ class PointWalk {
   }
 
   const WideTree& tree_;
+  Leaves& leaves_;
   std::array<float, 3> at_;
   double pad_;
   float limit_squared_ = 0;
@@ -152,7 +254,15 @@ class PointWalk {
 
 std::size_t run_point(const WideTree& tree, const WidePoint& point, double limit,
                       FunctionRef<double(std::span<const Index>)> visit) {
-  return PointWalk(tree, point, limit).run(visit);
+  VisitedLeaves leaves(tree, visit);
+  return PointWalk(tree, point, limit, leaves).run();
+}
+
+PointCounts run_near(const WideTree& tree, const LeafTriangles& triangles, const WidePoint& point,
+                     NearTriangles& near) {
+  BoundedLeaves leaves(triangles, point, near);
+  const std::size_t boxes = PointWalk(tree, point, static_cast<double>(near.limit()), leaves).run();
+  return {boxes, leaves.count()};
 }
 
 }  // namespace
@@ -164,6 +274,7 @@ namespace toccata {
 namespace {
 
 HWY_EXPORT(run_point);
+HWY_EXPORT(run_near);
 
 }  // namespace
 
@@ -171,6 +282,11 @@ std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limi
                        FunctionRef<double(std::span<const Index>)> visit) {
   if (tree.blocks.empty()) return 0;
   return HWY_DYNAMIC_DISPATCH(run_point)(tree, point, limit, visit);
+}
+
+PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near) {
+  if (tree.blocks.empty()) return {};
+  return HWY_DYNAMIC_DISPATCH(run_near)(tree, leaves, point, near);
 }
 
 }  // namespace toccata

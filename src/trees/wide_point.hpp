@@ -5,6 +5,8 @@
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/trees/wide_tree.hpp"
+#include "trees/leaf_triangles.hpp"
+#include "trees/near_triangles.hpp"
 
 namespace toccata {
 
@@ -21,5 +23,18 @@ struct WidePoint {
 /// boxes were compared.
 std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limit,
                        FunctionRef<double(std::span<const Index>)> visit);
+
+/// What a walk compared.
+struct PointCounts {
+  std::size_t boxes = 0;
+  std::size_t triangles = 0;
+};
+
+/// Coordinates of points may be so large for `find_near`: squares stay floats.
+inline constexpr double greatest_near_coordinate = 0x1p30;
+
+/// Finds the triangles that may be among the k nearest; lengths are in the tree's units, and limits and bounds are of
+/// distances that differ from those of the tree's triangles and the point by at most `point.pad`, and 2⁻³⁵ of them.
+PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near);
 
 }  // namespace toccata

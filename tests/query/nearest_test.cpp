@@ -36,6 +36,8 @@ TEST(NearestPoint, AndTheKNearestAreThoseOfEveryTriangleByItself) {
         const Model model(c.mesh);
         const auto found = nearest_points(c.point, k, model, {.pose = c.pose});
         ASSERT_EQ(test::fault_of_nearest(c, found, k), "") << family << ", seed " << seed << ", " << name_of(level);
+        static_cast<void>(model.leaf_triangles());
+        ASSERT_EQ(found, nearest_points(c.point, k, model, {.pose = c.pose})) << family << ", seed " << seed;
         ASSERT_EQ(found[0], nearest_point(c.point, model, {.pose = c.pose}));
       }
   });
@@ -52,8 +54,11 @@ TEST(NearestPoint, OfManyTrianglesIsThatOfEveryTriangleByItself) {
   Random random(7);
   for (const double far : {1.0, 3.0, 100.0, 1e9}) {
     const test::NearestCase c = around_a_knot(random, far);
-    const auto found = nearest_points(c.point, 9, Model(c.mesh), {.pose = c.pose});
+    const Model model(c.mesh);
+    const auto found = nearest_points(c.point, 9, model, {.pose = c.pose});
     EXPECT_EQ(test::fault_of_nearest(c, found, 9), "") << far;
+    static_cast<void>(model.leaf_triangles());
+    EXPECT_EQ(found, nearest_points(c.point, 9, model, {.pose = c.pose})) << far;
   }
 }
 
@@ -166,14 +171,19 @@ TEST(NearestPoint, OfTinyHugeAndFarMeshesAndNeedles) {
       test::NearestCase c{test::random_soup(random, 20, 0.3, 0), {}, {}, scale};
       c.pose = scaled({{}, off * Vec3{1, 1, 1}}, scale);
       c.point = c.pose.offset + test::in_cube(random, 3 * scale);
-      const auto found = nearest_points(c.point, 3, Model(c.mesh), {.pose = c.pose});
+      const Model model(c.mesh);
+      const auto found = nearest_points(c.point, 3, model, {.pose = c.pose});
       EXPECT_EQ(test::fault_of_nearest(c, found, 3), "") << scale << ", " << off;
+      static_cast<void>(model.leaf_triangles());
+      EXPECT_EQ(found, nearest_points(c.point, 3, model, {.pose = c.pose})) << scale << ", " << off;
     }
   const TriangleMesh needles({{0, 0, 0}, {1, 1e-16, 0}, {0.5, 0, 1e-17}, {2, 0, 0}, {2, 0, 0}},
                              {{0, 1, 2}, {3, 4, 3}, {0, 3, 2}});
   for (const Vec3& p : {Vec3{0.5, 1, 1}, Vec3{0.25, 0, 0}, Vec3{3, 0, 0}, Vec3{-1, 1e-8, 0}}) {
     const test::NearestCase c{needles, {}, p, 1};
-    const auto found = nearest_points(p, 3, Model(needles));
+    const Model model(needles);
+    static_cast<void>(model.leaf_triangles());
+    const auto found = nearest_points(p, 3, model);
     EXPECT_EQ(test::fault_of_nearest(c, found, 3), "");
     EXPECT_EQ(test::fault_by_oracle(c, found[0]), "");
   }
