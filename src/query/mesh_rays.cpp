@@ -7,7 +7,6 @@
 
 #include "math/world_vertex.hpp"
 #include "query/world_search.hpp"
-#include "trees/wide_ray.hpp"
 
 // The names and bounds are those of docs/design/rays.md.
 namespace toccata {
@@ -40,13 +39,16 @@ inline Stretch stretch_within(const Aabb& box, double around, const Vec3& origin
   return stretch;
 }
 
+/// How much longer the ray is than the stretch; infinite where it is that by too much.
+inline double per_length(const Stretch& stretch) {
+  return stretch.to - stretch.from > 0x1p-60 ? 1 / (stretch.to - stretch.from) : HUGE_VAL;
+}
+
 /// A search for the first of the triangles that it is told of.
 class FirstHit {
  public:
   FirstHit(const PreparedRay& ray, const Stretch& stretch)
-      : ray_(ray),
-        from_(stretch.from),
-        per_length_(stretch.to - stretch.from > 0x1p-60 ? 1 / (stretch.to - stretch.from) : HUGE_VAL) {}
+      : ray_(ray), from_(stretch.from), per_length_(per_length(stretch)) {}
 
   void consider(const Triangle& triangle, Index number) {
     const RayTime time = ray_time(ray_, triangle);
@@ -100,7 +102,7 @@ struct RayTarget::InTree {
 };
 
 std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) const {
-  constexpr double longest = 0x1p46, most_off = 1;
+  constexpr double longest = 0x1p46, most_off = 1, most_off_for_triangles = 0x1p-5;
   const Vec3 motion = way_.direction(ray.motion);
   const double off = way_.off(greatest_of(ray.origin) + ray.largest);
   if (!way_.usable() || !(greatest_of(motion) < longest) || !(off < most_off)) return {};
@@ -108,6 +110,11 @@ std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) cons
   InTree found{stretch_within(box_, off + 0x1p-40, origin, motion), {}};
   // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
   found.ray.pad = static_cast<float>(off + 0x1p-20 + 0x1p-50 * (greatest_of(origin) + greatest_of(motion)));
+  if (off <= most_off_for_triangles && tree_.unit < 0x1p1023)
+    found.ray.lean =
+        static_cast<float>(way_.off_of_direction(ray.largest) * (1 + 0x1p-20) / greatest_of(motion)) + 0x1p-40F;
+  // As wide as a time may be told to be.
+  found.ray.late = static_cast<float>(0x1p-40 * per_length(found.stretch));
   const double length = found.stretch.to - found.stretch.from;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -117,20 +124,31 @@ std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) cons
   return found;
 }
 
+template <class Search>
+float RayTarget::consider(std::span<const RayCandidate> candidates, Search& search) const {
+  for (const RayCandidate& one : candidates)
+    if (!(one.lower > search.limit())) search.consider(world_triangle(one.triangle), one.triangle);
+  return search.limit();
+}
+
 TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
   const std::optional<InTree> way = in_tree(ray);
   if (!way) return search_in_world(ray);
   if (way->stretch.empty()) return {};
   FirstHit hit(ray, way->stretch);
-  walk_ray(tree_, way->ray, [&](Index place) {
-    const Index number = tree_.items[place];
-    hit.consider(world_triangle(number), number);
-    return hit.limit();
-  });
+  walk_rays(tree_, posed_.model().leaf_triangles_for(1), {&way->ray, 1},
+            [&](std::size_t, std::span<const RayCandidate> candidates) { return consider(candidates, hit); });
   return hit.best();
 }
 
 void RayTarget::first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
+  for (std::size_t first = 0; first < rays.size(); first += together) {
+    const std::size_t count = std::min(together, rays.size() - first);
+    search_together(rays.subspan(first, count), hits.subspan(first, count));
+  }
+}
+
+void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
   std::vector<WideRay> walking;
   std::vector<FirstHit> found;
   std::vector<std::size_t> number_of;
@@ -145,11 +163,8 @@ void RayTarget::first_hits(std::span<const PreparedRay> rays, std::span<Triangle
     found.emplace_back(rays[i], way->stretch);
     number_of.push_back(i);
   }
-  walk_rays(tree_, walking, [&](std::size_t i, Index place) {
-    const Index number = tree_.items[place];
-    found[i].consider(world_triangle(number), number);
-    return found[i].limit();
-  });
+  walk_rays(tree_, posed_.model().leaf_triangles_for(walking.size()), walking,
+            [&](std::size_t i, std::span<const RayCandidate> candidates) { return consider(candidates, found[i]); });
   for (std::size_t i = 0; i < found.size(); ++i) hits[number_of[i]] = found[i].best();
 }
 

@@ -5,6 +5,7 @@
 
 #include "narrow/ray_triangle.hpp"
 #include "query/way_into_tree.hpp"
+#include "trees/wide_ray.hpp"
 
 namespace toccata {
 
@@ -31,6 +32,12 @@ class RayTarget {
   struct InTree;
   /// None where bounds cannot be told; the world is searched then.
   [[nodiscard]] std::optional<InTree> in_tree(const PreparedRay& ray) const;
+  /// So many rays are searched for with the memory of one search, which stays near.
+  static constexpr std::size_t together = 256;
+  void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
+  /// Tells the search of triangles that may be met; gives the part of the way that is still of interest.
+  template <class Search>
+  float consider(std::span<const RayCandidate> candidates, Search& search) const;
   [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
 
   const PosedMesh& posed_;

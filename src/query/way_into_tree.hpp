@@ -22,6 +22,9 @@ class WayIntoTree {
   /// the greatest magnitude of the points' coordinates.
   [[nodiscard]] double off(double size) const { return off_ + off_by_size_ * size; }
 
+  /// What a direction is off by from where the matrix takes it, at most, along any axis.
+  [[nodiscard]] double off_of_direction(double size) const { return off_by_size_ * size; }
+
   [[nodiscard]] const Mat3& back() const { return back_; }
 
  private:

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/trees/wide_tree.hpp"
+#include "trees/leaf_triangles.hpp"
 
 namespace toccata {
 
@@ -17,15 +19,37 @@ struct WideRay {
   std::array<float, 3> origin{};
   std::array<float, 3> motion{};
   float pad = 0;
+  /// What a coordinate of the motion is off by, as a share of its greatest one, besides the rounding to floats. Where
+  /// that is not known, or the origin is farther from the tree's box than 2⁻⁴, infinite: triangles are not looked at
+  /// then, only their boxes.
+  float lean = std::numeric_limits<float>::infinity();
+  /// How much later than it is met, in t, a triangle's time may be told to be.
+  float late = 0;
 };
 
-/// Calls `visit(place)` with items whose boxes the ray meets, told by their places in the tree's item order: that whose
-/// box is met first first, as far as boxes tell. `visit` returns the greatest t that is still of interest; less than 0
-/// ends the walk. No item whose box the ray meets at a t of interest is left out.
-void walk_ray(const WideTree& tree, const WideRay& ray, FunctionRef<float(Index)> visit);
+/// A triangle that a ray may meet, but not before t = `lower`.
+struct RayCandidate {
+  float lower;
+  Index triangle;
+};
 
-/// The same for many rays, of which a few walk at a time, a step each in turn: while one waits for memory, another is
-/// worked on. Each is shown what it would be shown alone, as `visit(ray, place)`.
-void walk_rays(const WideTree& tree, std::span<const WideRay> rays, FunctionRef<float(std::size_t, Index)> visit);
+/// What a ray may meet is shown some at a time, the earliest first, as `visit(ray, candidates)`, which returns the
+/// greatest t that is still of interest.
+using VisitCandidates = FunctionRef<float(std::size_t, std::span<const RayCandidate>)>;
+
+/// Shows, for every ray, triangles of which its first one is one: with what is later than another is met for certain,
+/// or than what `visit` returned, left out. `leaves` are those of the tree or null; without them a triangle may be met
+/// where its box is. A few rays walk at a time, a step each in turn: while one waits for memory, another is worked on.
+void walk_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit);
+
+/// What is told of the triangles in the lanes of a block that a ray's line meets the boxes of, by their places as bits.
+struct RayLanes {
+  unsigned possible = 0;                                 ///< the others are not met at a time from 0 to 1
+  unsigned certain = 0;                                  ///< met at a time between 0 and 1
+  std::array<float, WideBlock::width> lower{}, upper{};  ///< of the time; `upper` where it is certain
+};
+
+/// For tests: what the walk thinks of a block whose boxes are all met.
+[[nodiscard]] RayLanes ray_lanes(const WideRay& ray, const WideBlock& block, const TriangleLanes& triangles);
 
 }  // namespace toccata
