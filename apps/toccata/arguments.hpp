@@ -42,6 +42,11 @@ struct CheckArguments : PosedArguments {
   bool penetration = false;
   std::string clearance;                   ///< a length, or "all"; empty: none is asked for
   std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
+  std::string html;                        ///< a page to write besides; empty: none
+};
+
+struct ViewArguments : CheckArguments {
+  std::string up;  ///< "y" or "z"; empty: as the files say
 };
 
 struct DistanceArguments : PosedArguments {};
@@ -97,6 +102,7 @@ struct DemoArguments {
 int run_check(const CheckArguments& arguments);
 int run_check_poses(const CheckArguments& arguments);
 int run_check_self(const CheckArguments& arguments);
+int run_view(const ViewArguments& arguments);
 int run_inspect(const InspectArguments& arguments);
 int run_inspect_hierarchy(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);

@@ -8,21 +8,32 @@
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/check_all.hpp"
+#include "view.hpp"
 
 namespace toccata::command {
-namespace {
-
 CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments,
                                  const ClearanceQuestion& clearances) {
   ProgressBar bar("checking");
   CheckOptions options;
-  options.contacts = arguments.faces;
+  options.contacts = arguments.faces || !arguments.html.empty();
   options.penetration = arguments.penetration;
   options.clearance = clearances.common;
   options.pair_clearances = clearances.of_pairs;
   options.threads = arguments.threads;
   options.progress = bar.callback();
   return check_all(models, options);
+}
+
+namespace {
+
+/// A page is written when the answer is complete, and before it is printed.
+void write_html(const CheckArguments& arguments, const CheckInput& input, const CheckAnswer& answer,
+                const ReportOptions& options) {
+  if (arguments.html.empty()) return;
+  ReportOptions with_faces = options;
+  with_faces.faces = true;
+  write_view({arguments.html, up_of(arguments.input.files), title_of(arguments.input.files)}, input,
+             make_check_report(input.models, answer, with_faces));
 }
 
 std::string text_of(const LoadedScene& loaded, const std::vector<Posed>& models, const CheckReport& report,
@@ -54,11 +65,12 @@ int run_check(const CheckArguments& arguments) {
   warn_of_open_meshes(input);
   const ClearanceQuestion clearances = read_clearances(arguments, loaded.scene);
   const CheckAnswer answer = answer_with_progress(input.models, arguments, clearances);
-  const CheckReport report = make_check_report(
-      input.models, answer,
-      {arguments.touching, arguments.faces, arguments.penetration, clearances.common, clearances.of_pairs});
+  const ReportOptions options{arguments.touching, arguments.faces, arguments.penetration, clearances.common,
+                              clearances.of_pairs};
+  const CheckReport report = make_check_report(input.models, answer, options);
   const std::string text = text_of(loaded, input.models, report, arguments.format);
   print_warnings(loaded.warnings);
+  write_html(arguments, input, answer, options);
   print_answer(text);
   return report.pairs.empty() ? 0 : 1;
 }

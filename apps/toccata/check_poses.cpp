@@ -7,6 +7,7 @@
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/io/poses_report.hpp"
+#include "toccata/io/relation_words.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -37,7 +38,7 @@ std::string poses_table(const Scene& scene, const PosesReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.relations.size(); ++i) {
     const Relation& relation = report.relations[i];
-    rows.push_back({fmt::format("query {}", i), a, verb(relation), b, remark(relation)});
+    rows.push_back({fmt::format("query {}", i), a, verb_of(relation), b, remark_on(relation)});
     if (!report.penetrations.empty()) rows.back().push_back(depth_text(report.penetrations[i]));
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
   }

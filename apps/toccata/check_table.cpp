@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "toccata/io/relation_words.hpp"
 #include "toccata/query/pairs.hpp"
 #include "words.hpp"
 
@@ -20,9 +21,9 @@ std::string points_text(const ReportedMeeting& meeting) {
 
 std::vector<std::string> row_of(const Scene& scene, const ReportedPair& pair) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  return {printable(scene.objects[pair.a].name), is_near ? "is near" : verb(pair.relation),
+  return {printable(scene.objects[pair.a].name), is_near ? "is near" : verb_of(pair.relation),
           printable(scene.objects[pair.b].name),
-          is_near ? distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) : remark(pair.relation)};
+          is_near ? distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) : remark_on(pair.relation)};
 }
 
 /// Why a pair has no depth.

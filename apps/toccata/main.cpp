@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -21,6 +22,7 @@ constexpr int trouble = 2;
 /// What the options say before they become arguments.
 struct Options {
   CheckArguments check;
+  ViewArguments view;
   DistanceArguments distance;
   RayArguments ray;
   std::vector<std::string> from;
@@ -60,13 +62,18 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
 }
 
-/// Where the objects of two files are. Returns --poses.
-CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
+/// Where the objects of two files are: --pose-a and --pose-b.
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
     return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
   };
-  CLI::Option* pose_a = pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t");
-  CLI::Option* pose_b = pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t");
+  return {pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t"),
+          pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")};
+}
+
+/// Where the objects of two files are, once or at many poses. Returns --poses.
+CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
+  const auto [pose_a, pose_b] = add_pose_pair(app, options);
   return app
       .add_option("--poses", poses,
                   "answers for two objects at many poses: a file with 12 or 24 numbers a line "
@@ -93,6 +100,24 @@ CLI::Option* add_solid(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"auto", "all", "none"}));
 }
 
+/// --clearance and --clearance-of; returns both.
+std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
+  CLI::Option* clearance =
+      app.add_option(
+             "--clearance", arguments.clearance,
+             "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
+             "its own (0.5, 2mm, 0.1in); all: every pair")
+          ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
+          ->type_name("LENGTH");
+  CLI::Option* clearance_of =
+      app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
+          ->type_name("NAME,NAME=LENGTH")
+          ->expected(1)
+          ->allow_extra_args(false)
+          ->take_all();
+  return {clearance, clearance_of};
+}
+
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
@@ -104,23 +129,13 @@ void add_check(CLI::App& app, Options& options) {
   CLI::Option* penetration = check->add_flag(
       "--penetration", options.check.penetration,
       "how deep solids overlap, a way to part them, and (without --poses) their points and regions of contact");
-  CLI::Option* clearance =
-      check
-          ->add_option(
-              "--clearance", options.check.clearance,
-              "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
-              "its own (0.5, 2mm, 0.1in); all: every pair")
-          ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
-          ->type_name("LENGTH")
+  const auto [clearance, clearance_of] = add_clearances(*check, options.check);
+  clearance->excludes(poses);
+  clearance_of->excludes(poses);
+  CLI::Option* html =
+      check->add_option("--html", options.check.html, "also write a page that shows the objects and what was found")
+          ->type_name("FILE")
           ->excludes(poses);
-  CLI::Option* clearance_of = check
-                                  ->add_option("--clearance-of", options.check.clearances_of,
-                                               "another clearance for two objects; may be repeated")
-                                  ->type_name("NAME,NAME=LENGTH")
-                                  ->expected(1)
-                                  ->allow_extra_args(false)
-                                  ->take_all()
-                                  ->excludes(poses);
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")
@@ -128,6 +143,7 @@ void add_check(CLI::App& app, Options& options) {
       ->excludes(penetration)
       ->excludes(clearance)
       ->excludes(clearance_of)
+      ->excludes(html)
       ->excludes(solid)
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
@@ -143,7 +159,29 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check part.stl --self --faces\n"
                 "  {0} check shapes.json --penetration\n"
                 "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
+                "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
+}
+
+void add_view(CLI::App& app, Options& options) {
+  ViewArguments& arguments = options.view;
+  CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what touches, and why");
+  add_input(*view, arguments.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  view->add_option("-o,--output", arguments.html, "the page to write")->type_name("FILE.html");
+  add_pose_pair(*view, options);
+  add_solid(*view, options);
+  view->add_flag("--penetration", arguments.penetration,
+                 "also how deep solids overlap, and their points and regions of contact");
+  add_clearances(*view, arguments);
+  view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
+      ->check(CLI::IsMember({"y", "z"}));
+  view->add_option("--threads", arguments.threads, "threads to use; 0: as many as there are; same page for any")
+      ->check(CLI::Range(0, 1024));
+  view->footer(
+      with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
+                "Exit code: 0 written, 2 trouble.\n\nExample:\n"
+                "  {0} view a.stl b.obj -o touch.html\n"
+                "  {0} view scene.json --penetration --clearance 2mm -o scene.html"));
 }
 
 void add_distance(CLI::App& app, Options& options) {
@@ -331,6 +369,11 @@ int run(const CLI::App& app, Options& options) {
     options.check.touching = options.touching == "ignore" ? Touching::ignore : Touching::count;
     return run_check(options.check);
   }
+  if (app.got_subcommand("view")) {
+    take_poses_and_format(options.view, options);
+    options.view.solid = solid_of(options.solid);
+    return run_view(options.view);
+  }
   if (app.got_subcommand("distance")) {
     take_poses_and_format(options.distance, options);
     options.distance.solid = solid_of(options.solid);
@@ -408,6 +451,7 @@ int main_of(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(with_name("Example:\n  {0} demo\n  {0} check a.stl b.obj\n\n`{0} SUBCOMMAND --help` tells more."));
   add_check(app, options);
+  add_view(app, options);
   add_distance(app, options);
   add_ray(app, options);
   add_faces(app, options);

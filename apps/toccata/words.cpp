@@ -16,38 +16,6 @@ std::size_t width_of(const std::string& text) {
 
 }  // namespace
 
-std::string verb(const Relation& relation) {
-  switch (relation.containment) {
-    case Containment::a_in_b:
-      return "lies inside";
-    case Containment::b_in_a:
-      return "contains";
-    case Containment::equal:
-      return "equals";
-    case Containment::none:
-      break;
-  }
-  switch (relation.kind) {
-    case RelationKind::apart:
-      return "is apart from";
-    case RelationKind::touching:
-      return "touches";
-    case RelationKind::overlapping:
-      return "overlaps";
-    case RelationKind::crossing:
-      return "crosses";
-  }
-  return {};
-}
-
-std::string remark(const Relation& relation) {
-  if (relation.side_unresolved)
-    return "(both surfaces; no two faces cross, so the faces cannot tell whether they pass through)";
-  if (relation.a_solid && relation.b_solid) return "(both solids)";
-  if (!relation.a_solid && !relation.b_solid) return "(both surfaces)";
-  return relation.a_solid ? "(a solid, a surface)" : "(a surface, a solid)";
-}
-
 std::string point_text(const Vec3& point) {
   // Adding 0 takes the sign from a zero, which means nothing to people.
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x + 0.0, point.y + 0.0, point.z + 0.0);

@@ -8,12 +8,6 @@
 
 namespace toccata::command {
 
-/// The relation as a verb between the names of a and b: "overlaps", "contains", "lies inside", "touches", …
-std::string verb(const Relation& relation);
-
-/// What the two were taken for, and what the relation leaves open: "(both solids)", "(a surface, a solid)", …
-std::string remark(const Relation& relation);
-
 /// "(0.5, 0, 1)", to six digits.
 std::string point_text(const Vec3& point);
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "check_input.hpp"
+#include "clearance.hpp"
+#include "toccata/io/view_page.hpp"
+
+namespace toccata::command {
+
+/// A page to be written.
+struct ViewTarget {
+  std::string path;
+  UpAxis up = UpAxis::z;
+  std::string title;
+};
+
+/// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
+UpAxis up_of(const std::vector<std::string>& files);
+
+/// The names of the files, as short as they tell something.
+std::string title_of(const std::vector<std::string>& files);
+
+/// `report` has faces, where the page shall show them.
+void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report);
+
+/// What `check` asks, while a progress bar tells how far it is.
+CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments,
+                                 const ClearanceQuestion& clearances);
+
+}  // namespace toccata::command

@@ -1,0 +1,147 @@
+// What the engine wrote into the page (docs/reference/view-page.md), decoded.
+
+export type Vec = [number, number, number];
+
+export interface ArrayPlace {
+  at: number;
+  count: number;
+  bytes?: number;
+}
+
+export interface VertexPlace extends ArrayPlace {
+  lower: Vec;
+  step: Vec;
+}
+
+export interface MeshHeader {
+  smooth: boolean;
+  vertices: VertexPlace;
+  triangles: ArrayPlace;
+}
+
+export interface LayerStep {
+  label: string;
+  note?: string;
+  first: number;
+  count: number;
+}
+
+export interface Layer {
+  kind: string;
+  role: string;
+  data: ArrayPlace;
+  pair?: number;
+  object?: number;
+  label?: string;
+  name?: string;
+  steps?: LayerStep[];
+}
+
+export interface Header {
+  format: string;
+  title: string;
+  up: 'y' | 'z';
+  frame: { centre: Vec; size: number };
+  meshes: MeshHeader[];
+  objects: { mesh: number; fit?: number[] }[];
+  words: { verb: string; remark: string; face_pairs?: number }[];
+  layers: Layer[];
+}
+
+export interface Penetration {
+  lower: number;
+  upper: number;
+  direction: Vec;
+  on_a: Vec;
+  on_b: Vec;
+  status: string;
+}
+
+export interface Distance {
+  lower: number;
+  upper: number;
+  on_a: Vec;
+  on_b: Vec;
+  face_a: number;
+  face_b: number;
+  status: string;
+}
+
+export interface Pair {
+  a: string;
+  b: string;
+  a_index: number;
+  b_index: number;
+  relation: string;
+  containment: string;
+  side_unresolved: boolean;
+  status: string;
+  penetration?: Penetration | null;
+  manifold?: { normal: Vec; points: { position: Vec; depth: number }[] } | null;
+  regions?: { area: number; depth: number | null; face_pairs: number }[];
+  distance?: Distance;
+}
+
+export interface ReportObject {
+  name: string;
+  source: string;
+  shape: string;
+  triangles: number;
+  faces: number;
+  closed: boolean;
+  solid: boolean;
+  group: string;
+  pose: number[];
+}
+
+/// `check --json` without the faces (docs/reference/check-report.md).
+export interface Report {
+  schema: string;
+  version: string;
+  unit: string;
+  warnings: string[];
+  objects: ReportObject[];
+  candidate_pairs: number;
+  ignored_touching: number;
+  clearance?: number | 'all';
+  pairs: Pair[];
+}
+
+export class PageData {
+  private constructor(
+    readonly header: Header,
+    readonly report: Report,
+    private readonly bytes: Uint8Array,
+  ) {}
+
+  static read(): PageData {
+    const header = JSON.parse(textOf('toccata-header')) as Header;
+    if (header.format !== 'toccata/view/1') throw new Error(`this page cannot show ${header.format}`);
+    return new PageData(header, JSON.parse(textOf('toccata-report')) as Report, bytesOf(textOf('toccata-data')));
+  }
+
+  floats(place: ArrayPlace): Float32Array {
+    return new Float32Array(this.bytes.buffer, place.at, place.count);
+  }
+
+  integers(place: ArrayPlace): Uint32Array {
+    return new Uint32Array(this.bytes.buffer, place.at, place.count);
+  }
+
+  shorts(place: ArrayPlace): Uint16Array {
+    return new Uint16Array(this.bytes.buffer, place.at, place.count);
+  }
+}
+
+function textOf(id: string): string {
+  const element = document.getElementById(id);
+  if (!element) throw new Error('the page holds no data: it is the empty template');
+  return element.textContent ?? '';
+}
+
+function bytesOf(base64: string): Uint8Array {
+  const characters = atob(base64);
+  const bytes = new Uint8Array(Math.ceil(characters.length / 4) * 4);
+  for (let i = 0; i < characters.length; ++i) bytes[i] = characters.charCodeAt(i);
+  return bytes;
+}

@@ -1,0 +1,202 @@
+// How each kind of layer is drawn (docs/reference/view-page.md). A new kind is one entry of `kinds`.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  Color,
+  DoubleSide,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Object3D,
+  Points,
+  PointsMaterial,
+} from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import type { Layer, LayerStep, PageData } from './data';
+import { facesA, facesB, stepColours, type Theme } from './colours';
+import type { Objects } from './objects';
+import { compose, matrixOf, worldToShown } from './place';
+
+export interface LayerStyle {
+  theme: Theme;
+  over: boolean; // drawn over everything, for a pair that is looked at
+  arrow: number; // how long arrows are
+  step?: LayerStep;
+  stepNumber: number;
+}
+
+interface Drawing {
+  data: PageData;
+  objects: Objects;
+}
+
+type Draw = (layer: Layer, drawing: Drawing, style: LayerStyle) => Object3D;
+
+function colourOf(layer: Layer, style: LayerStyle): number {
+  const named = (style.theme as unknown as Record<string, number>)[layer.role];
+  return named ?? stepColours[style.stepNumber % stepColours.length];
+}
+
+/// The numbers of the layer, or of its step; `width` numbers make an item.
+function numbersOf(layer: Layer, { data }: Drawing, style: LayerStyle, width: number): Float32Array {
+  const all = data.floats(layer.data);
+  return style.step ? all.subarray(style.step.first * width, (style.step.first + style.step.count) * width) : all;
+}
+
+/// What lies behind surfaces is faint where it is drawn over them.
+const behind = { depthTest: false, depthWrite: false, transparent: true, opacity: 0.28 };
+
+export function segments(numbers: Float32Array, colour: number, width: number, over: boolean): Object3D {
+  const geometry = new LineSegmentsGeometry();
+  geometry.setPositions(numbers);
+  const line = (options: object, order: number) => {
+    const drawn = new LineSegments2(geometry, new LineMaterial({ color: colour, linewidth: width, ...options }));
+    drawn.frustumCulled = false;
+    drawn.renderOrder = order;
+    return drawn;
+  };
+  return over ? new Group().add(line({}, 4), line(behind, 4)) : line({}, 2);
+}
+
+let disc: CanvasTexture | undefined;
+
+function discTexture(): CanvasTexture {
+  if (disc) return disc;
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const context = canvas.getContext('2d');
+  if (context) {
+    context.fillStyle = '#fff';
+    context.arc(16, 16, 14, 0, 2 * Math.PI);
+    context.fill();
+  }
+  disc = new CanvasTexture(canvas);
+  return disc;
+}
+
+export function points(numbers: Float32Array, colour: number, over: boolean): Object3D {
+  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(numbers, 3));
+  const material = new PointsMaterial({
+    color: colour,
+    size: 8,
+    sizeAttenuation: false,
+    map: discTexture(),
+    alphaTest: 0.5,
+    depthTest: !over,
+    transparent: over,
+  });
+  const drawn = new Points(geometry, material);
+  drawn.frustumCulled = false;
+  drawn.renderOrder = over ? 5 : 2;
+  return drawn;
+}
+
+/// The triangles of a pair's object that meet the other one.
+const faces: Draw = (layer, { data, objects }, style) => {
+  const object = layer.object ?? 0;
+  const isFirst = layer.pair !== undefined && data.report.pairs[layer.pair].a_index === object;
+  const colour = layer.pair === undefined ? colourOf(layer, style) : isFirst ? facesA : facesB;
+  const material = new MeshLambertMaterial({ color: colour, side: DoubleSide, flatShading: true });
+  const drawn = new Mesh(objects.trianglesOf(object, data.integers(layer.data)), material);
+  drawn.frustumCulled = false;
+  drawn.renderOrder = 1;
+  objects.place(drawn, object);
+  return drawn;
+};
+
+const triangles: Draw = (layer, drawing, style) => {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(numbersOf(layer, drawing, style, 9), 3));
+  const material = new MeshBasicMaterial({
+    color: colourOf(layer, style),
+    side: DoubleSide,
+    transparent: true,
+    opacity: 0.35,
+    depthTest: !style.over,
+    depthWrite: false,
+  });
+  const drawn = new Mesh(geometry, material);
+  drawn.frustumCulled = false;
+  drawn.renderOrder = 3;
+  return drawn;
+};
+
+/// A point and a unit direction each.
+const arrows: Draw = (layer, drawing, style) => {
+  const numbers = numbersOf(layer, drawing, style, 6);
+  const shafts = new Float32Array(numbers.length);
+  const heads: number[] = [];
+  for (let i = 0; i < numbers.length; i += 6) {
+    for (let axis = 0; axis < 3; ++axis) {
+      shafts[i + axis] = numbers[i + axis];
+      shafts[i + 3 + axis] = numbers[i + axis] + style.arrow * numbers[i + 3 + axis];
+      heads.push(shafts[i + 3 + axis]);
+    }
+  }
+  const colour = colourOf(layer, style);
+  return new Group().add(segments(shafts, colour, 2.5, true), points(new Float32Array(heads), colour, true));
+};
+
+/// The twelve edges of boxes, each its lower and its upper corner in the frame of the layer's object.
+const boxes: Draw = (layer, drawing, style) => {
+  const numbers = numbersOf(layer, drawing, style, 6);
+  const edges = new Float32Array((numbers.length / 6) * 72);
+  let at = 0;
+  for (let i = 0; i < numbers.length; i += 6)
+    for (let axis = 0; axis < 3; ++axis)
+      for (let side = 0; side < 4; ++side)
+        for (let end = 0; end < 2; ++end)
+          for (let k = 0; k < 3; ++k) {
+            const upper = k === axis ? end : k === (axis + 1) % 3 ? side & 1 : side >> 1;
+            edges[at++] = numbers[i + k + 3 * upper];
+          }
+  const drawn = segments(edges, colourOf(layer, style), 1.25, false);
+  if (layer.object !== undefined) {
+    const { header, report } = drawing.data;
+    drawn.matrixAutoUpdate = false;
+    drawn.matrix.copy(matrixOf(worldToShown(header.frame)(compose(report.objects[layer.object].pose, [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]))));
+  }
+  return drawn;
+};
+
+export const kinds: Record<string, Draw> = {
+  segments: (layer, drawing, style) => segments(numbersOf(layer, drawing, style, 6), colourOf(layer, style), layer.role === 'contact' ? 3 : 4, style.over),
+  points: (layer, drawing, style) => points(numbersOf(layer, drawing, style, 3), colourOf(layer, style), style.over),
+  triangles,
+  arrows,
+  faces,
+  boxes,
+};
+
+export function draw(layer: Layer, drawing: Drawing, style: LayerStyle): Object3D {
+  const kind = kinds[layer.kind];
+  if (!kind) throw new Error(`this page cannot show a layer of the kind ${layer.kind}`);
+  return kind(layer, drawing, style);
+}
+
+/// All layers of one kind and role in one drawing.
+export function merged(layers: Layer[], data: PageData): Float32Array {
+  const parts = layers.map((layer) => data.floats(layer.data));
+  const whole = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+/// What a drawing holds on the graphics card is given back.
+export function discard(drawn: Object3D): void {
+  drawn.traverse((part) => {
+    const { geometry, material } = part as Mesh;
+    geometry?.dispose?.();
+    (material as MeshBasicMaterial | undefined)?.dispose?.();
+  });
+  drawn.removeFromParent();
+}
+

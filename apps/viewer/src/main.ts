@@ -1,0 +1,110 @@
+// Puts the page together: data, viewer, buttons and keys.
+import { PageData } from './data';
+import { copyLink, savePicture } from './export';
+import type { Look } from './objects';
+import { element, make } from './panels';
+import { Viewer } from './viewer';
+
+const keys: [string, string, string][] = [
+  ['n', 'N', 'next contact'],
+  ['p', 'P', 'previous contact'],
+  ['Escape', 'Esc', 'back to all'],
+  ['f', 'F', 'show everything, or the chosen contact'],
+  ['1', '1 2 3', 'look along X, Y, Z'],
+  ['g', 'G', 'the rest as ghosts, shown or hidden'],
+  ['x', 'X', 'see through the objects'],
+  ['r', 'R', 'ground grid'],
+  ['b', 'B', 'names and numbers in the picture'],
+  ['h', 'H', 'panels'],
+  ['t', 'T', 'dark or light'],
+  ['s', 'S', 'save a picture'],
+  ['l', 'L', 'copy a link to this view'],
+  ['ArrowLeft', '← → ↑ ↓', 'turn; with Shift move'],
+  ['+', '+ −', 'zoom'],
+  ['?', '?', 'these keys'],
+];
+
+const nextRest: Record<Look, Look> = { ghost: 'hidden', hidden: 'shown', shown: 'ghost' };
+
+function actionsOf(viewer: Viewer): Record<string, () => void> {
+  const { stage } = viewer;
+  const go = (step: number) => viewer.choosePair(viewer.panels.neighbour(step) ?? viewer.state.pair);
+  const isUp = viewer.data.header.up;
+  const along = { x: [0, 0], y: isUp === 'z' ? [-Math.PI / 2, 0] : [-Math.PI / 2, 9], z: isUp === 'z' ? [-Math.PI / 2, 9] : [-Math.PI / 2, 0] };
+  const look = (axis: 'x' | 'y' | 'z') => () => stage.orbit.look(along[axis][0], along[axis][1]);
+  return {
+    fit: () => viewer.frame(),
+    'view-x': look('x'),
+    'view-y': look('y'),
+    'view-z': look('z'),
+    rest: () => viewer.change((state) => (state.rest = nextRest[state.rest])),
+    through: () => viewer.change((state) => (state.through = !state.through)),
+    grid: () => viewer.change((state) => (state.grid = !state.grid)),
+    labels: () => viewer.change((state) => (state.labels = !state.labels)),
+    panels: () => viewer.change((state) => (state.panels = !state.panels)),
+    theme: () => viewer.change((state) => (state.theme = state.theme === 'dark' ? 'light' : 'dark')),
+    picture: () => savePicture(viewer),
+    link: () => void copyLink(viewer),
+    help: () => element<HTMLDialogElement>('keys').showModal(),
+    previous: () => go(-1),
+    next: () => go(1),
+    leave: () => viewer.choosePair(undefined),
+    'show-all': () => viewer.showAll(),
+  };
+}
+
+const actionOfKey: Record<string, string> = {
+  n: 'next', j: 'next', p: 'previous', k: 'previous', Escape: 'leave', f: 'fit', '1': 'view-x', '2': 'view-y', '3': 'view-z',
+  g: 'rest', x: 'through', r: 'grid', b: 'labels', h: 'panels', t: 'theme', s: 'picture', l: 'link', '?': 'help',
+};
+
+/// Arrows and zoom. Whether the key was one of them.
+function steer(viewer: Viewer, key: string, moves: boolean): boolean {
+  const { orbit } = viewer.stage;
+  const ways: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const way = ways[key];
+  if (way && moves) orbit.pan(way[0] * 0.06, way[1] * 0.06);
+  else if (way) orbit.turn(way[0] * -0.12, way[1] * 0.12);
+  else if (key === '+' || key === '=') orbit.zoom(0.85);
+  else if (key === '-') orbit.zoom(1 / 0.85);
+  else return false;
+  return true;
+}
+
+function listen(viewer: Viewer): void {
+  const actions = actionsOf(viewer);
+  for (const [id, action] of Object.entries(actions)) document.getElementById(id)?.addEventListener('click', action);
+  const canvas = element('canvas');
+  canvas.addEventListener('dblclick', (event) => {
+    const hit = viewer.stage.hit(event.clientX, event.clientY);
+    if (!hit) return viewer.frame();
+    viewer.stage.orbit.place.target.copy(hit.point);
+    viewer.stage.orbit.zoom(0.5);
+  });
+  document.addEventListener('keydown', (event) => {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;
+    if (element<HTMLDialogElement>('keys').open) return;
+    const action = actions[actionOfKey[event.key] ?? ''];
+    if (action) action();
+    else if (!(target === canvas || target === document.body) || !steer(viewer, event.key, event.shiftKey)) return;
+    event.preventDefault();
+  });
+  const list = document.querySelector('#keys dl');
+  for (const [, key, what] of keys) list?.append(make('dt', key), make('dd', what));
+}
+
+function start(): void {
+  const viewer = new Viewer(PageData.read());
+  listen(viewer);
+  Object.assign(window, { toccata: viewer }); // for tests, and for the curious
+}
+
+try {
+  start();
+} catch (error) {
+  const notice = element('notice');
+  notice.hidden = false;
+  notice.textContent = `The page cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+  console.error(error);
+}

@@ -1,0 +1,79 @@
+// Words over the picture: names and numbers at their places, the axes, and the bar that tells lengths.
+import { Vector3 } from 'three';
+import type { Header } from './data';
+import { roundLength } from './grid';
+import { element, make } from './panels';
+import type { Stage } from './stage';
+import { lengthText } from './words';
+
+export interface Mark {
+  at: Vector3;
+  text: string;
+  className: string;
+  kept?: boolean; // at the edge of the picture where its place is outside
+}
+
+const edge = { x: 70, y: 44 };
+
+const axisNames = ['X', 'Y', 'Z'];
+const axisColours = ['#d55e00', '#009e73', '#0072b2'];
+
+export class Marks {
+  private marks: { mark: Mark; element: HTMLElement }[] = [];
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly header: Header,
+    private readonly unit: string,
+  ) {}
+
+  set(marks: Mark[]): void {
+    const made = marks.map((mark) => ({ mark, element: make('div', mark.text, mark.className) }));
+    element('marks').replaceChildren(...made.map((entry) => entry.element));
+    this.marks = made;
+  }
+
+  get all(): Mark[] {
+    return this.marks.map((entry) => entry.mark);
+  }
+
+  place(): void {
+    for (const { mark, element: shown } of this.marks) {
+      const at = this.stage.onScreen(mark.at);
+      shown.hidden = !at;
+      if (!at) continue;
+      if (mark.kept) this.keepInside(at);
+      Object.assign(shown.style, { left: `${at.x}px`, top: `${at.y}px` });
+    }
+    this.placeAxes();
+    this.placeScale();
+  }
+
+  private keepInside(at: { x: number; y: number }): void {
+    const { clientWidth, clientHeight } = this.stage.canvas;
+    at.x = Math.min(Math.max(at.x, edge.x), clientWidth - edge.x);
+    at.y = Math.min(Math.max(at.y, edge.y), clientHeight - edge.y);
+  }
+
+  private placeAxes(): void {
+    const e = this.stage.orbit.camera.matrixWorldInverse.elements;
+    const ends = [0, 1, 2].map((axis) => ({ axis, x: e[4 * axis] * 32, y: -e[4 * axis + 1] * 32, z: e[4 * axis + 2] }));
+    ends.sort((a, b) => a.z - b.z);
+    const parts = ends.map(({ axis, x, y }) => {
+      const [tx, ty] = [x * 1.32, y * 1.32];
+      return `<line x1="0" y1="0" x2="${x}" y2="${y}" stroke="${axisColours[axis]}"/><text x="${tx}" y="${ty}">${axisNames[axis]}</text>`;
+    });
+    document.getElementById('axes')!.innerHTML = parts.join('');
+  }
+
+  /// How long a round length is on the screen, at the distance of what is looked at.
+  private placeScale(): void {
+    const { camera, place } = this.stage.orbit;
+    const height = 2 * Math.tan((camera.fov * Math.PI) / 360) * place.distance;
+    const perPixel = (height * this.header.frame.size) / this.stage.canvas.clientHeight;
+    const length = roundLength(perPixel * 140);
+    const [bar, text] = element('scale').children as unknown as [HTMLElement, HTMLElement];
+    bar.style.width = `${length / perPixel}px`;
+    text.textContent = lengthText(length, this.unit);
+  }
+}

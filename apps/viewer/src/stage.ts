@@ -1,0 +1,101 @@
+// The picture: objects, layers, axes and grid, drawn only when something changed.
+import { Color, DirectionalLight, Group, HemisphereLight, Object3D, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Box3 } from 'three';
+import { Orbit } from './camera';
+import type { Theme } from './colours';
+import { gridLines } from './grid';
+import { discard } from './layers';
+import type { Objects } from './objects';
+import type { PageData } from './data';
+
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly orbit: Orbit;
+  drawn = 0; // frames, for tests
+  private readonly scene = new Scene();
+  private readonly overlays = new Group();
+  private grid: Object3D | undefined;
+  private waiting = false;
+  private readonly sun = new DirectionalLight(0xffffff, 2.2);
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly data: PageData,
+    private readonly objects: Objects,
+    private readonly afterDrawing: () => void,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.orbit = new Orbit(canvas, data.header.up, () => this.redraw());
+    this.scene.add(objects.group, this.overlays, this.orbit.camera, new HemisphereLight(0xffffff, 0x9098a4, 1.6));
+    this.orbit.camera.add(this.sun, this.sun.target);
+    this.sun.position.set(-0.4, 0.6, 1);
+    this.sun.target.position.set(0, 0, 0);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+  }
+
+  /// Asks for a frame. However often it is asked, one is drawn.
+  redraw(): void {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow(): void {
+    this.waiting = false;
+    this.renderer.render(this.scene, this.orbit.camera);
+    ++this.drawn;
+    this.afterDrawing();
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.orbit.resize(clientWidth, clientHeight);
+    this.drawNow();
+  }
+
+  setOverlays(drawings: Object3D[]): void {
+    for (const old of [...this.overlays.children]) discard(old);
+    if (drawings.length > 0) this.overlays.add(...drawings);
+    this.redraw();
+  }
+
+  setTheme(theme: Theme, withGrid: boolean): void {
+    this.scene.background = new Color(theme.background);
+    if (this.grid) discard(this.grid);
+    this.grid = withGrid ? gridLines(this.data.header, this.wholeBox(), theme) : undefined;
+    if (this.grid) this.scene.add(this.grid);
+    this.redraw();
+  }
+
+  wholeBox(): Box3 {
+    const whole = new Box3();
+    this.objects.boxes.forEach((box, i) => {
+      if (this.data.report.objects[i].shape !== 'half-space') whole.union(box);
+    });
+    if (whole.isEmpty()) for (const box of this.objects.boxes) whole.union(box);
+    return whole.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : whole;
+  }
+
+  frameBox(box: Box3): void {
+    const radius = box.getSize(new Vector3()).length() / 2;
+    this.orbit.frame(box.getCenter(new Vector3()), radius > 0 ? radius : 1e-3);
+  }
+
+  /// What lies under a place of the page.
+  hit(x: number, y: number): { object: number; point: Vector3 } | undefined {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.orbit.camera);
+    return this.objects.hit(ray);
+  }
+
+  /// Where a shown point is on the canvas, in its pixels; nothing when it is behind the eye.
+  onScreen(point: Vector3): { x: number; y: number } | undefined {
+    const p = point.clone().project(this.orbit.camera);
+    if (p.z > 1 || p.z < -1) return undefined;
+    return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * this.canvas.clientHeight };
+  }
+}

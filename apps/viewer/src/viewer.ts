@@ -1,0 +1,235 @@
+// What the reader sees follows from the state: every action changes the state and calls `show`.
+import { Box3, Object3D, Vector3 } from 'three';
+import { objectA, objectB, themes, touchedColour, untouched } from './colours';
+import type { Layer, LayerStep, PageData } from './data';
+import { draw, merged, points, segments } from './layers';
+import { Marks, type Mark } from './marks';
+import { Objects, type Appearance } from './objects';
+import { element, Panels } from './panels';
+import { LayerPanel } from './layer_panel';
+import { Stage } from './stage';
+import { fromHash, toHash, type State } from './state';
+
+export class Viewer {
+  readonly state: State;
+  readonly stage: Stage;
+  private readonly objects: Objects;
+  readonly panels: Panels;
+  private readonly layerPanel: LayerPanel;
+  private readonly marks: Marks;
+  private readonly touched: Set<number>;
+  private linkTimer = 0;
+
+  constructor(readonly data: PageData) {
+    const { header, report } = data;
+    this.state = fromHash(location.hash, report.objects.length, report.pairs.length);
+    this.touched = new Set(report.pairs.flatMap((pair) => (pair.relation === 'apart' ? [] : [pair.a_index, pair.b_index])));
+    this.objects = new Objects(data);
+    this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
+    this.marks = new Marks(this.stage, header, report.unit);
+    this.layerPanel = new LayerPanel(data, this.state, () => this.show());
+    this.panels = new Panels(data, this.state, {
+      choosePair: (pair) => this.choosePair(pair),
+      focusObject: (object) => this.stage.frameBox(this.objects.boxes[object]),
+      toggle: (object, what) => this.toggle(object, what),
+      colourOf: (object) => this.colourOf(object),
+    });
+    this.noticeIfEmpty();
+    this.show();
+    this.panels.markPair();
+    this.placeCamera();
+  }
+
+  private placeCamera(): void {
+    const camera = this.state.camera;
+    if (!camera) return this.frame();
+    const { place } = this.stage.orbit;
+    place.target.set(camera[0], camera[1], camera[2]);
+    [place.distance, place.yaw, place.pitch] = camera.slice(3);
+    this.stage.orbit.apply();
+    this.stage.redraw();
+  }
+
+  private noticeIfEmpty(): void {
+    const notice = element('notice');
+    notice.hidden = this.data.report.objects.length > 0;
+    notice.textContent = 'This scene is empty: it holds no object.';
+  }
+
+  private colourOf(object: number): number {
+    const { pair } = this.state;
+    if (pair !== undefined) {
+      if (object === this.data.report.pairs[pair].a_index) return objectA;
+      if (object === this.data.report.pairs[pair].b_index) return objectB;
+      return untouched;
+    }
+    return this.touched.has(object) ? touchedColour(object) : untouched;
+  }
+
+  private lookOf(object: number): Appearance['look'] {
+    const { state } = this;
+    if (state.hidden.has(object) || (state.only !== undefined && state.only !== object)) return 'hidden';
+    if (state.ghosts.has(object)) return 'ghost';
+    if (state.pair === undefined) return 'shown';
+    const pair = this.data.report.pairs[state.pair];
+    return object === pair.a_index || object === pair.b_index ? 'shown' : state.rest;
+  }
+
+  /// Everything anew from the state.
+  show(): void {
+    const { state } = this;
+    const theme = themes[state.theme];
+    document.documentElement.dataset.theme = state.theme;
+    document.documentElement.dataset.panels = state.panels ? 'on' : 'off';
+    this.objects.seeThrough(state.through);
+    const looks = this.data.report.objects.map((_, i) => ({ look: this.lookOf(i), colour: this.colourOf(i) }));
+    this.objects.show(looks, theme.ghost);
+    this.stage.setTheme(theme, state.grid);
+    this.layerPanel.show();
+    this.stage.setOverlays(this.overlays());
+    this.marks.set(state.labels ? this.labels() : []);
+    this.showButtons();
+  }
+
+  private showButtons(): void {
+    const { state } = this;
+    element('rest').textContent = `Rest: ${state.rest}`;
+    element('theme').textContent = state.theme === 'dark' ? 'Light' : 'Dark';
+    for (const name of ['through', 'grid', 'labels'] as const) element(name).setAttribute('aria-pressed', String(state[name]));
+  }
+
+  private overlays(): Object3D[] {
+    const { header } = this.data;
+    const ofPair = header.layers.filter((layer) => layer.pair === this.state.pair && !this.state.off.has(layer.role));
+    const drawn = this.state.pair === undefined ? this.allContacts() : ofPair.map((layer) => this.drawn(layer));
+    header.layers.forEach((layer, i) => {
+      if (layer.pair !== undefined || this.state.off.has(layer.role)) return;
+      const chosen = this.state.steps.get(i);
+      if (!layer.steps) drawn.push(this.drawn(layer));
+      else if (chosen !== undefined && layer.steps[chosen]) drawn.push(this.drawn(layer, layer.steps[chosen], chosen));
+    });
+    return drawn;
+  }
+
+  private drawn(layer: Layer, step?: LayerStep, stepNumber = 0): Object3D {
+    const size = this.focusBox().getSize(new Vector3()).length();
+    const style = { theme: themes[this.state.theme], over: layer.pair !== undefined, arrow: 0.12 * size, step, stepNumber };
+    return draw(layer, { data: this.data, objects: this.objects }, style);
+  }
+
+  /// While no pair is chosen, the curves and points of all of them: one drawing each.
+  private allContacts(): Object3D[] {
+    const { header } = this.data;
+    if (this.state.off.has('contact')) return [];
+    const colour = themes[this.state.theme].contact;
+    const of = (kind: string) => header.layers.filter((layer) => layer.pair !== undefined && layer.role === 'contact' && layer.kind === kind);
+    const curves = merged(of('segments'), this.data);
+    const places = merged(of('points'), this.data);
+    const drawn: Object3D[] = [];
+    if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, false));
+    if (places.length > 0) drawn.push(points(places, colour, false));
+    return drawn;
+  }
+
+  private labels(): Mark[] {
+    const { report, header } = this.data;
+    if (this.state.pair === undefined) return [];
+    const pair = report.pairs[this.state.pair];
+    const top = (box: Box3) => {
+      const at = box.getCenter(new Vector3());
+      const up = header.up === 'z' ? 2 : 1;
+      return at.setComponent(up, box.max.getComponent(up));
+    };
+    const marks: Mark[] = [
+      { at: top(this.objects.boxes[pair.a_index]), text: pair.a, className: 'mark a', kept: true },
+      { at: top(this.objects.boxes[pair.b_index]), text: pair.b, className: 'mark b', kept: true },
+    ];
+    for (const layer of header.layers) {
+      if (layer.pair !== this.state.pair || !layer.label || this.state.off.has(layer.role)) continue;
+      const ends = this.data.floats(layer.data);
+      marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text: layer.label, className: 'mark' });
+    }
+    return marks;
+  }
+
+  /// Around what was found of the chosen pair; else around what is shown.
+  focusBox(): Box3 {
+    const { pair } = this.state;
+    if (pair === undefined) {
+      const box = new Box3();
+      this.data.report.objects.forEach((object, i) => {
+        if (this.lookOf(i) !== 'hidden' && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
+      });
+      return box.isEmpty() ? this.stage.wholeBox() : box;
+    }
+    const found = new Box3();
+    for (const layer of this.data.header.layers) {
+      if (layer.pair !== pair || layer.kind === 'faces' || layer.kind === 'arrows') continue;
+      const numbers = this.data.floats(layer.data);
+      for (let i = 0; i < numbers.length; i += 3) found.expandByPoint(new Vector3(numbers[i], numbers[i + 1], numbers[i + 2]));
+    }
+    return this.withRoom(found, pair);
+  }
+
+  /// A contact that is tiny beside its objects is shown with some of these around it.
+  private withRoom(found: Box3, index: number): Box3 {
+    const pair = this.data.report.pairs[index];
+    const [a, b] = [this.objects.boxes[pair.a_index], this.objects.boxes[pair.b_index]];
+    const length = (box: Box3) => box.getSize(new Vector3()).length();
+    const smaller = length(a) < length(b) ? a : b;
+    if (found.isEmpty()) return smaller.clone();
+    const missing = 0.3 * length(smaller) - length(found);
+    return missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
+  }
+
+  frame(): void {
+    this.stage.frameBox(this.focusBox());
+  }
+
+  choosePair(pair: number | undefined): void {
+    if (pair === undefined && this.state.pair === undefined) return;
+    this.state.pair = pair;
+    this.panels.markPair();
+    this.panels.listObjects();
+    this.show();
+    this.frame();
+  }
+
+  toggle(object: number, what: 'hidden' | 'ghosts' | 'only'): void {
+    const { state } = this;
+    if (what === 'only') state.only = state.only === object ? undefined : object;
+    else if (!state[what].delete(object)) state[what].add(object);
+    this.panels.listObjects();
+    this.show();
+  }
+
+  showAll(): void {
+    this.state.hidden.clear();
+    this.state.ghosts.clear();
+    this.state.only = undefined;
+    this.panels.listObjects();
+    this.show();
+  }
+
+  change(change: (state: State) => void): void {
+    change(this.state);
+    this.show();
+  }
+
+  private afterDrawing(): void {
+    this.marks.place();
+    window.clearTimeout(this.linkTimer);
+    this.linkTimer = window.setTimeout(() => this.rememberLink(), 250);
+  }
+
+  link(): string {
+    const { place } = this.stage.orbit;
+    this.state.camera = [place.target.x, place.target.y, place.target.z, place.distance, place.yaw, place.pitch];
+    return toHash(this.state);
+  }
+
+  private rememberLink(): void {
+    const hash = this.link();
+    if (hash !== location.hash) history.replaceState(null, '', hash);
+  }
+}

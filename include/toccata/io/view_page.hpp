@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "toccata/io/report.hpp"
+#include "toccata/query/check_all.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata {
+
+/// Which axis of the world points up on the screen.
+enum class UpAxis { y, z };
+
+struct ViewOptions {
+  std::string title = "Toccata";
+  UpAxis up = UpAxis::z;
+};
+
+/// One HTML page that shows a scene and what was found in it: self-contained, so that it opens from disk without a
+/// network or a server, in any browser with WebGL 2. It computes no collision; it draws what the report says. Where
+/// the report has faces, these and the curves in which they meet are drawn; where it has penetrations and distances,
+/// their segments and numbers. `models` are the scene's, in its order. Meshes are rounded for display to 1/65535 of
+/// their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold anything.
+[[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+                                    const ViewOptions& options = {}, std::span<const std::string> warnings = {});
+
+/// Writes a page: the file is complete or not there. Throws Error naming the file when it exists and is no HTML page,
+/// or cannot be written.
+void write_view_page(const std::string& page, const std::filesystem::path& path);
+
+}  // namespace toccata

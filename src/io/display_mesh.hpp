@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/core/index.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/shapes/shape.hpp"
+
+namespace toccata::io {
+
+/// What is drawn of a shape, in its own frame. A segment has two vertices and a point one, and both no triangle.
+struct DisplayMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> faces;  ///< of each triangle, the face that answers name; ascending
+  bool smooth = false;       ///< a round shape, of which the triangles are no part
+};
+
+/// Of any shape but a half-space, which is drawn as the square of that half side around a point of its boundary. Round
+/// shapes are drawn as a few hundred triangles inside them.
+[[nodiscard]] DisplayMesh display_mesh(const Model& model);
+[[nodiscard]] DisplayMesh display_mesh(const HalfSpace& shape, const Vec3& centre, double half_side);
+
+/// The sphere of radius 1 and the box of half extents 1, which are drawn wherever there is a sphere or a box. Where
+/// there are many spheres, each is drawn more coarsely.
+[[nodiscard]] DisplayMesh unit_sphere(std::size_t spheres);
+[[nodiscard]] DisplayMesh unit_box();
+
+}  // namespace toccata::io

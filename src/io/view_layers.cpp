@@ -1,0 +1,122 @@
+#include "io/view_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace toccata::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the faces of a pair have in common, in shown coordinates.
+struct Meetings {
+  std::vector<float> points;
+  std::vector<float> segments;
+  std::vector<float> triangles;
+};
+
+class PairLayers {
+ public:
+  PairLayers(std::size_t pair, const ViewMeshes& meshes, std::string unit, ViewData& data, Json& layers)
+      : pair_(pair), meshes_(meshes), unit_(std::move(unit)), data_(data), layers_(layers) {}
+
+  void add(const ReportedPair& pair) {
+    add_faces(pair.a, faces_of(pair, &ReportedFacePair::face_a));
+    add_faces(pair.b, faces_of(pair, &ReportedFacePair::face_b));
+    add_meetings(pair);
+    if (pair.penetration && pair.penetration->upper > 0)
+      add_length("depth", pair.penetration->on_a, pair.penetration->on_b, pair.penetration->upper);
+    if (pair.distance && pair.distance->upper > 0)
+      add_length("distance", pair.distance->on_a, pair.distance->on_b, pair.distance->upper);
+    add_normals(pair);
+  }
+
+ private:
+  static std::vector<Index> faces_of(const ReportedPair& pair, Index ReportedFacePair::*side) {
+    std::vector<Index> faces;
+    for (const ReportedFacePair& found : pair.face_pairs) faces.push_back(found.*side);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  void append(std::vector<float>& numbers, const Vec3& world) const {
+    const std::array<float, 3> shown = meshes_.frame().shown(world);
+    numbers.insert(numbers.end(), shown.begin(), shown.end());
+  }
+
+  Json& add_layer(const char* kind, const char* role, Json array) {
+    layers_.push_back({{"kind", kind}, {"role", role}, {"pair", pair_}, {"data", std::move(array)}});
+    return layers_.back();
+  }
+
+  void add_numbers(const char* kind, const char* role, const std::vector<float>& numbers) {
+    if (!numbers.empty()) add_layer(kind, role, data_.add(numbers));
+  }
+
+  void add_faces(Index object, const std::vector<Index>& faces) {
+    const std::vector<Index> triangles = meshes_.triangles_of(object, faces);
+    if (!triangles.empty())
+      add_layer("faces", "contact", data_.add(std::span<const std::uint32_t>(triangles)))["object"] = object;
+  }
+
+  void add_meetings(const ReportedPair& pair) {
+    Meetings found;
+    for (const ReportedFacePair& faces : pair.face_pairs)
+      for (const ReportedMeeting& meeting : faces.meetings) add_meeting(found, meeting.points);
+    add_numbers("triangles", "contact", found.triangles);
+    add_numbers("segments", "contact", found.segments);
+    add_numbers("points", "contact", found.points);
+  }
+
+  /// A point, a segment, or a convex polygon: its area and its outline.
+  void add_meeting(Meetings& found, const std::vector<Vec3>& points) const {
+    if (points.size() == 1) append(found.points, points[0]);
+    for (std::size_t i = 0; i + 1 < points.size() || (i + 1 == points.size() && points.size() > 2); ++i) {
+      append(found.segments, points[i]);
+      append(found.segments, points[(i + 1) % points.size()]);
+    }
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      for (const std::size_t corner : {std::size_t{0}, i, i + 1}) append(found.triangles, points[corner]);
+  }
+
+  void add_length(const char* role, const Vec3& from, const Vec3& to, double length) {
+    std::vector<float> ends;
+    append(ends, from);
+    append(ends, to);
+    add_layer("segments", role, data_.add(ends))["label"] = fmt::format("{:.6g}{}", length, unit_);
+    add_numbers("points", role, ends);
+  }
+
+  void add_normals(const ReportedPair& pair) {
+    std::vector<float> arrows;
+    const auto add_arrow = [&](const Vec3& point, const Vec3& normal) {
+      if (normal == Vec3{}) return;
+      append(arrows, point);
+      for (int axis = 0; axis < 3; ++axis) arrows.push_back(static_cast<float>(normal[axis]));
+    };
+    for (const ContactRegion& region : pair.regions) add_arrow(region.deepest, region.normal);
+    for (int i = 0; pair.manifold && i < pair.manifold->count; ++i)
+      add_arrow(pair.manifold->points[static_cast<std::size_t>(i)].position, pair.manifold->normal);
+    add_numbers("arrows", "normal", arrows);
+  }
+
+  std::size_t pair_;
+  const ViewMeshes& meshes_;
+  std::string unit_;
+  ViewData& data_;
+  Json& layers_;
+};
+
+}  // namespace
+
+Json pair_layers(const CheckReport& report, const ViewMeshes& meshes, const std::string& unit, ViewData& data) {
+  Json layers = Json::array();
+  for (std::size_t i = 0; i < report.pairs.size(); ++i)
+    PairLayers(i, meshes, unit == "unit" ? "" : " " + unit, data, layers).add(report.pairs[i]);
+  return layers;
+}
+
+}  // namespace toccata::io

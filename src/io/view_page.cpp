@@ -1,0 +1,106 @@
+#include "toccata/io/view_page.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/file_bytes.hpp"
+#include "io/file_error.hpp"
+#include "io/utf8.hpp"
+#include "io/view_data.hpp"
+#include "io/view_layers.hpp"
+#include "io/view_meshes.hpp"
+#include "io/view_template.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/relation_words.hpp"
+
+namespace toccata {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where the data goes in the template.
+constexpr std::string_view data_place = "<!--toccata-data-->";
+
+/// JSON that no HTML parser takes for the end of the element it stands in.
+std::string without_tags(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return text;
+}
+
+/// The report as `check --json` writes it, without the faces, which are in the layers.
+std::string report_of(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+                      std::span<const std::string> warnings) {
+  CheckReport without_faces = report;
+  without_faces.has_faces = false;
+  return check_report_json(scene, models, without_faces, warnings);
+}
+
+Json words_of(const CheckReport& report) {
+  Json words = Json::array();
+  for (const ReportedPair& pair : report.pairs) {
+    const bool is_near = pair.relation.kind == RelationKind::apart;
+    Json entry = {{"verb", is_near ? "is near" : verb_of(pair.relation)}, {"remark", remark_on(pair.relation)}};
+    if (report.has_faces) entry["face_pairs"] = pair.face_pairs.size();
+    words.push_back(std::move(entry));
+  }
+  return words;
+}
+
+std::string script(const char* id, const char* type, const std::string& text) {
+  return std::string("<script id=\"") + id + "\" type=\"" + type + "\">" + text + "</script>\n";
+}
+
+/// A page of this program, or any other HTML, and nothing else that somebody has.
+void require_page_or_nothing(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (status.type() == fs::file_type::not_found) return;
+  if (fs::is_directory(status)) io::fail_in_file(path.string(), {"this is a directory", "name a file in it"});
+  if (!fs::is_regular_file(status))
+    io::fail_in_file(path.string(), {"this exists and is no regular file", "choose another name"});
+  constexpr std::string_view begin = "<!doctype html>";
+  std::string start(begin.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  std::transform(start.begin(), start.end(), start.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (start != begin && fs::file_size(path, code) > 0)
+    io::fail_in_file(path.string(), {"the file exists and is no HTML page", "choose another name"});
+}
+
+}  // namespace
+
+std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+                      const ViewOptions& options, std::span<const std::string> warnings) {
+  const io::ViewMeshes meshes(models);
+  io::ViewData data;
+  Json header = {
+      {"format", "toccata/view/1"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
+  meshes.write(header, data);
+  header["words"] = words_of(report);
+  header["layers"] = io::pair_layers(report, meshes, scene.unit, data);
+  std::string page;
+  for (const std::string_view piece : io::view_template()) page += piece;
+  const std::size_t place = page.find(data_place);
+  if (place == std::string::npos) throw Error("the template of the page is damaged: build apps/viewer again");
+  const std::string scripts =
+      script("toccata-header", "application/json",
+             without_tags(header.dump(-1, ' ', false, Json::error_handler_t::replace))) +
+      script("toccata-report", "application/json", without_tags(report_of(scene, models, report, warnings))) +
+      script("toccata-data", "application/octet-stream", data.base64());
+  return page.replace(place, data_place.size(), scripts);
+}
+
+void write_view_page(const std::string& page, const std::filesystem::path& path) {
+  require_page_or_nothing(path);
+  io::write_file(path, page);
+}
+
+}  // namespace toccata

@@ -1,0 +1,82 @@
+// `toccata view` and `check --html`: a page is written whole, or a clear error tells why not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ViewCommand, WritesOnePageAndSaysSo) {
+  const TemporaryFolder folder;
+  const auto result = run_command({"view", "gen:box", "gen:icosphere", "-o", "page.html"}, folder.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("page.html: 2 objects and 1 pair"), std::string::npos) << result.out;
+  const std::string page = text_of(folder.path() / "page.html");
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_NE(page.find("\"verb\":\"lies inside\""), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(ViewCommand, CheckWritesItBesideItsAnswer) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {"check", "gen:box", "gen:box", "--json"};
+  const auto plain = run_command(words, folder.path());
+  std::vector<std::string> with_page = words;
+  with_page.insert(with_page.end(), {"--html", "report.html"});
+  const auto both = run_command(with_page, folder.path());
+  EXPECT_EQ(both.exit_code, 1) << both.err;
+  EXPECT_EQ(both.out, plain.out);
+  EXPECT_NE(text_of(folder.path() / "report.html").find("\"face_pairs\":"), std::string::npos);
+}
+
+TEST(ViewCommand, TheSamePageForAnyThreads) {
+  const TemporaryFolder folder;
+  const auto page = [&](const std::string& threads) {
+    EXPECT_EQ(
+        run_command({"view", "gen:torus", "gen:torus-knot", "--penetration", "--threads", threads, "-o", "page.html"},
+                    folder.path())
+            .exit_code,
+        0);
+    return text_of(folder.path() / "page.html");
+  };
+  EXPECT_EQ(page("1"), page("3"));
+}
+
+TEST(ViewCommand, TroubleWritesNothing) {
+  const TemporaryFolder folder;
+  folder.write("notes.txt", "mine");
+  folder.write("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
+    const auto result = run_command(words, folder.path());
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+  };
+  refused({"view", "gen:box"}, "no page was named: say where it shall be written with -o FILE.html");
+  refused({"view", "-o", "page.html"}, "no file was named");
+  refused({"view", "broken.obj", "-o", "page.html"}, "broken.obj:2");
+  refused({"view", "gen:box", "-o", "notes.txt"}, "the file exists and is no HTML page; choose another name");
+  refused({"view", "gen:box", "-o", "nowhere/page.html"}, "nowhere/page.html");
+  refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "no HTML page");
+  refused({"check", "gen:box", "--self", "--html", "page.html"}, "excludes");
+  EXPECT_EQ(text_of(folder.path() / "notes.txt"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
+}
+
+}  // namespace
+}  // namespace toccata

@@ -1,0 +1,244 @@
+// The page that shows a scene: what it holds, and that nothing in it can be taken for markup.
+#include "toccata/io/view_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/generate/scenes.hpp"
+#include "toccata/query/scene_models.hpp"
+
+namespace toccata {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string element_text(const std::string& page, const std::string& id) {
+  const std::string begin = "<script id=\"" + id + "\"";
+  const std::size_t at = page.find('>', page.find(begin));
+  return page.substr(at + 1, page.find("</script>", at) - at - 1);
+}
+
+/// The bytes behind base64.
+std::string decoded(const std::string& text) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6U | static_cast<std::uint32_t>(letters.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> static_cast<unsigned>(count) & 255U);
+  }
+  return bytes;
+}
+
+struct Page {
+  std::string html;
+  Json header;
+  Json report;
+  std::string data;
+
+  template <class Number>
+  [[nodiscard]] std::vector<Number> numbers(const Json& place) const {
+    std::vector<Number> all(place.at("count").get<std::size_t>());
+    const std::size_t at = place.at("at").get<std::size_t>();
+    EXPECT_EQ(at % 4, 0U);
+    EXPECT_LE(at + all.size() * sizeof(Number), data.size());
+    std::memcpy(all.data(), data.data() + at, all.size() * sizeof(Number));
+    return all;
+  }
+};
+
+Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptions& options = {}) {
+  const std::vector<Posed> models = scene_models(scene);
+  const CheckAnswer answer = check_all(models, asked);
+  const CheckReport report =
+      make_check_report(models, answer, {Touching::count, asked.contacts, asked.penetration, asked.clearance, {}});
+  Page page;
+  page.html = view_page(scene, models, report, options);
+  page.header = Json::parse(element_text(page.html, "toccata-header"));
+  page.report = Json::parse(element_text(page.html, "toccata-report"));
+  page.data = decoded(element_text(page.html, "toccata-data"));
+  return page;
+}
+
+CheckOptions everything() {
+  CheckOptions options;
+  options.contacts = true;
+  options.penetration = true;
+  return options;
+}
+
+/// A vertex of a drawn mesh in the world.
+Vec3 shown_vertex(const Page& page, std::size_t object, std::size_t vertex) {
+  const Json& drawn = page.header["objects"][object];
+  const Json& place = page.header["meshes"][drawn["mesh"].get<std::size_t>()]["vertices"];
+  Vec3 at;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t number = 3 * vertex + static_cast<std::size_t>(axis);
+    const double stored = place["bytes"] == 4 ? static_cast<double>(page.numbers<float>(place)[number])
+                                              : static_cast<double>(page.numbers<std::uint16_t>(place)[number]);
+    at[axis] = place["lower"][static_cast<std::size_t>(axis)].get<double>() +
+               stored * place["step"][static_cast<std::size_t>(axis)].get<double>();
+  }
+  const auto pose_of = [](const Json& numbers) { return Pose::from_numbers(numbers.get<std::array<double, 12>>()); };
+  if (drawn.contains("fit")) at = transform(pose_of(drawn["fit"]), at);
+  return transform(pose_of(page.report["objects"][object]["pose"]), at);
+}
+
+double largest_difference(const Vec3& a, const Vec3& b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+TEST(ViewPage, HoldsTheReportAndTheMeshes) {
+  const Scene scene = gear_train();
+  const Page page = page_of(scene, everything());
+  EXPECT_EQ(page.header["format"], "toccata/view/1");
+  EXPECT_EQ(page.report["schema"], "toccata/check/1");
+  EXPECT_EQ(page.report["pairs"].size(), page.header["words"].size());
+  ASSERT_EQ(page.header["objects"].size(), scene.objects.size());
+  for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+    const TriangleMesh& mesh = *scene.objects[object].mesh();
+    const Json& drawn = page.header["meshes"][page.header["objects"][object]["mesh"].get<std::size_t>()];
+    EXPECT_EQ(drawn["triangles"]["count"], 3 * mesh.triangle_count());
+    const Vec3 exact = transform(scene.objects[object].pose, mesh.vertices()[7]);
+    EXPECT_LT(largest_difference(shown_vertex(page, object, 7), exact), 1e-5);
+  }
+}
+
+TEST(ViewPage, ShowsWhereFacesMeet) {
+  const Page page = page_of(gear_train(), everything());
+  ASSERT_EQ(page.report["pairs"].size(), 1U);
+  const Json& pair = page.report["pairs"][0];
+  std::size_t curves = 0, faces = 0;
+  for (const Json& layer : page.header["layers"]) {
+    EXPECT_EQ(layer["pair"], 0);
+    if (layer["kind"] == "faces") {
+      ++faces;
+      EXPECT_FALSE(page.numbers<std::uint32_t>(layer["data"]).empty());
+      EXPECT_TRUE(layer["object"] == pair["a_index"] || layer["object"] == pair["b_index"]);
+    }
+    if (layer["kind"] == "segments" && layer["role"] == "contact") {
+      ++curves;
+      for (const float x : page.numbers<float>(layer["data"])) EXPECT_LE(std::abs(x), 1.0F);
+    }
+  }
+  EXPECT_EQ(faces, 2U);
+  EXPECT_EQ(curves, 1U);
+  EXPECT_GT(page.header["words"][0]["face_pairs"], 0);
+}
+
+TEST(ViewPage, ObjectsThatShareAMeshShareItsDrawing) {
+  const Scene scene = many_parts(500, 3);
+  const Page page = page_of(scene);
+  EXPECT_EQ(page.header["objects"].size(), 500U);
+  EXPECT_LT(page.header["meshes"].size(), 20U);
+}
+
+TEST(ViewPage, NamesAreNoMarkup) {
+  Scene scene = boxes_face_to_face();
+  const std::string wicked = "</script><img src=x onerror=alert(1)><!-- <script>";
+  scene.objects[0].name = wicked;
+  scene.objects[1].name = "\xff";
+  const Page page = page_of(scene, {}, {"<b>&</b>", UpAxis::y});
+  EXPECT_EQ(page.report["objects"][0]["name"], wicked);
+  EXPECT_EQ(page.report["objects"][1]["name"], "\\xff");
+  EXPECT_EQ(page.header["title"], "<b>&</b>");
+  EXPECT_EQ(page.header["up"], "y");
+  EXPECT_EQ(page.html.find("<img"), std::string::npos);
+  EXPECT_EQ(page.html.find("<b>&"), std::string::npos);
+}
+
+TEST(ViewPage, EveryShapeIsDrawn) {
+  Scene scene;
+  const auto add = [&](const std::string& name, const Shape& shape, const Pose& pose = {}) {
+    scene.objects.push_back({name, shape, pose, Solid::automatic, "", {}, ""});
+  };
+  add("point", Point{{1, 2, 3}});
+  add("segment", Segment{{0, 0, 0}, {1, 0, 0}});
+  add("triangle", Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  add("floor", HalfSpace({0, 0, -1}, {0, 0, 3}));
+  add("ball", Sphere(2, {1, 0, 0}), Pose::translation(5, 0, 0));
+  add("ball again", Sphere(0.5));
+  add("box", Box({1, 2, 3}, {1, 1, 1}));
+  add("capsule", Capsule({0, 0, 0}, {0, 0, 2}, 0.5));
+  add("hull", ConvexHull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  add("flat", ConvexHull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+  add("rounded", Rounded(Box({1, 1, 1}), 0.25));
+  const std::vector<CompoundPart> parts{{Box({1, 1, 1}), Pose{}}, {Sphere(1), Pose::translation(3, 0, 0)}};
+  add("compound", Compound(parts));
+  const Page page = page_of(scene, everything());
+  const std::vector<std::size_t> triangles{0, 0, 1, 2, 0, 0, 12, 0, 4, 2, 0, 0};
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Json& mesh = page.header["meshes"][page.header["objects"][i]["mesh"].get<std::size_t>()];
+    const std::size_t drawn = mesh["triangles"]["count"].get<std::size_t>() / 3;
+    if (triangles[i] > 0 || i < 2)
+      EXPECT_EQ(drawn, triangles[i]) << scene.objects[i].name;
+    else
+      EXPECT_GT(drawn, 100U) << scene.objects[i].name;
+  }
+  EXPECT_EQ(page.header["objects"][4]["mesh"], page.header["objects"][5]["mesh"]);
+  EXPECT_LT(
+      std::abs(std::hypot(shown_vertex(page, 4, 9).x - 6, shown_vertex(page, 4, 9).y, shown_vertex(page, 4, 9).z) - 2),
+      1e-6);
+}
+
+TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
+  Scene scene;
+  scene.unit = "mm";
+  scene.objects.push_back({"a", Sphere(1), {}, Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"b", Sphere(1), Pose::translation(1.5, 0, 0), Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"c", Sphere(1), Pose::translation(0, 0, 5), Solid::automatic, "", {}, ""});
+  CheckOptions options = everything();
+  options.clearance = 3.1;
+  const Page page = page_of(scene, options);
+  std::vector<std::string> labels;
+  for (const Json& layer : page.header["layers"])
+    if (layer.contains("label"))
+      labels.push_back(layer["role"].get<std::string>() + " " + layer["label"].get<std::string>());
+  EXPECT_EQ(labels, (std::vector<std::string>{"depth 0.5 mm", "distance 3 mm"}));
+}
+
+TEST(ViewPage, TinyHugeAndEmptyScenesFitTheFloats) {
+  for (const double scale : {1e-150, 1.0, 1e150}) {
+    const Page page = page_of(boxes_sharing_half({scale, 0}), everything());
+    for (const Json& layer : page.header["layers"]) {
+      if (layer["kind"] != "segments") continue;
+      for (const float x : page.numbers<float>(layer["data"])) EXPECT_LE(std::abs(x), 1.0F) << scale;
+    }
+  }
+  EXPECT_TRUE(page_of(Scene{}).header["objects"].empty());
+}
+
+TEST(ViewPage, WritesNothingOverWhatIsNoPage) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path notes = folder.write("notes.txt", "mine");
+  EXPECT_THROW(write_view_page("<!doctype html>", notes), Error);
+  std::ifstream stream(notes);
+  std::stringstream kept;
+  kept << stream.rdbuf();
+  EXPECT_EQ(kept.str(), "mine");
+  EXPECT_THROW(write_view_page("<!doctype html>", folder.path()), Error);
+  EXPECT_THROW(write_view_page("<!doctype html>", folder.path() / "missing" / "page.html"), Error);
+  write_view_page("<!doctype html>1", folder.path() / "page.html");
+  write_view_page("<!doctype html>2", folder.path() / "page.html");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+}  // namespace
+}  // namespace toccata
