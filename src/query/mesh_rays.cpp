@@ -15,15 +15,15 @@ namespace {
 inline double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
 
 /// The part of the way on which a line is within a box, up to what rounding adds; empty when it never is.
-struct Stretch {
+struct PartOfWay {
   double from = 0;
   double to = 1;
   [[nodiscard]] bool empty() const { return from > to; }
 };
 
-inline Stretch stretch_within(const Aabb& box, double around, const Vec3& origin, const Vec3& motion) {
+inline PartOfWay stretch_within(const Aabb& box, double around, const Vec3& origin, const Vec3& motion) {
   constexpr double slack = 0x1p-50;
-  Stretch stretch;
+  PartOfWay stretch;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = (box.lower[axis] - around) - origin[axis], high = (box.upper[axis] + around) - origin[axis];
     if (motion[axis] == 0) {
@@ -40,14 +40,14 @@ inline Stretch stretch_within(const Aabb& box, double around, const Vec3& origin
 }
 
 /// How much longer the ray is than the stretch; infinite where it is that by too much.
-inline double per_length(const Stretch& stretch) {
+inline double per_length(const PartOfWay& stretch) {
   return stretch.to - stretch.from > 0x1p-60 ? 1 / (stretch.to - stretch.from) : HUGE_VAL;
 }
 
 /// A search for the first of the triangles that it is told of.
 class FirstHit {
  public:
-  FirstHit(const PreparedRay& ray, const Stretch& stretch)
+  FirstHit(const PreparedRay& ray, const PartOfWay& stretch)
       : ray_(ray), from_(stretch.from), per_length_(per_length(stretch)) {}
 
   void consider(const Triangle& triangle, Index number) {
@@ -97,8 +97,8 @@ RayTarget::RayTarget(const PosedMesh& mesh)
 
 /// A ray in the tree's units.
 struct RayTarget::InTree {
-  Stretch stretch;  ///< of the ray: what is within the tree's box
-  WideRay ray;      ///< that stretch
+  PartOfWay stretch;  ///< of the ray: what is within the tree's box
+  WideRay ray;        ///< that stretch
 };
 
 std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) const {
