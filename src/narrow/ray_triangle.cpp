@@ -101,17 +101,21 @@ bool is_settled(const Passing& passing) {
 }
 
 /// Nothing where only exact arithmetic can tell.
+std::optional<RayTime> certain_time_of_passing(const PreparedRay& ray, const Triangle& target, const Seen& seen) {
+  Passing passing = passing_in_doubles(ray, target, seen);
+  if (!is_settled(passing)) passing = passing_in_bounded_numbers(ray, target);
+  if (!is_settled(passing)) return {};
+  if (passing.time < 0 || passing.time > 1) return RayTime{};
+  return RayTime{true, passing.time - passing.off, passing.time + passing.off};
+}
+
 std::optional<RayTime> certain_time(const PreparedRay& ray, const Triangle& target) {
   const Seen seen(ray, target);
   Line line = line_in_doubles(ray, seen);
   if (line == Line::unknown) line = line_by_signs(ray, target);
   if (line == Line::misses) return RayTime{};
   if (line == Line::unknown) return {};
-  Passing passing = passing_in_doubles(ray, target, seen);
-  if (!is_settled(passing)) passing = passing_in_bounded_numbers(ray, target);
-  if (!is_settled(passing)) return {};
-  if (passing.time < 0 || passing.time > 1) return RayTime{};
-  return RayTime{true, passing.time - passing.off, passing.time + passing.off};
+  return certain_time_of_passing(ray, target, seen);
 }
 
 RayTime exact_time(const PreparedRay& ray, const Triangle& target) {
@@ -141,6 +145,11 @@ PreparedRay::PreparedRay(const Vec3& from, const Vec3& along)
 
 RayTime ray_time(const PreparedRay& ray, const Triangle& target) {
   const auto certain = certain_time(ray, target);
+  return certain ? *certain : exact_time(ray, target);
+}
+
+RayTime ray_time_of_passing(const PreparedRay& ray, const Triangle& target) {
+  const auto certain = certain_time_of_passing(ray, target, Seen(ray, target));
   return certain ? *certain : exact_time(ray, target);
 }
 

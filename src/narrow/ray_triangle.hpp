@@ -23,6 +23,9 @@ struct RayTime {
 /// A function of the ray and the triangle alone. In doubles where that is certain, else exact.
 [[nodiscard]] RayTime ray_time(const PreparedRay& ray, const Triangle& target);
 
+/// The same, of a triangle that the ray's line is known to pass through, not in its plane.
+[[nodiscard]] RayTime ray_time_of_passing(const PreparedRay& ray, const Triangle& target);
+
 /// The whole answer, for a triangle that is met at that time.
 [[nodiscard]] Cast ray_hit(const PreparedRay& ray, const Triangle& target, const RayTime& time);
 

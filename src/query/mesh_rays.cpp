@@ -50,8 +50,9 @@ class FirstHit {
   FirstHit(const PreparedRay& ray, const PartOfWay& stretch)
       : ray_(ray), from_(stretch.from), per_length_(per_length(stretch)) {}
 
-  void consider(const Triangle& triangle, Index number) {
-    const RayTime time = ray_time(ray_, triangle);
+  /// `passes`: the ray's line is known to pass through the triangle.
+  void consider(const Triangle& triangle, Index number, bool passes = false) {
+    const RayTime time = passes ? ray_time_of_passing(ray_, triangle) : ray_time(ray_, triangle);
     if (!time.hit || time.upper > best_.time.upper) return;
     if (time.upper == best_.time.upper && best_.time.hit && best_.triangle < number) return;
     best_ = {time, number};
@@ -125,10 +126,9 @@ std::optional<RayTarget::InTree> RayTarget::in_tree(const PreparedRay& ray) cons
 }
 
 template <class Search>
-float RayTarget::consider(std::span<const RayCandidate> candidates, Search& search) const {
-  for (const RayCandidate& one : candidates)
-    if (!(one.lower > search.limit())) search.consider(world_triangle(one.triangle), one.triangle);
-  return search.limit();
+void RayTarget::consider(const RayCandidate& candidate, Search& search) const {
+  if (!(candidate.lower > search.limit()))
+    search.consider(world_triangle(candidate.triangle), candidate.triangle, candidate.certain);
 }
 
 TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
@@ -137,7 +137,10 @@ TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
   if (way->stretch.empty()) return {};
   FirstHit hit(ray, way->stretch);
   walk_rays(tree_, posed_.model().leaf_triangles_for(1), {&way->ray, 1},
-            [&](std::size_t, std::span<const RayCandidate> candidates) { return consider(candidates, hit); });
+            [&](std::size_t, std::span<const RayCandidate> candidates, bool) {
+              for (const RayCandidate& one : candidates) consider(one, hit);
+              return hit.limit();
+            });
   return hit.best();
 }
 
@@ -148,24 +151,48 @@ void RayTarget::first_hits(std::span<const PreparedRay> rays, std::span<Triangle
   }
 }
 
-void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
+/// Rays on their way together, and what they have met.
+struct RayTarget::Together {
+  struct Last {
+    std::size_t ray;
+    RayCandidate candidate;
+  };
+  explicit Together(std::size_t count) {
+    walking.reserve(count);
+    found.reserve(count);
+    number_of.reserve(count);
+    last.reserve(count);
+  }
   std::vector<WideRay> walking;
   std::vector<FirstHit> found;
   std::vector<std::size_t> number_of;
-  walking.reserve(rays.size());
-  found.reserve(rays.size());
-  number_of.reserve(rays.size());
+  std::vector<Last> last;  ///< what is looked at when all have walked, and is asked for in the meantime
+};
+
+void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
+  Together all(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const std::optional<InTree> way = in_tree(rays[i]);
     hits[i] = way ? TriangleHit{} : search_in_world(rays[i]);
     if (!way || way->stretch.empty()) continue;
-    walking.push_back(way->ray);
-    found.emplace_back(rays[i], way->stretch);
-    number_of.push_back(i);
+    all.walking.push_back(way->ray);
+    all.found.emplace_back(rays[i], way->stretch);
+    all.number_of.push_back(i);
   }
-  walk_rays(tree_, posed_.model().leaf_triangles_for(walking.size()), walking,
-            [&](std::size_t i, std::span<const RayCandidate> candidates) { return consider(candidates, found[i]); });
-  for (std::size_t i = 0; i < found.size(); ++i) hits[number_of[i]] = found[i].best();
+  walk_rays(tree_, posed_.model().leaf_triangles_for(all.walking.size()), all.walking,
+            [&](std::size_t i, std::span<const RayCandidate> candidates, bool last) {
+              if (last && candidates.size() == 1) {
+                __builtin_prefetch(&mesh_.triangles()[candidates[0].triangle]);
+                all.last.push_back({i, candidates[0]});
+              } else {
+                for (const RayCandidate& one : candidates) consider(one, all.found[i]);
+              }
+              return all.found[i].limit();
+            });
+  for (const auto& [ray, candidate] : all.last)
+    for (const Index corner : mesh_.triangles()[candidate.triangle]) __builtin_prefetch(&mesh_.vertices()[corner]);
+  for (const auto& [ray, candidate] : all.last) consider(candidate, all.found[ray]);
+  for (std::size_t i = 0; i < all.found.size(); ++i) hits[all.number_of[i]] = all.found[i].best();
 }
 
 Triangle RayTarget::world_triangle(Index number) const {

@@ -35,9 +35,10 @@ class RayTarget {
   /// So many rays are searched for with the memory of one search, which stays near.
   static constexpr std::size_t together = 256;
   void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
-  /// Tells the search of triangles that may be met; gives the part of the way that is still of interest.
+  struct Together;
+  /// Tells the search of a triangle that may be met.
   template <class Search>
-  float consider(std::span<const RayCandidate> candidates, Search& search) const;
+  void consider(const RayCandidate& candidate, Search& search) const;
   [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
 
   const PosedMesh& posed_;

@@ -70,89 +70,103 @@ class RayWalk {
     late_ = ray.late + 0x1p-20F;
     limit_ = 1;
     child_ = 0;
+    items_ = 0;
     candidate_count_ = 0;
   }
 
-  /// Opens a block; false when there is nothing more.
+  /// Opens a block, or looks at the triangles of the last one, which have been asked for meanwhile; false when there is
+  /// nothing more.
   HWY_INLINE bool step(const VisitCandidates& visit) {
-    if (open(static_cast<std::size_t>(child_), visit) || next()) return true;
-    if (candidate_count_ > 0) show(visit);
+    if (items_ != 0) {
+      see(visit);
+      items_ = 0;
+    } else if (open(tree_->blocks[static_cast<std::size_t>(child_)])) {
+      return true;
+    }
+    if (next()) return true;
+    if (candidate_count_ > 0) show(visit, true);
     return false;
   }
 
  private:
-  /// The earliest inner child that is met becomes the next; the others wait. False where none is met.
-  HWY_INLINE bool open(std::size_t number, const VisitCandidates& visit) {
-    const WideBlock& block = tree_->blocks[number];
-    alignas(64) LaneFloats when;
+  /// The inner children that are met wait for their turn, and triangles for the next step. True where it is clear what
+  /// that is.
+  HWY_INLINE bool open(const WideBlock& block) {
     unsigned met = 0;
     for (std::size_t part = 0; part < parts; ++part)
-      met |= (slabs_.meet(block, part * lane_count, limit_, when) & part_mask) << part * lane_count;
+      met |= (slabs_.meet(block, part * lane_count, limit_, when_) & part_mask) << part * lane_count;
     met &= (1U << block.count) - 1U;
-    const unsigned items = items_of(block) & met, inner = met & ~items;
-    if (items != 0) see(number, items, when, visit);
-    return inner != 0 && go_on(block, inner, when);
+    items_ = items_of(block) & met;
+    const unsigned inner = met & ~items_;
+    if (items_ != 0) {
+      opened_ = child_;
+      if (leaves_ != nullptr) prefetch(leaves_[child_]);
+    } else if (std::has_single_bit(inner)) {
+      child_ = block.child[static_cast<std::size_t>(std::countr_zero(inner))];
+      prefetch(tree_->blocks[static_cast<std::size_t>(child_)]);
+      return true;
+    }
+    if (inner != 0) wait(block, inner);
+    return items_ != 0;
   }
 
-  /// The triangles in some lanes of a block.
-  HWY_INLINE void see(std::size_t number, unsigned items, const LaneFloats& when, const VisitCandidates& visit) {
-    if (candidate_count_ + WideBlock::width > candidates_.size()) show(visit);
-    const WideBlock& block = tree_->blocks[number];
-    if (leaves_ == nullptr) {
-      for (; items != 0; items &= items - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(items));
-        add({when[lane], tree_->items[static_cast<std::size_t>(~block.child[lane])]});
-      }
-      return show(visit);
+  /// The earliest comes next.
+  HWY_INLINE void wait(const WideBlock& block, unsigned inner) {
+    pending_.make_room();
+    for (std::size_t count = 0; inner != 0; inner &= inner - 1, ++count) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(inner));
+      const std::int32_t child = block.child[lane];
+      prefetch(tree_->blocks[static_cast<std::size_t>(child)]);
+      pending_.insert({when_[lane], child}, count);
     }
-    const TriangleLanes& triangles = leaves_[number];
-    const RayLanes told = lanes_told(line_, block, triangles, items);
+  }
+
+  /// The triangles that wait.
+  HWY_INLINE void see(const VisitCandidates& visit) {
+    if (candidate_count_ + WideBlock::width > candidates_.size()) show(visit, false);
+    const WideBlock& block = tree_->blocks[static_cast<std::size_t>(opened_)];
+    if (leaves_ == nullptr) return see_boxes(block, visit);
+    const TriangleLanes& triangles = leaves_[opened_];
+    const RayLanes told = lanes_told(line_, block, triangles, items_);
     for (unsigned left = told.possible; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const float lower = std::max(when[lane], told.lower[lane]);
+      const float lower = std::max(when_[lane], told.lower[lane]);
       if (lower > limit_) continue;
-      add({lower, triangles.number[lane]});
-      if ((told.certain >> lane & 1U) != 0) limit_ = std::min(limit_, told.upper[lane] + late_);
+      const bool certain = (told.certain >> lane & 1U) != 0;
+      candidates_[candidate_count_++] = {lower, triangles.number[lane], certain};
+      if (certain) limit_ = std::min(limit_, told.upper[lane] + late_);
     }
     // What is not certain is found out before more is searched for nothing.
-    if (told.possible != told.certain) show(visit);
+    if (told.possible != told.certain) show(visit, false);
   }
 
-  void add(const RayCandidate& candidate) { candidates_[candidate_count_++] = candidate; }
+  /// Nothing is known but the boxes.
+  void see_boxes(const WideBlock& block, const VisitCandidates& visit) {
+    for (unsigned left = items_; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      candidates_[candidate_count_++] = {when_[lane], tree_->items[static_cast<std::size_t>(~block.child[lane])],
+                                         false};
+    }
+    show(visit, false);
+  }
 
   /// Shows what is still of interest, the earliest first.
-  void show(const VisitCandidates& visit) {
+  void show(const VisitCandidates& visit, bool last_of_all) {
     const auto first = candidates_.begin();
     const auto last = std::remove_if(first, first + static_cast<std::ptrdiff_t>(candidate_count_),
                                      [&](const RayCandidate& one) { return one.lower > limit_; });
     if (last - first > 1)
       std::sort(first, last, [](const RayCandidate& a, const RayCandidate& b) { return a.lower < b.lower; });
     candidate_count_ = 0;
-    if (first != last) limit_ = std::min(limit_, visit(number_, {first, last}));
+    if (first != last) limit_ = std::min(limit_, visit(number_, {first, last}, last_of_all));
   }
 
-  HWY_INLINE bool go_on(const WideBlock& block, unsigned inner, const LaneFloats& when) {
-    const auto first = static_cast<std::size_t>(std::countr_zero(inner));
-    inner &= inner - 1;
-    if (inner == 0) {
-      child_ = block.child[first];
-      return !(when[first] > limit_ * of_times);
-    }
-    pending_.make_room();
-    prefetch(block.child[first]);
-    pending_.insert({when[first], block.child[first]}, 0);
-    for (std::size_t count = 1; inner != 0; inner &= inner - 1, ++count) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(inner));
-      prefetch(block.child[lane]);
-      pending_.insert({when[lane], block.child[lane]}, count);
-    }
-    return false;
-  }
-
-  /// Asks for the memory of a block before its turn comes.
-  HWY_INLINE void prefetch(std::int32_t child) const {
-    const auto* bytes = reinterpret_cast<const char*>(&tree_->blocks[static_cast<std::size_t>(child)]);
-    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
+  /// Asks for memory before its turn comes.
+  template <class Lines>
+  HWY_INLINE static void prefetch(const Lines& lines) {
+    const auto* bytes = reinterpret_cast<const char*>(&lines);
+#pragma GCC unroll 5
+    for (std::size_t line = 0; line < sizeof(Lines); line += 64) __builtin_prefetch(bytes + line);
   }
 
   /// The next that waits and is still of interest.
@@ -171,14 +185,16 @@ class RayWalk {
   RaySlabs slabs_;
   RayLine line_;
   float late_, limit_;
-  std::int32_t child_;
+  std::int32_t child_, opened_;
+  unsigned items_;               ///< of the block that was opened last: triangles whose boxes are met
+  alignas(64) LaneFloats when_;  ///< and when they are
   std::size_t candidate_count_;
   std::array<RayCandidate, 3 * WideBlock::width> candidates_;
   PendingStack pending_;
 };
 
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
-constexpr std::size_t abreast = 4;
+constexpr std::size_t abreast = 8;
 
 /// Rays that walk side by side, the next one in the place of one that is done.
 void run_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {

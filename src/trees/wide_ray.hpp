@@ -31,11 +31,13 @@ struct WideRay {
 struct RayCandidate {
   float lower;
   Index triangle;
+  bool certain;  ///< the ray's line passes through it
 };
 
-/// What a ray may meet is shown some at a time, the earliest first, as `visit(ray, candidates)`, which returns the
-/// greatest t that is still of interest.
-using VisitCandidates = FunctionRef<float(std::size_t, std::span<const RayCandidate>)>;
+/// What a ray may meet is shown some at a time, the earliest first, as `visit(ray, candidates, last)`, which returns
+/// the greatest t that is still of interest. After the last ones nothing comes of that ray, and what is returned is
+/// ignored.
+using VisitCandidates = FunctionRef<float(std::size_t, std::span<const RayCandidate>, bool)>;
 
 /// Shows, for every ray, triangles of which its first one is one: with what is later than another is met for certain,
 /// or than what `visit` returned, left out. `leaves` are those of the tree or null; without them a triangle may be met
