@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <variant>
 
 #include "query/relation_locality.hpp"
@@ -9,6 +10,8 @@
 
 namespace toccata {
 namespace {
+
+constexpr std::string_view name_of_target = "the target";
 
 RayHit numbered(const Cast& cast, Index element = 0, Index face = 0) {
   RayHit hit{cast};
@@ -60,7 +63,7 @@ void require_answered(ShapeKind target) {
 }  // namespace
 
 RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
-    : posed_(pose_model(target, pose, solid, "the target")) {
+    : posed_(pose_model(target, pose, solid, name_of_target)) {
   for (const PosedPart& part : posed_.parts) {
     require_answered(part.kind);
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) meshes_.emplace_back(triangles->mesh);
@@ -96,7 +99,12 @@ RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const Pre
 }
 
 RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
-  return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
+  if (!target.has_mesh()) return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
+  // The same without lists of one.
+  const PosedShape posed = pose_shape(target, pose, solid, name_of_target);
+  require_answered(kind_of(target.shape()));
+  const auto& triangles = std::get<PosedTriangles>(posed);
+  return hit_of(triangles, RayTarget(triangles.mesh), PreparedRay(origin, motion));
 }
 
 }  // namespace toccata

@@ -196,8 +196,16 @@ class RayWalk {
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
 constexpr std::size_t abreast = 8;
 
+void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& ray, const VisitCandidates& visit) {
+  RayWalk walk;
+  walk.start(tree, leaves, ray, 0);
+  while (walk.step(visit)) {
+  }
+}
+
 /// Rays that walk side by side, the next one in the place of one that is done.
 void run_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
+  if (rays.size() == 1) return run_ray(tree, leaves, rays[0], visit);
   std::array<RayWalk, abreast> walks;
   std::array<RayWalk*, abreast> walking;
   std::size_t next = 0, count = 0;
