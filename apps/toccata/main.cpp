@@ -293,9 +293,10 @@ void add_nearest(CLI::App& app, Options& options) {
                    "all: nothing is")
       ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
       ->type_name("LENGTH");
-  nearest->add_flag("--signed", options.nearest.sides,
-                    "tell on which side of the surface the point is: exactly of a closed mesh, by the generalised "
-                    "winding number of an open one");
+  nearest->add_flag(
+      "--signed", options.nearest.sides,
+      "tell on which side of the surface the point is, and inside of which object: exactly of closed meshes "
+      "and other solids, by the generalised winding number of an open mesh");
   add_writing(*nearest, options, options.nearest.threads, "docs/reference/nearest-report.md");
   nearest->footer(
       with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"

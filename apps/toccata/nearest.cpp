@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 #include "arguments.hpp"
 #include "check_input.hpp"
@@ -13,7 +12,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/points_file.hpp"
-#include "toccata/query/batch.hpp"
+#include "toccata/query/scene_nearest.hpp"
 #include "toccata/query/signed_distance.hpp"
 #include "words.hpp"
 
@@ -35,34 +34,20 @@ BatchOptions on_threads(const NearestArguments& arguments) {
   return options;
 }
 
-std::vector<std::vector<SurfacePoint>> nearest_of(const Posed& surface, const std::vector<Vec3>& points, double within,
-                                                  const NearestArguments& arguments) {
-  const NearestQuery query{.pose = surface.pose, .max_distance = within};
-  return asked_of(surface.name, [&] {
-    return nearest_points_each(points, arguments.k, surface.model, query, on_threads(arguments));
-  });
-}
-
-bool comes_before(const ReportedSurfacePoint& a, const ReportedSurfacePoint& b) {
-  return std::tie(a.nearest.upper, a.object, a.nearest.element) <
-         std::tie(b.nearest.upper, b.object, b.nearest.element);
+std::vector<Vec3> positions(const std::vector<ReportedPoint>& asked) {
+  std::vector<Vec3> points;
+  for (const ReportedPoint& one : asked) points.push_back(one.point);
+  return points;
 }
 
 /// Of all objects the k nearest, by (upper, place in the scene, element).
 void find_nearest(const CheckInput& input, const NearestArguments& arguments, std::vector<ReportedPoint>& asked) {
-  std::vector<Vec3> points;
-  for (const ReportedPoint& one : asked) points.push_back(one.point);
+  const std::vector<Vec3> points = positions(asked);
   const double within = arguments.within.empty() ? std::numeric_limits<double>::infinity()
                                                  : read_length("--within", arguments.within, input.loaded.scene);
-  for (std::size_t object = 0; object < input.models.size(); ++object) {
-    const auto found = nearest_of(input.models[object], points, within, arguments);
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      for (const SurfacePoint& one : found[i]) asked[i].nearest.push_back({one, static_cast<Index>(object)});
-  }
-  for (ReportedPoint& one : asked) {
-    std::sort(one.nearest.begin(), one.nearest.end(), comes_before);
-    if (one.nearest.size() > arguments.k) one.nearest.resize(arguments.k);
-  }
+  const auto found = nearest_points_each(points, arguments.k, input.models, within, on_threads(arguments));
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    for (const ScenePoint& one : found[i]) asked[i].nearest.push_back({one.nearest, one.object});
 }
 
 /// A distance beyond the doubles is not told by one.
@@ -93,6 +78,12 @@ std::vector<std::size_t> points_near(Index object, const std::vector<ReportedPoi
                     [&](const ReportedSurfacePoint& one) { return one.object == object; }))
       near.push_back(i);
   return near;
+}
+
+/// On which side of all objects together every point is.
+void find_side_of_scene(const CheckInput& input, const NearestArguments& arguments, std::vector<ReportedPoint>& asked) {
+  const auto found = signed_distance_each(positions(asked), input.models, SignBy::automatic, on_threads(arguments));
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].in_scene = found[i];
 }
 
 /// On which side of each object found every point is, once for each.
@@ -126,10 +117,17 @@ std::vector<std::string> row_of(const CheckInput& input, const ReportedSurfacePo
   const Posed& surface = input.models[one.object];
   return {point,
           printable(surface.name),
-          surface.model.has_mesh() ? fmt::format("face {}", one.nearest.face) : "",
+          surface.model.face_count() > 1 || surface.model.has_mesh() ? fmt::format("face {}", one.nearest.face) : "",
           fmt::format("{:.12g} away", one.nearest.upper),
           "at " + point_text(one.nearest.point),
           side_text(one.signed_distance)};
+}
+
+/// Where there are several objects: that which holds the point may be another than the nearest.
+std::string holder_text(const CheckInput& input, const ReportedPoint& point) {
+  if (input.models.size() < 2 || !point.in_scene || !point.in_scene->inside_of) return "";
+  const char* how = point.in_scene->distance.status == Status::undecided ? "may be inside " : "is inside ";
+  return how + printable(input.models[*point.in_scene->inside_of].name);
 }
 
 std::string nearest_table(const CheckInput& input, const std::vector<ReportedPoint>& points) {
@@ -138,6 +136,8 @@ std::string nearest_table(const CheckInput& input, const std::vector<ReportedPoi
     const std::string point = fmt::format("point {}", i);
     for (const ReportedSurfacePoint& one : points[i].nearest) rows.push_back(row_of(input, one, point));
     if (points[i].nearest.empty()) rows.push_back({point, "nothing within the greatest distance", "", "", "", ""});
+    if (const std::string holder = holder_text(input, points[i]); !holder.empty())
+      rows.push_back({point, holder, "", "", "", ""});
   }
   return columns(rows, 2);
 }
@@ -155,7 +155,10 @@ int run_nearest(const NearestArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
   find_nearest(input, arguments, points);
   check_finite(input, points);
-  if (arguments.sides) find_sides(input, arguments, points);
+  if (arguments.sides) {
+    find_sides(input, arguments, points);
+    find_side_of_scene(input, arguments, points);
+  }
   const std::string text = text_of(input, points, arguments.format, arguments.sides);
   print_warnings(input.loaded.warnings);
   print_answer(text);

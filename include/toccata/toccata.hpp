@@ -92,6 +92,7 @@
 #include "toccata/query/relation.hpp"
 #include "toccata/query/scene_hierarchy.hpp"
 #include "toccata/query/scene_models.hpp"
+#include "toccata/query/scene_nearest.hpp"
 #include "toccata/query/self_contacts.hpp"
 #include "toccata/query/signed_distance.hpp"
 #include "toccata/query/winding_number.hpp"

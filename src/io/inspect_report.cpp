@@ -91,8 +91,7 @@ Json json_of_shape(const Shape& shape) {
 bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
 std::optional<Aabb> box_of(const PosedModel& posed) {
-  Aabb box;
-  for (const PosedPart& part : posed.parts) box = merge(box, world_box(part.shape));
+  const Aabb box = world_box(posed);
   return is_bounded(box) ? std::optional(box) : std::nullopt;
 }
 

@@ -37,10 +37,24 @@ io::Json json_of(const Scene& scene, const ReportedSurfacePoint& one) {
   return json;
 }
 
+/// Nothing where the point is inside of none, or that was not asked.
+std::string name_of_holder(const Scene& scene, const ReportedPoint& point) {
+  if (!point.in_scene || !point.in_scene->inside_of) return "";
+  return io::as_utf8(scene.objects[*point.in_scene->inside_of].name);
+}
+
 std::string line_of(const Scene& scene, const ReportedPoint& point, std::size_t i) {
   io::Json nearest = io::Json::array();
   for (const ReportedSurfacePoint& one : point.nearest) nearest.push_back(json_of(scene, one));
-  return io::line_of({{"number", i}, {"point", io::json_of(point.point)}, {"nearest", std::move(nearest)}});
+  io::Json line = {{"number", i}, {"point", io::json_of(point.point)}, {"nearest", std::move(nearest)}};
+  if (const auto& found = point.in_scene) {
+    line["side"] = name_of(found->distance);
+    line["side_by"] = name_of(found->distance.sign_by);
+    line["inside_of"] = found->inside_of ? io::Json(name_of_holder(scene, point)) : io::Json();
+    line["signed_lower"] = found->distance.lower;
+    line["signed_upper"] = found->distance.upper;
+  }
+  return io::line_of(line);
 }
 
 std::string csv_of(const Scene& scene, const ReportedSurfacePoint& one, bool sides) {
@@ -64,12 +78,13 @@ std::string nearest_report_json(const Scene& scene, std::span<const Posed> model
 
 std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points, bool sides) {
   std::string csv = "point,rank,object,face,triangle,lower,upper,x,y,z,status";
-  csv += sides ? ",side,side_by,signed_lower,signed_upper\n" : "\n";
+  csv += sides ? ",side,side_by,signed_lower,signed_upper,inside_of\n" : "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& nearest = points[i].nearest;
+    const std::string end = sides ? "," + io::csv_field(name_of_holder(scene, points[i])) + "\n" : "\n";
     for (std::size_t rank = 0; rank < nearest.size(); ++rank)
-      csv += fmt::format("{},{},{}\n", i, rank + 1, csv_of(scene, nearest[rank], sides));
-    if (nearest.empty()) csv += fmt::format("{},0,,,,,,,,,{}\n", i, sides ? ",,,," : "");
+      csv += fmt::format("{},{},{}{}", i, rank + 1, csv_of(scene, nearest[rank], sides), end);
+    if (nearest.empty()) csv += fmt::format("{},0,,,,,,,,,{}{}", i, sides ? ",,,," : "", end);
   }
   return csv;
 }

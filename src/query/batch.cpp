@@ -56,6 +56,13 @@ struct AskContactCount {
   }
 };
 
+struct AskContactRegions {
+  using Answer = std::vector<ContactRegion>;
+  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
+    return contact_regions(a, b, query, workspace);
+  }
+};
+
 struct AskDistance {
   using Answer = Distance;
   Distance operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
@@ -193,6 +200,17 @@ std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, st
 
 std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
   return ask_of_pairs<AskContactCount>(pairs, options);
+}
+
+std::vector<std::vector<ContactRegion>> contact_regions_each(const Model& a, const Model& b,
+                                                             std::span<const PairQuery> queries,
+                                                             const BatchOptions& options) {
+  return ask_at_poses<AskContactRegions>(a, b, queries, options);
+}
+
+std::vector<std::vector<ContactRegion>> contact_regions_each(std::span<const ModelPair> pairs,
+                                                             const BatchOptions& options) {
+  return ask_of_pairs<AskContactRegions>(pairs, options);
 }
 
 std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,

@@ -30,12 +30,6 @@ namespace {
 // Pairs are looked at so many at once: memory follows the objects and the answer, not the pairs whose boxes overlap.
 constexpr std::size_t pairs_at_once = 4096;
 
-Aabb world_box(const PosedModel& model) {
-  Aabb box;
-  for (const PosedPart& part : model.parts) box = merge(box, world_box(part.shape));
-  return box;
-}
-
 bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
 void require_length(double clearance) {

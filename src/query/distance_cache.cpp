@@ -1,6 +1,9 @@
 #include "toccata/query/distance_cache.hpp"
 
+#include <fmt/format.h>
+
 #include "query/ask.hpp"
+#include "query/ask_each.hpp"
 #include "query/coherent_distance.hpp"
 #include "toccata/core/error.hpp"
 
@@ -47,6 +50,20 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Distan
   const PosedModels models(a, b, query, state.workspace.scratch());
   return coherent_distance(std::get<PosedTriangles>(models.a.parts[0].shape),
                            std::get<PosedTriangles>(models.b.parts[0].shape), state);
+}
+
+std::vector<Distance> distance_each(std::span<const ModelPair> pairs, std::span<DistanceCache> caches,
+                                    const BatchOptions& options) {
+  if (caches.size() != pairs.size())
+    throw Error(
+        fmt::format("{} distance caches are given for {} pairs; give one for each", caches.size(), pairs.size()));
+  BatchOptions plain;
+  plain.threads = options.threads;
+  plain.progress = options.progress;
+  return ask_each<Distance>(pairs, "pair", plain, [&](const ModelPair& pair, Workspace&) {
+    const auto number = static_cast<std::size_t>(&pair - pairs.data());
+    return distance(pair.a, pair.b, pair.query, caches[number]);
+  });
 }
 
 }  // namespace toccata

@@ -11,21 +11,14 @@
 namespace toccata {
 namespace {
 
-void require_surface(const PosedPart& part) {
-  const auto* convex = std::get_if<PosedConvex>(&part.shape);
-  if (std::holds_alternative<PosedTriangles>(part.shape) || (convex != nullptr && !convex->solid())) return;
-  throw Error(fmt::format(
-      "the nearest point of a surface is not told of a {}, which has an interior; ask for its distance from the point",
-      name_of(part.kind)));
-}
-
 void require_distance(double max_distance) {
   if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
 }
 
-SurfacePoint of_convex(const Vec3& point, const PosedConvex& shape, const PosedPart& part) {
-  const Distance found = distance(PosedConvex(Point{point}), shape);
-  return {true, lower_from(found.upper), found.upper, found.on_b, part.first_element, part.first_face, found.status};
+SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
+  found.element = part.first_element;
+  found.face = part.first_face;
+  return found;
 }
 
 }  // namespace
@@ -36,9 +29,10 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
       max_distance_(query.max_distance) {
   require_distance(max_distance_);
   for (const PosedPart& part : posed_.parts) {
-    require_surface(part);
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
       meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
+    if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
+      convexes_.push_back(std::make_unique<ConvexBoundary>(*convex));
   }
 }
 
@@ -46,8 +40,13 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
   if (!is_finite(point)) throw Error("the point is not finite");
   scratch.counts = {};
   NearestElements nearest(k, max_distance_, scratch.surface_points);
-  for (const PosedPart& part : posed_.parts)
-    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) nearest.see(of_convex(point, *convex, part));
+  auto convex = convexes_.begin();
+  for (const PosedPart& part : posed_.parts) {
+    if (std::holds_alternative<PosedConvex>(part.shape))
+      nearest.see(numbered((*convex++)->nearest(point, scratch), part));
+    if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
+      nearest.see(numbered(nearest_of_boundary(point, *half_space), part));
+  }
   for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch);
   return nearest.in_order();
 }

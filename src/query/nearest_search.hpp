@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "query/convex_boundary.hpp"
 #include "query/nearest_elements.hpp"
 #include "query/posed_shape.hpp"
 #include "query/surface_target.hpp"
@@ -23,6 +25,9 @@ class NearestSearch {
   [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const;
   [[nodiscard]] std::vector<SurfacePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
 
+  /// In the world.
+  [[nodiscard]] const PosedModel& posed() const { return posed_; }
+
   /// Gives the memory back.
   [[nodiscard]] std::vector<PosedPart> release() { return std::move(posed_.parts); }
 
@@ -30,7 +35,8 @@ class NearestSearch {
   [[nodiscard]] std::span<const SurfacePoint> search(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
 
   PosedModel posed_;
-  std::vector<SurfaceTarget> meshes_;  ///< of the parts that are meshes, in their order
+  std::vector<SurfaceTarget> meshes_;                      ///< of the parts that are meshes, in their order
+  std::vector<std::unique_ptr<ConvexBoundary>> convexes_;  ///< of those that are convex shapes, in their order
   double max_distance_;
 };
 

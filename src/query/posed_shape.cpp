@@ -117,6 +117,12 @@ Aabb world_box(const PosedConvex& shape) {
   return grown(box, shape.radius());
 }
 
+Aabb world_box(const PosedModel& model) {
+  Aabb box;
+  for (const PosedPart& part : model.parts) box = merge(box, world_box(part.shape));
+  return box;
+}
+
 Aabb grown(Aabb box, double by) {
   if (by == 0 || is_empty(box) || !is_finite(box.lower) || !is_finite(box.upper)) return box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -47,6 +47,7 @@ struct PosedModel {
 /// Contains the shape; of a half-space all space. Finite otherwise.
 [[nodiscard]] Aabb world_box(const PosedShape& shape);
 [[nodiscard]] Aabb world_box(const PosedConvex& shape);
+[[nodiscard]] Aabb world_box(const PosedModel& model);
 
 /// The box with all that is as near to it along every axis, and a little more where that is no double; an empty box
 /// stays empty, and what has no end has none.

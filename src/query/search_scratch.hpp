@@ -66,6 +66,7 @@ struct SearchScratch {
   std::vector<FoundElement> found_elements;  ///< that meet a region
   WindingEntries winding;
   std::vector<SurfacePoint> surface_points;  ///< the nearest so far
+  std::vector<SurfacePoint> inner_points;    ///< the same of one part, from within
   NearestCandidates::Memory near_elements;
   NearTriangles::Memory near_triangles;
 };

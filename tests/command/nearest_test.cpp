@@ -83,12 +83,50 @@ TEST(NearestCommand, SidesOfManyPointsAndObjectsDoNotDependOnThreads) {
 
 TEST(NearestCommand, TheColumnsDoNotDependOnWhatIsFound) {
   const auto none = run_command({"nearest", "gen:box", "--point", "9", "9", "9", "--within", "1", "--signed", "--csv"});
-  EXPECT_EQ(none.out,
-            "point,rank,object,face,triangle,lower,upper,x,y,z,status,side,side_by,signed_lower,signed_upper\n"
-            "0,0,,,,,,,,,,,,,\n")
+  EXPECT_EQ(
+      none.out,
+      "point,rank,object,face,triangle,lower,upper,x,y,z,status,side,side_by,signed_lower,signed_upper,inside_of\n"
+      "0,0,,,,,,,,,,,,,,\n")
       << none.err;
   const auto plain = run_command({"nearest", "gen:box", "--point", "9", "9", "9", "--within", "1", "--csv"});
   EXPECT_EQ(plain.out, "point,rank,object,face,triangle,lower,upper,x,y,z,status\n0,0,,,,,,,,,\n") << plain.err;
+}
+
+/// Of a scene of all kinds of shapes: whose surface is nearest, and inside of which object the point is.
+TEST(NearestCommand, OfASceneOfShapesItTellsTheNearestSurfaceAndWhatHoldsThePoint) {
+  const TemporaryFolder folder;
+  const std::string scene = folder
+                                .write("scene.json",
+                                       R"({"format": "toccata-scene", "version": 1, "objects": [
+      {"name": "hall", "shape": {"type": "sphere", "radius": 50}},
+      {"name": "chest", "shape": {"type": "box", "half_extents": [1, 1, 1]}},
+      {"name": "pair", "shape": {"type": "compound", "parts": [
+         {"shape": {"type": "sphere", "radius": 1}},
+         {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": [1,0,0, 0,1,0, 0,0,1, 9,0,0]}]},
+       "pose": [1,0,0, 0,1,0, 0,0,1, 0,9,0]},
+      {"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1], "point": [0, 0, -20]}}]})")
+                                .string();
+  const std::string points = folder.write("points.txt", "3 0 0\n0.5 0 0\n9 9.5 0.1\n0 0 -60\n0 0 99\n").string();
+  const auto result = run_command({"nearest", scene, "--points", points, "--signed", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json report = Json::parse(result.out)["points"];
+  const std::vector<std::string> nearest{"chest", "chest", "pair", "hall", "hall"};
+  for (std::size_t i = 0; i < nearest.size(); ++i) EXPECT_EQ(report[i]["nearest"][0]["object"], nearest[i]) << i;
+  EXPECT_EQ(report[0]["side"], "inside");
+  EXPECT_EQ(report[0]["inside_of"], "hall");
+  EXPECT_EQ(report[0]["nearest"][0]["side"], "outside");
+  EXPECT_NEAR(report[0]["signed_upper"], -2, 1e-11);
+  EXPECT_EQ(report[1]["nearest"][0]["side"], "inside");
+  EXPECT_EQ(report[2]["nearest"][0]["triangle"], 1);
+  EXPECT_NEAR(report[2]["nearest"][0]["signed_upper"], -0.5, 1e-12);
+  EXPECT_EQ(report[3]["inside_of"], "ground");
+  EXPECT_EQ(report[4]["side"], "outside");
+  EXPECT_TRUE(report[4]["inside_of"].is_null());
+  const auto table = run_command({"nearest", scene, "--points", points, "--signed"});
+  EXPECT_NE(table.out.find("point 0  is inside hall\n"), std::string::npos) << table.out;
+  const auto csv = run_command({"nearest", scene, "--points", points, "--signed", "--within", "1", "--csv"});
+  EXPECT_NE(csv.out.find("\n0,0,,,,,,,,,,,,,,hall\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("\n4,0,,,,,,,,,,,,,,\n"), std::string::npos) << csv.out;
 }
 
 TEST(NearestCommand, TrianglesAreToldByTheirNumbers) {

@@ -28,8 +28,8 @@ TEST(SignedCommand, TellsTheSideAndWhatToldIt) {
   const auto table = run_command({"nearest", open, "--point", "0.1", "0.1", "3", "--signed"});
   EXPECT_NE(table.out.find("outside, by the generalised winding number"), std::string::npos) << table.out;
   const auto csv = run_command({"nearest", open, "--points", points, "--within", "1", "--signed", "--csv"});
-  EXPECT_NE(csv.out.find("status,side,side_by,signed_lower,signed_upper\n"), std::string::npos) << csv.out;
-  EXPECT_NE(csv.out.find("\n0,0,,,,,,,,,,,,,\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("status,side,side_by,signed_lower,signed_upper,inside_of\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("\n0,0,,,,,,,,,,,,,,\n"), std::string::npos) << csv.out;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/query/batch.hpp"
 #include "toccata/query/contacts.hpp"
 
 // Regions of contact whose areas, normals and depths are known.
@@ -98,6 +99,29 @@ TEST(ContactRegions, CountEveryContactOnce) {
 TEST(ContactRegions, AreRefusedForOtherShapes) {
   EXPECT_THROW(static_cast<void>(contact_regions(Model(table()), Sphere(1))), Error);
   EXPECT_TRUE(regions_of(table(), table(), Pose::translation(0, 0, 9)).empty());
+}
+
+TEST(ContactRegions, OfManyPosesAreThoseOfEach) {
+  const Model legs(stool()), floor(table());
+  std::vector<PairQuery> queries;
+  std::vector<ModelPair> pairs;
+  for (int i = 0; i < 40; ++i) {
+    queries.push_back({.pose_a = standing(0.02 * i), .pose_b = {}});
+    pairs.push_back({floor, legs, {.pose_a = {}, .pose_b = standing(0.02 * i)}});
+  }
+  const auto of_poses = contact_regions_each(legs, floor, queries, {.threads = 3});
+  EXPECT_EQ(of_poses, contact_regions_each(legs, floor, queries, {.threads = 1}));
+  const auto of_pairs = contact_regions_each(pairs, {.threads = 3});
+  ASSERT_EQ(of_pairs.size(), pairs.size());
+  std::size_t regions = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    ASSERT_EQ(of_poses[i], contact_regions(legs, floor, queries[i])) << i;
+    ASSERT_EQ(of_pairs[i], contact_regions(floor, legs, pairs[i].query)) << i;
+    regions += of_poses[i].size();
+  }
+  EXPECT_GE(regions, 40U);
+  const std::vector<ModelPair> wrong{pairs[0], {Model(Sphere(1)), legs, {}}};
+  EXPECT_THROW(static_cast<void>(contact_regions_each(wrong)), Error);
 }
 
 }  // namespace

@@ -131,5 +131,39 @@ TEST(RelativeMotion, OfTwoThatMoveTogetherIsOnlyRounding) {
   EXPECT_GT(relative_motion(a, b, {}, before_b, turn, before_b), 1);
 }
 
+TEST(DistanceCache, ManyPairsEachWithItsOwnAreTheSameOnAnyThreads) {
+  const Model ring(torus_mesh({.radius = 3, .tube_radius = 0.5})), ball(icosphere_mesh(0.5, 2));
+  constexpr std::size_t count = 12;
+  std::vector<DistanceCache> one(count), many(count);
+  for (int step = 0; step < 6; ++step) {
+    std::vector<ModelPair> pairs;
+    for (std::size_t i = 0; i < count; ++i)
+      pairs.push_back({i % 4 == 3 ? Model(Sphere(0.5)) : ball, ring, on_the_way(step + static_cast<int>(i))});
+    const std::vector<Distance> plain = distance_each(pairs);
+    EXPECT_EQ(distance_each(pairs, one, {.threads = 1}), plain) << step;
+    EXPECT_EQ(distance_each(pairs, many, {.threads = 3}), plain) << step;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(one[i].counts().searches, many[i].counts().searches) << i;
+    EXPECT_EQ(one[i].counts().searches, i % 4 == 3 ? 6U : 1U) << i;
+  }
+}
+
+TEST(DistanceCache, ManyPairsNeedAsManyCachesAndNameTheWrongOne) {
+  const Model ball(icosphere_mesh(0.5, 1)), other(icosphere_mesh(0.25, 1));
+  std::vector<DistanceCache> caches(2);
+  const std::vector<ModelPair> pairs{{ball, ball, {.pose_b = Pose::translation(2, 0, 0)}},
+                                     {ball, other, {.pose_b = Pose::translation(2, 0, 0)}}};
+  EXPECT_THROW(static_cast<void>(distance_each(pairs, std::span(caches).first(1))), Error);
+  static_cast<void>(distance_each(pairs, caches));
+  const std::vector<ModelPair> exchanged{pairs[0], pairs[0]};
+  try {
+    static_cast<void>(distance_each(exchanged, caches));
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("pair 1: the distance cache", 0), 0U) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace toccata

@@ -154,7 +154,6 @@ TEST(NearestPoint, BadInputIsRefused) {
   refused({0, 0, 0}, ball(), {.pose = lost}, "the surface");
   refused({0, 0, 0}, ball(), {.max_distance = -1}, "the greatest distance is -1");
   refused({0, 0, 0}, ball(), {.max_distance = NAN}, "the greatest distance");
-  refused({0, 0, 0}, Model(Sphere(1)), {}, "sphere");
   const std::vector<Vec3> points{{0, 0, 0}, {0, HUGE_VAL, 0}};
   try {
     static_cast<void>(nearest_point_each(points, ball()));

@@ -7,6 +7,7 @@
 
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/nearest.hpp"
+#include "toccata/query/scene_nearest.hpp"
 #include "toccata/query/signed_distance.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -26,6 +27,7 @@ struct ReportedSurfacePoint {
 struct ReportedPoint {
   Vec3 point;
   std::vector<ReportedSurfacePoint> nearest;
+  std::optional<SceneSignedDistance> in_scene{};  ///< of all objects together, when asked for
 };
 
 /// JSON by the schema toccata/nearest/1 of docs/reference/nearest-report.md. Doubles round-trip.

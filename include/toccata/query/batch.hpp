@@ -8,6 +8,7 @@
 #include "toccata/core/progress.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/closer_than.hpp"
+#include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
@@ -65,6 +66,12 @@ struct ContactCount {
                                                             const BatchOptions& options = {});
 [[nodiscard]] std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs,
                                                             const BatchOptions& options = {});
+
+[[nodiscard]] std::vector<std::vector<ContactRegion>> contact_regions_each(const Model& a, const Model& b,
+                                                                           std::span<const PairQuery> queries,
+                                                                           const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::vector<ContactRegion>> contact_regions_each(std::span<const ModelPair> pairs,
+                                                                           const BatchOptions& options = {});
 
 [[nodiscard]] std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                                   const BatchOptions& options = {});

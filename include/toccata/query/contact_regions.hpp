@@ -33,6 +33,8 @@ struct ContactRegion {
   /// such, and those of B inside A. Not a bound: ask `penetration`. None where one is a surface, or the area is 0.
   std::optional<double> depth{};
   Vec3 deepest{};  ///< that farthest point of A; where there is no depth, the mean of the points
+
+  friend bool operator==(const ContactRegion&, const ContactRegion&) = default;
 };
 
 /// The regions of all contacts of two meshes or height fields. Two contacts are of one region when their triangles

@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "toccata/query/batch.hpp"
 #include "toccata/query/distance.hpp"
 
 namespace toccata {
@@ -47,5 +50,12 @@ class DistanceCache {
 /// made before one was deformed. Of other shapes nothing is kept, so they may change; where one of the two is such, it
 /// costs what `distance` costs with a Workspace. Throws like that else.
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query, DistanceCache& cache);
+
+/// The same of many pairs, as in batch.hpp, on several threads: caches[i] is that of pairs[i], step by step. (Of one
+/// pair at many poses each question waits for the one before: ask them in turn.) `kept` of the options is not looked
+/// at. Throws like it ("pair i: "; what other pairs' caches know then differs, and no answer), and Error when there is
+/// not one cache for each pair.
+[[nodiscard]] std::vector<Distance> distance_each(std::span<const ModelPair> pairs, std::span<DistanceCache> caches,
+                                                  const BatchOptions& options = {});
 
 }  // namespace toccata

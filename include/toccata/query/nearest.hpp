@@ -29,16 +29,17 @@ struct SurfacePoint {
   /// element.
   Vec3 point{};
   Index element = 0;  ///< as in Model: the triangle of a mesh
-  Index face = 0;     ///< the file's own face, counted from 0
+  Index face = 0;     ///< the file's own face, counted from 0; of a shape that is one element 0
   Status status = Status::exact;
   friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
 
-/// The nearest point of the surface of a mesh or height field, also from within a solid; of a compound of these the
-/// nearest of its parts. Points, segments and triangles are taken for surfaces too. Of elements that are equally near
-/// it is the first: the least by (upper, element).  The same bits at every
-/// SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest distance is
-/// negative, for shapes with an interior that are no mesh (ask `distance`), and for poses as `overlap` does.
+/// The nearest point of the surface of a model, also from within: of a mesh or height field of its triangles, of a box,
+/// ball, hull or any other solid of its boundary, which is one element. A point, segment or triangle is its own
+/// surface. The surface of a compound is that of all its parts, also what lies within another part, as it is with the
+/// shells of one mesh. Of elements that are equally near it is the first: the least by (upper, element). The same bits
+/// at every SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest distance
+/// is negative, and for poses as `overlap` does.
 [[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query = {});
 
 /// The same, for a caller who asks often.
