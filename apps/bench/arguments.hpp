@@ -75,6 +75,13 @@ struct RefitArguments {
   bool json = false;
 };
 
+struct BuildArguments {
+  std::string mesh;
+  std::vector<int> threads = {1, 2};
+  int rounds = 5;
+  bool json = false;
+};
+
 struct NearestArguments {
   std::string mesh;
   std::string where = "far";
@@ -110,6 +117,7 @@ int run_convex(const ConvexArguments& arguments);
 int run_rays(const RaysArguments& arguments);
 int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
+int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);

@@ -20,6 +20,7 @@ struct Options {
   RaysArguments rays;
   SelfArguments self;
   RefitArguments refit;
+  BuildArguments build;
   NearestArguments nearest;
   ProcessArguments process;
   WalkerArguments walker;
@@ -146,6 +147,22 @@ void add_refit(CLI::App& app, RefitArguments& arguments) {
   refit->footer("Example:\n  ./toccata bench refit --mesh gen:torus-knot --peer embree,fcl");
 }
 
+void add_build(CLI::App& app, BuildArguments& arguments) {
+  CLI::App* build = app.add_subcommand("build", "every builder of trees, on one thread and on several");
+  build->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  build
+      ->add_option("--threads", arguments.threads,
+                   "numbers of threads, the first of which the others are compared with")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  build->add_option("--rounds", arguments.rounds, "builds on each number of threads, in turn; the fastest counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  build->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  build->footer("Example:\n  ./toccata bench build --mesh gen:torus-knot --threads 1,2");
+}
+
 void add_nearest(CLI::App& app, NearestArguments& arguments) {
   CLI::App* nearest = app.add_subcommand("nearest", "how far points are from a mesh, taken as a surface");
   nearest->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
@@ -203,6 +220,7 @@ int main_of(int argc, char** argv) {
   add_rays(app, options.rays);
   add_self(app, options.self);
   add_refit(app, options.refit);
+  add_build(app, options.build);
   add_nearest(app, options.nearest);
   add_process(app, options.process);
   add_walker(app, options.walker);
@@ -219,6 +237,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("rays")) return run_rays(options.rays);
   if (app.got_subcommand("self")) return run_self(options.self);
   if (app.got_subcommand("refit")) return run_refit(options.refit);
+  if (app.got_subcommand("build")) return run_build(options.build);
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);

@@ -191,6 +191,15 @@ def check_convex_report(made, pair):
             assert 0 < row["bytes_per_vertex"] <= 128 + 1000 / 12, row
 
 
+def check_builders():
+    """Every builder makes the same tree on any number of threads."""
+    made = check(2, "build", "--mesh", "gen:torus?around=12&sides=6", "--threads", "1,2,3", "--rounds", "2")
+    variants = {r["variant"] for r in made["results"]}
+    assert len(variants) == 13 and len(made["results"]) == 39, variants
+    gains = made["question"]["gains"]
+    assert len(gains) == 39 and all(g["gain"] > 0 for g in gains), gains
+
+
 def check_process():
     made = report("process", "--mesh", "gen:icosphere", "--objects", "20", "--repeat", "1")
     assert [r["task"] for r in made["results"]] == ["process"] * 2
@@ -218,6 +227,7 @@ def main():
     check_triangles(peers)
     check_convex(peers)
     check_process()
+    check_builders()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
