@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "narrow/ray_triangle.hpp"
-#include "query/way_into_tree.hpp"
-#include "trees/wide_ray.hpp"
+#include "query/posed_mesh.hpp"
+#include "trees/rays_into_tree.hpp"
 
 namespace toccata {
 
@@ -29,9 +28,6 @@ class RayTarget {
   [[nodiscard]] Triangle world_triangle(Index number) const;
 
  private:
-  struct InTree;
-  /// None where bounds cannot be told; the world is searched then.
-  [[nodiscard]] std::optional<InTree> in_tree(const PreparedRay& ray) const;
   /// So many rays are searched for with the memory of one search, which stays near.
   static constexpr std::size_t together = 256;
   void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
@@ -44,9 +40,9 @@ class RayTarget {
   const PosedMesh& posed_;
   const TriangleMesh& mesh_;
   const WideTree& tree_;
-  WayIntoTree way_;
+  RayFrame frame_;
+  bool usable_;  ///< the frame is; else the world is searched
   bool stands_;  ///< the pose changes nothing but the sign of a zero
-  Aabb box_;     ///< of the tree, in its units
 };
 
 }  // namespace toccata

@@ -22,8 +22,11 @@ class WayIntoTree {
   /// the greatest magnitude of the points' coordinates.
   [[nodiscard]] double off(double size) const { return off_ + off_by_size_ * size; }
 
-  /// What a direction is off by from where the matrix takes it, at most, along any axis.
-  [[nodiscard]] double off_of_direction(double size) const { return off_by_size_ * size; }
+  /// The parts of `off`: off_at_origin + off_by_size · size. The latter is also what a direction is off by from where
+  /// the matrix takes it.
+  [[nodiscard]] double off_at_origin() const { return off_; }
+  [[nodiscard]] double off_by_size() const { return off_by_size_; }
+  [[nodiscard]] const Vec3& origin() const { return origin_; }
 
   [[nodiscard]] const Mat3& back() const { return back_; }
 
