@@ -101,13 +101,31 @@ class RayWalk {
     if (items_ != 0) {
       opened_ = child_;
       if (leaves_ != nullptr) prefetch(leaves_[child_]);
-    } else if (std::has_single_bit(inner)) {
-      child_ = block.child[static_cast<std::size_t>(std::countr_zero(inner))];
-      prefetch(tree_->blocks[static_cast<std::size_t>(child_)]);
+      if (inner != 0) wait(block, inner);
       return true;
     }
-    if (inner != 0) wait(block, inner);
-    return items_ != 0;
+    if (inner == 0) return false;
+    const unsigned others = inner & (inner - 1);
+    if ((others & (others - 1)) == 0) {
+      go_to_first_of_two(block, inner);
+      return true;
+    }
+    wait(block, inner);
+    return false;
+  }
+
+  /// Of two, or one. Which of them it is cannot be foreseen, so nothing branches on it.
+  HWY_INLINE void go_to_first_of_two(const WideBlock& block, unsigned inner) {
+    const auto one = static_cast<std::size_t>(std::countr_zero(inner));
+    const auto other = static_cast<std::size_t>(std::bit_width(inner) - 1);
+    const bool other_first = when_[other] < when_[one];
+    const std::size_t near = other_first ? other : one, far = other_first ? one : other;
+    child_ = block.child[near];
+    prefetch(tree_->blocks[static_cast<std::size_t>(child_)]);
+    if (near == far) return;
+    pending_.make_room();
+    prefetch(tree_->blocks[static_cast<std::size_t>(block.child[far])]);
+    pending_.insert({when_[far], block.child[far]}, 0);
   }
 
   /// The earliest comes next.
