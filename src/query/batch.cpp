@@ -147,12 +147,18 @@ std::vector<PreparedRay> prepared(std::span<const RayQuery> queries) {
   return rays;
 }
 
+/// How many rays in a row one thread takes: they walk together, and the more there are the better.
+std::size_t row_of_rays(std::size_t count, int threads) {
+  constexpr std::size_t rows_per_thread = 4, shortest = 64, longest = 256;
+  return std::clamp(count / (rows_per_thread * static_cast<std::size_t>(thread_count(threads))), shortest, longest);
+}
+
 /// Rows of rays, each on one thread.
 std::vector<RayHit> hits_of(const RaySearch& search, const std::vector<PreparedRay>& rays,
                             const BatchOptions& options) {
   std::vector<RayHit> hits(rays.size());
   TaskReporter reporter(options.progress, rays.size());
-  const Chunks rows{rays.size(), row_length(rays.size(), options.threads)};
+  const Chunks rows{rays.size(), row_of_rays(rays.size(), options.threads)};
   parallel_for(rows.size(), options.threads, [&](std::size_t row) {
     if (reporter.cancelled()) return;
     const auto of_row = rows.of(std::span(hits), row);
