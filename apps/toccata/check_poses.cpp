@@ -29,6 +29,8 @@ PosesReport answer_queries(const CheckInput& input, const CheckArguments& argume
   if (arguments.penetration) {
     ProgressBar bar("measuring depths");
     report.penetrations = penetration_each(a, b, report.queries, {arguments.threads, bar.callback()});
+    if (a.has_mesh() && b.has_mesh())
+      report.regions = contact_regions_each(a, b, report.queries, {arguments.threads, {}});
   }
   return report;
 }

@@ -126,9 +126,9 @@ void add_check(CLI::App& app, Options& options) {
   CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
                               ->check(CLI::IsMember({"count", "ignore"}))
                               ->capture_default_str();
-  CLI::Option* penetration = check->add_flag(
-      "--penetration", options.check.penetration,
-      "how deep solids overlap, a way to part them, and (without --poses) their points and regions of contact");
+  CLI::Option* penetration = check->add_flag("--penetration", options.check.penetration,
+                                             "how deep solids overlap, a way to part them, their regions of contact "
+                                             "and (without --poses) their points of contact");
   const auto [clearance, clearance_of] = add_clearances(*check, options.check);
   clearance->excludes(poses);
   clearance_of->excludes(poses);

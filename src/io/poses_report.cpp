@@ -19,6 +19,7 @@ io::Json json_of_query(const PosesReport& report, std::size_t i) {
                    {"contact", counts_as_contact(relation, report.touching)}};
   if (!report.counts.empty()) json["face_pairs"] = report.counts[i].face_pairs;
   if (!report.penetrations.empty()) json["penetration"] = io::json_of(report.penetrations[i]);
+  if (!report.regions.empty()) json["regions"] = io::json_of(report.regions[i]);
   json["pose_a"] = report.queries[i].pose_a.numbers();
   json["pose_b"] = report.queries[i].pose_b.numbers();
   return json;

@@ -56,8 +56,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   if (report.has_penetration) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration) : Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : Json();
-    line["regions"] = Json::array();
-    for (const ContactRegion& region : pair.regions) line["regions"].push_back(json_of(region));
+    line["regions"] = io::json_of(pair.regions);
   }
   if (report.clearance && pair.distance) io::add(line["distance"] = Json::object(), *pair.distance);
   std::string text = io::line_of(line);

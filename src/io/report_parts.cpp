@@ -107,6 +107,12 @@ Json json_of(const ContactRegion& region) {
           {"deepest", json_of(region.deepest)}};
 }
 
+Json json_of(const std::vector<ContactRegion>& regions) {
+  Json list = Json::array();
+  for (const ContactRegion& region : regions) list.push_back(json_of(region));
+  return list;
+}
+
 std::string csv_penetration_head(bool told) {
   return told ? ",depth_lower,depth_upper,direction_x,direction_y,direction_z\n" : "\n";
 }

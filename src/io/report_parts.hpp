@@ -31,6 +31,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const Penetration& penetration);
 [[nodiscard]] Json json_of(const Manifold& manifold);
 [[nodiscard]] Json json_of(const ContactRegion& region);
+[[nodiscard]] Json json_of(const std::vector<ContactRegion>& regions);
 
 /// The end of a line of comma-separated values that may tell of a penetration, with a comma in front: its names, with a
 /// line end, and its values, empty for a pair that has none.

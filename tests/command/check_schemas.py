@@ -116,6 +116,9 @@ def reports(folder):
     (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
     yield check("ball.json", "ball.json", "--poses", "poses.txt", "--penetration")
+    on_the_way = check("gen:box", "gen:box", "--poses", "poses.txt", "--penetration")
+    assert [len(q["regions"]) for q in on_the_way["queries"]] == [1, 0], on_the_way
+    yield on_the_way
 
 
 def inspections(folder):

@@ -13,8 +13,9 @@ namespace toccata {
 struct PosesReport {
   std::vector<PairQuery> queries;  ///< as asked: with the objects' own poses
   std::vector<Relation> relations;
-  std::vector<ContactCount> counts;       ///< none when faces were not asked for
-  std::vector<Penetration> penetrations;  ///< none when not asked for
+  std::vector<ContactCount> counts;                 ///< none when faces were not asked for
+  std::vector<Penetration> penetrations;            ///< none when not asked for
+  std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
   Touching touching = Touching::count;
 };
 
