@@ -46,7 +46,11 @@ struct CheckArguments : PosedArguments {
 };
 
 struct ViewArguments : CheckArguments {
-  std::string up;  ///< "y" or "z"; empty: as the files say
+  std::string up;         ///< "y" or "z"; empty: as the files say
+  std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
+  std::string png;        ///< a picture to draw; empty: none
+  std::string size;       ///< of the picture, "1200x800"; empty: that
+  std::string look;       ///< what the picture shows: the end of a link to the page
 };
 
 struct DistanceArguments : PosedArguments {};

@@ -32,7 +32,7 @@ void write_html(const CheckArguments& arguments, const CheckInput& input, const 
   if (arguments.html.empty()) return;
   ReportOptions with_faces = options;
   with_faces.faces = true;
-  write_view({arguments.html, up_of(arguments.input.files), title_of(arguments.input.files)}, input,
+  write_view({arguments.html, {title_of(arguments.input.files), up_of(arguments.input.files), {}}, {}}, input,
              make_check_report(input.models, answer, with_faces));
 }
 

@@ -173,6 +173,16 @@ void add_view(CLI::App& app, Options& options) {
   view->add_flag("--penetration", arguments.penetration,
                  "also how deep solids overlap, and their points and regions of contact");
   add_clearances(*view, arguments);
+  view->add_option("--hierarchy", arguments.hierarchy,
+                   "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
+                   "rss, ellipsoid, hull")
+      ->type_name("VOLUME");
+  view->add_option("--png", arguments.png, "draw a picture of the page, where Chromium is installed")
+      ->type_name("FILE.png");
+  view->add_option("--size", arguments.size, "of the picture (default: 1200x800)")->type_name("WIDTHxHEIGHT");
+  view->add_option("--look", arguments.look,
+                   "what the picture shows: the end of a link to the page, 'pair=0&theme=dark'")
+      ->type_name("TEXT");
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
   view->add_option("--threads", arguments.threads, "threads to use; 0: as many as there are; same page for any")
@@ -181,7 +191,9 @@ void add_view(CLI::App& app, Options& options) {
       with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
                 "Exit code: 0 written, 2 trouble.\n\nExample:\n"
                 "  {0} view a.stl b.obj -o touch.html\n"
-                "  {0} view scene.json --penetration --clearance 2mm -o scene.html"));
+                "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
+                "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+                "  {0} view a.stl b.obj --png touch.png --look 'pair=0'"));
 }
 
 void add_distance(CLI::App& app, Options& options) {

@@ -7,6 +7,7 @@
 
 #include "output.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/suggestion.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -29,6 +30,32 @@ std::string short_name(const std::string& file) {
   return (is_telling ? path.filename() : path.parent_path().filename() / path.filename()).string();
 }
 
+/// Of its name; none for an empty one.
+std::optional<CostVolume> volume_of(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  std::vector<std::string> known;
+  for (const CostVolume volume : all_cost_volumes) {
+    if (volume == CostVolume::wide) continue;
+    if (name == name_of(volume)) return volume;
+    known.emplace_back(name_of(volume));
+  }
+  throw Error(fmt::format("--hierarchy: there is no volume '{}'{}", name, suggestion(name, known)));
+}
+
+ViewTarget target_of(const ViewArguments& arguments) {
+  if (arguments.html.empty() && arguments.png.empty())
+    throw Error("no page was named: say where it shall be written with -o FILE.html, or a picture with --png FILE.png");
+  if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
+    throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
+  const std::vector<std::string>& files = arguments.input.files;
+  const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
+  ViewTarget target{arguments.html, {title_of(files), up, volume_of(arguments.hierarchy)}, {}};
+  if (arguments.png.empty()) return target;
+  target.picture = PictureTarget{arguments.png, arguments.look};
+  if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
+  return target;
+}
+
 }  // namespace
 
 UpAxis up_of(const std::vector<std::string>& files) {
@@ -45,13 +72,14 @@ std::string title_of(const std::vector<std::string>& files) {
 
 void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report) {
   const LoadedScene& loaded = input.loaded;
-  const std::string page = view_page(loaded.scene, input.models, report, {target.title, target.up}, loaded.warnings);
+  const std::string page = view_page(loaded.scene, input.models, report, target.options, loaded.warnings);
+  if (target.picture) write_picture(page, *target.picture);
   const UninterruptedWriting writing;
-  write_view_page(page, target.path);
+  if (!target.path.empty()) write_view_page(page, target.path);
 }
 
 int run_view(const ViewArguments& arguments) {
-  if (arguments.html.empty()) throw Error("no page was named: say where it shall be written with -o FILE.html");
+  const ViewTarget target = target_of(arguments);
   require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
@@ -60,11 +88,14 @@ int run_view(const ViewArguments& arguments) {
   const CheckReport report = make_check_report(
       input.models, answer, {arguments.touching, true, arguments.penetration, clearances.common, clearances.of_pairs});
   print_warnings(input.loaded.warnings);
-  const UpAxis up = arguments.up.empty() ? up_of(arguments.input.files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
-  write_view({arguments.html, up, title_of(arguments.input.files)}, input, report);
-  print_answer(fmt::format("{}: {} and {}, {} MB; open it in a browser.\n", printable(arguments.html),
-                           counted(input.models.size(), "object"), counted(report.pairs.size(), "pair"),
-                           fmt::format("{:.1f}", static_cast<double>(fs::file_size(arguments.html)) / 1e6)));
+  write_view(target, input, report);
+  const std::string holds = counted(input.models.size(), "object") + " and " + counted(report.pairs.size(), "pair");
+  std::string told;
+  if (!target.path.empty())
+    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(target.path), holds,
+                        static_cast<double>(fs::file_size(target.path)) / 1e6);
+  if (target.picture) told += fmt::format("{}: a picture of {}.\n", printable(target.picture->path), holds);
+  print_answer(told);
   return 0;
 }
 

@@ -1,20 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "picture.hpp"
 #include "toccata/io/view_page.hpp"
 
 namespace toccata::command {
 
-/// A page to be written.
+/// A page to be written, or a picture of it, or both.
 struct ViewTarget {
-  std::string path;
-  UpAxis up = UpAxis::z;
-  std::string title;
+  std::string path;  ///< of the page; empty: it is not kept
+  ViewOptions options;
+  std::optional<PictureTarget> picture{};
 };
 
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.

@@ -35,21 +35,6 @@ DisplayMesh mesh_of(const ConvexHull& hull) {
 
 DisplayMesh hull_of(std::span<const Vec3> points) { return mesh_of(ConvexHull(points)); }
 
-/// Points of the unit sphere, on circles of latitude that are turned against each other.
-std::vector<Vec3> sphere_points(int circles) {
-  std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
-  for (int i = 1; i < circles; ++i) {
-    const double latitude = std::numbers::pi * i / circles;
-    const int around = 2 * circles;
-    for (int j = 0; j < around; ++j) {
-      const double longitude = std::numbers::pi * (2 * j + i % 2) / around;
-      points.push_back(
-          {std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
-    }
-  }
-  return points;
-}
-
 /// The hull of spheres around these points.
 DisplayMesh rounded_mesh(std::span<const Vec3> core, double radius, int circles) {
   const std::vector<Vec3> ball = sphere_points(circles);
@@ -132,6 +117,20 @@ Vec3 unit(const Vec3& v) {
 }
 
 }  // namespace
+
+std::vector<Vec3> sphere_points(int circles) {
+  std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
+  for (int i = 1; i < circles; ++i) {
+    const double latitude = std::numbers::pi * i / circles;
+    const int around = 2 * circles;
+    for (int j = 0; j < around; ++j) {
+      const double longitude = std::numbers::pi * (2 * j + i % 2) / around;
+      points.push_back(
+          {std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
+    }
+  }
+  return points;
+}
 
 DisplayMesh display_mesh(const Model& model) { return std::visit(MeshOfShape{model}, model.shape()); }
 

@@ -28,4 +28,7 @@ struct DisplayMesh {
 [[nodiscard]] DisplayMesh unit_sphere(std::size_t spheres);
 [[nodiscard]] DisplayMesh unit_box();
 
+/// Points of the unit sphere, on so many circles of latitude that are turned against each other, and the poles.
+[[nodiscard]] std::vector<Vec3> sphere_points(int circles);
+
 }  // namespace toccata::io

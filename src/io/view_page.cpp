@@ -6,6 +6,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
+#include "io/hierarchy_layers.hpp"
 #include "io/utf8.hpp"
 #include "io/view_data.hpp"
 #include "io/view_layers.hpp"
@@ -86,6 +87,9 @@ std::string view_page(const Scene& scene, std::span<const Posed> models, const C
   meshes.write(header, data);
   header["words"] = words_of(report);
   header["layers"] = io::pair_layers(report, meshes, scene.unit, data);
+  if (options.hierarchy)
+    for (Json& layer : io::hierarchy_layers(models, *options.hierarchy, data))
+      header["layers"].push_back(std::move(layer));
   std::string page;
   for (const std::string_view piece : io::view_template()) page += piece;
   const std::size_t place = page.find(data_place);

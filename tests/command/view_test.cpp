@@ -72,6 +72,10 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"view", "broken.obj", "-o", "page.html"}, "broken.obj:2");
   refused({"view", "gen:box", "-o", "notes.txt"}, "the file exists and is no HTML page; choose another name");
   refused({"view", "gen:box", "-o", "nowhere/page.html"}, "nowhere/page.html");
+  refused({"view", "gen:box", "--hierarchy", "ob", "-o", "page.html"}, "there is no volume 'ob'; did you mean 'obb'?");
+  refused({"view", "gen:box", "-o", "page.html", "--size", "9x9"}, "--size and --look are of a picture");
+  refused({"view", "gen:box", "--png", "a.png", "--size", "9x900"}, "'9x900' is no size");
+  refused({"view", "gen:box", "--png", "notes.txt"}, "notes.txt: this exists and is no PNG; choose another name");
   refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "no HTML page");
   refused({"check", "gen:box", "--self", "--html", "page.html"}, "excludes");
   EXPECT_EQ(text_of(folder.path() / "notes.txt"), "mine");

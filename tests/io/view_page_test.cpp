@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "support/command.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/query/scene_models.hpp"
 
@@ -223,6 +225,75 @@ TEST(ViewPage, TinyHugeAndEmptyScenesFitTheFloats) {
     }
   }
   EXPECT_TRUE(page_of(Scene{}).header["objects"].empty());
+}
+
+TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {
+  Scene scene;
+  const auto mesh = std::make_shared<const TriangleMesh>(icosphere_mesh(1, 3));
+  scene.objects.push_back({"ball", mesh, Pose::translation(9, 0, 0), Solid::automatic, "", {}, ""});
+  const Page page = page_of(scene, {}, {"ball", UpAxis::z, CostVolume::aabb});
+  ASSERT_EQ(page.header["layers"].size(), 1U);
+  const Json& layer = page.header["layers"][0];
+  EXPECT_EQ(layer["kind"], "hierarchy");
+  EXPECT_EQ(layer["object"], 0);
+  const auto order = page.numbers<std::uint32_t>(layer["order"]);
+  const auto runs = page.numbers<std::uint32_t>(layer["data"]);
+  const auto faces = page.numbers<float>(layer["faces"]);
+  const double size = layer["size"].get<double>();
+  const Vec3 lower{layer["lower"][0].get<double>(), layer["lower"][1].get<double>(), layer["lower"][2].get<double>()};
+  ASSERT_EQ(order.size(), mesh->triangle_count());
+  EXPECT_GT(layer["steps"].size(), 9U);
+  std::size_t nodes_before = 0;
+  for (const Json& step : layer["steps"]) {
+    const auto first = step["first"].get<std::size_t>(), count = step["count"].get<std::size_t>();
+    EXPECT_GT(count, nodes_before);
+    nodes_before = count;
+    EXPECT_EQ(step["faces"][1], 12 * count);  // a box
+    EXPECT_EQ(step["edges"][1], 12 * count);
+    std::vector<Aabb> boxes;
+    std::size_t held = 0;
+    for (std::size_t node = 0; node < count; ++node) {
+      EXPECT_EQ(runs[2 * (first + node)], held);
+      Aabb box;
+      for (std::size_t i = held; i < held + runs[2 * (first + node) + 1]; ++i)
+        for (const Index corner : mesh->triangles()[order[i]]) box = merge(box, mesh->vertices()[corner]);
+      held += runs[2 * (first + node) + 1];
+      Aabb shown;
+      for (std::size_t i = 0; i < std::size_t{12} * 3; ++i) {
+        const std::size_t at = 9 * (step["faces"][0].get<std::size_t>() + 12 * node) + 3 * i;
+        shown = merge(shown, lower + size * Vec3{faces[at], faces[at + 1], faces[at + 2]});
+      }
+      EXPECT_LT(largest_difference(box.lower, shown.lower), 1e-6);
+      EXPECT_LT(largest_difference(box.upper, shown.upper), 1e-6);
+      boxes.push_back(box);
+    }
+    EXPECT_EQ(held, order.size());
+    std::size_t overlapping = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) overlapping += overlap(boxes[i], boxes[j]) ? 1 : 0;
+    EXPECT_EQ(step["overlapping_pairs"], overlapping);
+    EXPECT_GT(step["fill"], 0);
+    EXPECT_LE(step["fill"], 1);
+  }
+}
+
+TEST(ViewPage, EveryVolumeIsDrawn) {
+  Scene scene;
+  const auto mesh = std::make_shared<const TriangleMesh>(icosphere_mesh(1, 1));
+  scene.objects.push_back({"round", mesh, {}, Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"round again", mesh, Pose::translation(0, 0, 3), Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"ball", Sphere(1), {}, Solid::automatic, "", {}, ""});
+  for (const CostVolume volume : all_cost_volumes) {
+    if (volume == CostVolume::wide) {
+      EXPECT_THROW(static_cast<void>(page_of(scene, {}, {"", UpAxis::z, volume})), Error);
+      continue;
+    }
+    const Page page = page_of(scene, {}, {"", UpAxis::z, volume});
+    ASSERT_EQ(page.header["layers"].size(), 2U) << name_of(volume);
+    EXPECT_EQ(page.header["layers"][0]["data"], page.header["layers"][1]["data"]);
+    for (const Json& step : page.header["layers"][0]["steps"])
+      EXPECT_GE(step["faces"][1], 2 * step["count"].get<std::size_t>()) << name_of(volume);
+  }
 }
 
 TEST(ViewPage, WritesNothingOverWhatIsNoPage) {

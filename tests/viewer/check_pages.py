@@ -145,6 +145,28 @@ def check_large(checks, browser):
     checks.quiet(browser, "large")
 
 
+def check_hierarchy(checks, browser):
+    checks.run("view", "gen:torus-knot", "--hierarchy", "obb", "-o", "levels.html")
+    checks.opened(browser, "levels.html")
+    steps = browser.value("toccata.data.header.layers[0].steps")
+    browser.wait_for("toccata.state.steps.get(0) === 3")
+    slide = "const slider = document.querySelector('#layers input[type=range]'); slider.value = 5; slider.oninput();"
+    browser.value(f"(() => {{ {slide} }})()")
+    told = browser.value("document.querySelector('#layers output').textContent")
+    checks.expect(told == f"level 5: {steps[5]['note']}", f"the level tells {told}")
+    checks.expect(f"{steps[5]['count']} volumes" in told, f"the level tells {told}")
+    time.sleep(0.3)
+    picture = browser.picture()
+    checks.expect(share(picture, is_blue) > 0.01 and share(picture, is_orange) > 0.01, "nodes have colours of their own")
+    for place in range(300, 1200, 30):
+        browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=place, y=420)
+        lit = browser.value("document.getElementById('hover').textContent")
+        if lit:
+            break
+    checks.expect(re.fullmatch(r"node \d+ of level 5: [\d,]+ triangles?", lit) is not None, f"a node lights up: {lit}")
+    checks.quiet(browser, "levels")
+
+
 def check_empty(checks, browser):
     text = (checks.folder / "wicked.html").read_text()
     header = json.loads(re.search(r'id="toccata-header"[^>]*>(.*?)</script>', text).group(1))
@@ -168,7 +190,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_large, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_large, check_hierarchy, check_empty]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

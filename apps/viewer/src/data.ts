@@ -24,6 +24,8 @@ export interface LayerStep {
   note?: string;
   first: number;
   count: number;
+  faces?: [number, number]; // of a hierarchy: the first and how many
+  edges?: [number, number];
 }
 
 export interface Layer {
@@ -35,6 +37,19 @@ export interface Layer {
   label?: string;
   name?: string;
   steps?: LayerStep[];
+}
+
+/// The levels of a hierarchy over a mesh (`kind` is "hierarchy"); `data` holds the run of triangles of each node.
+export interface HierarchyLayer extends Layer {
+  object: number;
+  order: ArrayPlace;
+  lower: Vec;
+  size: number;
+  faces: ArrayPlace;
+  node_of_face: ArrayPlace;
+  edges: ArrayPlace;
+  node_of_edge: ArrayPlace;
+  steps: LayerStep[];
 }
 
 export interface Header {

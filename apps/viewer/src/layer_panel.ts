@@ -28,8 +28,15 @@ export class LayerPanel {
     const roles = [...new Set(shown.map((layer) => layer.role))];
     panel.replaceChildren(...roles.map((role) => this.roleSwitch(role)));
     layers.forEach((layer, i) => {
-      if (layer.steps && layer.steps.length > 0) panel.append(this.stepSlider(layer, layer.steps.length, i));
+      const { pair } = this.state;
+      const ofPair = pair === undefined || layer.object === undefined || this.isOf(layer.object, pair);
+      if (layer.steps && layer.steps.length > 0 && ofPair) panel.append(this.stepSlider(layer, layer.steps.length, i));
     });
+  }
+
+  private isOf(object: number, pair: number): boolean {
+    const { a_index, b_index } = this.data.report.pairs[pair];
+    return object === a_index || object === b_index;
   }
 
   private roleSwitch(role: string): HTMLElement {

@@ -81,6 +81,9 @@ function listen(viewer: Viewer): void {
     viewer.stage.orbit.place.target.copy(hit.point);
     viewer.stage.orbit.zoom(0.5);
   });
+  canvas.addEventListener('pointermove', (event) => {
+    if (event.buttons === 0) viewer.hover(event.clientX, event.clientY);
+  });
   document.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;

@@ -38,11 +38,14 @@ export class Marks {
   }
 
   place(): void {
+    const taken: { x: number; y: number }[] = [];
     for (const { mark, element: shown } of this.marks) {
       const at = this.stage.onScreen(mark.at);
       shown.hidden = !at;
       if (!at) continue;
       if (mark.kept) this.keepInside(at);
+      while (taken.some((other) => Math.abs(other.x - at.x) < 150 && Math.abs(other.y - at.y) < 24)) at.y += 6;
+      taken.push(at);
       Object.assign(shown.style, { left: `${at.x}px`, top: `${at.y}px` });
     }
     this.placeAxes();

@@ -26,6 +26,7 @@ export type Look = 'shown' | 'ghost' | 'hidden';
 export interface Appearance {
   look: Look;
   colour: number;
+  ghostColour?: number;
 }
 
 interface DrawnMesh {
@@ -112,7 +113,7 @@ export class Objects {
     this.looks = looks;
     for (const mesh of this.meshes) {
       this.fill(mesh.solid, mesh.objects.filter((i) => looks[i].look === 'shown'), (i) => looks[i].colour);
-      this.fill(mesh.ghost, mesh.objects.filter((i) => looks[i].look === 'ghost'), () => ghostColour);
+      this.fill(mesh.ghost, mesh.objects.filter((i) => looks[i].look === 'ghost'), (i) => looks[i].ghostColour ?? ghostColour);
     }
     for (const [object, drawn] of this.thin) {
       drawn.visible = looks[object].look !== 'hidden';

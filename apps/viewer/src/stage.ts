@@ -61,6 +61,17 @@ export class Stage {
     this.redraw();
   }
 
+  private lit: Object3D | undefined;
+
+  /// What lies under the pointer; nothing to put it out.
+  setLit(drawn: Object3D | undefined): void {
+    if (!drawn && !this.lit) return;
+    if (this.lit) discard(this.lit);
+    this.lit = drawn;
+    if (drawn) this.scene.add(drawn);
+    this.redraw();
+  }
+
   setTheme(theme: Theme, withGrid: boolean): void {
     this.scene.background = new Color(theme.background);
     if (this.grid) discard(this.grid);
@@ -85,11 +96,15 @@ export class Stage {
 
   /// What lies under a place of the page.
   hit(x: number, y: number): { object: number; point: Vector3 } | undefined {
+    return this.objects.hit(this.rayAt(x, y));
+  }
+
+  rayAt(x: number, y: number): Raycaster {
     const box = this.canvas.getBoundingClientRect();
     const at = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.orbit.camera);
-    return this.objects.hit(ray);
+    return ray;
   }
 
   /// Where a shown point is on the canvas, in its pixels; nothing when it is behind the eye.

@@ -1,7 +1,8 @@
 // What the reader sees follows from the state: every action changes the state and calls `show`.
 import { Box3, Object3D, Vector3 } from 'three';
 import { objectA, objectB, themes, touchedColour, untouched } from './colours';
-import type { Layer, LayerStep, PageData } from './data';
+import type { HierarchyLayer, Layer, LayerStep, PageData } from './data';
+import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
 import { draw, merged, points, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Objects, type Appearance } from './objects';
@@ -9,6 +10,7 @@ import { element, Panels } from './panels';
 import { LayerPanel } from './layer_panel';
 import { Stage } from './stage';
 import { fromHash, toHash, type State } from './state';
+import { countText } from './words';
 
 export class Viewer {
   readonly state: State;
@@ -19,6 +21,8 @@ export class Viewer {
   private readonly marks: Marks;
   private readonly touched: Set<number>;
   private linkTimer = 0;
+  private levels: DrawnLevel[] = [];
+  private litNode = -1;
 
   constructor(readonly data: PageData) {
     const { header, report } = data;
@@ -35,6 +39,7 @@ export class Viewer {
       colourOf: (object) => this.colourOf(object),
     });
     this.noticeIfEmpty();
+    this.openHierarchy();
     this.show();
     this.panels.markPair();
     this.placeCamera();
@@ -48,6 +53,14 @@ export class Viewer {
     [place.distance, place.yaw, place.pitch] = camera.slice(3);
     this.stage.orbit.apply();
     this.stage.redraw();
+  }
+
+  /// A page without contacts that has a hierarchy shows it at once, unless a link says otherwise.
+  private openHierarchy(): void {
+    const { header, report } = this.data;
+    const layer = header.layers.findIndex((one) => one.kind === 'hierarchy');
+    if (layer < 0 || report.pairs.length > 0 || location.hash.length > 1) return;
+    this.state.steps.set(layer, Math.min(3, (header.layers[layer].steps?.length ?? 1) - 1));
   }
 
   private noticeIfEmpty(): void {
@@ -66,13 +79,26 @@ export class Viewer {
     return this.touched.has(object) ? touchedColour(object) : untouched;
   }
 
+  /// The objects of which a level is drawn.
+  private opened(): Set<number> {
+    const objects = new Set<number>();
+    this.data.header.layers.forEach((layer, i) => {
+      if (layer.kind === 'hierarchy' && this.state.steps.has(i)) objects.add(layer.object ?? -1);
+    });
+    return objects;
+  }
+
   private lookOf(object: number): Appearance['look'] {
     const { state } = this;
     if (state.hidden.has(object) || (state.only !== undefined && state.only !== object)) return 'hidden';
     if (state.ghosts.has(object)) return 'ghost';
-    if (state.pair === undefined) return 'shown';
+    const opened = this.opened();
+    if (opened.has(object)) return 'hidden'; // its triangles are drawn in the colours of the level
+    if (state.pair === undefined) return opened.size > 0 ? state.rest : 'shown';
     const pair = this.data.report.pairs[state.pair];
-    return object === pair.a_index || object === pair.b_index ? 'shown' : state.rest;
+    if (object !== pair.a_index && object !== pair.b_index) return state.rest;
+    const outer = pair.containment === 'a_in_b' ? pair.b_index : pair.containment === 'b_in_a' ? pair.a_index : -1;
+    return object === outer ? 'ghost' : 'shown';
   }
 
   /// Everything anew from the state.
@@ -83,12 +109,19 @@ export class Viewer {
     document.documentElement.dataset.panels = state.panels ? 'on' : 'off';
     this.objects.seeThrough(state.through);
     const looks = this.data.report.objects.map((_, i) => ({ look: this.lookOf(i), colour: this.colourOf(i) }));
+    if (state.pair !== undefined) this.colourContainer(looks, state.pair);
     this.objects.show(looks, theme.ghost);
     this.stage.setTheme(theme, state.grid);
     this.layerPanel.show();
     this.stage.setOverlays(this.overlays());
     this.marks.set(state.labels ? this.labels() : []);
     this.showButtons();
+  }
+
+  /// The ghost that contains the other one is still told by its colour.
+  private colourContainer(looks: Appearance[], index: number): void {
+    const pair = this.data.report.pairs[index];
+    for (const object of [pair.a_index, pair.b_index]) looks[object].ghostColour = looks[object].colour;
   }
 
   private showButtons(): void {
@@ -100,6 +133,8 @@ export class Viewer {
 
   private overlays(): Object3D[] {
     const { header } = this.data;
+    this.levels = [];
+    this.light(undefined, -1);
     const ofPair = header.layers.filter((layer) => layer.pair === this.state.pair && !this.state.off.has(layer.role));
     const drawn = this.state.pair === undefined ? this.allContacts() : ofPair.map((layer) => this.drawn(layer));
     header.layers.forEach((layer, i) => {
@@ -112,6 +147,11 @@ export class Viewer {
   }
 
   private drawn(layer: Layer, step?: LayerStep, stepNumber = 0): Object3D {
+    if (layer.kind === 'hierarchy' && step) {
+      const { drawn, level } = drawLevel(layer as HierarchyLayer, step, this.data, this.objects);
+      this.levels.push(level);
+      return drawn;
+    }
     const size = this.focusBox().getSize(new Vector3()).length();
     const style = { theme: themes[this.state.theme], over: layer.pair !== undefined, arrow: 0.12 * size, step, stepNumber };
     return draw(layer, { data: this.data, objects: this.objects }, style);
@@ -129,6 +169,26 @@ export class Viewer {
     if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, false));
     if (places.length > 0) drawn.push(points(places, colour, false));
     return drawn;
+  }
+
+  /// Lights up the triangles of the node under the pointer, while a level is drawn.
+  hover(x: number, y: number): void {
+    if (this.levels.length === 0) return;
+    const ray = this.stage.rayAt(x, y);
+    for (const level of this.levels) {
+      const node = nodeUnder(level, ray, this.data);
+      if (node !== undefined) return this.light(level, node);
+    }
+    this.light(undefined, -1);
+  }
+
+  private light(level: DrawnLevel | undefined, node: number): void {
+    if (node === this.litNode) return;
+    this.litNode = node;
+    const theme = themes[this.state.theme];
+    this.stage.setLit(level && litTriangles(level, node, this.data, this.objects, theme));
+    const held = level ? trianglesHeld(level.layer, level.step, node, this.data).length : 0;
+    element('hover').textContent = level ? `node ${node} of ${level.step.label}: ${countText(held, 'triangle')}` : '';
   }
 
   private labels(): Mark[] {
@@ -157,8 +217,11 @@ export class Viewer {
     const { pair } = this.state;
     if (pair === undefined) {
       const box = new Box3();
+      const opened = this.opened();
       this.data.report.objects.forEach((object, i) => {
-        if (this.lookOf(i) !== 'hidden' && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
+        const isOpened = opened.has(i);
+        const counts = opened.size > 0 ? isOpened : this.lookOf(i) !== 'hidden';
+        if (counts && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
       });
       return box.isEmpty() ? this.stage.wholeBox() : box;
     }
@@ -176,9 +239,10 @@ export class Viewer {
     const pair = this.data.report.pairs[index];
     const [a, b] = [this.objects.boxes[pair.a_index], this.objects.boxes[pair.b_index]];
     const length = (box: Box3) => box.getSize(new Vector3()).length();
-    const smaller = length(a) < length(b) ? a : b;
+    const [smaller, larger] = length(a) < length(b) ? [a, b] : [b, a];
+    if (pair.containment !== 'none' && length(larger) < 4 * length(smaller)) return larger.clone();
     if (found.isEmpty()) return smaller.clone();
-    const missing = 0.3 * length(smaller) - length(found);
+    const missing = 0.6 * length(smaller) - length(found);
     return missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
   }
 

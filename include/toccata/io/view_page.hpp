@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "toccata/io/report.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/cost.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata {
@@ -16,13 +18,17 @@ enum class UpAxis { y, z };
 struct ViewOptions {
   std::string title = "Toccata";
   UpAxis up = UpAxis::z;
+  /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; not `wide`.
+  std::optional<CostVolume> hierarchy{};
 };
 
 /// One HTML page that shows a scene and what was found in it: self-contained, so that it opens from disk without a
 /// network or a server, in any browser with WebGL 2. It computes no collision; it draws what the report says. Where
 /// the report has faces, these and the curves in which they meet are drawn; where it has penetrations and distances,
 /// their segments and numbers. `models` are the scene's, in its order. Meshes are rounded for display to 1/65535 of
-/// their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold anything.
+/// their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold
+/// anything. Throws Error when an object reaches beyond the doubles, and when hierarchies of more than 32 meshes are
+/// asked for.
 [[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
                                     const ViewOptions& options = {}, std::span<const std::string> warnings = {});
 

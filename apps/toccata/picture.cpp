@@ -1,0 +1,181 @@
+#include "picture.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "toccata/core/error.hpp"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace toccata::command {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A folder that is gone, with all that is in it, at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "toccata-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw Error("no temporary folder could be made in " + name);
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string find_browser() {
+  const char* folders = std::getenv("PATH");
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
+    std::string_view rest = folders == nullptr ? "" : folders;
+    while (!rest.empty()) {
+      const std::string_view folder = rest.substr(0, rest.find(':'));
+      rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+      const fs::path program = fs::path(folder) / name;
+      if (access(program.c_str(), X_OK) == 0) return program.string();
+    }
+  }
+  throw Error(
+      "no Chromium was found to draw a picture with: install it (apt-get install chromium), or write a page with -o");
+}
+
+std::vector<std::string> words_of(const std::string& browser, const fs::path& folder, const PictureTarget& target) {
+  std::vector<std::string> words = {browser,
+                                    "--headless",
+                                    "--disable-gpu",
+                                    "--use-angle=swiftshader",
+                                    "--enable-unsafe-swiftshader",
+                                    "--disable-quic",
+                                    "--no-first-run",
+                                    "--disable-background-networking",
+                                    "--disable-component-update",
+                                    "--disable-sync",
+                                    "--hide-scrollbars",
+                                    "--virtual-time-budget=5000",
+                                    "--user-data-dir=" + (folder / "profile").string(),
+                                    fmt::format("--window-size={},{}", target.width, target.height),
+                                    "--screenshot=" + (folder / "picture.png").string()};
+  if (geteuid() == 0) words.emplace_back("--no-sandbox");  // which refuses to run for the administrator
+  const std::string look = target.look.empty() ? "" : target.look + "&";
+  words.push_back("file://" + (folder / "page.html").string() + "#" + look + "panels=0&theme=light");
+  return words;
+}
+
+/// The process, silent, in a group of its own: a browser is many.
+pid_t started(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  pid_t process = 0;
+  const int code = posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
+  return process;
+}
+
+/// Waits for the process; when it takes too long, it and its children are ended.
+void await(pid_t process) {
+  constexpr std::chrono::minutes patience(2);
+  const Clock::time_point end = Clock::now() + patience;
+  while (waitpid(process, nullptr, WNOHANG) == 0) {
+    if (Clock::now() > end) {
+      kill(-process, SIGKILL);
+      waitpid(process, nullptr, 0);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void require_png_or_nothing(const std::string& path) {
+  std::error_code code;
+  if (!fs::exists(path, code)) return;
+  if (!fs::is_regular_file(path, code) || !text_of(path).starts_with(png_signature))
+    throw Error(path + ": this exists and is no PNG; choose another name");
+}
+
+/// Under a name of its own first, so that it is there whole or not at all.
+void place_picture(const std::string& bytes, const std::string& path) {
+  const std::string part = path + ".part";
+  std::ofstream stream(part, std::ios::binary);
+  stream << bytes;
+  stream.close();
+  std::error_code code;
+  if (stream) fs::rename(part, path, code);
+  if (stream && !code) return;
+  fs::remove(part, code);
+  throw Error(path + ": the file cannot be written; check the folder and its permissions");
+}
+
+int parse_extent(std::string_view text) {
+  int extent = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), extent);
+  return error == std::errc() && end == text.data() + text.size() && extent >= 16 && extent <= 8192 ? extent : 0;
+}
+
+}  // namespace
+
+void set_size(PictureTarget& target, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  target.width = parse_extent(std::string_view(text).substr(0, cross));
+  target.height = cross == std::string::npos ? 0 : parse_extent(std::string_view(text).substr(cross + 1));
+  if (target.width == 0 || target.height == 0)
+    throw Error(fmt::format("--size: '{}' is no size; write width and height from 16 to 8192, 1200x800", text));
+}
+
+void write_picture(const std::string& page, const PictureTarget& target) {
+  require_png_or_nothing(target.path);
+  const std::string browser = find_browser();
+  const ScratchFolder folder;
+  std::ofstream(folder.path() / "page.html", std::ios::binary) << page;
+  await(started(words_of(browser, folder.path(), target)));
+  const std::string picture = text_of(folder.path() / "picture.png");
+  if (!picture.starts_with(png_signature))
+    throw Error(fmt::format("{} drew no picture; write a page with -o and open it to see why", browser));
+  place_picture(picture, target.path);
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,195 @@
+#include "io/drawn_hierarchy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/display_mesh.hpp"
+#include "toccata/bounds/ball.hpp"
+#include "toccata/bounds/cube.hpp"
+#include "toccata/bounds/ellipsoid_bound.hpp"
+#include "toccata/bounds/hull_bound.hpp"
+#include "toccata/bounds/kdop.hpp"
+#include "toccata/bounds/obb.hpp"
+#include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/trees/builders.hpp"
+
+namespace toccata::io {
+namespace {
+
+constexpr std::size_t most_nodes = 1024;
+
+std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.triangle_count());
+  for (const auto& corner : mesh.triangles())
+    triangles.push_back({{mesh.vertices()[corner[0]], mesh.vertices()[corner[1]], mesh.vertices()[corner[2]]}});
+  return triangles;
+}
+
+/// The nodes of a level below these; the same ones when all are leaves.
+std::vector<Index> next_level(const TreeShape& shape, const std::vector<Index>& level) {
+  std::vector<Index> next;
+  for (const Index number : level) {
+    const auto& node = shape.nodes[number];
+    if (node.is_leaf()) next.push_back(number);
+    for (Index child = 0; !node.is_leaf() && child < node.child_count; ++child) next.push_back(node.first + child);
+  }
+  return next;
+}
+
+Vec3 normal_of(const ConvexHull& hull, Index face) {
+  const HullTopology topology = hull.topology();
+  Vec3 normal;
+  const Index first = topology.face_start[face], end = topology.face_start[face + 1];
+  const Vec3 start = hull.vertex(topology.origin[first]);
+  for (Index i = first + 1; i + 1 < end; ++i)
+    normal = normal + cross(hull.vertex(topology.origin[i]) - start, hull.vertex(topology.origin[i + 1]) - start);
+  const double length = std::hypot(normal.x, normal.y, normal.z);
+  return length > 0 ? (1 / length) * normal : normal;
+}
+
+/// Volumes of one kind around the nodes of each level.
+template <class Volume>
+class Drawing {
+ public:
+  Drawing(const std::vector<Triangle>& triangles, bool round) : triangles_(triangles), round_(round) {
+    shape_ = build_tree_shape(triangles, 2, {.method = TreeMethod::heuristic, .leaf_size = 2});
+    runs_ = item_runs(shape_);
+    for (const Index item : shape_.items) ordered_.push_back(triangles_[item]);
+    drawn_.order = shape_.items;
+  }
+
+  DrawnHierarchy all_levels() {
+    std::vector<Index> level{0};
+    while (level.size() <= most_nodes) {
+      add_level(level);
+      std::vector<Index> next = next_level(shape_, level);
+      if (next == level) break;
+      level = std::move(next);
+    }
+    return std::move(drawn_);
+  }
+
+ private:
+  [[nodiscard]] std::span<const Triangle> held_by(Index node) const {
+    return std::span<const Triangle>(ordered_).subspan(runs_[node].first, runs_[node].count);
+  }
+
+  void add_level(const std::vector<Index>& nodes) {
+    DrawnLevel& level = drawn_.levels.emplace_back();
+    level.first_node = drawn_.runs.size();
+    level.nodes = nodes.size();
+    level.first_face = drawn_.faces.size();
+    level.first_edge = drawn_.edges.size();
+    std::vector<Volume> volumes;
+    double size = 0, held = 0;
+    for (const Index node : nodes) {
+      drawn_.runs.push_back({runs_[node].first, runs_[node].count});
+      volumes.push_back(fit<Volume>(held_by(node)));
+      size += measure(volumes.back());
+      held += measure(fit<HullBound>(held_by(node)));
+      draw(volumes.back(), nodes.size(), static_cast<Index>(volumes.size() - 1));
+    }
+    level.fill = size > 0 ? std::min(1.0, held / size) : 0;
+    level.overlapping_pairs = overlapping_pairs(volumes);
+    level.faces = drawn_.faces.size() - level.first_face;
+    level.edges = drawn_.edges.size() - level.first_edge;
+  }
+
+  static std::size_t overlapping_pairs(const std::vector<Volume>& volumes) {
+    std::vector<Aabb> boxes;
+    for (const Volume& volume : volumes) boxes.push_back(box_around(volume));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      for (std::size_t j = i + 1; j < volumes.size(); ++j)
+        if (overlap(boxes[i], boxes[j]) && overlap(volumes[i], volumes[j])) ++count;
+    return count;
+  }
+
+  /// The hull of the points that are farthest along directions all around: all corners where each is farthest along
+  /// one. Of many volumes fewer directions are taken.
+  void draw(const Volume& volume, std::size_t siblings, Index number) {
+    constexpr std::size_t few = 64;
+    std::vector<Vec3> points;
+    for (const Vec3& direction : sphere_points(siblings <= few ? 8 : 4))
+      points.push_back(farthest_point(volume, direction));
+    draw(ConvexHull(points), number);
+  }
+
+  void draw(const ConvexHull& hull, Index number) {
+    const HullTopology topology = hull.topology();
+    if (hull.dimension() < 1) return;
+    for (Index face = 0; face < topology.face_count(); ++face) {
+      const Index first = topology.face_start[face], end = topology.face_start[face + 1];
+      for (Index i = first + 1; i + 1 < end; ++i) {
+        drawn_.faces.push_back({hull.vertex(topology.origin[first]), hull.vertex(topology.origin[i]),
+                                hull.vertex(topology.origin[i + 1])});
+        drawn_.node_of_face.push_back(number);
+      }
+    }
+    for (Index edge = 0; edge < topology.origin.size(); ++edge)
+      if (edge < topology.twin[edge] && is_edge(hull, topology.face[edge], topology.face[topology.twin[edge]])) {
+        drawn_.edges.push_back({hull.vertex(topology.origin[edge]), hull.vertex(topology.target(edge))});
+        drawn_.node_of_edge.push_back(number);
+      }
+  }
+
+  /// Faces that rounding alone has parted have no edge between them, and round volumes none at all.
+  [[nodiscard]] bool is_edge(const ConvexHull& hull, Index one, Index other) const {
+    if (round_) return false;
+    return one == other || dot(normal_of(hull, one), normal_of(hull, other)) < 0.9999;
+  }
+
+  const std::vector<Triangle>& triangles_;
+  bool round_;
+  TreeShape shape_;
+  std::vector<ItemRun> runs_;
+  std::vector<Triangle> ordered_;
+  DrawnHierarchy drawn_;
+};
+
+template <class Volume>
+DrawnHierarchy drawn(const std::vector<Triangle>& triangles, bool round = false) {
+  return Drawing<Volume>(triangles, round).all_levels();
+}
+
+}  // namespace
+
+DrawnHierarchy drawn_hierarchy(const TriangleMesh& mesh, CostVolume volume) {
+  const std::vector<Triangle> triangles = triangles_of(mesh);
+  constexpr bool is_round = true;
+  switch (volume) {
+    case CostVolume::aabb:
+      return drawn<Aabb>(triangles);
+    case CostVolume::ball:
+      return drawn<Ball>(triangles, is_round);
+    case CostVolume::cube:
+      return drawn<Cube>(triangles);
+    case CostVolume::obb:
+      return drawn<Obb>(triangles);
+    case CostVolume::dop6:
+      return drawn<Kdop<6>>(triangles);
+    case CostVolume::dop14:
+      return drawn<Kdop<14>>(triangles);
+    case CostVolume::dop18:
+      return drawn<Kdop<18>>(triangles);
+    case CostVolume::dop26:
+      return drawn<Kdop<26>>(triangles);
+    case CostVolume::pss:
+      return drawn<Pss>(triangles, is_round);
+    case CostVolume::lss:
+      return drawn<Lss>(triangles, is_round);
+    case CostVolume::rss:
+      return drawn<Rss>(triangles, is_round);
+    case CostVolume::ellipsoid:
+      return drawn<EllipsoidBound>(triangles, is_round);
+    case CostVolume::hull:
+      return drawn<HullBound>(triangles);
+    case CostVolume::wide:
+      break;
+  }
+  throw Error("the wide tree is not drawn; choose a bounding volume, for example aabb");
+}
+
+}  // namespace toccata::io

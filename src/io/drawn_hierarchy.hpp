@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "toccata/core/index.hpp"
+#include "toccata/query/cost.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
+
+namespace toccata::io {
+
+/// One level of a hierarchy: the nodes of that depth, and the leaves above them, which together hold all triangles.
+struct DrawnLevel {
+  std::size_t first_node = 0;
+  std::size_t nodes = 0;
+  std::size_t first_face = 0;
+  std::size_t faces = 0;
+  std::size_t first_edge = 0;
+  std::size_t edges = 0;
+  double fill = 0;                    ///< the part of the volumes that the hulls of what they hold take up
+  std::size_t overlapping_pairs = 0;  ///< of its nodes' volumes
+};
+
+/// A binary hierarchy over the triangles of a mesh, its volumes as polyhedra in the mesh's own frame: boxes, k-DOPs and
+/// hulls with all their corners, round ones by points of their surface.
+struct DrawnHierarchy {
+  std::vector<Index> order;                ///< triangles; those of a node are a run of them
+  std::vector<std::array<Index, 2>> runs;  ///< of each node of each level: the first and how many
+  std::vector<std::array<Vec3, 3>> faces;
+  std::vector<Index> node_of_face;  ///< counted within its level
+  std::vector<std::array<Vec3, 2>> edges;
+  std::vector<Index> node_of_edge;
+  std::vector<DrawnLevel> levels;  ///< from the root down, as long as there are at most 1,024 nodes
+};
+
+/// Built by the surface-area heuristic with at most two triangles a leaf. Throws Error for `wide`, which is no binary
+/// tree.
+[[nodiscard]] DrawnHierarchy drawn_hierarchy(const TriangleMesh& mesh, CostVolume volume);
+
+}  // namespace toccata::io

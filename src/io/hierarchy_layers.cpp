@@ -1,0 +1,108 @@
+#include "io/hierarchy_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/drawn_hierarchy.hpp"
+#include "io/utf8.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_meshes = 32;
+
+/// Points as floats from 0 to 1 of the greatest extent of the mesh's box.
+struct MeshFrame {
+  Vec3 lower;
+  double size = 1;
+
+  explicit MeshFrame(const Aabb& box) : lower(box.lower) {
+    const Vec3 extent = box.upper - box.lower;
+    const double greatest = std::max({extent.x, extent.y, extent.z});
+    if (greatest > 0) size = greatest;
+  }
+
+  void append(std::vector<float>& numbers, const Vec3& point) const {
+    for (int axis = 0; axis < 3; ++axis) numbers.push_back(static_cast<float>((point[axis] - lower[axis]) / size));
+  }
+};
+
+template <std::size_t corners>
+Json written(const std::vector<std::array<Vec3, corners>>& items, const MeshFrame& frame, ViewData& data) {
+  std::vector<float> numbers;
+  numbers.reserve(items.size() * corners * 3);
+  for (const auto& item : items)
+    for (const Vec3& point : item) frame.append(numbers, point);
+  return data.add(numbers);
+}
+
+Json written(const std::vector<std::array<Index, 2>>& runs, ViewData& data) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto& run : runs) numbers.insert(numbers.end(), run.begin(), run.end());
+  return data.add(std::span<const std::uint32_t>(numbers));
+}
+
+std::string note_of(const DrawnLevel& level) {
+  const std::size_t pairs = level.nodes * (level.nodes - 1) / 2;
+  return fmt::format("{} volume{}, {:.0f} % filled by the hulls of what they hold; {} of {} pair{} overlap",
+                     level.nodes, level.nodes == 1 ? "" : "s", 100 * level.fill, level.overlapping_pairs, pairs,
+                     pairs == 1 ? "" : "s");
+}
+
+Json steps_of(const DrawnHierarchy& hierarchy) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < hierarchy.levels.size(); ++i) {
+    const DrawnLevel& level = hierarchy.levels[i];
+    steps.push_back({{"label", fmt::format("level {}", i)},
+                     {"note", note_of(level)},
+                     {"first", level.first_node},
+                     {"count", level.nodes},
+                     {"faces", {level.first_face, level.faces}},
+                     {"edges", {level.first_edge, level.edges}},
+                     {"fill", level.fill},
+                     {"overlapping_pairs", level.overlapping_pairs}});
+  }
+  return steps;
+}
+
+Json layer_of(const Model& model, CostVolume volume, ViewData& data) {
+  const DrawnHierarchy hierarchy = drawn_hierarchy(model.mesh(), volume);
+  const MeshFrame frame(model.vertex_box());
+  const auto numbers = [&](const std::vector<Index>& all) { return data.add(std::span<const std::uint32_t>(all)); };
+  return {{"kind", "hierarchy"},
+          {"role", "hierarchy"},
+          {"data", written(hierarchy.runs, data)},
+          {"order", numbers(hierarchy.order)},
+          {"lower", {frame.lower.x, frame.lower.y, frame.lower.z}},
+          {"size", frame.size},
+          {"faces", written(hierarchy.faces, frame, data)},
+          {"node_of_face", numbers(hierarchy.node_of_face)},
+          {"edges", written(hierarchy.edges, frame, data)},
+          {"node_of_edge", numbers(hierarchy.node_of_edge)},
+          {"steps", steps_of(hierarchy)}};
+}
+
+}  // namespace
+
+std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume volume, ViewData& data) {
+  std::map<const TriangleMesh*, Json> layer_of_mesh;
+  std::vector<Json> layers;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!models[i].model.has_mesh()) continue;
+    const auto [found, is_new] = layer_of_mesh.try_emplace(&models[i].model.mesh());
+    if (layer_of_mesh.size() > most_meshes)
+      throw Error(fmt::format("hierarchies of more than {} meshes are too many to look at: show fewer", most_meshes));
+    if (is_new) found->second = layer_of(models[i].model, volume, data);
+    Json& layer = layers.emplace_back(found->second);
+    layer["object"] = i;
+    layer["name"] = fmt::format("{}: hierarchy of {}", as_utf8(models[i].name), name_of(volume));
+  }
+  return layers;
+}
+
+}  // namespace toccata::io
