@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/world_vertex.hpp"
+#include "narrow/passing_rays.hpp"
 #include "query/way_into_tree.hpp"
 #include "query/world_search.hpp"
 
@@ -24,25 +25,32 @@ class FirstHit {
 
   /// `passes`: the ray's line is known to pass through the triangle.
   void consider(const Triangle& triangle, Index number, bool passes = false) {
-    const RayTime time = passes ? ray_time_of_passing(ray_, triangle) : ray_time(ray_, triangle);
-    if (!time.hit || time.upper > best_.time.upper) return;
-    if (time.upper == best_.time.upper && best_.time.hit && best_.triangle < number) return;
-    best_ = {time, number};
+    take(passes ? ray_time_of_passing(ray_, triangle) : ray_time(ray_, triangle), number);
+  }
+
+  /// True where that is the first now.
+  bool take(const RayTime& time, Index number) {
+    if (!time.hit || time.upper > time_.upper) return false;
+    if (time.upper == time_.upper && time_.hit && triangle_ < number) return false;
+    time_ = time;
+    triangle_ = number;
     // Not less.
-    const double part = std::fmax(0, (time.upper - from_) * per_length_);
-    limit_ = part < 1 ? static_cast<float>(part) + 0x1p-19F : 1;
+    const double part = (time.upper - from_) * per_length_;
+    limit_ = part < 1 ? static_cast<float>(std::max(part, 0.0)) + 0x1p-19F : 1;
+    return true;
   }
 
   /// What is met later than at this part of the way is of no interest.
   [[nodiscard]] float limit() const { return limit_; }
-  [[nodiscard]] const TriangleHit& best() const { return best_; }
+  [[nodiscard]] TriangleHit best() const { return {time_, triangle_}; }
 
  private:
   const PreparedRay& ray_;
   double from_;
   double per_length_;
   float limit_ = 1;
-  TriangleHit best_{{false, 0, HUGE_VAL}};
+  RayTime time_{false, 0, HUGE_VAL};
+  Index triangle_ = 0;
 };
 
 Aabb region_of(const PreparedRay& ray) {
@@ -114,12 +122,15 @@ struct RayTarget::Together {
     found.reserve(count);
     number_of.reserve(count);
     last.reserve(count);
+    passing.reserve(count);
   }
   std::vector<RayInTree> ways;
   std::vector<WideRay> walking;
   std::vector<FirstHit> found;
   std::vector<std::size_t> number_of;
   std::vector<Last> last;  ///< what is looked at when all have walked, and is asked for in the meantime
+  std::vector<PassingRay> passing;
+  std::vector<PassingHit> told;
 };
 
 void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
@@ -145,8 +156,32 @@ void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<Tri
             });
   for (const auto& [ray, candidate] : all.last)
     for (const Index corner : mesh_.triangles()[candidate.triangle]) __builtin_prefetch(&mesh_.vertices()[corner]);
-  for (const auto& [ray, candidate] : all.last) consider(candidate, all.found[ray]);
+  for (const auto& [ray, candidate] : all.last)
+    if (candidate.certain)
+      all.passing.push_back({&rays[all.number_of[ray]], world_triangle(candidate.triangle)});
+    else
+      consider(candidate, all.found[ray]);
   for (std::size_t i = 0; i < all.found.size(); ++i) hits[all.number_of[i]] = all.found[i].best();
+  take_passing(all, hits);
+}
+
+void RayTarget::take_passing(Together& all, std::span<TriangleHit> hits) const {
+  all.told.resize(all.passing.size());
+  hits_of_passing(all.passing, all.told);
+  std::size_t next = 0;
+  for (const auto& [ray, candidate] : all.last) {
+    if (!candidate.certain) continue;
+    const PassingHit& told = all.told[next++];
+    FirstHit& found = all.found[ray];
+    TriangleHit& hit = hits[all.number_of[ray]];
+    if (!told.told) {
+      consider(candidate, found);
+      hit = found.best();
+    } else if (found.take({true, told.cast.lower, told.cast.upper}, candidate.triangle)) {
+      hit = found.best();
+      hit.cast = told.cast;
+    }
+  }
 }
 
 Triangle RayTarget::world_triangle(Index number) const {

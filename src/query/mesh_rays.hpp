@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "narrow/ray_triangle.hpp"
@@ -12,6 +13,7 @@ namespace toccata {
 struct TriangleHit {
   RayTime time;
   Index triangle = 0;
+  std::optional<Cast> cast{};  ///< ray_hit of it, where that is known already
 };
 
 /// A posed mesh that rays are cast at, and what is the same for all of them (docs/design/rays.md). The mesh must
@@ -32,6 +34,7 @@ class RayTarget {
   static constexpr std::size_t together = 256;
   void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
   struct Together;
+  void take_passing(Together& all, std::span<TriangleHit> hits) const;
   /// Tells the search of a triangle that may be met.
   template <class Search>
   void consider(const RayCandidate& candidate, Search& search) const;

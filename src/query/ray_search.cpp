@@ -35,8 +35,9 @@ RayHit hit_at_start(const PreparedRay& ray) {
 RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray,
                       const TriangleHit& found) {
   if (!found.time.hit) return {};
-  return numbered(ray_hit(ray, search.world_triangle(found.triangle), found.time), found.triangle,
-                  target.mesh.model().mesh().face_of(found.triangle));
+  const Index face = target.mesh.model().mesh().face_of(found.triangle);
+  if (found.cast) return numbered(*found.cast, found.triangle, face);
+  return numbered(ray_hit(ray, search.world_triangle(found.triangle), found.time), found.triangle, face);
 }
 
 RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
