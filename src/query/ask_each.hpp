@@ -16,6 +16,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/batch.hpp"
+#include "trees/chunks.hpp"
 
 namespace toccata {
 
@@ -69,6 +70,29 @@ std::vector<Answer> ask_each(std::span<const Question> questions, std::string_vi
       const std::size_t end = std::min(questions.size(), (row + 1) * length);
       for (std::size_t i = row * length; i < end; ++i) answer(i, workspace);
     });
+  });
+  return answers;
+}
+
+/// `ask(points, answers, workspace)` for rows of points, each on one thread, for questions that are faster when some
+/// are asked together and that only points which are not finite can fail.
+template <class Answer, class Ask>
+std::vector<Answer> ask_in_rows(std::span<const Vec3> points, const BatchOptions& options, const Ask& ask) {
+  require_one_each(options.kept, points.size(), "point");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i])) throw Error(fmt::format("point {}: the point is not finite", i));
+  constexpr std::size_t enough_together = 64;
+  const auto threads = static_cast<std::size_t>(thread_count(options.threads));
+  const std::size_t share = std::min(enough_together, (points.size() + threads - 1) / threads);
+  const Chunks rows{points.size(), std::max(row_length(points.size(), options.threads), share)};
+  std::vector<Answer> answers(points.size());
+  TaskReporter reporter(options.progress, points.size());
+  WorkspacePool workspaces;
+  parallel_for(rows.size(), options.threads, [&](std::size_t row) {
+    if (reporter.cancelled()) return;
+    const auto of_row = rows.of(std::span(answers), row);
+    workspaces.with([&](Workspace& workspace) { ask(rows.of(points, row), of_row, workspace); });
+    for (std::size_t i = 0; i < of_row.size(); ++i) reporter.finished_one();
   });
   return answers;
 }

@@ -294,9 +294,10 @@ std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOpt
 std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
                                              const NearestQuery& query, const BatchOptions& options) {
   const NearestSearch search(surface, query, points.size());
-  return ask_each<SurfacePoint>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
-    return search.nearest(point, workspace.scratch());
-  });
+  return ask_in_rows<SurfacePoint>(points, options,
+                                   [&](std::span<const Vec3> row, std::span<SurfacePoint> found, Workspace& workspace) {
+                                     search.nearest(row, found, workspace.scratch());
+                                   });
 }
 
 std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,

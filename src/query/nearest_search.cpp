@@ -56,6 +56,12 @@ SurfacePoint NearestSearch::nearest(const Vec3& point, SearchScratch& scratch) c
   return found.empty() ? SurfacePoint{} : found.front();
 }
 
+void NearestSearch::nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const {
+  if (posed_.parts.size() == 1 && meshes_.size() == 1 && meshes_[0].has_leaves())
+    return meshes_[0].find_nearest(points, max_distance_, found, scratch);
+  for (std::size_t i = 0; i < points.size(); ++i) found[i] = nearest(points[i], scratch);
+}
+
 std::vector<SurfacePoint> NearestSearch::nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
   const std::span<const SurfacePoint> found = search(point, k, scratch);
   return {found.begin(), found.end()};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "query/convex_boundary.hpp"
@@ -24,6 +25,9 @@ class NearestSearch {
   /// Throws as nearest_point does of the point.
   [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const;
   [[nodiscard]] std::vector<SurfacePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
+
+  /// The same of many, of which some are looked for at a time.
+  void nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const;
 
   /// In the world.
   [[nodiscard]] const PosedModel& posed() const { return posed_; }

@@ -15,8 +15,8 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
-#include "trees/near_triangles.hpp"
 #include "trees/near_walk.hpp"
+#include "trees/wide_point.hpp"
 #include "trees/wide_walk.hpp"
 
 namespace toccata {
@@ -68,7 +68,7 @@ struct SearchScratch {
   std::vector<SurfacePoint> surface_points;  ///< the nearest so far
   std::vector<SurfacePoint> inner_points;    ///< the same of one part, from within
   NearestCandidates::Memory near_elements;
-  NearTriangles::Memory near_triangles;
+  std::array<NearTriangles::Memory, points_abreast> near_triangles;
 };
 
 }  // namespace toccata

@@ -1,5 +1,7 @@
 #include "toccata/query/signed_distance.hpp"
 
+#include <vector>
+
 #include "query/ask_each.hpp"
 #include "query/nearest_search.hpp"
 #include "query/side_search.hpp"
@@ -17,11 +19,20 @@ class SignSearch {
   SignSearch& operator=(const SignSearch&) = delete;
 
   [[nodiscard]] SignedDistance from(const Vec3& point, SearchScratch& scratch) const {
-    const SurfacePoint found = nearest_.nearest(point, scratch);
-    return with_side(found, found.upper == 0 ? sides_.on_surface() : sides_.side_of(point, scratch));
+    return signed_of(point, nearest_.nearest(point, scratch), scratch);
+  }
+
+  void from(std::span<const Vec3> points, std::span<SignedDistance> found, SearchScratch& scratch) const {
+    std::vector<SurfacePoint> nearest(points.size());
+    nearest_.nearest(points, nearest, scratch);
+    for (std::size_t i = 0; i < points.size(); ++i) found[i] = signed_of(points[i], nearest[i], scratch);
   }
 
  private:
+  [[nodiscard]] SignedDistance signed_of(const Vec3& point, const SurfacePoint& found, SearchScratch& scratch) const {
+    return with_side(found, found.upper == 0 ? sides_.on_surface() : sides_.side_of(point, scratch));
+  }
+
   NearestSearch nearest_;
   SideSearch sides_;
 };
@@ -41,9 +52,10 @@ SignedDistance signed_distance(const Vec3& point, const Model& model, const Pose
 std::vector<SignedDistance> signed_distance_each(std::span<const Vec3> points, const Model& model, const Pose& pose,
                                                  SignBy sign_by, const BatchOptions& batch) {
   const SignSearch search(model, pose, sign_by, points.size());
-  return ask_each<SignedDistance>(points, "point", batch, [&](const Vec3& point, Workspace& workspace) {
-    return search.from(point, workspace.scratch());
-  });
+  return ask_in_rows<SignedDistance>(
+      points, batch, [&](std::span<const Vec3> row, std::span<SignedDistance> found, Workspace& workspace) {
+        search.from(row, found, workspace.scratch());
+      });
 }
 
 }  // namespace toccata

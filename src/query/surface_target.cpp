@@ -31,25 +31,46 @@ SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index f
       first_element_(first_element),
       first_face_(first_face) {}
 
+WidePoint SurfaceTarget::in_tree(const Vec3& point) const {
+  return {way_.place(point - posed_.pose().offset), 2 * way_.off(greatest_of(point))};
+}
+
+bool SurfaceTarget::is_usable(const WidePoint& in_tree) const {
+  return way_.usable() && is_finite(in_tree.at) && std::isfinite(in_tree.pad) && std::isfinite(stretch_.greatest);
+}
+
+bool SurfaceTarget::is_for_leaves(const WidePoint& in_tree) const {
+  return leaves_ != nullptr && is_usable(in_tree) && greatest_of(in_tree.at) < greatest_near_coordinate;
+}
+
+/// Not less.
+float SurfaceTarget::limit_in_tree(double limit) const {
+  const double in_units = limit * stretch_.greatest;
+  return in_units < 0x1p100 ? static_cast<float>(in_units) * (1 + 0x1p-20F) + 0x1p-100F : HUGE_VALF;
+}
+
 void SurfaceTarget::see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const {
-  const WidePoint in_tree{way_.place(point - posed_.pose().offset), 2 * way_.off(greatest_of(point))};
-  if (!way_.usable() || !is_finite(in_tree.at) || !std::isfinite(in_tree.pad) || !std::isfinite(stretch_.greatest))
-    return see_all(point, nearest);
-  if (leaves_ != nullptr && greatest_of(in_tree.at) < greatest_near_coordinate)
-    see_at_leaves(point, in_tree, nearest, scratch);
+  const WidePoint at = in_tree(point);
+  if (is_for_leaves(at))
+    see_at_leaves(point, at, nearest, scratch);
+  else if (is_usable(at))
+    see_by_walk(point, at, nearest, scratch);
   else
-    see_by_walk(point, in_tree, nearest, scratch);
+    see_all(point, nearest);
 }
 
 void SurfaceTarget::see_at_leaves(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest,
                                   SearchScratch& scratch) const {
-  const double in_units = nearest.limit() * stretch_.greatest;
-  const float limit = in_units < 0x1p100 ? static_cast<float>(in_units) * (1 + 0x1p-20F) : HUGE_VALF;
-  NearTriangles near(nearest.k(), limit, scratch.near_triangles);
+  NearTriangles near(nearest.k(), limit_in_tree(nearest.limit()), scratch.near_triangles[0]);
   const PointCounts counts = find_near(tree_, *leaves_, in_tree, near);
   scratch.counts.volume_tests += counts.boxes;
   scratch.counts.items += counts.triangles;
-  std::span<const Index> left = near.those_left();
+  see_left(point, near.those_left(), nearest, scratch);
+}
+
+/// What is left by the bounds in floats.
+void SurfaceTarget::see_left(const Vec3& point, std::span<const Index> left, NearestElements& nearest,
+                             SearchScratch& scratch) const {
   if (left.size() <= TriangleBlock::lanes) {
     if (!left.empty()) see(point, left, nearest);
     return;

@@ -28,12 +28,11 @@ class NearTriangles {
   [[nodiscard]] std::size_t k() const { return k_; }
   [[nodiscard]] float limit() const { return limit_; }
 
-  /// There is a triangle that is no farther; for k = 1 it is enough to tell the least of some.
+  /// There are k triangles that are no farther.
+  void lower_limit(float upper) { limit_ = std::min(limit_, upper); }
+
+  /// There is one.
   void see_upper(float upper) {
-    if (k_ == 1) {
-      limit_ = std::min(limit_, upper);
-      return;
-    }
     std::vector<float>& uppers = memory_.uppers;
     if (uppers.size() == k_) {
       if (upper >= uppers.front()) return;
@@ -43,7 +42,7 @@ class NearTriangles {
       uppers.push_back(upper);
     }
     std::push_heap(uppers.begin(), uppers.end());
-    if (uppers.size() == k_) limit_ = std::min(limit_, uppers.front());
+    if (uppers.size() == k_) lower_limit(uppers.front());
   }
 
   /// After this a block's worth of lower bounds and numbers may be written at the two places, for `claim` to take.
@@ -68,7 +67,7 @@ class NearTriangles {
 
  private:
   void grow() {
-    const std::size_t more = std::max<std::size_t>(256, 2 * memory_.lowers.size());
+    const std::size_t more = std::max<std::size_t>(64, 2 * memory_.lowers.size());
     memory_.lowers.resize(more);
     memory_.numbers.resize(more);
   }

@@ -13,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "trees/point_lanes.hpp"
 
@@ -34,6 +35,13 @@ alignas(64) constexpr std::array<std::int32_t, WideBlock::width> lane_bit{1, 2, 
 constexpr float of_squares = 1 + 0x1p-19F;
 
 float as_float(double x) { return static_cast<float>(x); }
+
+template <class Value>
+HWY_INLINE void prefetch_all(const Value& value) {
+  const auto* bytes = reinterpret_cast<const char*>(&value);
+#pragma GCC unroll 8
+  for (std::size_t line = 0; line < sizeof(Value); line += 64) __builtin_prefetch(bytes + line);
+}
 
 /// Shows items by their places.
 class VisitedLeaves {
@@ -76,7 +84,7 @@ class BoundedLeaves {
     }
     count_ += static_cast<std::size_t>(std::popcount(items));
     if (near_.k() == 1)
-      near_.see_upper(least_of(upper, items));
+      near_.lower_limit(least_of(upper, items));
     else
       for (unsigned left = items; left != 0; left &= left - 1)
         near_.see_upper(upper[static_cast<std::size_t>(std::countr_zero(left))]);
@@ -84,10 +92,7 @@ class BoundedLeaves {
     return static_cast<double>(near_.limit());
   }
 
-  HWY_INLINE void prefetch(std::size_t number) const {
-    const auto* bytes = reinterpret_cast<const char*>(&leaves_.of_block[number]);
-    for (std::size_t line = 0; line < sizeof(TriangleLanes); line += 64) __builtin_prefetch(bytes + line);
-  }
+  HWY_INLINE void prefetch(std::size_t number) const { prefetch_all(leaves_.of_block[number]); }
 
   [[nodiscard]] std::size_t count() const { return count_; }
 
@@ -138,18 +143,27 @@ class BoundedLeaves {
 template <class Leaves>
 class PointWalk {
  public:
-  PointWalk(const WideTree& tree, const WidePoint& point, double limit, Leaves& leaves)
+  PointWalk(const WideTree& tree, const WidePoint& point, double limit, const Leaves& leaves)
       : tree_(tree), leaves_(leaves), at_(as_floats(point.at)), pad_(point.pad + rounding_of(point.at)) {
     keep_within(limit);
   }
 
-  /// Returns how many boxes were compared.
-  std::size_t run() {
-    std::int32_t child = 0;
-    do open(static_cast<std::size_t>(child));
-    while (next(child));
-    return boxes_;
+  /// Opens a block; false when there is nothing more.
+  HWY_INLINE bool step() {
+    open(static_cast<std::size_t>(child_));
+    return next();
   }
+
+  void run() {
+    while (step())
+      if (!pending_.empty()) prefetch(pending_.top().child);
+  }
+
+  /// Asks for the memory of the next block before its turn comes.
+  HWY_INLINE void prefetch_next() const { prefetch(child_); }
+
+  [[nodiscard]] std::size_t boxes() const { return boxes_; }
+  [[nodiscard]] const Leaves& leaves() const { return leaves_; }
 
  private:
   /// At least what is rounded in the gaps along the axes, added up; boxes are within 2 of the origin. Of |x| and at
@@ -208,21 +222,17 @@ class PointWalk {
     pending_.claim(static_cast<std::size_t>(std::popcount(inner)));
   }
 
-  /// Asks for the memory of a block before its turn comes.
   HWY_INLINE void prefetch(std::int32_t child) const {
-    const auto* bytes = reinterpret_cast<const char*>(&tree_.blocks[static_cast<std::size_t>(child)]);
-    for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
+    prefetch_all(tree_.blocks[static_cast<std::size_t>(child)]);
     leaves_.prefetch(static_cast<std::size_t>(child));
   }
 
   /// The next that waits and is still of interest.
-  bool next(std::int32_t& child) {
+  HWY_INLINE bool next() {
     while (!pending_.empty()) {
       const Pending one = pending_.pop();
-      child = one.child;
-      if (one.when > limit_squared_) continue;
-      if (!pending_.empty()) prefetch(pending_.top().child);
-      return true;
+      child_ = one.child;
+      if (!(one.when > limit_squared_)) return true;
     }
     return false;
   }
@@ -244,25 +254,95 @@ class PointWalk {
   }
 
   const WideTree& tree_;
-  Leaves& leaves_;
+  Leaves leaves_;
   std::array<float, 3> at_;
   double pad_;
   float limit_squared_ = 0;
+  std::int32_t child_ = 0;
   std::size_t boxes_ = 0;
   PendingStack pending_;
 };
 
 std::size_t run_point(const WideTree& tree, const WidePoint& point, double limit,
                       FunctionRef<double(std::span<const Index>)> visit) {
-  VisitedLeaves leaves(tree, visit);
-  return PointWalk(tree, point, limit, leaves).run();
+  PointWalk walk(tree, point, limit, VisitedLeaves(tree, visit));
+  walk.run();
+  return walk.boxes();
 }
+
+using NearWalk = PointWalk<BoundedLeaves>;
+
+PointCounts counts_of(const NearWalk& walk) { return {walk.boxes(), walk.leaves().count()}; }
 
 PointCounts run_near(const WideTree& tree, const LeafTriangles& triangles, const WidePoint& point,
                      NearTriangles& near) {
-  BoundedLeaves leaves(triangles, point, near);
-  const std::size_t boxes = PointWalk(tree, point, static_cast<double>(near.limit()), leaves).run();
-  return {boxes, leaves.count()};
+  NearWalk walk(tree, point, static_cast<double>(near.limit()), BoundedLeaves(triangles, point, near));
+  walk.run();
+  return counts_of(walk);
+}
+
+/// Points that walk side by side, the next one in the place of one that is done.
+class NearWalks {
+ public:
+  NearWalks(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+            std::array<NearTriangles::Memory, points_abreast>& memory)
+      : tree_(tree), leaves_(leaves), starts_(starts), memory_(memory) {}
+
+  PointCounts run(FunctionRef<void(std::size_t, NearTriangles&)> done) {
+    for (std::size_t i = 0; i < places_.size(); ++i) start_next(i);
+    while (walking_ > 0)
+      for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (!places_[i].walk) continue;
+        if (places_[i].walk->step())
+          places_[i].walk->prefetch_next();
+        else
+          end(i, done);
+      }
+    return counts_;
+  }
+
+ private:
+  struct Place {
+    std::optional<NearTriangles> near;
+    std::optional<NearWalk> walk;
+    std::size_t number = 0;
+  };
+
+  void start_next(std::size_t i) {
+    if (next_ == starts_.size()) return;
+    const NearStart& start = starts_[next_];
+    Place& place = places_[i];
+    place.near.emplace(1, start.limit, memory_[i]);
+    place.walk.emplace(tree_, start.point, static_cast<double>(start.limit),
+                       BoundedLeaves(leaves_, start.point, *place.near));
+    place.number = next_++;
+    ++walking_;
+  }
+
+  void end(std::size_t i, FunctionRef<void(std::size_t, NearTriangles&)> done) {
+    Place& place = places_[i];
+    const PointCounts counts = counts_of(*place.walk);
+    counts_.boxes += counts.boxes;
+    counts_.triangles += counts.triangles;
+    done(place.number, *place.near);
+    place.walk.reset();
+    --walking_;
+    start_next(i);
+  }
+
+  const WideTree& tree_;
+  const LeafTriangles& leaves_;
+  std::span<const NearStart> starts_;
+  std::array<NearTriangles::Memory, points_abreast>& memory_;
+  std::size_t next_ = 0, walking_ = 0;
+  PointCounts counts_;
+  std::array<Place, points_abreast> places_;
+};
+
+PointCounts run_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+                          std::array<NearTriangles::Memory, points_abreast>& memory,
+                          FunctionRef<void(std::size_t, NearTriangles&)> done) {
+  return NearWalks(tree, leaves, starts, memory).run(done);
 }
 
 }  // namespace
@@ -275,6 +355,7 @@ namespace {
 
 HWY_EXPORT(run_point);
 HWY_EXPORT(run_near);
+HWY_EXPORT(run_near_each);
 
 }  // namespace
 
@@ -287,6 +368,13 @@ std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limi
 PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near) {
   if (tree.blocks.empty()) return {};
   return HWY_DYNAMIC_DISPATCH(run_near)(tree, leaves, point, near);
+}
+
+PointCounts find_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+                           std::array<NearTriangles::Memory, points_abreast>& memory,
+                           FunctionRef<void(std::size_t, NearTriangles&)> done) {
+  if (tree.blocks.empty()) return {};
+  return HWY_DYNAMIC_DISPATCH(run_near_each)(tree, leaves, starts, memory, done);
 }
 
 }  // namespace toccata

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "toccata/core/function_ref.hpp"
@@ -36,5 +38,20 @@ inline constexpr double greatest_near_coordinate = 0x1p30;
 /// Finds the triangles that may be among the k nearest; lengths are in the tree's units, and limits and bounds are of
 /// distances that differ from those of the tree's triangles and the point by at most `point.pad`, and 2⁻³⁵ of them.
 PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near);
+
+/// So many points walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
+inline constexpr std::size_t points_abreast = 6;
+
+/// Where a walk of many begins.
+struct NearStart {
+  WidePoint point;
+  float limit;
+};
+
+/// The same for the nearest of each of many points, of which a few walk at a time, a step each in turn: while one waits
+/// for memory, another is worked on. Calls `done(i, near)` as each ends, with what it finds alone.
+PointCounts find_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+                           std::array<NearTriangles::Memory, points_abreast>& memory,
+                           FunctionRef<void(std::size_t, NearTriangles&)> done);
 
 }  // namespace toccata

@@ -87,6 +87,39 @@ TEST(NearestPoint, BatchIsTheSameAsOneByOneOnAnyThreadsAndWithAnyWorkspace) {
   EXPECT_GT(workspace.counts().volume_tests, 0U);
 }
 
+/// At the middle, on corners, a hair off, anywhere, and so far that floats tell nothing.
+std::vector<Vec3> points_of_all_kinds(const TriangleMesh& mesh, const Pose& pose) {
+  Random random(9);
+  std::vector<Vec3> points{pose.offset, {1e12, 0, 1}, {-3e7, 2e8, 1e5}};
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 corner = transform(pose, mesh.vertices()[random.below(mesh.vertices().size())]);
+    points.push_back(corner);
+    points.push_back(corner + test::in_cube(random, 1e-9));
+    points.push_back(pose.offset + test::in_cube(random, 2));
+  }
+  return points;
+}
+
+TEST(NearestPoint, OfManyTogetherIsThatOfEachAlone) {
+  const TriangleMesh mesh = generate_mesh("icosphere", {{"subdivisions", 3}});
+  const Model with_leaves(mesh);
+  static_cast<void>(with_leaves.leaf_triangles());
+  Mat3 sheared = rotation_about({3, 1, 2}, 70);
+  sheared[0][1] += 0.5;
+  test::at_every_simd_level([&](SimdLevel level) {
+    for (const Mat3& linear : {rotation_about({3, 1, 2}, 70), sheared})
+      for (const double most : {HUGE_VAL, 0.3, 0.0}) {
+        const NearestQuery query{.pose = {linear, {1, 2, 3}}, .max_distance = most};
+        const std::vector<Vec3> points = points_of_all_kinds(mesh, query.pose);
+        const auto together = nearest_point_each(points, with_leaves, query);
+        const Model alone(mesh);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          ASSERT_EQ(together[i], nearest_point(points[i], alone, query)) << i << ", " << most << ", " << name_of(level);
+        EXPECT_EQ(alone.leaf_triangles_for(0), nullptr) << "by the vertices alone";
+      }
+  });
+}
+
 TEST(NearestPoint, LiesOnTheSurfaceAlsoFromWithin) {
   const SurfacePoint from_within = nearest_point({0.1, 0.2, 0.3}, ball());
   EXPECT_GT(from_within.lower, 0.5);
