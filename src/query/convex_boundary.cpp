@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/expansion.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/exact_nearest.hpp"
 #include "narrow/rounded_depth.hpp"
@@ -14,6 +15,20 @@ namespace {
 
 SurfacePoint surface_point(double upper, const Vec3& point, Status status) {
   return {true, lower_from(upper), upper, point, 0, 0, status};
+}
+
+/// The least double that is not less than a + b. One more would leave the interval's lower end too high where all are
+/// among the least doubles.
+double sum_not_less(double a, double b) {
+  const TwoPart sum = two_sum(a, b);
+  return sum.low <= 0 ? sum.high : std::nextafter(sum.high, std::numeric_limits<double>::infinity());
+}
+
+/// `lower` is the exact depth or the double before it; `upper` is more than the next where that is along a direction
+/// that was rounded.
+double upper_of(const Penetration& depth) {
+  const bool is_exact = depth.upper == depth.lower;
+  return is_exact ? depth.upper : std::nextafter(depth.lower, std::numeric_limits<double>::infinity());
 }
 
 Vec3 unit(const IntegerVector& v) {
@@ -84,7 +99,7 @@ SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scrat
   const ExactNearest way = exact_nearest(from, shape_, first_vertices());
   if (!way.meet) {
     const Penetration depth = rounded_depth(way, 0, radius, {});
-    return surface_point(depth.upper, depth.on_b, depth.status);
+    return surface_point(upper_of(depth), depth.on_b, depth.status);
   }
   if (core().dimension < 3) {
     const Triangle all = core().mesh.triangle(0);
@@ -93,8 +108,7 @@ SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scrat
   }
   const SurfacePoint out = from_core(point, scratch);
   const Vec3 normal = unit(exact_cross(core().mesh.triangle(out.element)));
-  return surface_point(std::nextafter(out.upper + radius, std::numeric_limits<double>::infinity()),
-                       out.point + radius * normal, out.status);
+  return surface_point(sum_not_less(out.upper, radius), out.point + radius * normal, out.status);
 }
 
 SurfacePoint nearest_of_boundary(const Vec3& point, const PosedHalfSpace& shape) {

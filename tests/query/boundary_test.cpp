@@ -140,5 +140,30 @@ TEST(Boundaries, OfDeformedAndRoundedPolytopes) {
   }
 }
 
+/// Near the ends of the doubles, where squares and cubes over- and underflow.
+TEST(Boundaries, OfTheTiniestAndTheHugestShapes) {
+  Random random(21);
+  for (const double size : {1e-320, 1e-310, 1e-300, 1e-160, 1e-30, 1e30, 1e150, 1e300, 1e307}) {
+    const auto about = [&] { return size * random.between(-1, 1); };
+    const auto vector = [&] {
+      const double x = about(), y = about();
+      return Vec3{x, y, about()};
+    };
+    const std::vector<test::ConvexShape> shapes{
+        Box({size, 0.5 * size, 0.25 * size}),
+        Sphere(size, vector()),
+        Capsule(vector(), vector(), 0.5 * size),
+        Rounded(Box({0.25 * size, 0.25 * size, 0.5 * size}), 0.125 * size),
+        Rounded(Triangle{{vector(), vector(), vector()}}, 0.25 * size),
+        ConvexHull(std::vector<Vec3>{vector(), vector(), vector(), vector(), vector()})};
+    for (const test::ConvexShape& shape : shapes)
+      for (int i = 0; i < 12; ++i) {
+        test::BoundaryCase c{{shape, {}}, i == 0 ? Vec3{} : i % 3 == 0 ? 0.25 * vector() : vector()};
+        if (i % 4 == 1) c.point = test::point_about(test::posed(c.placed), random);
+        ASSERT_EQ(test::boundary_fault(c), "") << size << ", shape " << shape.index() << ", point " << i;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace toccata
