@@ -32,16 +32,16 @@ WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
   back_ = inverse(mesh.pose().linear, scale);
   origin_ = scale * tree.origin;
   const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
+  const Mat3& linear = mesh.pose().linear;
+  // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
+  const double of_scale = 8 * unit_roundoff * scale * sum_of(rho);
   for (int i = 0; i < 3; ++i) {
-    const Vec3 magnitude = magnitudes(back_[i]);
-    double off =
-        16 * unit_roundoff * (dot(magnitude, sizes) + std::fabs(origin_[i])) + 8 * smallest_double * sum_of(magnitude);
-    for (int j = 0; j < 3; ++j) {
-      const Vec3 column = mesh.pose().linear.column(j);
-      const double error = std::fabs(dot(back_[i], column) - (i == j ? scale : 0)) +
-                           8 * unit_roundoff * (scale + dot(magnitude, magnitudes(column)));
-      off += error * rho[j];
-    }
+    const Vec3 row = back_[i], magnitude = magnitudes(row);
+    Vec3 identity;
+    identity[i] = scale;
+    const Vec3 error = magnitudes(row.x * linear[0] + row.y * linear[1] + row.z * linear[2] - identity);
+    const double off = 24 * unit_roundoff * dot(magnitude, sizes) + 16 * unit_roundoff * std::fabs(origin_[i]) +
+                       8 * smallest_double * sum_of(magnitude) + of_scale + dot(error, rho);
     if (!std::isfinite(off)) return;
     off_ = std::max(off_, 2 * off);
     off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of(magnitude));

@@ -212,7 +212,7 @@ class RayWalk {
 };
 
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
-constexpr std::size_t abreast = 8;
+constexpr std::size_t abreast = 12;
 
 void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& ray, const VisitCandidates& visit) {
   RayWalk walk;
