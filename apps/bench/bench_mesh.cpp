@@ -42,7 +42,7 @@ std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh&
   }
   if (task_of(arguments.task) == Task::coherent_distance)
     return poses_on_the_way(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed,
-                            arguments.motion);
+                            {arguments.motion, arguments.gap});
   const Nearness nearness = arguments.near                              ? Nearness::close
                             : task_of(arguments.task) == Task::distance ? Nearness::separated
                                                                         : Nearness::jittered;
@@ -140,6 +140,10 @@ int run_mesh(const MeshArguments& arguments) {
   judge({task, *a, *b, poses, arguments.verify ? Judged::all : Judged::differing}, answered);
   if (!arguments.answers.empty()) write_answers(arguments.answers, task, answered.front().answers);
   auto question = question_of(arguments, a, b);
+  if (task == Task::coherent_distance) {
+    question["motion"] = arguments.motion;
+    question["gap"] = arguments.gap;
+  }
   question["touching"] = std::count_if(answered[0].answers.begin(), answered[0].answers.end(),
                                        [](const Answer& answer) { return answer.overlap; });
   Measurements measurements{{}, std::move(measured.not_measured)};

@@ -60,6 +60,10 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                    "of coherent-distance: how far a vertex moves at most in a step, as a part of the smaller diagonal")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  mesh->add_option("--gap", arguments.gap,
+                   "of coherent-distance: the ways are moved apart by that much, as a part of the smaller diagonal")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")
       ->delimiter(',')

@@ -134,6 +134,13 @@ Pose next_on_the_way(const Pair& pair, const PosePair& now, double length, Step&
   return now.b;
 }
 
+/// From A's centre to B's, of length 1.
+Vec3 way_apart(const Pair& pair, const PosePair& poses) {
+  const Vec3 way = transform(poses.b, pair.extent_b.centre) - transform(poses.a, pair.extent_a.centre);
+  const double length = std::sqrt(dot(way, way));
+  return length > 0 ? (1 / length) * way : Vec3{1, 0, 0};
+}
+
 }  // namespace
 
 std::vector<PosePair> read_poses(const std::filesystem::path& file) {
@@ -154,18 +161,19 @@ std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t c
 }
 
 std::vector<PosePair> poses_on_the_way(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                       double motion) {
+                                       const WayShape& shape) {
   constexpr std::size_t steps = 50;
   const Pair pair{a, b};
   Random random(seed);
-  const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
+  const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal), length = shape.motion * diagonal;
   std::vector<PosePair> poses;
   for (const PosePair& start : random_poses(a, b, (count + steps - 1) / steps, seed, Nearness::separated, 0)) {
     PosePair now = start;
-    Step step = random_step(random, motion * diagonal, pair.extent_b.diagonal);
+    const Vec3 apart = shape.gap * diagonal * way_apart(pair, start);
+    Step step = random_step(random, length, pair.extent_b.diagonal);
     for (std::size_t i = 0; i < steps && poses.size() < count; ++i) {
-      poses.push_back(now);
-      now.b = next_on_the_way(pair, now, motion * diagonal, step, random);
+      poses.push_back({now.a, {now.b.linear, now.b.offset + apart}});
+      now.b = next_on_the_way(pair, now, length, step, random);
     }
   }
   return poses;

@@ -25,11 +25,18 @@ enum class Nearness {
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
                                    Nearness nearness, int threads);
 
+/// Of ways, as parts of the smaller diagonal.
+struct WayShape {
+  double motion = 0.01;
+  double gap = 0;
+};
+
 /// Ways of 50 steps each, from poses that are `separated`: A stays where it is, and B moves on, turning, so that none
-/// of its vertices moves farther in a step than `motion` times the smaller diagonal; where it would meet A, or get away
-/// farther than 4 % of that, it turns into another direction.
+/// of its vertices moves farther in a step than `motion`; where it would meet A, or get away farther than 4 % of the
+/// diagonal, it turns into another direction. The whole way is then moved away from A by `gap`, along the line of the
+/// centres where it starts.
 std::vector<PosePair> poses_on_the_way(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                       double motion);
+                                       const WayShape& shape);
 
 /// `count` queries: the given ones in turn, both objects moved together by a random rigid motion, rounded.
 std::vector<PosePair> moved_together(const std::vector<PosePair>& poses, std::size_t count, std::uint64_t seed);

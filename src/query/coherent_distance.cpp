@@ -15,15 +15,26 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t short_life = 6;
 constexpr std::size_t longest_rest = 64;
 
+double diagonal(const Aabb& box) {
+  const Vec3 size = box.upper - box.lower;
+  return std::sqrt(dot(size, size));
+}
+
+/// Measured: after a step of half the distance most of the front that is near is opened again or parted anew, which
+/// costs what a search does; however near they are, a step of 0.1 % of the size leaves most of it.
+bool is_little(double motion, double distance, const PosedMesh& a, const PosedMesh& b) {
+  return motion < std::max(distance / 4, std::min(diagonal(a.box()), diagonal(b.box())) / 500);
+}
+
 /// Takes note of where the two are now.
 void follow(const PosedTriangles& a, const PosedTriangles& b, CoherentState& state) {
   const Pose &pose_a = a.mesh.pose(), &pose_b = b.mesh.pose();
   const double motion = state.counts.questions == 0 ? infinity
                                                     : relative_motion(a.mesh.model(), b.mesh.model(), state.pose_a,
                                                                       state.pose_b, pose_a, pose_b);
+  state.moved_little = state.counts.questions == 0 || is_little(motion, state.clearance, a.mesh, b.mesh);
+  if (!state.moved_little) state.front.clear();
   const bool same_kinds = state.solid_a == a.solid && state.solid_b == b.solid;
-  state.way = (state.way + motion) * (1 + 0x1p-50);
-  if (!std::isfinite(state.way)) state.front.clear();
   // Surfaces that come no nearer than so cannot have passed through each other.
   const double left = (state.clearance - motion) * (1 - 0x1p-50);
   state.clearance = same_kinds && left > 0 ? left : 0;
@@ -36,13 +47,11 @@ void follow(const PosedTriangles& a, const PosedTriangles& b, CoherentState& sta
 
 void make_front(const PosedMesh& a, const PosedMesh& b, double upper, CoherentState& state) {
   const NearWalk walk = near_walk(a, b);
-  if (std::isnan(walk.view(0).scale) || std::isnan(walk.view(1).scale)) return;  // nothing would ever be left out
+  if (!NearFront::serves(walk)) return;
   NearestTriangles question(a, b, state.workspace.scratch(), upper);
   state.front.make(walk, question);
   state.counts.last.volume_tests += state.front.counts().volume_tests;
   state.counts.last.items += state.front.counts().items;
-  state.way = 0;
-  state.age = 0;
 }
 
 Distance searched(const PosedMesh& a, const PosedMesh& b, CoherentState& state) {
@@ -50,11 +59,12 @@ Distance searched(const PosedMesh& a, const PosedMesh& b, CoherentState& state) 
   const Distance found = surfaces_nearby(a, b, infinity, scratch)->distance;
   ++state.counts.searches;
   state.counts.last = scratch.counts;
-  state.nearest = found.upper;
-  if (state.rest > 0)
+  if (state.rest > 0) {
     --state.rest;
-  else if (found.upper > 0)
+  } else if (found.upper > 0 && state.moved_little) {
     make_front(a, b, found.upper, state);
+    state.age = 0;
+  }
   return found;
 }
 
@@ -68,11 +78,16 @@ void drop_front(CoherentState& state) {
 /// Nothing where the front does not tell.
 std::optional<Distance> kept_distance(const PosedMesh& a, const PosedMesh& b, CoherentState& state) {
   if (state.front.is_empty()) return {};
+  const NearWalk walk = near_walk(a, b);
+  if (!NearFront::serves(walk)) {
+    state.front.clear();
+    return {};
+  }
   NearestTriangles question(a, b, state.workspace.scratch());
-  const bool whole = state.front.move(near_walk(a, b), state.way, state.nearest, question);
+  const bool whole = state.front.move(walk, question);
   state.counts.last = state.front.counts();
   if (question.found_meeting()) {
-    state.nearest = 0;
+    state.front.clear();
     return at_contact(a, b, state.workspace.scratch());
   }
   if (!whole) {
@@ -81,7 +96,7 @@ std::optional<Distance> kept_distance(const PosedMesh& a, const PosedMesh& b, Co
   }
   ++state.age;
   const Distance found = question.nearest(&state.nearest_pair);
-  state.nearest = found.upper;
+  if (state.front.has_grown()) make_front(a, b, found.upper, state);
   return found;
 }
 

@@ -23,8 +23,7 @@ struct CoherentState {
   bool solid_b = false;
 
   NearFront front;
-  double way = 0;      ///< how far the two have moved since the front was made
-  double nearest = 0;  ///< the upper end of the last distance of the surfaces
+  bool moved_little = true;  ///< at the last step: a front is worth its while
   ConvexWorkspace nearest_pair;
 
   /// The surfaces are at least so far apart, and what lies within what is known; 0: nothing is known.

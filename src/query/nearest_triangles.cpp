@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "narrow/gap_direction.hpp"
 #include "narrow/within.hpp"
 #include "query/nearest_elements.hpp"
 
@@ -36,9 +37,10 @@ double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), inf
 
 void PairDistances::bound_block(std::span<const ItemPair> pairs) {
   for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
-    const auto [x, y] = in_order(pairs[lane]);
-    put(block_.a, lane, x);
-    put(block_.b, lane, y);
+    const Triangle a = a_[pairs[lane].first], b = b_[pairs[lane].second];
+    swapped_[lane] = !lexicographically_less(a[0], b[0]);
+    put(block_.a, lane, swapped_[lane] ? b : a);
+    put(block_.b, lane, swapped_[lane] ? a : b);
   }
   bound_gaps(block_, gaps_);
 }
@@ -52,6 +54,14 @@ std::pair<Triangle, Triangle> PairDistances::in_order(const ItemPair& pair) cons
 
 Distance PairDistances::exact(const ItemPair& pair, ConvexWorkspace* kept) const {
   return distance(PosedConvex(a_[pair.first]), PosedConvex(b_[pair.second]), kept);
+}
+
+FrontGap PairDistances::gap_in(std::size_t lane, const NearCandidate& candidate) const {
+  const GapDirection found = gap_direction(triangle_a(block_, lane), triangle_b(block_, lane), candidate.points);
+  const Mat3& linear = a_.pose().linear;
+  const Vec3 seen{dot(linear.column(0), found.direction), dot(linear.column(1), found.direction),
+                  dot(linear.column(2), found.direction)};
+  return {((swapped_[lane] ? -1 : 1) / std::sqrt(dot(seen, seen))) * seen, found.gap};
 }
 
 double PairDistances::upper_of(const NearCandidate& candidate) const {

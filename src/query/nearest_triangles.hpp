@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <tuple>
@@ -30,6 +31,8 @@ class WorldTriangles {
  public:
   explicit WorldTriangles(const PosedMesh& mesh)
       : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {}
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
 
   Triangle operator[](Index number) const {
     const auto& corner = triangles_[number];
@@ -66,6 +69,9 @@ class PairDistances {
   /// The upper end of the pair's own interval. They do not meet.
   [[nodiscard]] double upper_of(const NearCandidate& candidate) const;
 
+  /// Of the last block that was bounded: how far apart the candidate in that lane is.
+  [[nodiscard]] FrontGap gap_in(std::size_t lane, const NearCandidate& candidate) const;
+
   /// Its exact distance is at most that.
   [[nodiscard]] bool is_within(const NearCandidate& candidate, double tolerance) const;
 
@@ -77,6 +83,7 @@ class PairDistances {
   WorldTriangles b_;
   TrianglePairBlock& block_;
   TriangleGaps gaps_{};
+  std::array<bool, TrianglePairBlock::lanes> swapped_{};  ///< the block's first triangle is of b
 };
 
 /// Keeps the pairs of triangles that may be the nearest; ends when two meet. Pairs farther than `limit_from(cutoff)`
@@ -94,10 +101,11 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
     if (limit_ >= 0) pairs_.bound(pairs, [&](const NearCandidate& candidate) { return keep(candidate); });
   }
 
-  void visit(std::span<const ItemPair> pairs, std::span<double> least) override {
+  void visit(std::span<const ItemPair> pairs, std::span<FrontGap> gaps) override {
     std::size_t seen = 0;
     pairs_.bound(pairs, [&](const NearCandidate& candidate) {
-      least[seen++] = candidate.lower;
+      if (candidate.lower > 0) gaps[seen] = pairs_.gap_in(seen % TrianglePairBlock::lanes, candidate);
+      ++seen;
       return keep(candidate);
     });
   }

@@ -6,142 +6,224 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::ptrdiff_t items_at_once = 64;
+constexpr std::size_t items_at_first = 8;
 
-constexpr std::size_t items_at_once = 64;
+// Sizes whose squares and errors are ordinary floats.
+constexpr double largest_size = 1e12;
+constexpr double smallest_ratio = 1e-12;
+
+double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
 
 double size_of(const OrientedBlock& block, std::size_t lane) {
   return (double{block.extent[0][lane]} + block.extent[1][lane]) + block.extent[2][lane];
 }
 
-}  // namespace
-
-void NearFront::clear() {
-  opened_.clear();
-  opened_keys_.clear();
-  items_.clear();
-  item_keys_.clear();
-  way_ = 0;
-  question_ = 0;
-  counts_ = {};
+std::int32_t child_of(const NearTree& tree, std::uint32_t box) { return tree.blocks[box >> 3].child[box & 7U]; }
+double size_of(const NearTree& tree, std::uint32_t box) { return size_of(tree.blocks[box >> 3], box & 7U); }
+Index item_of(const NearTree& tree, std::uint32_t box) {
+  return tree.items[static_cast<std::uint32_t>(~child_of(tree, box))];
 }
 
-// Keys are rounded down and what they are compared with up, so that nothing is left out. What is not a number is never
-// above anything, and is looked at every time.
+Vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<float, 3> as_floats(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+float up_to_float(double value) {
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
 
-double NearFront::reach(const FrontQuestion& question) const { return (question.limit() + way_) * (1 + 0x1p-50); }
+/// Of two items that are `found.gap` apart as they are now. What is rounded here is below 2⁻²¹ of the sizes: the
+/// direction and how it is seen change by 2⁻²³ of their lengths.
+GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& found) {
+  const NearView& view = walk.view(0);
+  const OrientedBlock& block = walk.tree(1).blocks[items.second >> 3];
+  const std::size_t lane = items.second & 7U;
+  GapPlane plane;
+  for (std::size_t i = 0; i < 3; ++i) plane.centre[i] = block.centre[i][lane];
+  plane.radius = up_to_float(size_of(block, lane));
+  plane.normal = as_floats(found.direction);
+  const Vec3 normal = vector_of(plane.normal);
+  plane.turned = as_floats(view.ratio * Vec3{dot(view.rotation.column(0), normal), dot(view.rotation.column(1), normal),
+                                             dot(view.rotation.column(2), normal)});
+  const double middle = dot(normal, view.offset) + dot(vector_of(plane.turned), vector_of(plane.centre));
+  const double pad = view.pad + 0x1p-21 * (4 + (4 * view.ratio + sum_of(view.offset)));
+  const double reach = middle - (found.gap / view.scale - pad);
+  plane.reach = up_to_float(std::min(reach, 1e30));
+  return plane;
+}
 
-double NearFront::key_of(double least) const { return (least + way_) * (1 - 0x1p-50); }
+}  // namespace
+
+bool NearFront::serves(const NearWalk& walk) {
+  const NearView& view = walk.view(0);
+  return view.rigid && !std::isnan(view.scale) && view.ratio > smallest_ratio &&
+         view.ratio + sum_of(view.offset) < largest_size;
+}
+
+/// Lengths along a direction are too long by 2⁻²³ at most.
+void NearFront::Step::read_limit() {
+  const double now = question.limit();
+  limit = now < 0 ? -1 : now / walk.view(0).scale * (1 + 0x1p-22);
+}
+
+void NearFront::clear() {
+  boxes_.clear();
+  box_planes_.clear();
+  unused_.clear();
+  items_.clear();
+  item_planes_.clear();
+  pending_.clear();
+  pending_items_.clear();
+  nearest_item_ = 0;
+  nearest_gap_ = std::numeric_limits<double>::infinity();
+  counts_ = {};
+}
 
 void NearFront::make(const NearWalk& walk, FrontQuestion& question) {
   clear();
-  const std::uint32_t lanes = walk.tree(1).blocks[0].count;
-  for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-    opened_.push_back({0, lane, 0});
-    opened_keys_.push_back(-infinity);
+  Step step{walk, question};
+  step.read_limit();
+  for (std::uint32_t lane = 0; lane < walk.tree(1).blocks[0].count; ++lane) {
+    part_children(walk, 0, 0, lane, parted_);
+    const std::uint32_t count = walk.tree(0).blocks[0].count;
+    counts_.volume_tests += count;
+    for (std::uint32_t own = 0; own < count; ++own) file(step, {own, lane}, own);
   }
-  ++question_;
-  open_all(walk, std::numeric_limits<std::size_t>::max(), question);
-  opened_when_made_ = opened_.size();
+  open_pending(step);
+  size_when_made_ = size();
 }
 
-bool NearFront::move(const NearWalk& walk, double way, double likely, FrontQuestion& question) {
-  way_ = way;
+bool NearFront::move(const NearWalk& walk, FrontQuestion& question) {
   counts_ = {};
-  const double least_reach = (likely + way) * (1 + 0x1p-40);
-  const auto expired =
-      std::count_if(opened_keys_.begin(), opened_keys_.end(), [&](double key) { return !(key > least_reach); });
-  if (2 * static_cast<std::size_t>(expired) > opened_.size()) return false;
-  ++question_;
-  show_items(0, least_reach, question);
-  if (question.limit() < 0) return true;
-  show_items(0, reach(question), question);
-  const std::size_t most = 2 * opened_when_made_ + 32;
-  open_all(walk, most, question);
-  return opened_.size() <= most;
+  Step step{walk, question};
+  show_items_again(step);
+  if (step.is_over()) return true;
+  near_.clear();
+  box_planes_.find_near(walk.view(0), step.limit, near_);
+  if (3 * near_.size() > boxes_.size() - unused_.size() + 64) return false;
+  part_boxes_again(step);
+  open_pending(step);
+  return true;
 }
 
-/// Ends early when there are more than `most`, or the question wants no more.
-void NearFront::open_all(const NearWalk& walk, std::size_t most, FrontQuestion& question) {
-  std::size_t shown = items_.size();
-  double limit = reach(question);
-  for (std::size_t place = 0; place < opened_.size() && opened_.size() <= most; ++place) {
-    if (opened_keys_[place] > limit) continue;
-    open(walk, place, limit);
-    if (items_.size() - shown < items_at_once) continue;
-    show_items(shown, limit, question);
-    shown = items_.size();
-    if (question.limit() < 0) return;
-    limit = reach(question);
+/// First that which was nearest before and then those that seem to be nearest now, so that few others are within reach.
+void NearFront::show_items_again(Step& step) {
+  first_shown_ = nearest_item_;
+  nearest_gap_ = std::numeric_limits<double>::infinity();
+  show(step, std::array{first_shown_});
+  if (step.is_over()) return;
+  near_.clear();
+  item_planes_.find_near(step.walk.view(0), step.limit, near_);
+  const auto first = near_.begin() + static_cast<std::ptrdiff_t>(std::min(items_at_first, near_.size()));
+  std::nth_element(near_.begin(), first, near_.end(), [](const auto& x, const auto& y) { return x.least < y.least; });
+  show_near(step, {near_.begin(), first});
+  for (auto it = first; it != near_.end() && !step.is_over();) {
+    const auto end = it + std::min<std::ptrdiff_t>(items_at_once, near_.end() - it);
+    show_near(step, {it, end});
+    it = end;
   }
-  show_items(shown, limit, question);
 }
 
-/// Files the lanes that are within reach; the others are behind the entry's key.
-void NearFront::open(const NearWalk& walk, std::size_t place, double reach) {
-  const Opened opened = opened_[place];
-  const std::size_t side = opened.first & 1U;
-  const std::uint32_t number = opened.first >> 1, count = walk.tree(side).blocks[number].count;
-  const NearBounds bounds = walk.bounds(side, number, opened.second);
-  counts_.volume_tests += count;
-  double least = infinity;
-  std::uint32_t filed = opened.filed;
-  for (std::uint32_t lane = 0; lane < count; ++lane) {
-    if ((filed >> lane & 1U) != 0) continue;
-    const double key = key_of(bounds.least[lane]);
-    if (key > reach) {
-      least = std::min(least, key);
-    } else {
-      filed |= 1U << lane;
-      file(walk, opened, lane, bounds.other_size, key);
+/// Those within reach that were not shown yet.
+void NearFront::show_near(Step& step, std::span<const GapPlanes::Near> items) {
+  places_.clear();
+  for (const GapPlanes::Near& item : items)
+    if (!(item.least > step.limit) && item.place != first_shown_) places_.push_back(item.place);
+  show(step, places_);
+}
+
+/// Other directions for those that are near along the ones they had, or they are to be opened.
+void NearFront::part_boxes_again(Step& step) {
+  std::array<BoxPair, GapPlaneLanes::width> pairs;
+  for (std::size_t first = 0; first < near_.size(); first += pairs.size()) {
+    const std::size_t count = std::min(pairs.size(), near_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) pairs[i] = boxes_[near_[first + i].place];
+    part_boxes(step.walk, std::span(pairs).first(count), parted_);
+    counts_.volume_tests += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t place = near_[first + i].place;
+      if (parted_.least[i] > step.limit) {
+        box_planes_.set(place, parted_, i);
+      } else {
+        box_planes_.unset(place);
+        unused_.push_back(place);
+        leave_open(step, pairs[i]);
+      }
     }
   }
-  opened_[place].filed = filed;
-  opened_keys_[place] = least;
 }
 
-/// Two items, or two boxes of which the larger is opened.
-void NearFront::file(const NearWalk& walk, const Opened& opened, std::uint32_t lane, double other_size, double key) {
-  const std::size_t side = opened.first & 1U;
-  const OrientedBlock& own = walk.tree(side).blocks[opened.first >> 1];
-  const std::int32_t child = own.child[lane];
-  const std::int32_t other_child = walk.tree(side ^ 1).blocks[opened.second >> 3].child[opened.second & 7U];
-  if (child < 0 && other_child < 0) {
-    const Index item = walk.tree(side).items[static_cast<std::uint32_t>(~child)];
-    const Index other = walk.tree(side ^ 1).items[static_cast<std::uint32_t>(~other_child)];
-    items_.push_back({side == 0 ? ItemPair{item, other} : ItemPair{other, item}, 0});
-    item_keys_.push_back(key);
+void NearFront::open_pending(Step& step) {
+  while (!step.is_over() && (!pending_.empty() || !pending_items_.empty())) {
+    if (pending_.empty() || std::ssize(pending_items_) >= items_at_once) {
+      show(step, pending_items_);
+      pending_items_.clear();
+    } else {
+      const BoxPair pair = pending_.back();
+      pending_.pop_back();
+      open(step, pair);
+    }
+  }
+}
+
+/// The larger of two boxes.
+void NearFront::open(const Step& step, const BoxPair& pair) {
+  const NearTree &first = step.walk.tree(0), &second = step.walk.tree(1);
+  const std::int32_t child = child_of(first, pair.first), other_child = child_of(second, pair.second);
+  const bool opens_first =
+      other_child < 0 ||
+      (child >= 0 && size_of(first, pair.first) >= step.walk.view(0).ratio * size_of(second, pair.second));
+  const auto number = static_cast<std::uint32_t>(opens_first ? child : other_child);
+  const std::uint32_t count = (opens_first ? first : second).blocks[number].count;
+  part_children(step.walk, opens_first ? 0 : 1, number, opens_first ? pair.second : pair.first, parted_);
+  counts_.volume_tests += count;
+  for (std::uint32_t lane = 0; lane < count; ++lane) {
+    const std::uint32_t box = number << 3 | lane;
+    file(step, opens_first ? BoxPair{box, pair.second} : BoxPair{pair.first, box}, lane);
+  }
+}
+
+/// Keeps two boxes that were parted if they are far enough apart.
+void NearFront::file(const Step& step, const BoxPair& pair, std::size_t lane) {
+  if (!(parted_.least[lane] > step.limit)) {
+    leave_open(step, pair);
     return;
   }
-  if (other_child < 0 || (child >= 0 && size_of(own, lane) >= other_size))
-    opened_.push_back({static_cast<std::uint32_t>(child) << 1 | static_cast<std::uint32_t>(side), opened.second, 0});
-  else
-    opened_.push_back({static_cast<std::uint32_t>(other_child) << 1 | static_cast<std::uint32_t>(side ^ 1),
-                       (opened.first >> 1) << 3 | lane, 0});
-  opened_keys_.push_back(-infinity);
+  if (unused_.empty()) {
+    boxes_.push_back(pair);
+    unused_.push_back(box_planes_.add());
+  }
+  boxes_[unused_.back()] = pair;
+  box_planes_.set(unused_.back(), parted_, lane);
+  unused_.pop_back();
 }
 
-/// Those from `first` on that may be within reach and were not shown to this question.
-void NearFront::show_items(std::size_t first, double reach, FrontQuestion& question) {
-  for (std::size_t place = first; place < items_.size(); ++place) {
-    if (item_keys_[place] > reach || items_[place].question == question_) continue;
-    items_[place].question = question_;
-    places_.push_back(static_cast<std::uint32_t>(place));
-    pairs_.push_back(items_[place].pair);
-    if (places_.size() == items_at_once) show(question);
+/// Two items, or two boxes to be opened.
+void NearFront::leave_open(const Step& step, const BoxPair& pair) {
+  if (child_of(step.walk.tree(0), pair.first) >= 0 || child_of(step.walk.tree(1), pair.second) >= 0) {
+    pending_.push_back(pair);
+    return;
   }
-  show(question);
+  pending_items_.push_back(item_planes_.add());
+  items_.push_back(pair);
 }
 
-void NearFront::show(FrontQuestion& question) {
-  if (question.limit() >= 0 && !pairs_.empty()) {
-    least_.assign(pairs_.size(), 0);
-    question.visit(pairs_, least_);
-    counts_.items += pairs_.size();
-    for (std::size_t i = 0; i < places_.size(); ++i) item_keys_[places_[i]] = key_of(least_[i]);
-  }
-  places_.clear();
+void NearFront::show(Step& step, std::span<const std::uint32_t> places) {
   pairs_.clear();
+  for (const std::uint32_t place : places)
+    pairs_.push_back(
+        {item_of(step.walk.tree(0), items_[place].first), item_of(step.walk.tree(1), items_[place].second)});
+  gaps_.assign(pairs_.size(), {});
+  if (!pairs_.empty()) step.question.visit(pairs_, gaps_);
+  counts_.items += pairs_.size();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    item_planes_.set(places[i], plane_of(step.walk, items_[places[i]], gaps_[i]));
+    if (!(gaps_[i].gap < nearest_gap_)) continue;
+    nearest_gap_ = gaps_[i].gap;
+    nearest_item_ = places[i];
+  }
+  step.read_limit();
 }
 
 }  // namespace toccata

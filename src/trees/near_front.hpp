@@ -7,77 +7,98 @@
 #include <vector>
 
 #include "toccata/trees/walk.hpp"
+#include "trees/gap_planes.hpp"
 #include "trees/near_walk.hpp"
 
 namespace toccata {
+
+/// How far apart two items are along a direction.
+struct FrontGap {
+  Vec3 direction;  ///< from the first to the second, in the first tree's frame, of length 1 but for rounding
+  double gap = -std::numeric_limits<double>::infinity();  ///< not above it, in the units of the limit
+};
 
 /// A question about what is nearest, for a front.
 class FrontQuestion {
  public:
   /// As of NearQuestion.
   [[nodiscard]] virtual double limit() const = 0;
-  /// Writes for every pair a lower bound of its distance.
-  virtual void visit(std::span<const ItemPair> pairs, std::span<double> least) = 0;
+  /// Writes for every pair along which direction it is apart; nothing is known of those that are left as they are.
+  virtual void visit(std::span<const ItemPair> pairs, std::span<FrontGap> gaps) = 0;
 
  protected:
   ~FrontQuestion() = default;
 };
 
-/// Where a walk over two trees stopped, kept while they move: the pairs of boxes that it opened, with the least
-/// distance of what it left closed behind each, and the pairs of items that it came to. A later question looks only at
-/// those of them that may have come near since (T.-Y. Li, J.-S. Chen, "Incremental 3D collision detection with
-/// hierarchical data structures", 1998).
-///
-/// Distances are counted with the way: how much nearer any two points, one of each tree, can have come since the
-/// front was made, all in all. What was `least` apart at way w is at least least + w − v apart at way v.
+/// Where a walk over two trees stopped, kept while they move: pairs of boxes that need not be opened, and the pairs of
+/// items that it came to, each with a direction along which the two are apart (T.-Y. Li, J.-S. Chen, "Incremental 3D
+/// collision detection with hierarchical data structures", 1998, and kinetic separation, J. Basch et al., 1999). From
+/// where the trees are now follows, for many at once, how far apart they still are along these. A later question looks
+/// only at those of them that may have come near: at items again, for boxes at another direction, and opens them if
+/// there is none.
 class NearFront {
  public:
-  void clear();
-  [[nodiscard]] bool is_empty() const { return opened_.empty(); }
+  /// Of other walks nothing is kept: those under poses that shear, or of sizes that floats do not hold.
+  [[nodiscard]] static bool serves(const NearWalk& walk);
 
-  /// Opens everything that may be below the question's limit, from the roots.
+  void clear();
+  [[nodiscard]] bool is_empty() const { return items_.empty(); }
+
+  /// Opens everything that may be below the question's limit, from the roots. The limit is near the answer.
   void make(const NearWalk& walk, FrontQuestion& question);
 
-  /// The same after the trees have moved. `likely` is near the answer. False when half of the front would be looked at,
-  /// or it has doubled: then a new search is better, and what the question was shown is not all.
-  bool move(const NearWalk& walk, double way, double likely, FrontQuestion& question);
+  /// The same after the trees have moved. False when so much of the front would have to be looked at that a new search
+  /// is better: then what the question was shown is not all.
+  bool move(const NearWalk& walk, FrontQuestion& question);
+
+  /// It is three times what it was when it was made: time to make it anew.
+  [[nodiscard]] bool has_grown() const { return size() > 3 * size_when_made_ + 32; }
 
   /// Of the last question.
   [[nodiscard]] const WalkCounts& counts() const { return counts_; }
 
  private:
-  struct Opened {
-    std::uint32_t first;   ///< block · 2 + which tree it is of
-    std::uint32_t second;  ///< box of the other tree: block · 8 + lane
-    std::uint32_t filed;   ///< a bit for every lane that has an entry of its own
+  /// A walk, and what of it is needed often.
+  struct Step {
+    const NearWalk& walk;
+    FrontQuestion& question;
+    double limit = 0;  ///< in the first tree's units, for lengths along directions that are rounded
+
+    void read_limit();
+    [[nodiscard]] bool is_over() const { return limit < 0; }
   };
-  struct Item {
-    ItemPair pair;
-    std::uint32_t question;  ///< the last that was shown it
-  };
 
-  [[nodiscard]] double reach(const FrontQuestion& question) const;
-  [[nodiscard]] double key_of(double least) const;
-  void open(const NearWalk& walk, std::size_t place, double reach);
-  void file(const NearWalk& walk, const Opened& opened, std::uint32_t lane, double other_size, double key);
-  void show_items(std::size_t first, double reach, FrontQuestion& question);
-  void show(FrontQuestion& question);
-  void open_all(const NearWalk& walk, std::size_t most, FrontQuestion& question);
+  [[nodiscard]] std::size_t size() const { return boxes_.size() + items_.size(); }
 
-  // Keys: least + way, one for each entry of the lists before them; beside these, because they are scanned.
-  std::vector<Opened> opened_;
-  std::vector<double> opened_keys_;
-  std::vector<Item> items_;
-  std::vector<double> item_keys_;
+  void show_items_again(Step& step);
+  void show_near(Step& step, std::span<const GapPlanes::Near> items);
+  void part_boxes_again(Step& step);
+  void open_pending(Step& step);
+  void open(const Step& step, const BoxPair& pair);
+  void file(const Step& step, const BoxPair& pair, std::size_t lane);
+  void leave_open(const Step& step, const BoxPair& pair);
+  void show(Step& step, std::span<const std::uint32_t> places);
 
-  // Items to be shown together.
+  std::vector<BoxPair> boxes_;  ///< that are far enough apart
+  GapPlanes box_planes_;
+  std::vector<std::uint32_t> unused_;  ///< places of these
+
+  std::vector<BoxPair> items_;  ///< boxes that are leaves
+  GapPlanes item_planes_;
+
+  std::vector<BoxPair> pending_;              ///< to be opened
+  std::vector<std::uint32_t> pending_items_;  ///< places, to be shown
+  GapPlaneLanes parted_{};
+  std::vector<GapPlanes::Near> near_;
   std::vector<std::uint32_t> places_;
   std::vector<ItemPair> pairs_;
-  std::vector<double> least_;
+  std::vector<FrontGap> gaps_;
 
-  double way_ = 0;
-  std::uint32_t question_ = 0;
-  std::size_t opened_when_made_ = 0;
+  std::uint32_t nearest_item_ = 0;  ///< of the last question, as far as directions tell
+  double nearest_gap_ = std::numeric_limits<double>::infinity();
+  std::uint32_t first_shown_ = 0;
+
+  std::size_t size_when_made_ = 0;
   WalkCounts counts_;
 };
 

@@ -52,6 +52,34 @@ TEST(DistanceCache, LooksAtLittleWhenTheMotionIsSmallAndTheSameAtEverySimdLevel)
   });
 }
 
+TEST(DistanceCache, LooksAtAFewthOfTheBoxesWhenTheMeshesMoveByAHundredthOfTheirSize) {
+  const Model ring(torus_mesh({.radius = 3, .tube_radius = 0.5, .around = 128, .sides = 48}));
+  const Model ball(icosphere_mesh(1.5, 5));
+  Workspace workspace;
+  DistanceCache cache;
+  std::size_t alone = 0, kept = 0;
+  for (int step = 0; step < 40; ++step) {
+    const PairQuery query{.pose_b = {rotation_about({1, 2, 3}, 0.6 * step), {0.02 * step, 0.03 * step, 2.5}}};
+    EXPECT_EQ(distance(ring, ball, query, cache), distance(ring, ball, query, workspace));
+    if (step == 0) continue;
+    alone += workspace.counts().volume_tests;
+    kept += cache.counts().last.volume_tests;
+  }
+  EXPECT_LT(3 * kept, alone);
+  EXPECT_EQ(cache.counts().searches, 1U);
+}
+
+TEST(DistanceCache, OfPosesThatShearAsksAnewAndIsThereAgainAfterwards) {
+  const Model a(icosphere_mesh(1, 3)), b(icosphere_mesh(1, 3));
+  DistanceCache cache;
+  for (int step = 0; step < 30; ++step) {
+    PairQuery query{.pose_b = Pose::translation(1e-4 * step, 0, 2.5)};
+    if (step >= 10 && step < 20) query.pose_b.linear[0][1] = 0.25;
+    EXPECT_EQ(distance(a, b, query, cache), distance(a, b, query)) << step;
+  }
+  EXPECT_EQ(cache.counts().searches, 13U);  // the first, ten, and two on the way back
+}
+
 TEST(DistanceCache, KnowsWhatStaysWithinASolidWithoutLooking) {
   const Model outer(icosphere_mesh(2, 3)), inner(icosphere_mesh(0.5, 2));
   DistanceCache cache;
