@@ -103,7 +103,7 @@ def table(rows):
         "`tools/check_ledger.py --write`. A to C are three lectures that Toccata sets out to implement in full: \"Principles of",
         "Computer Game Design and Implementation\", lecture 12; \"Collision detection\", notes by Y. Murugesan, 2011; and CS679,",
         "University of Wisconsin, 20 November 2003. A row with an empty cell is open: of these "
-        f"{len(rows)} rows {begun} work in this version and {done} are complete (pictures come with the viewer).",
+        f"{len(rows)} rows {begun} work in this version and {done} are complete (pictures are drawn by `tools/draw_pictures.py`).",
         "",
         "| | method | C++ | command | test against an oracle | benchmark | docs | picture |",
         "|---|---|---|---|---|---|---|---|",

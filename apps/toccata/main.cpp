@@ -175,7 +175,7 @@ void add_view(CLI::App& app, Options& options) {
   add_clearances(*view, arguments);
   view->add_option("--hierarchy", arguments.hierarchy,
                    "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
-                   "rss, ellipsoid, hull")
+                   "rss, ellipsoid, hull; wide: the tree that queries use")
       ->type_name("VOLUME");
   view->add_option("--png", arguments.png, "draw a picture of the page, where Chromium is installed")
       ->type_name("FILE.png");

@@ -35,7 +35,6 @@ std::optional<CostVolume> volume_of(const std::string& name) {
   if (name.empty()) return std::nullopt;
   std::vector<std::string> known;
   for (const CostVolume volume : all_cost_volumes) {
-    if (volume == CostVolume::wide) continue;
     if (name == name_of(volume)) return volume;
     known.emplace_back(name_of(volume));
   }
@@ -84,7 +83,9 @@ int run_view(const ViewArguments& arguments) {
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
   const ClearanceQuestion clearances = read_clearances(arguments, input.loaded.scene);
-  const CheckAnswer answer = answer_with_progress(input.models, arguments, clearances);
+  CheckArguments with_faces = arguments;
+  with_faces.faces = true;
+  const CheckAnswer answer = answer_with_progress(input.models, with_faces, clearances);
   const CheckReport report = make_check_report(
       input.models, answer, {arguments.touching, true, arguments.penetration, clearances.common, clearances.of_pairs});
   print_warnings(input.loaded.warnings);

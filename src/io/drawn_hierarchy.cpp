@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "io/display_mesh.hpp"
 #include "toccata/bounds/ball.hpp"
@@ -11,7 +13,6 @@
 #include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/bounds/swept_sphere.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/trees/builders.hpp"
 
 namespace toccata::io {
@@ -49,14 +50,39 @@ Vec3 normal_of(const ConvexHull& hull, Index face) {
   return length > 0 ? (1 / length) * normal : normal;
 }
 
+TreeShape binary_shape(const std::vector<Triangle>& triangles) {
+  return build_tree_shape(triangles, 2, {.method = TreeMethod::heuristic, .leaf_size = 2});
+}
+
+/// The production tree as a hierarchy of up to eight children a node, with an item in each leaf.
+TreeShape shape_of(const WideTree& tree) {
+  TreeShape shape{{{}}, tree.items};
+  std::vector<std::int32_t> child_of{0};  // of each node, as the blocks tell it: a block, or the place of an item
+  for (std::size_t number = 0; number < shape.nodes.size(); ++number) {
+    const std::int32_t child = child_of[number];
+    if (child < 0) {
+      shape.nodes[number].first = static_cast<Index>(~child);
+      shape.nodes[number].count = 1;
+      continue;
+    }
+    const WideBlock& block = tree.blocks[static_cast<std::size_t>(child)];
+    shape.nodes[number].first = static_cast<Index>(shape.nodes.size());
+    shape.nodes[number].child_count = block.count;
+    for (std::uint32_t lane = 0; lane < block.count; ++lane) {
+      shape.nodes.emplace_back();
+      child_of.push_back(block.child[lane]);
+    }
+  }
+  return shape;
+}
+
 /// Volumes of one kind around the nodes of each level.
 template <class Volume>
 class Drawing {
  public:
-  Drawing(const std::vector<Triangle>& triangles, bool round) : triangles_(triangles), round_(round) {
-    shape_ = build_tree_shape(triangles, 2, {.method = TreeMethod::heuristic, .leaf_size = 2});
-    runs_ = item_runs(shape_);
-    for (const Index item : shape_.items) ordered_.push_back(triangles_[item]);
+  Drawing(const std::vector<Triangle>& triangles, TreeShape shape, bool round)
+      : round_(round), shape_(std::move(shape)), runs_(item_runs(shape_)) {
+    for (const Index item : shape_.items) ordered_.push_back(triangles[item]);
     drawn_.order = shape_.items;
   }
 
@@ -141,7 +167,6 @@ class Drawing {
     return one == other || dot(normal_of(hull, one), normal_of(hull, other)) < 0.9999;
   }
 
-  const std::vector<Triangle>& triangles_;
   bool round_;
   TreeShape shape_;
   std::vector<ItemRun> runs_;
@@ -151,13 +176,13 @@ class Drawing {
 
 template <class Volume>
 DrawnHierarchy drawn(const std::vector<Triangle>& triangles, bool round = false) {
-  return Drawing<Volume>(triangles, round).all_levels();
+  return Drawing<Volume>(triangles, binary_shape(triangles), round).all_levels();
 }
 
 }  // namespace
 
-DrawnHierarchy drawn_hierarchy(const TriangleMesh& mesh, CostVolume volume) {
-  const std::vector<Triangle> triangles = triangles_of(mesh);
+DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
+  const std::vector<Triangle> triangles = triangles_of(model.mesh());
   constexpr bool is_round = true;
   switch (volume) {
     case CostVolume::aabb:
@@ -187,9 +212,9 @@ DrawnHierarchy drawn_hierarchy(const TriangleMesh& mesh, CostVolume volume) {
     case CostVolume::hull:
       return drawn<HullBound>(triangles);
     case CostVolume::wide:
-      break;
+      return Drawing<Aabb>(triangles, shape_of(model.wide_tree()), !is_round).all_levels();
   }
-  throw Error("the wide tree is not drawn; choose a bounding volume, for example aabb");
+  return {};
 }
 
 }  // namespace toccata::io

@@ -6,7 +6,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/query/cost.hpp"
-#include "toccata/shapes/triangle_mesh.hpp"
+#include "toccata/query/model.hpp"
 
 namespace toccata::io {
 
@@ -22,7 +22,7 @@ struct DrawnLevel {
   std::size_t overlapping_pairs = 0;  ///< of its nodes' volumes
 };
 
-/// A binary hierarchy over the triangles of a mesh, its volumes as polyhedra in the mesh's own frame: boxes, k-DOPs and
+/// A hierarchy over the triangles of a mesh, its volumes as polyhedra in the mesh's own frame: boxes, k-DOPs and
 /// hulls with all their corners, round ones by points of their surface.
 struct DrawnHierarchy {
   std::vector<Index> order;                ///< triangles; those of a node are a run of them
@@ -34,8 +34,8 @@ struct DrawnHierarchy {
   std::vector<DrawnLevel> levels;  ///< from the root down, as long as there are at most 1,024 nodes
 };
 
-/// Built by the surface-area heuristic with at most two triangles a leaf. Throws Error for `wide`, which is no binary
-/// tree.
-[[nodiscard]] DrawnHierarchy drawn_hierarchy(const TriangleMesh& mesh, CostVolume volume);
+/// Of a model that has a mesh: a binary hierarchy built by the surface-area heuristic, with at most two triangles a
+/// leaf; for `wide`, boxes fitted around the nodes of the model's own tree.
+[[nodiscard]] DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume);
 
 }  // namespace toccata::io

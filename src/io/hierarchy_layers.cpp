@@ -71,7 +71,7 @@ Json steps_of(const DrawnHierarchy& hierarchy) {
 }
 
 Json layer_of(const Model& model, CostVolume volume, ViewData& data) {
-  const DrawnHierarchy hierarchy = drawn_hierarchy(model.mesh(), volume);
+  const DrawnHierarchy hierarchy = drawn_hierarchy(model, volume);
   const MeshFrame frame(model.vertex_box());
   const auto numbers = [&](const std::vector<Index>& all) { return data.add(std::span<const std::uint32_t>(all)); };
   return {{"kind", "hierarchy"},
@@ -100,7 +100,9 @@ std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume vol
     if (is_new) found->second = layer_of(models[i].model, volume, data);
     Json& layer = layers.emplace_back(found->second);
     layer["object"] = i;
-    layer["name"] = fmt::format("{}: hierarchy of {}", as_utf8(models[i].name), name_of(volume));
+    layer["name"] = fmt::format("{}: {}", as_utf8(models[i].name),
+                                volume == CostVolume::wide ? "the tree of the queries, eight children a node"
+                                                           : fmt::format("hierarchy of {}", name_of(volume)));
   }
   return layers;
 }

@@ -171,6 +171,7 @@ DisplayMesh ViewMeshes::mesh_for(const std::string& key, const Model& model) con
 std::vector<Index> ViewMeshes::triangles_of(std::size_t model, std::span<const Index> faces) const {
   const std::vector<Index>& face_of = meshes_[drawn_[model].mesh].faces;
   std::vector<Index> triangles;
+  if (face_of.empty() || face_of.back() == 0) return triangles;
   for (const Index face : faces) {
     const auto [first, end] = std::equal_range(face_of.begin(), face_of.end(), face);
     for (auto triangle = first; triangle != end; ++triangle)

@@ -21,7 +21,8 @@ class ViewMeshes {
 
   [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
 
-  /// The triangles that are drawn for these faces of a model; `faces` ascend.
+  /// The triangles that are drawn for these faces of a model; `faces` ascend. None when all of it is one face, as
+  /// shapes other than meshes are.
   [[nodiscard]] std::vector<Index> triangles_of(std::size_t model, std::span<const Index> faces) const;
 
   /// The members "meshes" and "objects" of the header.

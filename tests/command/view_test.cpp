@@ -57,6 +57,17 @@ TEST(ViewCommand, TheSamePageForAnyThreads) {
   EXPECT_EQ(page("1"), page("3"));
 }
 
+TEST(ViewCommand, DrawsWhatThePageShows) {
+  const TemporaryFolder folder;
+  const auto result = run_command(
+      {"view", "gen:torus", "gen:torus-knot", "--png", "torus.png", "--size", "320x200", "--look", "pair=0"},
+      folder.path());
+  if (result.err.find("no Chromium was found") != std::string::npos) GTEST_SKIP() << "no Chromium is installed";
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(text_of(folder.path() / "torus.png").starts_with("\x89PNG\r\n"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
 TEST(ViewCommand, TroubleWritesNothing) {
   const TemporaryFolder folder;
   folder.write("notes.txt", "mine");

@@ -243,7 +243,10 @@ export class Viewer {
     if (pair.containment !== 'none' && length(larger) < 4 * length(smaller)) return larger.clone();
     if (found.isEmpty()) return smaller.clone();
     const missing = 0.6 * length(smaller) - length(found);
-    return missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
+    const close = missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
+    const both = a.clone().union(b);
+    const isHalfSpace = [pair.a_index, pair.b_index].some((i) => this.data.report.objects[i].shape === 'half-space');
+    return !isHalfSpace && length(both) < 4 * length(close) ? both : close;
   }
 
   frame(): void {

@@ -23,13 +23,22 @@ export function directionText(v: Vec): string {
   return `(${v.map((x) => String(Number(x.toFixed(6)) + 0)).join(', ')})`;
 }
 
+/// How many faces meet, where at least one of the two is made of faces; other shapes are one element each.
+function facesText(header: Header, report: Report, index: number): string {
+  const pair = report.pairs[index];
+  const count = header.words[index].face_pairs;
+  const meshes = [pair.a_index, pair.b_index].filter((i) => report.objects[i].triangles > 0).length;
+  if (count === undefined || meshes === 0) return '';
+  if (count === 0) return pair.containment !== 'none' ? 'no faces meet' : '';
+  return meshes === 2 ? countText(count, 'face pair') : countText(count, 'face');
+}
+
 /// The one number of a pair that people sort by: "0.5 m deep", "2 m apart", "24 face pairs".
 export function pairNumber(header: Header, report: Report, index: number): string {
   const pair = report.pairs[index];
   if (pair.distance && pair.distance.upper > 0) return `${lengthText(pair.distance.upper, report.unit)} apart`;
   if (pair.penetration && pair.penetration.upper > 0) return `${lengthText(pair.penetration.upper, report.unit)} deep`;
-  const faces = header.words[index].face_pairs;
-  return faces ? countText(faces, 'face pair') : '';
+  return facesText(header, report, index);
 }
 
 function depthText(pair: Pair, unit: string): string[] {
@@ -44,15 +53,14 @@ function depthText(pair: Pair, unit: string): string[] {
 /// What is known of a pair beside its sentence, a line each.
 export function pairFacts(header: Header, report: Report, index: number): string[] {
   const pair = report.pairs[index];
-  const faces = header.words[index].face_pairs;
   const facts: string[] = [];
   if (pair.distance && pair.distance.upper > 0)
     facts.push(
       `${lengthText(pair.distance.upper, report.unit)} apart, from ${vectorText(pair.distance.on_a)} to ${vectorText(pair.distance.on_b)}`,
     );
   facts.push(...depthText(pair, report.unit));
-  if (faces) facts.push(`${countText(faces, 'pair')} of faces ${faces === 1 ? 'meets' : 'meet'}`);
-  else if (faces === 0 && pair.relation !== 'apart') facts.push('no faces meet: one lies within the other');
+  const faces = facesText(header, report, index);
+  if (faces) facts.push(faces.startsWith('no') ? faces : `${faces} in contact`);
   if (pair.regions && pair.regions.length > 0) facts.push(countText(pair.regions.length, 'region of contact', 'regions of contact'));
   if (pair.manifold) facts.push(countText(pair.manifold.points.length, 'point of contact', 'points of contact'));
   facts.push(pair.status === 'exact' ? 'decided exactly' : `status: ${pair.status.replace('_', ' ')}`);

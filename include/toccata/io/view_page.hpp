@@ -18,7 +18,8 @@ enum class UpAxis { y, z };
 struct ViewOptions {
   std::string title = "Toccata";
   UpAxis up = UpAxis::z;
-  /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; not `wide`.
+  /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, of the tree
+  /// that queries use.
   std::optional<CostVolume> hierarchy{};
 };
 
