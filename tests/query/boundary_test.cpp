@@ -26,7 +26,7 @@ TEST(Boundaries, OfABoxFromWithin) {
   const Model box(Box({1, 2, 3}));
   const SurfacePoint found = nearest_point({0.25, 0, 0}, box);
   EXPECT_NEAR(found.upper, 0.75, 1e-12);
-  EXPECT_EQ(found.point, Vec3(1, 0, 0));
+  EXPECT_EQ(found.point, (Vec3{1, 0, 0}));
   EXPECT_EQ(found.element, 0U);
   EXPECT_EQ(found.face, 0U);
   const SignedDistance d = signed_distance({0.25, 0, 0}, box, Pose::translation(0, 0, 1));
@@ -67,7 +67,7 @@ TEST(Boundaries, OfARoundedBoxGoThroughItsCore) {
 TEST(Boundaries, OfAHalfSpace) {
   const Model floor(HalfSpace({0, 0, 0.5}, {0, 0, 1}));
   EXPECT_NEAR(signed_distance({7, 8, -2}, floor).upper, -2.5, 1e-11);
-  EXPECT_EQ(nearest_point({7, 8, -2}, floor).point, Vec3(7, 8, 0.5));
+  EXPECT_EQ(nearest_point({7, 8, -2}, floor).point, (Vec3{7, 8, 0.5}));
   EXPECT_NEAR(signed_distance({7, 8, 2}, floor).upper, 1.5, 1e-11);
   EXPECT_EQ(signed_distance({7, 8, 0.5}, floor).side, Side::boundary);
 }

@@ -137,7 +137,7 @@ TEST(NearestPoint, OfEquallyNearElementsIsTheFirst) {
     EXPECT_EQ(all[i].element, i);
     EXPECT_EQ(all[i].upper, all[0].upper);
   }
-  EXPECT_EQ(nearest_point({5, 5, 5}, box).point, Vec3(2, 2, 2));
+  EXPECT_EQ(nearest_point({5, 5, 5}, box).point, (Vec3{2, 2, 2}));
 }
 
 TEST(NearestPoint, KeepsWithinTheGreatestDistance) {
