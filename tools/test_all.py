@@ -23,7 +23,7 @@ STEPS = {
     "test": "run_tests",
     "clang": "configure clang; build clang; run_ctest clang",
     "debug": "configure debug; build debug; run_ctest debug",
-    "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan -E Slow",
+    "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
     "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "

@@ -118,7 +118,8 @@ const bool known = register_sweep(
      1'000'000,
      1000,
      run,
-     20'000});
+     20'000,
+     200});
 
 }  // namespace
 }  // namespace toccata::test

@@ -23,7 +23,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"rays", ray_families(), 100'000, 200, run});
+const bool known = register_sweep({"rays", ray_families(), 100'000, 200, run, 10'000, 40});
 
 }  // namespace
 }  // namespace toccata::test
