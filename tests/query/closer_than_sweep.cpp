@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "support/case_seeds.hpp"
 #include "support/closeness.hpp"
 #include "support/mesh_soups.hpp"
-#include "support/sweep.hpp"
-#include "toccata/core/simd.hpp"
 
 namespace toccata::test {
 namespace {
@@ -24,21 +21,8 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
 }
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random seeds(seed);
-  const SimdLevel before = simd_level();
-  const std::vector<SimdLevel> levels = simd_levels();
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t case_seed = seeds.bits();
-    use_simd_level(levels[case_seed % levels.size()]);
-    const std::string fault = fault_of_case(family, case_seed);
-    if (fault.empty()) continue;
-    ++result.wrong;
-    if (result.first_failure.empty())
-      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
-  }
-  use_simd_level(before);
-  return result;
+  return run_cases_at_simd_levels(family, seed, cases,
+                                  [&](std::uint64_t case_seed) { return fault_of_case(family, case_seed); });
 }
 
 // Two posed surfaces and tolerances at their distance, a double off it and elsewhere, against the exact rational

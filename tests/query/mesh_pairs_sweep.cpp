@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
+#include "support/case_seeds.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
-#include "support/sweep.hpp"
-#include "toccata/core/simd.hpp"
 
 namespace toccata::test {
 namespace {
@@ -29,21 +26,10 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
 }
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random seeds(seed);
-  const SimdLevel before = simd_level();
-  const std::vector<SimdLevel> levels = simd_levels();
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t case_seed = seeds.bits();
-    use_simd_level(levels[case_seed % levels.size()]);
+  return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
     const std::string fault = fault_of_case(family, case_seed);
-    if (fault.empty()) continue;
-    ++result.wrong;
-    if (result.first_failure.empty())
-      result.first_failure = fmt::format("{}, case seed {}: {} differs from brute force", family, case_seed, fault);
-  }
-  use_simd_level(before);
-  return result;
+    return fault.empty() ? fault : fault + " differs from brute force";
+  });
 }
 
 // Overlap, first contact and all contacts of two posed surfaces against brute force, both ways round, the SIMD levels

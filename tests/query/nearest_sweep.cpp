@@ -1,7 +1,6 @@
 // Nearest points of posed meshes: every triangle by itself, and in rational arithmetic.
 #include "query/nearest_checks.hpp"
-#include "support/sweep.hpp"
-#include "toccata/core/simd.hpp"
+#include "support/case_seeds.hpp"
 
 namespace toccata::test {
 namespace {
@@ -26,20 +25,10 @@ std::string fault_of(const NearestCase& c, Random& random) {
 }
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random seeds(seed);
-  const SimdLevel before = simd_level();
-  const std::vector<SimdLevel> levels = simd_levels();
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t case_seed = seeds.bits();
-    use_simd_level(levels[case_seed % levels.size()]);
+  return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
-    const std::string fault = fault_of(nearest_case(family, random), random);
-    if (!fault.empty() && result.wrong++ == 0)
-      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
-  }
-  use_simd_level(before);
-  return result;
+    return fault_of(nearest_case(family, random), random);
+  });
 }
 
 const bool known = register_sweep({"nearest-points", nearest_families(), 100'000, 100, run});

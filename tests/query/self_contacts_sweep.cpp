@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "oracle/meshes.hpp"
+#include "support/case_seeds.hpp"
 #include "support/self_meshes.hpp"
-#include "support/sweep.hpp"
 #include "toccata/query/self_contacts.hpp"
 
 namespace toccata::test {
@@ -28,16 +28,10 @@ std::string fault_of(const SelfMesh& made) {
 }
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random seeds(seed);
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t case_seed = seeds.bits();
+  return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
-    const std::string fault = fault_of(random_self_mesh(family, random));
-    if (!fault.empty() && result.wrong++ == 0)
-      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
-  }
-  return result;
+    return fault_of(random_self_mesh(family, random));
+  });
 }
 
 const bool known = register_sweep({"self-contacts", self_mesh_families(), 50'000, 100, run});

@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <span>
 
-#include "support/sweep.hpp"
+#include "support/case_seeds.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/rotation.hpp"
@@ -110,15 +108,7 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
 }
 
 SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  SweepResult result;
-  Random seeds(seed);
-  for (; result.cases < cases; ++result.cases) {
-    const std::uint64_t case_seed = seeds.bits();
-    const std::string fault = fault_of_case(family, case_seed);
-    if (!fault.empty() && result.wrong++ == 0)
-      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, fault);
-  }
-  return result;
+  return run_cases(family, seed, cases, [&](std::uint64_t case_seed) { return fault_of_case(family, case_seed); });
 }
 
 const bool known = register_sweep({"mesh-penetrations", {"convex", "solids", "far", "sheared"}, 200, 2, run, 100, 1});
