@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "math/vec3_measures.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
@@ -66,8 +66,6 @@ inline double rounded_down(double x) {
   const double less = x * (1 - 0x1p-46) - 0x1p-1060;
   return less > 0 && less <= std::numeric_limits<double>::max() ? less : 0;
 }
-
-inline double largest_magnitude(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 /// No less than |v|, whatever its scale.
 inline double length_bound(const Vec3& v) {

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
+
+#include "math/vec3_measures.hpp"
 
 namespace toccata::io {
 namespace {
@@ -18,13 +19,11 @@ void append_triangles(std::string& text, const TriangleMesh& mesh, std::string_v
     fmt::format_to(std::back_inserter(text), "{}{} {} {}\n", prefix, a + first_index, b + first_index, c + first_index);
 }
 
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// Close to the unit normal; zero where there is none, which readers take as "compute it yourself".
 Vec3 displayed_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   // Halved first, and scaled before they are multiplied: neither step overflows.
   const Vec3 u = 0.5 * b - 0.5 * a, v = 0.5 * c - 0.5 * a;
-  const double size_u = largest(u), size_v = largest(v);
+  const double size_u = largest_magnitude(u), size_v = largest_magnitude(v);
   if (size_u == 0 || size_v == 0) return {};
   const auto over = [](const Vec3& w, double size) { return Vec3{w.x / size, w.y / size, w.z / size}; };
   const Vec3 normal = cross(over(u, size_u), over(v, size_v));

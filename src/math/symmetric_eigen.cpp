@@ -4,17 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
 // Convergence is quadratic; six rounds reach the last place from any start, the others cost little.
 constexpr int rounds = 8;
 
-double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 /// Of length 1, or zero where there is no direction.
 Vec3 normalised(const Vec3& v) {
-  const double size = largest(v);
+  const double size = largest_magnitude(v);
   if (!(size > 0) || !std::isfinite(size)) return {};
   const Vec3 scaled{v.x / size, v.y / size, v.z / size};
   const double length = std::sqrt(dot(scaled, scaled));
@@ -35,7 +35,7 @@ Vec3 across(const Vec3& unit, const Vec3& other) {
 }
 
 Vec3 with_positive_largest(const Vec3& v) {
-  const double size = largest(v);
+  const double size = largest_magnitude(v);
   for (int axis = 0; axis < 3; ++axis)
     if (std::fabs(v[axis]) == size) return v[axis] < 0 ? -v : v;
   return v;
@@ -67,7 +67,7 @@ Mat3 orthonormal_axes(const Vec3& first, const Vec3& second) {
   // A vector so nearly parallel that its direction across is mostly rounding is as good as none.
   const Vec3 unit = normalised(second);
   const Vec3 rest = unit - dot(x, unit) * x;
-  const Vec3 y = across(x, largest(rest) > 0x1p-40 ? unit : axis_across(x));
+  const Vec3 y = across(x, largest_magnitude(rest) > 0x1p-40 ? unit : axis_across(x));
   return {{x, y, cross(x, y)}};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/plain_topology.hpp"
 
 // Let A' and B' be the parallelepipeds of the two frames, u_i and v_j their half edges, and D' their Minkowski
@@ -28,10 +29,6 @@ namespace {
 
 constexpr double smallest = 0x1p-900;
 
-double size_of(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
-double greatest_of(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 using Halves = std::array<Vec3, 3>;
 
 double reach(const Halves& half, const Vec3& axis) {
@@ -45,7 +42,7 @@ Halves face_normals(const Halves& half) {
 }
 
 Halves normal_scales(const Halves& half) {
-  const double x = size_of(half[0]), y = size_of(half[1]), z = size_of(half[2]);
+  const double x = sum_of_magnitudes(half[0]), y = sum_of_magnitudes(half[1]), z = sum_of_magnitudes(half[2]);
   return {Vec3{y * z, 0, 0}, Vec3{z * x, 0, 0}, Vec3{x * y, 0, 0}};
 }
 
@@ -57,9 +54,9 @@ BoxFrame box_frame(const PosedConvex& box) {
   const Vec3 corner = box.vertex(0);
   const Vec3 x = box.vertex(1) - corner, y = box.vertex(2) - corner, z = box.vertex(4) - corner;
   const Vec3 xy = x + y;
-  const auto beside = [&](Index i, const Vec3& edges) { return greatest_of((box.vertex(i) - corner) - edges); };
+  const auto beside = [&](Index i, const Vec3& edges) { return largest_magnitude((box.vertex(i) - corner) - edges); };
   BoxFrame frame{corner, {0.5 * x, 0.5 * y, 0.5 * z}, 0, 0};
-  frame.size = (size_of(frame.half[0]) + size_of(frame.half[1])) + size_of(frame.half[2]);
+  frame.size = (sum_of_magnitudes(frame.half[0]) + sum_of_magnitudes(frame.half[1])) + sum_of_magnitudes(frame.half[2]);
   const double beside_most = std::max({beside(3, xy), beside(5, x + z), beside(6, y + z), beside(7, xy + z)});
   frame.bent = 2 * beside_most + 0x1p-49 * frame.size;
   return frame;
@@ -69,7 +66,7 @@ BoxAxes::BoxAxes(const PosedConvex& a, const PosedConvex& b) : a_(box_frame(a)),
   const Vec3 from_corner_a = (a_.half[0] + a_.half[1]) + a_.half[2];
   const Vec3 from_corner_b = (b_.half[0] + b_.half[1]) + b_.half[2];
   way_ = (b_.corner - a_.corner) + (from_corner_b - from_corner_a);
-  error_ = 0x1p-49 * ((a_.size + b_.size) + size_of(way_)) + (a_.bent + b_.bent);
+  error_ = 0x1p-49 * ((a_.size + b_.size) + sum_of_magnitudes(way_)) + (a_.bent + b_.bent);
 }
 
 bool BoxAxes::boxes_of_boxes_are_apart() const {
@@ -84,8 +81,8 @@ bool BoxAxes::boxes_of_boxes_are_apart() const {
 bool BoxAxes::is_of_plain_size() const {
   double least = std::numeric_limits<double>::infinity();
   for (const BoxFrame* box : {&a_, &b_})
-    for (const Vec3& half : box->half) least = std::min(least, size_of(half));
-  return least > 0x1p-200 && (a_.size + b_.size) + size_of(way_) < 0x1p200;
+    for (const Vec3& half : box->half) least = std::min(least, sum_of_magnitudes(half));
+  return least > 0x1p-200 && (a_.size + b_.size) + sum_of_magnitudes(way_) < 0x1p200;
 }
 
 std::optional<bool> BoxAxes::meet() const {
@@ -116,11 +113,12 @@ std::optional<bool> BoxAxes::meet() const {
   unsigned undecided = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 beside = cross(way_, u[i]);
-    const double size = size_of(u[i]);
+    const double size = sum_of_magnitudes(u[i]);
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
       sure = true;
-      if (apart(dot(beside, v[j]), (p[k][j] + p[l][j]) + (q[m][i] + q[n][i]), size * size_of(v[j]))) return false;
+      if (apart(dot(beside, v[j]), (p[k][j] + p[l][j]) + (q[m][i] + q[n][i]), size * sum_of_magnitudes(v[j])))
+        return false;
       undecided |= (sure ? 0U : 1U) << (3 * i + j);
     }
   }
@@ -132,7 +130,7 @@ bool BoxAxes::near_parallel_edges_do_not_matter(unsigned undecided) const {
   const Halves &u = a_.half, &v = b_.half;
   const auto spare = [&](const Vec3& axis, double scale) {
     const double overlap = (reach(u, axis) + reach(v, axis)) - std::fabs(dot(axis, way_));
-    return (overlap - (error_ * scale + smallest)) / (length_of(axis) * (1 + 0x1p-40));
+    return (overlap - (error_ * scale + smallest)) / (plain_length(axis) * (1 + 0x1p-40));
   };
   const Halves normal_a = face_normals(u), scale_a = normal_scales(u);
   for (std::size_t i = 0; i < 3; ++i)
@@ -141,10 +139,11 @@ bool BoxAxes::near_parallel_edges_do_not_matter(unsigned undecided) const {
       const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
       if ((undecided >> (3 * i + m) & 1U) != 0 || (undecided >> (3 * i + n) & 1U) != 0) return false;
       const double least = std::min({spare(normal_a[k], scale_a[k].x), spare(normal_a[l], scale_a[l].x),
-                                     spare(cross(u[i], v[m]), size_of(u[i]) * size_of(v[m])),
-                                     spare(cross(u[i], v[n]), size_of(u[i]) * size_of(v[n]))});
-      const double image = length_of(cross(u[i], v[j])) + 0x1p-50 * size_of(u[i]) * size_of(v[j]);
-      if (!(least > 2 * image / length_of(u[i]))) return false;
+                                     spare(cross(u[i], v[m]), sum_of_magnitudes(u[i]) * sum_of_magnitudes(v[m])),
+                                     spare(cross(u[i], v[n]), sum_of_magnitudes(u[i]) * sum_of_magnitudes(v[n]))});
+      const double image =
+          plain_length(cross(u[i], v[j])) + 0x1p-50 * sum_of_magnitudes(u[i]) * sum_of_magnitudes(v[j]);
+      if (!(least > 2 * image / plain_length(u[i]))) return false;
     }
   return true;
 }
@@ -160,14 +159,14 @@ BoxAxis BoxAxes::least(double edge_share) const {
     best = {edge_a, edge_b, (way < 0 ? -1 / length : 1 / length) * axis, depth};
   };
   const Halves normal_a = face_normals(u), normal_b = face_normals(v);
-  for (std::size_t i = 0; i < 3; ++i) consider(normal_a[i], length_of(normal_a[i]), 1, static_cast<int>(i), 3);
-  for (std::size_t i = 0; i < 3; ++i) consider(normal_b[i], length_of(normal_b[i]), 1, 3, static_cast<int>(i));
+  for (std::size_t i = 0; i < 3; ++i) consider(normal_a[i], plain_length(normal_a[i]), 1, static_cast<int>(i), 3);
+  for (std::size_t i = 0; i < 3; ++i) consider(normal_b[i], plain_length(normal_b[i]), 1, 3, static_cast<int>(i));
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 axis = cross(u[i], v[j]);
-      const double length = length_of(axis);
+      const double length = plain_length(axis);
       // Edges that are nearly parallel: a face does as well.
-      if (!(length > 0x1p-20 * length_of(u[i]) * length_of(v[j]))) continue;
+      if (!(length > 0x1p-20 * plain_length(u[i]) * plain_length(v[j]))) continue;
       consider(axis, length, edge_share, static_cast<int>(i), static_cast<int>(j));
     }
   return best;

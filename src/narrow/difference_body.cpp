@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
-
-double greatest_magnitude(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 constexpr Index block = 8;  ///< a loop of constant length becomes vector instructions
 
@@ -81,11 +81,11 @@ int CoreVertices::least_exponent() const {
 
 // The first factor keeps the differences finite, the second brings them to about 1.
 DifferenceBody::DifferenceBody(const PosedConvex& a, const PosedConvex& b) : a_(a), b_(b) {
-  const double largest = std::max({greatest_magnitude(a_.least()), greatest_magnitude(a_.greatest()),
-                                   greatest_magnitude(b_.least()), greatest_magnitude(b_.greatest())});
+  const double largest = std::max({largest_magnitude(a_.least()), largest_magnitude(a_.greatest()),
+                                   largest_magnitude(b_.least()), largest_magnitude(b_.greatest())});
   first_ = largest > 0x1p1000 ? 0x1p-100 : 1.0;
-  const double reach = std::max(greatest_magnitude(first_ * a_.greatest() - first_ * b_.least()),
-                                greatest_magnitude(first_ * b_.greatest() - first_ * a_.least()));
+  const double reach = std::max(largest_magnitude(first_ * a_.greatest() - first_ * b_.least()),
+                                largest_magnitude(first_ * b_.greatest() - first_ * a_.least()));
   second_ = reach > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(reach), -1000, 1000)) : 1.0;
   extent_ = second_ * reach;
   a_.scale(first_, second_);

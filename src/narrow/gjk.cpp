@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/edge_walk.hpp"
 
 namespace toccata {
@@ -14,12 +15,6 @@ constexpr int most_steps = 64;
 Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
 Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
-
-Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-
-double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
-
-double largest(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
 
 bool has(const VertexPairs& pairs, Index a, Index b) {
   for (std::size_t i = 0; i < pairs.size; ++i)
@@ -58,7 +53,7 @@ class Walk {
   /// Adds the pair if it is nearer along the present direction, by more than rounding; tells whether it did.
   bool step_to(Index a, Index b) {
     const Vec3 point = a_.vertex(a) - b_.vertex(b);
-    end_.size = std::max(end_.size, largest(point));
+    end_.size = std::max(end_.size, largest_magnitude(point));
     GjkSimplex& simplex = end_.simplex;
     if (simplex.pairs.size > 0) {
       const double gain = squared_ - dot(end_.nearest, point), rounding = 0x1p-46 * end_.size;
@@ -134,12 +129,12 @@ constexpr double lost_per_height = 0x1p-700;
 /// From so many vertices on a walk along edges was measured to be faster than a scan.
 constexpr Index least_walked = 8000;
 
-double spread_of(const Vec3& direction, double slack) { return rounding * largest(direction) + slack; }
+double spread_of(const Vec3& direction, double slack) { return rounding * largest_magnitude(direction) + slack; }
 
 }  // namespace
 
 bool in_certain_range(const Vec3& direction) {
-  const double size = largest(direction);
+  const double size = largest_magnitude(direction);
   return size >= 0x1p-300 && size <= 0x1p300;
 }
 
@@ -148,10 +143,10 @@ SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& ker
       kernels_(&kernels),
       plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},
       world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)),
-      stretch_{sum(magnitudes(world_in_local_[0])), sum(magnitudes(world_in_local_[1])),
-               sum(magnitudes(world_in_local_[2]))},
+      stretch_{sum_of_magnitudes(world_in_local_[0]), sum_of_magnitudes(world_in_local_[1]),
+               sum_of_magnitudes(world_in_local_[2])},
       offset_(shape.in_world() ? Vec3{} : shape.pose().offset),
-      offset_magnitude_(sum(magnitudes(offset_))) {
+      offset_magnitude_(sum_of_magnitudes(offset_)) {
   const Index least_count = support == GjkSupport::automatic ? least_walked : 2;
   trail_.walks = !shape.in_world() && support != GjkSupport::scan && shape.vertex_count() >= least_count;
 }
@@ -205,7 +200,7 @@ SupportScan SupportSearch::scan(const Vec3& direction, double spread) const {
 Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                            std::span<Index> found) const {
   const double spread = spread_of(direction, slack);
-  const double highest = dot(direction, vertex) + spread * sum(magnitudes(vertex));
+  const double highest = dot(direction, vertex) + spread * sum_of_magnitudes(vertex);
   const double bound = (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
   const SupportScan along = scan(direction, spread);
   if (trail_.walks) return walked_close(along, bound, own, found);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
@@ -20,8 +22,6 @@ bool in_range(double least_squared_length, double greatest_squared_length) {
 
 /// An error is small enough for its square to be left aside.
 bool nearly(double relative_error) { return relative_error <= 0x1p-20; }
-
-double largest(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
 
 /// Exact arithmetic does better there: distances along an axis are often doubles.
 bool is_along_axis(const Vec3& v) {
@@ -213,7 +213,8 @@ std::optional<Distance> NearestFormula::distance() const {
   // coordinate that is at least each of these.
   const double turned = reach == 0 ? 0 : 2.125 * (nearest_.difference_error / nearest_.distance) + 8 * u;
   const double off = nearest_.point_error + turned * std::max(radius_a, radius_b);
-  const double size = std::max(std::max(largest(on_a), largest(on_b)), std::max(radius_a, radius_b));
+  const double size =
+      std::max(std::max(largest_magnitude(on_a), largest_magnitude(on_b)), std::max(radius_a, radius_b));
   if (!(off <= 0.9e-12 * size)) return {};
   if (reach == 0) return interval(nearest_.distance, nearest_.distance_error, on_a, on_b);
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "math/vec3_measures.hpp"
 #include "toccata/math/vec3.hpp"
 
 // How the closed formulas are made safe. A formula yields two near points, one of each core, and the vector d from one
@@ -41,8 +40,6 @@ inline Nearness judge(double gap_along, double length_squared, double reach, dou
   if (proves_meeting(length_squared, reach, error)) return Nearness::meet;
   return proves_apart(gap_along, length_squared, reach, error) ? Nearness::apart : Nearness::unknown;
 }
-
-inline double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
 
 inline double clamped(double value, double lower, double upper) {
   // In this order, NaN becomes `lower`.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vec3_measures.hpp"
+
 // Let D' be the difference of the polyhedra without rounding of world vertices; their topologies are those of the
 // shapes' own frames, exactly. World vertices lie up to `bent` beside, so every reach of D differs from that of D' by
 // no more.
@@ -26,8 +28,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double doubtful_angle = 0x1p-34;  ///< of faces; arcs are compared with 2^-30
 
 double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 /// How far a world vertex may lie beside the one without rounding: four roundings a coordinate, each of at most 2^-53
 /// of what was added up so far.
 double bend_of(const PosedConvex& shape) {
@@ -87,7 +87,7 @@ PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedConvex& shape, const Cor
   const Vec3 u = core.relative(topology.origin[first + count / 3]) - p,
              v = core.relative(topology.origin[first + 2 * count / 3]) - p;
   const Vec3 n = cross(u, v);
-  const double length = length_of(n);
+  const double length = plain_length(n);
   const Mat3& m = shape.pose().linear;
   const double mirrored = dot(cross(m[0], m[1]), m[2]) < 0 ? -1 : 1;
   const double angle = (0x1p-48 * body_.extent() + 2 * bent) * (size(u) + size(v)) / length;
@@ -138,7 +138,7 @@ bool PolyhedronAxes::try_faces(const Outline& outline, double turn) {
 
 bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const Vec3 n = cross(e.along, f.along);
-  const double length = length_of(n), length_e = length_of(e.along);
+  const double length = plain_length(n), length_e = plain_length(e.along);
   // Where the square of the length underflows nothing is known of the angle.
   const double seen = length_e > 0x1p-500 ? length / length_e : size(f.along);
   const double image = seen + 0x1p-48 * body_.extent() + 4 * bent_;
@@ -159,9 +159,9 @@ bool PolyhedronAxes::try_edges() {
   double greatest_loss = 0;
   for (const Edge& e : a_.edges) {
     double loss = 0;
-    const Vec3 unit = (1 / length_of(e.along)) * e.along;
+    const Vec3 unit = (1 / plain_length(e.along)) * e.along;
     for (const Edge& f : b_.edges) {
-      if (e.is_arc && f.is_arc && !may_cross(e, unit, f, (1 / length_of(f.along)) * f.along)) continue;
+      if (e.is_arc && f.is_arc && !may_cross(e, unit, f, (1 / plain_length(f.along)) * f.along)) continue;
       if (!try_edge_pair(e, f, loss)) return false;
     }
     greatest_loss = std::max(greatest_loss, loss);
@@ -190,7 +190,8 @@ void PolyhedronAxes::settle_edges() {
 
 PolyhedronAxes::Least PolyhedronAxes::least(const Vec3& first_axis) {
   least_ = {infinity, infinity, {}};
-  if (dot(first_axis, first_axis) > 0x1p-900 && !try_axis((1 / length_of(first_axis)) * first_axis, 0)) return least_;
+  if (dot(first_axis, first_axis) > 0x1p-900 && !try_axis((1 / plain_length(first_axis)) * first_axis, 0))
+    return least_;
   if (!try_faces(a_, 1) || !try_faces(b_, -1) || !try_edges()) return least_;
   settle_edges();
   // Where no axis was left, nothing is known.

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "query/pair_search.hpp"
 #include "query/posed_pair.hpp"
 #include "query/region_depth.hpp"
@@ -19,13 +20,6 @@ namespace toccata {
 namespace {
 
 /// Of whatever size.
-Vec3 unit_or_zero(const Vec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(largest > 0) || !std::isfinite(largest)) return {};
-  const Vec3 scaled{v.x / largest, v.y / largest, v.z / largest};
-  return (1 / std::sqrt(dot(scaled, scaled))) * scaled;
-}
-
 Vec3 normal_of(const Triangle& t) { return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0]))); }
 
 /// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example.

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
-double largest_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-double sum_of(const Vec3& v) { return (v.x + v.y) + v.z; }
-
-Vec3 absolute(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
 /// The direction of v with a largest coordinate of 1; not finite where v is zero or not finite.
 Vec3 of_size_one(const Vec3& v) {
-  const double size = largest_of(v);
+  const double size = largest_magnitude(v);
   return {v.x / size, v.y / size, v.z / size};
 }
 
@@ -25,7 +21,8 @@ Vec3 along_columns(const Vec3& direction, const Mat3& linear) {
 
 /// The square of the largest entry: areas grow about as much.
 double area_scale(const Mat3& linear) {
-  const double size = std::max({largest_of(linear[0]), largest_of(linear[1]), largest_of(linear[2])});
+  const double size =
+      std::max({largest_magnitude(linear[0]), largest_magnitude(linear[1]), largest_magnitude(linear[2])});
   return size * size;
 }
 
@@ -46,7 +43,7 @@ bool is_usable(const CullDirection& d) {
 PairCull::PairCull(const PosedMesh& a, const PosedMesh& b, double pad_scale)
     : pad_scale_(pad_scale),
       world_sizes_(world_sizes(a) + world_sizes(b)),
-      coordinates_(sum_of(largest_coordinates(a)) + sum_of(largest_coordinates(b))),
+      coordinates_(sum_of_magnitudes(largest_coordinates(a)) + sum_of_magnitudes(largest_coordinates(b))),
       area_scale_a_(area_scale(a.pose().linear)),
       area_scale_b_(area_scale(b.pose().linear)) {
   add_box_normals(a, a, b);
@@ -69,8 +66,8 @@ void PairCull::add_box_normals(const PosedMesh& of, const PosedMesh& a, const Po
 
 /// pad(L) of docs/design/culling.md.
 double PairCull::pad_of(const Vec3& world) const {
-  const Vec3 size = absolute(world);
-  const double underflowed = 1 + sum_of(size) + coordinates_;
+  const Vec3 size = magnitudes(world);
+  const double underflowed = 1 + sum_of_magnitudes(size) + coordinates_;
   return pad_scale_ * (16 * unit_roundoff * dot(size, world_sizes_) + 8 * smallest_double * underflowed);
 }
 

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/cull_bounds.hpp"
 
 namespace toccata {
 namespace {
-
-double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
 
 /// x to linear · x + offset, in doubles.
 struct Motion {
@@ -26,7 +25,7 @@ Motion difference(const Motion& after, const Motion& before) {
 /// Not less than the length, however small it is.
 double length_of(const Vec3& v) {
   const double squared = dot(v, v);
-  return squared > 0x1p-900 ? std::sqrt(squared) : sum_of(v);
+  return squared > 0x1p-900 ? std::sqrt(squared) : sum_of_magnitudes(v);
 }
 
 /// The greatest length of linear · x + offset in the box.
@@ -61,8 +60,8 @@ Motion seen_from(const Pose& own, const Pose& other) {
 /// More than any point of the other box is away from the own frame's origin, and any of the own box.
 double size_seen(const Motion& other, const Aabb& other_box, const Aabb& own_box) {
   const Vec3 reach = largest_coordinates(other_box);
-  double size = sum_of(largest_coordinates(own_box)) + sum_of(other.offset);
-  for (int i = 0; i < 3; ++i) size += (sum_of(other.linear[i])) * std::max({reach.x, reach.y, reach.z});
+  double size = sum_of_magnitudes(largest_coordinates(own_box)) + sum_of_magnitudes(other.offset);
+  for (int i = 0; i < 3; ++i) size += (sum_of_magnitudes(other.linear[i])) * std::max({reach.x, reach.y, reach.z});
   return size;
 }
 
@@ -86,8 +85,9 @@ double relative_motion(const Model& a, const Model& b, const Pose& a_before, con
   motion = std::min(motion, as_seen(a_before, a_after, box_a, b_before, b_after, box_b));
   motion = std::min(motion, as_seen(b_before, b_after, box_b, a_before, a_after, box_a));
   // World vertices are rounded by some units of these sizes, and so is all that was computed here.
-  const double sizes = (sum_of(world_sizes(a_before, box_a)) + sum_of(world_sizes(a_after, box_a))) +
-                       (sum_of(world_sizes(b_before, box_b)) + sum_of(world_sizes(b_after, box_b)));
+  const double sizes =
+      (sum_of_magnitudes(world_sizes(a_before, box_a)) + sum_of_magnitudes(world_sizes(a_after, box_a))) +
+      (sum_of_magnitudes(world_sizes(b_before, box_b)) + sum_of_magnitudes(world_sizes(b_after, box_b)));
   const double bound = motion * (1 + 0x1p-40) + (128 * unit_roundoff * sizes + 64 * smallest_double);
   return std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
 }

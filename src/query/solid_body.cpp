@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "query/relation_locality.hpp"
 #include "query/triangles_shape.hpp"
 #include "toccata/core/error.hpp"
@@ -21,8 +21,6 @@ std::vector<Vec3> corners_of(const Aabb& box) {
                        (i & 4) != 0 ? box.upper.z : box.lower.z});
   return corners;
 }
-
-double greatest_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 Vec3 offset_of(const PosedShape& shape) {
   if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->pose().offset;
@@ -76,9 +74,9 @@ std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
 SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
   for (const PosedPart& part : posed.parts) {
     box_ = merge(box_, world_box(part.shape));
-    extent_ = std::max(extent_, greatest_coordinate(offset_of(part.shape)));
+    extent_ = std::max(extent_, largest_magnitude(offset_of(part.shape)));
   }
-  extent_ += greatest_coordinate(box_.lower) + greatest_coordinate(box_.upper);
+  extent_ += largest_magnitude(box_.lower) + largest_magnitude(box_.upper);
   find_whole();
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string_view>
 
+#include "math/vec3_measures.hpp"
 #include "query/parting_search.hpp"
 #include "query/relation_posed.hpp"
 #include "query/solid_body.hpp"
@@ -80,11 +80,6 @@ bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
 PairQuery moved(PairQuery query, const Vec3& move) {
   query.pose_b.offset = query.pose_b.offset + move;
   return query;
-}
-
-Vec3 unit_or_zero(const Vec3& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vec3{};
 }
 
 Vec3 normal_at(const Model& model, const Pose& pose, Index element) {

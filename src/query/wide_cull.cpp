@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "query/cull_bounds.hpp"
 
 namespace toccata {
@@ -10,9 +11,6 @@ namespace {
 
 // Floats are used for numbers up to this size; beyond, an axis is left out.
 constexpr double largest_number = 1e30;
-
-double largest_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
 
 /// own · q is offset + other · p where a point q of the own tree and a point p of the other are one in the world, up to
 /// the pad; all in the units of the trees.
@@ -35,21 +33,21 @@ Form seen_from_other(const Form& f) { return {f.other, f.own, -f.offset, f.pad};
 
 /// What the doubles of a form round during a walk, and what becomes of numbers that underflow as floats.
 double rounding_of(const Form& f) {
-  return 16 * unit_roundoff * ((sum_of(f.own) + sum_of(f.other)) + std::abs(f.offset)) + 1e-30;
+  return 16 * unit_roundoff * ((sum_of_magnitudes(f.own) + sum_of_magnitudes(f.other)) + std::abs(f.offset)) + 1e-30;
 }
 
 /// As a float, and not less.
 float not_less(double value) { return static_cast<float>(value * (1 + 0x1p-20)); }
 
 bool is_usable(const Form& f) {
-  return sum_of(f.own) < largest_number && sum_of(f.other) < largest_number && std::abs(f.offset) < largest_number &&
-         f.pad < largest_number;
+  return sum_of_magnitudes(f.own) < largest_number && sum_of_magnitudes(f.other) < largest_number &&
+         std::abs(f.offset) < largest_number && f.pad < largest_number;
 }
 
 /// The own coordinate that the axis follows, up to what rounding made of it; 3 where there is none.
 int coordinate_of(const Vec3& own) {
   for (int i = 0; i < 3; ++i)
-    if (sum_of(own) - std::abs(own[i]) <= 0x1p-40 * std::abs(own[i]) && own[i] != 0) return i;
+    if (sum_of_magnitudes(own) - std::abs(own[i]) <= 0x1p-40 * std::abs(own[i]) && own[i] != 0) return i;
   return 3;
 }
 
@@ -66,7 +64,7 @@ class AxesMaker {
     if (i < 3 && std::isinf(axes_.pad[static_cast<std::size_t>(i)]))
       add_straight(i, scaled(form, 1 / form.own[i]));
     else
-      add_slanted(scaled(form, 1 / std::max(largest_of(form.own), largest_of(form.other))));
+      add_slanted(scaled(form, 1 / std::max(largest_magnitude(form.own), largest_magnitude(form.other))));
   }
 
   WideAxes axes(double other_is_larger_by) {
@@ -78,14 +76,14 @@ class AxesMaker {
   void add_straight(int i, Form form) {
     if (!is_usable(form)) return;
     // |q| ≤ 2 (trees/wide_tree.hpp), so what the other two coordinates add is at most twice their factors.
-    form.pad += 2 * (sum_of(form.own) - std::abs(form.own[i]));
+    form.pad += 2 * (sum_of_magnitudes(form.own) - std::abs(form.own[i]));
     set(static_cast<std::size_t>(i), form, 2);
   }
 
   void add_slanted(const Form& form) {
     if (!is_usable(form) || axes_.count == WideAxes::most) return;
     axes_.slanted[axes_.count] = SlantedForm(floats_of(form.own));
-    set(axes_.count++, form, 2 * sum_of(form.own));
+    set(axes_.count++, form, 2 * sum_of_magnitudes(form.own));
   }
 
   void set(std::size_t axis, const Form& form, double own_size) {
@@ -104,7 +102,7 @@ class AxesMaker {
 double world_size(const PosedMesh& mesh) {
   const Mat3& linear = mesh.pose().linear;
   return mesh.model().wide_tree().unit *
-         std::max({largest_of(linear[0]), largest_of(linear[1]), largest_of(linear[2])});
+         std::max({largest_magnitude(linear[0]), largest_magnitude(linear[1]), largest_magnitude(linear[2])});
 }
 
 }  // namespace
@@ -127,9 +125,9 @@ void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe&
   // The region's side and the origin's number are rounded too: the pad counts twice, and both sides once more.
   const double pad = 2 * direction.pad + 4 * unit_roundoff * (std::abs(middle) + half);
   const Form whole{tree.unit * direction.on_mesh, {}, middle - origin, half + pad};
-  const Form form = scaled(whole, 1 / largest_of(whole.own));
+  const Form form = scaled(whole, 1 / largest_magnitude(whole.own));
   if (!is_usable(form) || probe.count == WideProbe::most) return;
-  const double slack = 0x1p-20 * ((2 * sum_of(form.own) + std::abs(form.offset)) + form.pad);
+  const double slack = 0x1p-20 * ((2 * sum_of_magnitudes(form.own) + std::abs(form.offset)) + form.pad);
   probe.axes[probe.count++] = {SlantedForm(floats_of(form.own)), static_cast<float>(form.offset),
                                not_less((form.pad + rounding_of(form)) + slack)};
 }

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/solid_angle.hpp"
 #include "query/cull_bounds.hpp"
 
 // The names and bounds are those of docs/methods/winding-numbers.md.
 namespace toccata {
 namespace {
-
-double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 constexpr WindingPart too_near{0, HUGE_VAL};
 
@@ -103,7 +102,7 @@ WindingSearch::WindingSearch(const PosedMesh& mesh)
   for (int i = 0; i < 3; ++i) back_[i] = (1 / (shape.squared_scale * unit)) * pose.linear.column(i);
   world_middle_ = transform(pose, tree_.origin);
   turned_ = determinant(pose.linear) < 0 ? -1 : 1;
-  const double world = length_of(world_sizes(mesh)) + length_of(world_middle_);
+  const double world = plain_length(world_sizes(mesh)) + plain_length(world_middle_);
   off_by_distance_ = 2 * (shape.defect + 0x1p-49) / (scale * unit);
   off_ = 2 * (0x1p-49 * world / (scale * unit) + 8 * shape.defect + 0x1p-49);
   rigid_ = is_finite(back_) && is_finite(world_middle_) && off_ < 1;
@@ -131,9 +130,11 @@ template <class Done>
 WindingNumber WindingSearch::search(const Vec3& point, WindingEntries& memory, const Done& done) const {
   const Vec3 way = point - world_middle_;
   memory.clear();
-  Seen seen{
-      .point = point, .in_tree = product(back_, way), .off = off_ + off_by_distance_ * length_of(way), .far = memory};
-  seen.by_moments = rigid_ && length_of(seen.in_tree) < 0x1p60 && seen.off < HUGE_VAL;
+  Seen seen{.point = point,
+            .in_tree = product(back_, way),
+            .off = off_ + off_by_distance_ * plain_length(way),
+            .far = memory};
+  seen.by_moments = rigid_ && plain_length(seen.in_tree) < 0x1p60 && seen.off < HUGE_VAL;
   open(0, seen);
   for (;;) {
     // What was added and taken away again rounds: before it counts, all is added anew.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
@@ -15,7 +17,6 @@ constexpr std::array<std::array<std::size_t, 3>, 10> triples{
 /// Where the pair (i, j) is.
 constexpr std::array<std::array<std::size_t, 3>, 3> pair_at{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
 
-double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
 std::array<double, 3> components(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 // Upper bounds are rounded, too: a little is added to each.
@@ -33,7 +34,7 @@ WindingMoments moments_of(const std::array<Vec3, 3>& t) {
     const Vec3 d = corner - m.centre;
     const auto at = components(d);
     for (std::size_t k = 0; k < pairs.size(); ++k) covariance[k] += at[pairs[k][0]] * at[pairs[k][1]] / 12;
-    m.radius = std::max(m.radius, length_of(d));
+    m.radius = std::max(m.radius, plain_length(d));
   }
   for (std::size_t k = 0; k < triples.size(); ++k) {
     const auto [a, b, c] = triples[k];
@@ -42,10 +43,10 @@ WindingMoments moments_of(const std::array<Vec3, 3>& t) {
                  3;
   }
   m.radius = upward * m.radius + 0x1p-50;
-  m.size = upward * (length_of(u) * length_of(v));
-  m.area = upward * (length_of(area) + 0x1p-49 * m.size);
+  m.size = upward * (plain_length(u) * plain_length(v));
+  m.area = upward * (plain_length(area) + 0x1p-49 * m.size);
   m.spread = upward * m.area * ((covariance[0] + covariance[1]) + covariance[2]);
-  m.perimeter = upward * ((length_of(u) + length_of(v)) + length_of(w));
+  m.perimeter = upward * ((plain_length(u) + plain_length(v)) + plain_length(w));
   m.triangles = m.levels = 1;
   return m;
 }
@@ -66,9 +67,9 @@ void add(WindingMoments& to, const WindingMoments& from) {
     const double twice = from.first[i] * (h[j] * h[k]) + from.first[j] * (h[i] * h[k]) + from.first[k] * (h[i] * h[j]);
     to.third[n] += from.third[n] + (2 * once + twice) / 3;
   }
-  const double distance = length_of(way);
+  const double distance = plain_length(way);
   to.radius = std::max(to.radius, upward * (distance + from.radius) + 0x1p-50);
-  const double lean = length_of(from.lean) + 0x1p-40 * from.size * from.radius;
+  const double lean = plain_length(from.lean) + 0x1p-40 * from.size * from.radius;
   to.spread = upward * (to.spread + (from.spread + distance * (2 * lean + distance * from.area)));
   to.lean = to.lean + (from.lean + from.area * way);
   to.area = upward * (to.area + from.area);
@@ -100,7 +101,7 @@ double reach(const WideBlock& block, const Vec3& centre) {
       const double off = std::abs(double{block.centre[i][lane]} - centre[axis]) + double{block.extent[i][lane]};
       farthest[axis] = std::max(farthest[axis], off);
     }
-  return upward * length_of(farthest) + 0x1p-50;
+  return upward * plain_length(farthest) + 0x1p-50;
 }
 
 /// The corners of the triangle, scaled first: a difference may be too large for doubles.

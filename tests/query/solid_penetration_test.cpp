@@ -135,6 +135,14 @@ TEST(SolidPenetrations, OfSolidsThatDoNotOverlapAreZero) {
   }
 }
 
+TEST(SolidPenetrations, OfSolidsApartHaveTheWayBetweenThemAtAnySize) {
+  for (const double size : {1e-170, 1e-100, 1.0, 1e100, 1e160}) {
+    const Model box(box_mesh({size, size, size}));
+    const Penetration p = penetration(box, box, {.pose_b = Pose::translation(4 * size, 0, 0)});
+    EXPECT_NEAR(std::abs(p.direction.x), 1, 1e-12) << size;
+  }
+}
+
 TEST(SolidPenetrations, OfManyPosesAndThreadsAreTheSame) {
   const Model gear(gear_mesh({})), box(box_mesh({0.25, 0.25, 0.25}));
   std::vector<PairQuery> queries;
