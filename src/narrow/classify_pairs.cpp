@@ -230,6 +230,31 @@ HWY_INLINE Yes stands_on_shared(const Shared& shared, const Heights& h, Number e
   return hn::And(hn::AndNot(all, some), hn::Or(all_above, all_below));
 }
 
+/// Of a triangle that shares one corner and has the others certainly on two sides of the other's plane: whether the one
+/// after the shared corner is above.
+struct Fan {
+  Yes known, next_above;
+};
+
+HWY_INLINE Fan fan_of(const Shared& shared, const Heights& h, Number error) {
+  const Yes one =
+      hn::AndNot(hn::And(hn::And(shared.p, shared.q), shared.r), hn::Xor(hn::Xor(shared.p, shared.q), shared.r));
+  const Yes certain = hn::And(hn::And(hn::Or(shared.p, exceeds(h.p, error)), hn::Or(shared.q, exceeds(h.q, error))),
+                              hn::Or(shared.r, exceeds(h.r, error)));
+  const Yes p = positive(h.p), q = positive(h.q), r = positive(h.r);
+  const Yes next = hn::Or(hn::Or(hn::And(shared.p, q), hn::And(shared.q, r)), hn::And(shared.r, p));
+  const Yes last = hn::Or(hn::Or(hn::And(shared.p, r), hn::And(shared.q, p)), hn::And(shared.r, q));
+  return {hn::And(hn::And(one, certain), hn::Xor(next, last)), next};
+}
+
+/// They have only the corner in common that they share. With it for the origin, a's other corners q and r in turn, and
+/// n for a's normal and m for b's: where q is above b's plane and r below, a reaches from the corner along n × m, for
+/// m × (q × r) = q (m · r) − r (m · q) is a negative multiple of where the edge q r crosses the plane. The same of b,
+/// with m × n.
+HWY_INLINE Yes part_at_corner(const Fan& a, const Fan& b) {
+  return hn::AndNot(hn::Xor(a.next_above, b.next_above), hn::And(a.known, b.known));
+}
+
 // Blocks.
 
 HWY_INLINE std::uint64_t bits(Yes yes) {
@@ -261,9 +286,13 @@ HWY_INLINE LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lan
   const Yes across_a = straddle(of_a), across_b = straddle(of_b);
   Yes apart = hn::Or(hn::And(disjoint(box_a, box_b), finite(heights_b)),
                      hn::Or(hn::AndNot(across_a, of_a.certain), hn::AndNot(across_b, of_b.certain)));
-  if constexpr (kin == Kin::of_one_mesh)
-    apart = hn::Or(apart, hn::Or(stands_on_shared(shared_corners(b, a), heights_b, error_b),
-                                 stands_on_shared(shared_corners(a, b), heights_a, error_a)));
+  if constexpr (kin == Kin::of_one_mesh) {
+    const Shared shared_a = shared_corners(a, b), shared_b = shared_corners(b, a);
+    const Yes stands =
+        hn::Or(stands_on_shared(shared_b, heights_b, error_b), stands_on_shared(shared_a, heights_a, error_a));
+    const Yes parts = part_at_corner(fan_of(shared_a, heights_a, error_a), fan_of(shared_b, heights_b, error_b));
+    apart = hn::Or(apart, hn::Or(stands, parts));
+  }
   const Yes general = hn::AndNot(apart, hn::And(of_a.certain, of_b.certain));
   LaneVerdicts result;
   result.unknown = bits(hn::Not(apart));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -97,6 +98,47 @@ TEST(SelfContacts, NeighboursThatBlocksTellApartHaveNothingElseInCommon) {
       }
       EXPECT_GT(told, proper / 3) << name_of(level);
     });
+}
+
+/// Two triangles that share one corner, anywhere in either, and lie on both sides of each other's planes.
+TriangleMesh crossing_at_a_corner(Random& random) {
+  while (true) {
+    std::vector<Vec3> points{{}};
+    while (points.size() < 5) points.push_back({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
+    std::array<std::array<Index, 3>, 2> triangles{{{0, 1, 2}, {0, 3, 4}}};
+    for (auto& triangle : triangles) {
+      std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(random.below(3)), triangle.end());
+      if (random.below(2) == 0) std::swap(triangle[0], triangle[1]);
+    }
+    const auto parted = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+      const Vec3 normal = cross(points[i] - points[0], points[j] - points[0]);
+      return dot(normal, points[k] - points[0]) * dot(normal, points[l] - points[0]) < -1e-6;
+    };
+    if (parted(1, 2, 3, 4) && parted(3, 4, 1, 2)) return {points, {triangles[0], triangles[1]}};
+  }
+}
+
+TEST(SelfContacts, BlocksTellAllThatCrossEachOthersPlanesAndHaveOneCornerInCommon) {
+  test::at_every_simd_level([&](SimdLevel level) {
+    Random random(6);
+    int proper = 0;
+    for (int i = 0; i < 200; ++i) {
+      const TriangleMesh mesh = crossing_at_a_corner(random);
+      TrianglePairBlock block{};
+      const auto triangle = [&](std::size_t t) -> Triangle {
+        const auto& [p, q, r] = mesh.triangles()[t];
+        return {{mesh.vertices()[p], mesh.vertices()[q], mesh.vertices()[r]}};
+      };
+      set_pair(block, 0, triangle(0), triangle(1));
+      block.count = 1;
+      classify_neighbours({}, {&block, 1});
+      const bool meets = !oracle::self_meeting_pairs(oracle::surface_set(mesh, {})).empty();
+      EXPECT_EQ((block.meeting | block.unknown) != 0, meets) << name_of(level) << ", case " << i;
+      proper += meets ? 0 : 1;
+    }
+    EXPECT_GT(proper, 50);
+    EXPECT_LT(proper, 150);
+  });
 }
 
 TEST(SelfContacts, AVertexInAnEdgeIsMet) {
