@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "math/transform.hpp"
+#include "math/world_vertex.hpp"
 #include "narrow/gjk_simplex.hpp"
 #include "narrow/support_scan.hpp"
 #include "toccata/narrow/gjk.hpp"
@@ -21,7 +21,7 @@ class SupportSearch {
   /// In the world.
   [[nodiscard]] Vec3 vertex(Index i) const {
     const Vec3 stored{plain_.x[i], plain_.y[i], plain_.z[i]};
-    return shape_->in_world() ? stored : transform_inline(shape_->pose(), stored);
+    return shape_->in_world() ? stored : world_vertex(shape_->pose(), stored);
   }
 
   /// The vertex of least height along a world direction, but for rounding.
