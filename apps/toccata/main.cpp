@@ -18,6 +18,7 @@ namespace toccata::command {
 namespace {
 
 constexpr int trouble = 2;
+constexpr const char* any_files = "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)";
 
 /// What the options say before they become arguments.
 struct Options {
@@ -84,12 +85,21 @@ CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
       ->excludes(pose_b);
 }
 
-/// How the answer is written, and on how many threads it is found. `report` names the page about its JSON.
-void add_writing(CLI::App& app, Options& options, int& threads, const std::string& report) {
+/// How the answer is written. `report` names the page about its JSON.
+void add_formats(CLI::App& app, Options& options, const std::string& report) {
   CLI::Option* json = app.add_flag("--json", options.json, "write JSON (" + report + ")");
   app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
-  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same answer for any")
+}
+
+/// `made` is what does not depend on the threads.
+void add_threads(CLI::App& app, int& threads, const std::string& made) {
+  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
       ->check(CLI::Range(0, 1024));
+}
+
+void add_writing(CLI::App& app, Options& options, int& threads, const std::string& report) {
+  add_formats(app, options, report);
+  add_threads(app, threads, "answer");
 }
 
 CLI::Option* add_solid(CLI::App& app, Options& options) {
@@ -120,7 +130,7 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
 
 void add_check(CLI::App& app, Options& options) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
-  add_input(*check, options.check.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  add_input(*check, options.check.input, any_files);
   CLI::Option* poses = add_poses(*check, options, options.check.poses);
   CLI::Option* solid = add_solid(*check, options);
   CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
@@ -166,7 +176,7 @@ void add_check(CLI::App& app, Options& options) {
 void add_view(CLI::App& app, Options& options) {
   ViewArguments& arguments = options.view;
   CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what touches, and why");
-  add_input(*view, arguments.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  add_input(*view, arguments.input, any_files);
   view->add_option("-o,--output", arguments.html, "the page to write")->type_name("FILE.html");
   add_pose_pair(*view, options);
   add_solid(*view, options);
@@ -185,8 +195,7 @@ void add_view(CLI::App& app, Options& options) {
       ->type_name("TEXT");
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
-  view->add_option("--threads", arguments.threads, "threads to use; 0: as many as there are; same page for any")
-      ->check(CLI::Range(0, 1024));
+  add_threads(*view, arguments.threads, "page");
   view->footer(
       with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
                 "Exit code: 0 written, 2 trouble.\n\nExample:\n"
@@ -210,7 +219,7 @@ void add_distance(CLI::App& app, Options& options) {
 
 void add_ray(CLI::App& app, Options& options) {
   CLI::App* ray = app.add_subcommand("ray", "what a ray meets first, decided exactly");
-  add_input(*ray, options.ray.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  add_input(*ray, options.ray.input, any_files);
   const auto point = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
     return ray->add_option(name, numbers, what)->expected(3)->allow_extra_args(false)->type_name("X Y Z");
   };
@@ -230,7 +239,7 @@ void add_ray(CLI::App& app, Options& options) {
 
 void add_faces(CLI::App& app, Options& options) {
   CLI::App* faces = app.add_subcommand("faces", "which faces lie in a box or a ball, wholly or in part");
-  add_input(*faces, options.faces.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  add_input(*faces, options.faces.input, any_files);
   CLI::Option* box = faces->add_option("--box", options.box, "the least corner and the greatest, in the world")
                          ->expected(6)
                          ->delimiter(',')
@@ -276,8 +285,7 @@ void add_cost(CLI::App& app, Options& options) {
   cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  CLI::Option* json = cost->add_flag("--json", options.json, "write JSON (docs/reference/cost-report.md)");
-  cost->add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+  add_formats(*cost, options, "docs/reference/cost-report.md");
   cost->footer(
       with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
                 "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
@@ -287,7 +295,7 @@ void add_cost(CLI::App& app, Options& options) {
 
 void add_nearest(CLI::App& app, Options& options) {
   CLI::App* nearest = app.add_subcommand("nearest", "which point of a surface is nearest to a point, certified");
-  add_input(*nearest, options.nearest.input, "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)");
+  add_input(*nearest, options.nearest.input, any_files);
   CLI::Option* point = nearest->add_option("--point", options.point, "the point, in the world")
                            ->expected(3)
                            ->delimiter(',')
@@ -344,8 +352,7 @@ void add_tree(CLI::App& app, Options& options) {
   tree->add_option("file", options.tree.file, "a file with one mesh")->required();
   CLI::Option* save = tree->add_option("--save", options.tree.save, "write the tree here")->type_name("FILE");
   tree->add_option("--check", options.tree.check, "look through this tree")->type_name("FILE")->excludes(save);
-  tree->add_option("--threads", options.tree.threads, "threads to use; 0: as many as there are; same tree for any")
-      ->check(CLI::Range(0, 1024));
+  add_threads(*tree, options.tree.threads, "tree");
   tree->footer(
       with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
                 "Exit code: 0 saved, or right; 2 trouble: damaged, or of another mesh.\n\n"
@@ -356,8 +363,7 @@ void add_demo(CLI::App& app, Options& options) {
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
   demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder")
       ->check([](const std::string& folder) { return folder.empty() ? "a folder must be named" : std::string(); });
-  demo->add_option("--threads", options.demo.threads, "threads to use; 0: as many as there are")
-      ->check(CLI::Range(0, 1024));
+  add_threads(*demo, options.demo.threads, "answer");
   demo->add_flag("--json", options.json, "write the answers as JSON");
   demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
 }
