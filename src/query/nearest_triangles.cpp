@@ -104,8 +104,12 @@ Distance NearestTriangles::nearest(ConvexWorkspace* kept) {
   Key best{infinity, {}};
   std::sort(candidates_.begin(), candidates_.end(),
             [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
-  for (const NearCandidate& candidate : candidates_) {
+  constexpr std::size_t corners_ahead = 4, numbers_ahead = 8;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const NearCandidate& candidate = candidates_[i];
     if (candidate.lower > limit_) break;
+    if (i + numbers_ahead < candidates_.size()) pairs_.prefetch_numbers(candidates_[i + numbers_ahead].pair);
+    if (i + corners_ahead < candidates_.size()) pairs_.prefetch_corners(candidates_[i + corners_ahead].pair);
     const Key key{pairs_.upper_of(candidate), candidate.pair};
     limit_ = std::min(limit_, limit_from(key.upper));
     if (key < best) best = key;

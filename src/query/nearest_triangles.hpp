@@ -34,6 +34,16 @@ class WorldTriangles {
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
+  // Of the memory of a triangle: its corners' numbers, and when these have come, the corners.
+  void prefetch_numbers(Index number) const { __builtin_prefetch(&triangles_[number]); }
+  void prefetch_corners(Index number) const {
+    for (const Index corner : triangles_[number]) {
+      const auto* bytes = reinterpret_cast<const char*>(&vertices_[corner]);
+      __builtin_prefetch(bytes);
+      __builtin_prefetch(bytes + sizeof(Vec3) - 1);
+    }
+  }
+
   Triangle operator[](Index number) const {
     const auto& corner = triangles_[number];
     return {{world_vertex(pose_, vertices_[corner[0]]), world_vertex(pose_, vertices_[corner[1]]),
@@ -55,12 +65,26 @@ class PairDistances {
   /// Calls `see(candidate)` for all of the pairs, in their order, until it returns false.
   template <class See>
   void bound(std::span<const ItemPair> pairs, const See& see) {
-    for (; !pairs.empty(); pairs = pairs.subspan(std::min(TrianglePairBlock::lanes, pairs.size()))) {
-      const auto block = pairs.first(std::min(TrianglePairBlock::lanes, pairs.size()));
+    for (const ItemPair& pair : pairs) prefetch_numbers(pair);
+    for (const ItemPair& pair : first_of(pairs)) prefetch_corners(pair);
+    while (!pairs.empty()) {
+      const auto block = first_of(pairs);
+      pairs = pairs.subspan(block.size());
+      for (const ItemPair& pair : first_of(pairs)) prefetch_corners(pair);
       bound_block(block);
       for (std::size_t lane = 0; lane < block.size(); ++lane)
         if (!see(NearCandidate{gaps_.lower[lane], gaps_.upper[lane], block[lane], gaps_.points(lane)})) return;
     }
+  }
+
+  // Asks for the memory of two triangles before their turn comes: first for what tells their corners, then for these.
+  void prefetch_numbers(const ItemPair& pair) const {
+    a_.prefetch_numbers(pair.first);
+    b_.prefetch_numbers(pair.second);
+  }
+  void prefetch_corners(const ItemPair& pair) const {
+    a_.prefetch_corners(pair.first);
+    b_.prefetch_corners(pair.second);
   }
 
   [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
@@ -76,6 +100,9 @@ class PairDistances {
   [[nodiscard]] bool is_within(const NearCandidate& candidate, double tolerance) const;
 
  private:
+  static std::span<const ItemPair> first_of(std::span<const ItemPair> pairs) {
+    return pairs.first(std::min(TrianglePairBlock::lanes, pairs.size()));
+  }
   void bound_block(std::span<const ItemPair> pairs);
   [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const;
 
