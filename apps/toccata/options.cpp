@@ -1,0 +1,348 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+constexpr const char* any_files = "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)";
+
+void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
+  input.wanted = what;
+  app.add_option("files", input.files, what);
+  app.add_option(
+      "--unit", input.unit,
+      "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
+      "given poses and all printed points, is then in metres");
+  app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+}
+
+/// Where the objects of two files are: --pose-a and --pose-b.
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
+  const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
+    return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
+  };
+  return {pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t"),
+          pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")};
+}
+
+/// Where the objects of two files are, once or at many poses. Returns --poses.
+CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
+  const auto [pose_a, pose_b] = add_pose_pair(app, options);
+  return app
+      .add_option("--poses", poses,
+                  "answers for two objects at many poses: a file with 12 or 24 numbers a line "
+                  "(docs/reference/poses-file.md)")
+      ->check([](const std::string& file) { return file.empty() ? "a file must be named" : std::string(); })
+      ->type_name("FILE")
+      ->excludes(pose_a)
+      ->excludes(pose_b);
+}
+
+/// How the answer is written. `report` names the page about its JSON.
+void add_formats(CLI::App& app, Options& options, const std::string& report) {
+  CLI::Option* json = app.add_flag("--json", options.json, "write JSON (" + report + ")");
+  app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+}
+
+/// `made` is what does not depend on the threads.
+void add_threads(CLI::App& app, int& threads, const std::string& made) {
+  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
+      ->check(CLI::Range(0, 1024));
+}
+
+void add_writing(CLI::App& app, Options& options, int& threads, const std::string& report) {
+  add_formats(app, options, report);
+  add_threads(app, threads, "answer");
+}
+
+CLI::Option* add_solid(CLI::App& app, Options& options) {
+  return app
+      .add_option("--solid", options.solid,
+                  "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                  "(default: as the scene says, else auto)")
+      ->check(CLI::IsMember({"auto", "all", "none"}));
+}
+
+/// --clearance and --clearance-of; returns both.
+std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
+  CLI::Option* clearance =
+      app.add_option(
+             "--clearance", arguments.clearance,
+             "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
+             "its own (0.5, 2mm, 0.1in); all: every pair")
+          ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
+          ->type_name("LENGTH");
+  CLI::Option* clearance_of =
+      app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
+          ->type_name("NAME,NAME=LENGTH")
+          ->expected(1)
+          ->allow_extra_args(false)
+          ->take_all();
+  return {clearance, clearance_of};
+}
+
+void add_check(CLI::App& app, Options& options) {
+  CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
+  add_input(*check, options.check.input, any_files);
+  CLI::Option* poses = add_poses(*check, options, options.check.poses);
+  CLI::Option* solid = add_solid(*check, options);
+  CLI::Option* touching = check->add_option("--touching", options.touching, "whether merely touching counts")
+                              ->check(CLI::IsMember({"count", "ignore"}))
+                              ->capture_default_str();
+  CLI::Option* penetration = check->add_flag("--penetration", options.check.penetration,
+                                             "how deep solids overlap, a way to part them, their regions of contact "
+                                             "and (without --poses) their points of contact");
+  const auto [clearance, clearance_of] = add_clearances(*check, options.check);
+  clearance->excludes(poses);
+  clearance_of->excludes(poses);
+  CLI::Option* html =
+      check->add_option("--html", options.check.html, "also write a page that shows the objects and what was found")
+          ->type_name("FILE")
+          ->excludes(poses);
+  check
+      ->add_flag("--self", options.check.self,
+                 "each object against itself, instead of against the others: where its own faces meet")
+      ->excludes(poses)
+      ->excludes(penetration)
+      ->excludes(clearance)
+      ->excludes(clearance_of)
+      ->excludes(html)
+      ->excludes(solid)
+      ->excludes(touching);
+  check->add_flag("--faces", options.check.faces,
+                  "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
+  add_writing(*check, options, options.check.threads, "docs/reference/check-report.md");
+  check->footer(
+      with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.\n\n"
+                "Example:\n"
+                "  {0} demo --write scenes\n"
+                "  {0} check scenes/a.obj scenes/b.stl --faces\n"
+                "  {0} check part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0\n"
+                "  {0} check robot.stl table.obj --poses path.txt --csv\n"
+                "  {0} check part.stl --self --faces\n"
+                "  {0} check shapes.json --penetration\n"
+                "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
+                "  {0} check a.stl b.stl --html report.html\n"
+                "  {0} check scenes/shelf/scene.json --json"));
+}
+
+void add_view(CLI::App& app, Options& options) {
+  ViewArguments& arguments = options.view;
+  CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what touches, and why");
+  add_input(*view, arguments.input, any_files);
+  view->add_option("-o,--output", arguments.html, "the page to write")->type_name("FILE.html");
+  add_pose_pair(*view, options);
+  add_solid(*view, options);
+  view->add_flag("--penetration", arguments.penetration,
+                 "also how deep solids overlap, and their points and regions of contact");
+  add_clearances(*view, arguments);
+  view->add_option("--hierarchy", arguments.hierarchy,
+                   "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
+                   "rss, ellipsoid, hull; wide: the tree that queries use")
+      ->type_name("VOLUME");
+  view->add_option("--png", arguments.png, "draw a picture of the page, where Chromium is installed")
+      ->type_name("FILE.png");
+  view->add_option("--size", arguments.size, "of the picture (default: 1200x800)")->type_name("WIDTHxHEIGHT");
+  view->add_option("--look", arguments.look,
+                   "what the picture shows: the end of a link to the page, 'pair=0&theme=dark'")
+      ->type_name("TEXT");
+  view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
+      ->check(CLI::IsMember({"y", "z"}));
+  add_threads(*view, arguments.threads, "page");
+  view->footer(
+      with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
+                "Exit code: 0 written, 2 trouble.\n\nExample:\n"
+                "  {0} view a.stl b.obj -o touch.html\n"
+                "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
+                "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+                "  {0} view a.stl b.obj --png touch.png --look 'pair=0'"));
+}
+
+void add_distance(CLI::App& app, Options& options) {
+  CLI::App* distance = app.add_subcommand("distance", "how far apart shapes are, certified");
+  add_input(*distance, options.distance.input,
+            "one file (all pairs of its objects) or two (pairs of one of each): meshes or scenes");
+  add_poses(*distance, options, options.distance.poses);
+  add_solid(*distance, options);
+  add_writing(*distance, options, options.distance.threads, "docs/reference/distance-report.md");
+  distance->footer(
+      with_name("Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance a.stl b.obj\n"
+                "  {0} distance shapes.json\n  {0} distance robot.json table.json --poses path.txt --csv"));
+}
+
+void add_ray(CLI::App& app, Options& options) {
+  CLI::App* ray = app.add_subcommand("ray", "what a ray meets first, decided exactly");
+  add_input(*ray, options.ray.input, any_files);
+  const auto point = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
+    return ray->add_option(name, numbers, what)->expected(3)->allow_extra_args(false)->type_name("X Y Z");
+  };
+  CLI::Option* from = point("--from", options.from, "where the ray starts, in the world");
+  CLI::Option* to = point("--to", options.to, "where it ends");
+  ray->add_option("--rays", options.ray.rays, "many rays: a file with six numbers a line, where each starts and ends")
+      ->type_name("FILE")
+      ->excludes(from)
+      ->excludes(to);
+  add_solid(*ray, options);
+  add_writing(*ray, options, options.ray.threads, "docs/reference/ray-report.md");
+  ray->footer(
+      with_name("A solid is met at once by a ray that starts inside; --solid=none asks about surfaces alone.\n\n"
+                "Exit code: 0 nothing is met, 1 something is, 2 trouble.\n\nExample:\n"
+                "  {0} ray part.stl --from 0 0 5 --to 0 0 -5\n  {0} ray scene.json --rays rays.txt --csv"));
+}
+
+void add_faces(CLI::App& app, Options& options) {
+  CLI::App* faces = app.add_subcommand("faces", "which faces lie in a box or a ball, wholly or in part");
+  add_input(*faces, options.faces.input, any_files);
+  CLI::Option* box = faces->add_option("--box", options.box, "the least corner and the greatest, in the world")
+                         ->expected(6)
+                         ->delimiter(',')
+                         ->allow_extra_args(false)
+                         ->type_name("X0 Y0 Z0 X1 Y1 Z1");
+  faces->add_option("--ball", options.ball, "centre and radius")
+      ->expected(4)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("X Y Z R")
+      ->excludes(box);
+  add_writing(*faces, options, options.faces.threads, "docs/reference/faces-report.md");
+  faces->footer(
+      with_name("Touching counts. Faces are the files' own, from 0.\n\n"
+                "Exit code: 0 there is none, 1 there is one, 2 trouble.\n\nExample:\n"
+                "  {0} faces part.stl --box 0 0 0  1 1 1\n  {0} faces scene.json --ball 0 0 5 0.25 --csv"));
+}
+
+void add_cost(CLI::App& app, Options& options) {
+  CLI::App* cost =
+      app.add_subcommand("cost", "which bounding volume and hierarchy is cheapest for two meshes, measured");
+  add_input(*cost, options.cost.input, "two files of one mesh each");
+  add_poses(*cost, options, options.cost.poses);
+  CostWords& words = options.cost_words;
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    cost->add_option(name, values, what)->delimiter(',')->allow_extra_args(false)->type_name("WORD,…");
+  };
+  cost->add_option("--task", words.task, "what is asked at each pose: overlap, contacts or distance")
+      ->capture_default_str();
+  list("--workloads", words.workloads, "rigid, refit, rebuild (default: all)");
+  list("--volumes", words.volumes, "aabb, obb, 26-dop, … (default: all)");
+  list("--builders", words.builders, "heuristic, mean, median, morton, agglomeration, insertion (default: all)");
+  cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check([](const std::string& number) { return number.empty() ? "a number must be given" : std::string(); })
+      ->type_name("NUMBER,…");
+  cost->add_option("--leaf-size", words.leaf_size, "triangles in a leaf, at most")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  CLI::Option* quick = cost->add_flag("--quick", words.quick, "two builders and two arities, and only what is fast");
+  cost->add_flag("--all", words.all, "also what takes long: of large meshes some is left out")->excludes(quick);
+  cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  add_formats(*cost, options, "docs/reference/cost-report.md");
+  cost->footer(
+      with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
+                "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
+                "  {0} cost part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0 --quick\n"
+                "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
+}
+
+void add_nearest(CLI::App& app, Options& options) {
+  CLI::App* nearest = app.add_subcommand("nearest", "which point of a surface is nearest to a point, certified");
+  add_input(*nearest, options.nearest.input, any_files);
+  CLI::Option* point = nearest->add_option("--point", options.point, "the point, in the world")
+                           ->expected(3)
+                           ->delimiter(',')
+                           ->allow_extra_args(false)
+                           ->type_name("X Y Z");
+  nearest->add_option("--points", options.nearest.points, "many points: a file with three numbers a line")
+      ->type_name("FILE")
+      ->excludes(point);
+  nearest->add_option("--k", options.nearest.k, "so many nearest triangles, nearest first")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("NUMBER");
+  nearest
+      ->add_option("--within", options.nearest.within,
+                   "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "
+                   "all: nothing is")
+      ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
+      ->type_name("LENGTH");
+  nearest->add_flag(
+      "--signed", options.nearest.sides,
+      "tell on which side of the surface the point is, and inside of which object: exactly of closed meshes "
+      "and other solids, by the generalised winding number of an open mesh");
+  add_writing(*nearest, options, options.nearest.threads, "docs/reference/nearest-report.md");
+  nearest->footer(
+      with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"
+                "  {0} nearest part.stl --point 0 0 5\n"
+                "  {0} nearest part.stl --points points.txt --k 3 --within 0.5 --csv"));
+}
+
+void add_pairs(CLI::App& app, Options& options) {
+  CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
+  pairs->add_flag("--json", options.json, "write JSON (docs/reference/pairs.md)");
+  pairs->footer(with_name("Example:\n  {0} pairs"));
+}
+
+void add_inspect(CLI::App& app, Options& options) {
+  CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: closed? degenerate? how large?");
+  add_input(*inspect, options.inspect.input, "mesh or scene files");
+  CLI::Option* volumes =
+      inspect->add_flag("--volumes", options.inspect.volumes,
+                        "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
+  inspect
+      ->add_flag("--hierarchy", options.inspect.hierarchy,
+                 "how good the tree of nodes is as a hierarchy, and what rebalancing it gains")
+      ->excludes(volumes);
+  inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
+  inspect->footer(
+      with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
+                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"
+                "  {0} inspect machine.glb --hierarchy"));
+}
+
+void add_tree(CLI::App& app, Options& options) {
+  CLI::App* tree = app.add_subcommand("tree", "save the tree over a mesh, or look whether one belongs to it");
+  tree->add_option("file", options.tree.file, "a file with one mesh")->required();
+  CLI::Option* save = tree->add_option("--save", options.tree.save, "write the tree here")->type_name("FILE");
+  tree->add_option("--check", options.tree.check, "look through this tree")->type_name("FILE")->excludes(save);
+  add_threads(*tree, options.tree.threads, "tree");
+  tree->footer(
+      with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
+                "Exit code: 0 saved, or right; 2 trouble: damaged, or of another mesh.\n\n"
+                "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
+}
+
+void add_demo(CLI::App& app, Options& options) {
+  CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
+  demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder")
+      ->check([](const std::string& folder) { return folder.empty() ? "a folder must be named" : std::string(); });
+  add_threads(*demo, options.demo.threads, "answer");
+  demo->add_flag("--json", options.json, "write the answers as JSON");
+  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
+}
+
+}  // namespace
+
+void add_subcommands(CLI::App& app, Options& options) {
+  add_check(app, options);
+  add_view(app, options);
+  add_distance(app, options);
+  add_ray(app, options);
+  add_faces(app, options);
+  add_cost(app, options);
+  add_nearest(app, options);
+  add_pairs(app, options);
+  add_inspect(app, options);
+  add_tree(app, options);
+  add_demo(app, options);
+}
+
+std::string with_name(const char* text) { return fmt::format(fmt::runtime(text), called_as()); }
+
+}  // namespace toccata::command
