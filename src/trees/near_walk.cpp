@@ -249,45 +249,25 @@ class Run {
     return std::max(bucket, bucket_);
   }
 
-  void push(std::array<std::uint32_t, NearFrontier::bucket_count>& buckets, std::uint32_t first, std::uint32_t second,
-            double part) {
-    std::uint32_t& head = buckets[bucket_of(part)];
-    std::uint32_t place = f_.free;
-    if (place == NearFrontier::none) {
-      place = static_cast<std::uint32_t>(f_.entries.size());
-      f_.entries.emplace_back();
-    } else {
-      f_.free = f_.entries[place].next;
-    }
-    f_.entries[place] = {first, second, static_cast<float>(part), head};
-    head = place;
+  void push(std::array<NearFrontier::Bucket, NearFrontier::bucket_count>& buckets, std::uint32_t first,
+            std::uint32_t second, double part) {
+    f_.push(buckets[bucket_of(part)], {first, second, static_cast<float>(part)});
   }
 
   void push_boxes(std::size_t side, std::uint32_t number, std::uint32_t other, double part) {
-    push(f_.buckets, number << 1 | static_cast<std::uint32_t>(side), other, part);
-  }
-
-  NearFrontier::Entry pop(std::uint32_t& head) {
-    const std::uint32_t place = head;
-    NearFrontier::Entry& entry = f_.entries[place];
-    const NearFrontier::Entry taken = entry;
-    head = entry.next;
-    entry.next = f_.free;
-    f_.free = place;
-    return taken;
+    push(f_.boxes, number << 1 | static_cast<std::uint32_t>(side), other, part);
   }
 
   void empty_bucket() {
-    std::uint32_t& boxes = f_.buckets[bucket_];
-    std::uint32_t& items = f_.item_buckets[bucket_];
-    while (limit_part_ >= 0 && (boxes != NearFrontier::none || items != NearFrontier::none)) {
-      while (boxes != NearFrontier::none) {
-        const NearFrontier::Entry entry = pop(boxes);
-        if (boxes != NearFrontier::none) ask_for_boxes(f_.entries[boxes]);
+    NearFrontier::Bucket &boxes = f_.boxes[bucket_], &items = f_.items[bucket_];
+    while (limit_part_ >= 0 && (!boxes.empty() || !items.empty())) {
+      while (!boxes.empty()) {
+        const NearFrontier::Entry entry = f_.pop(boxes);
+        if (!boxes.empty()) ask_for_boxes(f_.top(boxes));
         if (!is_beyond(entry.bound)) open(entry);
       }
-      while (items != NearFrontier::none) {
-        const NearFrontier::Entry entry = pop(items);
+      while (!items.empty()) {
+        const NearFrontier::Entry entry = f_.pop(items);
         if (!is_beyond(entry.bound)) add_pair(entry.first, entry.second);
         if (limit_part_ < 0) return;
       }
@@ -330,7 +310,7 @@ class Run {
     const std::int32_t child = own.child[lane];
     if (child < 0 && other_child < 0) {
       const auto place = static_cast<std::uint32_t>(~child), other_place = static_cast<std::uint32_t>(~other_child);
-      push(f_.item_buckets, side == 0 ? place : other_place, side == 0 ? other_place : place, part);
+      push(f_.items, side == 0 ? place : other_place, side == 0 ? other_place : place, part);
     } else if (other_child < 0 || (child >= 0 && size_of(own, lane) >= other_size)) {
       push_boxes(side, static_cast<std::uint32_t>(child), other, part);
     } else {
@@ -391,12 +371,41 @@ HWY_EXPORT(run_near);
 HWY_EXPORT(bounds_of_block);
 
 void NearFrontier::clear() {
-  entries.clear();
+  runs.clear();
   free = none;
-  buckets.fill(none);
-  item_buckets.fill(none);
+  boxes.fill({});
+  items.fill({});
   pairs.clear();
   counts = {};
+}
+
+void NearFrontier::push(Bucket& bucket, const Entry& entry) {
+  if (bucket.empty() || bucket.count == run_length) add_run(bucket);
+  runs[bucket.run].entries[bucket.count++] = entry;
+}
+
+void NearFrontier::add_run(Bucket& bucket) {
+  std::uint32_t place = free;
+  if (place == none) {
+    place = static_cast<std::uint32_t>(runs.size());
+    runs.emplace_back();
+  } else {
+    free = runs[place].below;
+  }
+  runs[place].below = bucket.run;
+  bucket = {place, 0};
+}
+
+NearFrontier::Entry NearFrontier::pop(Bucket& bucket) {
+  Run& run = runs[bucket.run];
+  const Entry taken = run.entries[--bucket.count];
+  if (bucket.count > 0) return taken;
+  const std::uint32_t emptied = bucket.run;
+  bucket = {run.below, run.below == none ? 0 : static_cast<std::uint32_t>(run_length)};
+  run.below = free;
+  free = emptied;
+  if (!bucket.empty()) __builtin_prefetch(&runs[bucket.run].below);
+  return taken;
 }
 
 void NearWalk::run(NearFrontier& frontier, NearQuestion& question) const {

@@ -42,22 +42,40 @@ class NearQuestion {
 /// its size.
 struct NearFrontier {
   static constexpr std::size_t bucket_count = 256;
+  static constexpr std::size_t run_length = 21;
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   struct Entry {
     std::uint32_t first;   ///< block · 2 + which tree it is of; of two items, the place of the first tree's
     std::uint32_t second;  ///< box of the other tree: block · 8 + lane; of two items, the place of the second's
     float bound;           ///< as a part of the first limit
-    std::uint32_t next;    ///< in the bucket
   };
-  std::vector<Entry> entries;
+  /// Some entries of a bucket. A list of single ones would wait for memory at each.
+  struct Run {
+    std::array<Entry, run_length> entries;
+    std::uint32_t below;  ///< the run that comes when this one is empty, or the next free one
+  };
+  /// A stack of entries, whose last run is not empty.
+  struct Bucket {
+    std::uint32_t run = none;
+    std::uint32_t count = 0;  ///< entries in the last run
+
+    [[nodiscard]] bool empty() const { return run == none; }
+  };
+  std::vector<Run> runs;
   std::uint32_t free = none;
-  std::array<std::uint32_t, bucket_count> buckets{};       ///< of two boxes
-  std::array<std::uint32_t, bucket_count> item_buckets{};  ///< of two items
+  std::array<Bucket, bucket_count> boxes;  ///< of two boxes
+  std::array<Bucket, bucket_count> items;  ///< of two items
   std::vector<ItemPair> pairs;
   WalkCounts counts;
 
   void clear();
+  void push(Bucket& bucket, const Entry& entry);
+  Entry pop(Bucket& bucket);
+  [[nodiscard]] const Entry& top(const Bucket& bucket) const { return runs[bucket.run].entries[bucket.count - 1]; }
+
+ private:
+  void add_run(Bucket& bucket);
 };
 
 /// One of two trees: boxes, and the items at their places.
