@@ -1,6 +1,8 @@
 // Compiled once for every SIMD level; Highway includes this file into itself.
 #include "trees/gap_planes.hpp"
 
+#include "math/vec3_measures.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trees/gap_planes.cpp"
 #include <hwy/foreach_target.h>
@@ -284,11 +286,11 @@ void put_everywhere(const NearTree& tree, std::uint32_t box, BoxLanes::Side& sid
 
 float up_to_float(double value) { return std::nextafter(static_cast<float>(value), infinity); }
 
-double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
-
 }  // namespace
 
-double plane_pad(const NearView& view) { return view.pad + 0x1p-19 * (4 + (4 * view.ratio + sum_of(view.offset))); }
+double plane_pad(const NearView& view) {
+  return view.pad + 0x1p-19 * (4 + (4 * view.ratio + sum_of_magnitudes(view.offset)));
+}
 
 void GapPlanes::clear() {
   blocks_.clear();

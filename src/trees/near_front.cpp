@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr std::size_t items_at_first = 8;
 // Sizes whose squares and errors are ordinary floats.
 constexpr double largest_size = 1e12;
 constexpr double smallest_ratio = 1e-12;
-
-double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
 
 double size_of(const OrientedBlock& block, std::size_t lane) {
   return (double{block.extent[0][lane]} + block.extent[1][lane]) + block.extent[2][lane];
@@ -47,7 +47,7 @@ GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& fo
   plane.turned = as_floats(view.ratio * Vec3{dot(view.rotation.column(0), normal), dot(view.rotation.column(1), normal),
                                              dot(view.rotation.column(2), normal)});
   const double middle = dot(normal, view.offset) + dot(vector_of(plane.turned), vector_of(plane.centre));
-  const double pad = view.pad + 0x1p-21 * (4 + (4 * view.ratio + sum_of(view.offset)));
+  const double pad = view.pad + 0x1p-21 * (4 + (4 * view.ratio + sum_of_magnitudes(view.offset)));
   const double reach = middle - (found.gap / view.scale - pad);
   plane.reach = up_to_float(std::min(reach, 1e30));
   return plane;
@@ -58,7 +58,7 @@ GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& fo
 bool NearFront::serves(const NearWalk& walk) {
   const NearView& view = walk.view(0);
   return view.rigid && !std::isnan(view.scale) && view.ratio > smallest_ratio &&
-         view.ratio + sum_of(view.offset) < largest_size;
+         view.ratio + sum_of_magnitudes(view.offset) < largest_size;
 }
 
 /// Lengths along a direction are too long by 2⁻²³ at most.
