@@ -1,11 +1,13 @@
 // What floats tell of a ray and the boxes and triangles of a block: docs/design/rays.md, which has the proofs.
-// Included once for every SIMD level, after <hwy/highway.h>.
+// Included once for every SIMD level, so its guard toggles with Highway's.
 #if defined(TOCCATA_TREES_RAY_LANES_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef TOCCATA_TREES_RAY_LANES_HPP
 #undef TOCCATA_TREES_RAY_LANES_HPP
 #else
 #define TOCCATA_TREES_RAY_LANES_HPP
 #endif
+
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <array>
