@@ -139,7 +139,7 @@ void require_png_or_nothing(const std::string& path) {
 
 /// Under a name of its own first, so that it is there whole or not at all.
 void place_picture(const std::string& bytes, const std::string& path) {
-  const std::string part = path + ".part";
+  const std::string part = fmt::format("{}.{}.part", path, getpid());  // nobody else's
   std::ofstream stream(part, std::ios::binary);
   stream << bytes;
   stream.close();

@@ -26,6 +26,7 @@ inline double of_rank(std::int64_t rank) {
 template <class Compare>
 double greatest_double_below(const Compare& compare, double guess) {
   const std::int64_t infinity = rank_of(std::numeric_limits<double>::infinity());
+  const auto twice = [&](std::int64_t step) { return step < infinity / 2 ? 2 * step : infinity; };
   const auto reaches = [&](std::int64_t rank) {
     if (rank <= -infinity || rank >= infinity) return rank < 0;
     return compare(of_rank(rank), of_rank(rank)) != Sign::negative;
@@ -35,14 +36,14 @@ double greatest_double_below(const Compare& compare, double guess) {
   if (!reaches(below)) {
     do {
       below = below < step - infinity ? -infinity : below - step;
-      step *= 2;
+      step = twice(step);
     } while (!reaches(below));
     step /= 2;
   }
   std::int64_t above = below > infinity - step ? infinity : below + step;
   while (reaches(above)) {
     below = above;
-    step *= 2;
+    step = twice(step);
     above = below > infinity - step ? infinity : below + step;
   }
   while (above - below > 1) {

@@ -115,7 +115,8 @@ HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, 
   const Number squared = dot(between, between);
   const Number reach = hn::Add(sum_of_products(extent, along_own), sum_of_products(other_extent, along_other));
   const Number left = greater(hn::Sub(squared, reach), zero);
-  const Number by_centres = hn::Div(hn::Mul(left, left), squared);
+  // Not left² / squared: a fourth power of lengths leaves the range of doubles where distances are far from it.
+  const Number by_centres = hn::Mul(left, hn::Div(left, squared));
   return hn::Mul(hn::Sub(hn::Sqrt(greater(by_centres, by_sides)), all(view.pad)), all(view.scale));
 }
 

@@ -25,6 +25,32 @@ TriangleMesh inside_out(const TriangleMesh& mesh) {
   return {{mesh.vertices().begin(), mesh.vertices().end()}, triangles};
 }
 
+/// By a power of two, which rounds nothing.
+Pose enlarged(const Pose& pose, double factor) {
+  std::array<double, 12> numbers = pose.numbers();
+  for (double& number : numbers) number *= factor;
+  return Pose::from_numbers(numbers);
+}
+
+TEST(Extremes, DistancesOfEnlargedMeshesAreEnlarged) {
+  const Model a(torus_mesh({.radius = 1, .tube_radius = 0.25})), b(icosphere_mesh(0.7, 2));
+  for (const double degrees : {17.0, 80.0, 143.0}) {
+    PairQuery query;
+    query.pose_a = {rotation_about({1, 2, 3}, degrees), {0.125, 0, 0.5}};
+    query.pose_b = {rotation_about({3, -1, 1}, 2 * degrees), {1.5, 1, 2}};
+    const Distance plain = distance(a, b, query);
+    for (const int power : {-300, -100, 250, 256, 270, 300}) {
+      const double factor = std::ldexp(1.0, power);
+      const PairQuery larger{.pose_a = enlarged(query.pose_a, factor), .pose_b = enlarged(query.pose_b, factor)};
+      const Distance found = distance(a, b, larger);
+      EXPECT_LE(found.lower / factor, plain.upper) << power << ", " << degrees;
+      EXPECT_GE(found.upper / factor, plain.lower) << power << ", " << degrees;
+      EXPECT_LE(found.upper - found.lower, 1e-12 * found.upper) << power << ", " << degrees;
+      EXPECT_TRUE(closer_than(a, b, plain.upper * factor * (1 + 1e-9), larger)) << power << ", " << degrees;
+    }
+  }
+}
+
 TEST(Extremes, ACacheSeesTinyMeshesMove) {
   for (const double size : {1e-165}) {
     const Model a(cube(size)), b(cube(0.1 * size));
