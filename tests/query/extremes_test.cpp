@@ -3,8 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include "support/mesh_soups.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/narrow/posed_shapes.hpp"
 #include "toccata/query/closer_than.hpp"
 #include "toccata/query/contact_regions.hpp"
 #include "toccata/query/distance_cache.hpp"
@@ -49,6 +51,32 @@ TEST(Extremes, DistancesOfEnlargedMeshesAreEnlarged) {
       EXPECT_TRUE(closer_than(a, b, plain.upper * factor * (1 + 1e-9), larger)) << power << ", " << degrees;
     }
   }
+}
+
+/// The least of all pairs of triangles.
+Distance least_of_all_pairs(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose_b) {
+  const std::vector<Vec3> world_b = transform(pose_b, b.vertices());
+  Distance least;
+  least.upper = HUGE_VAL;
+  for (const auto& [i, j, k] : a.triangles())
+    for (const auto& [l, m, n] : b.triangles()) {
+      const Distance one = distance(Triangle{{a.vertices()[i], a.vertices()[j], a.vertices()[k]}},
+                                    Triangle{{world_b[l], world_b[m], world_b[n]}});
+      if (one.upper < least.upper) least = one;
+    }
+  return least;
+}
+
+TEST(Extremes, DistancesToFarLargerMeshesAreThoseOfTheirTriangles) {
+  Random random(11);
+  for (const int power : {30, 140, 250, 256, 270, 309})
+    for (int round = 0; round < 6; ++round) {
+      const TriangleMesh a = test::random_soup(random, 12, 0.2, 0), b = test::random_soup(random, 60, 0.2, 0);
+      const Pose pose = enlarged({rotation_about({3, -1, 1}, 30.0 * round), {1.5, 1, -0.5}}, std::ldexp(1.0, power));
+      const Distance found = distance(Model(a), Model(b), {.pose_b = pose}), least = least_of_all_pairs(a, b, pose);
+      EXPECT_EQ(found.upper, least.upper) << "2^" << power << ", round " << round;
+      EXPECT_LE(found.lower, least.upper) << "2^" << power << ", round " << round;
+    }
 }
 
 TEST(Extremes, ACacheSeesTinyMeshesMove) {
