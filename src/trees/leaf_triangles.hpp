@@ -17,7 +17,7 @@ struct alignas(64) TriangleLanes {
 };
 
 /// The triangles of a mesh where its tree's blocks have them, so that a walk finds them without looking up numbers and
-/// vertices; 320 bytes a block, about 55 a triangle.
+/// vertices; 320 bytes a block, about 53 a triangle.
 struct LeafTriangles {
   std::vector<TriangleLanes> of_block;  ///< as many as the tree has blocks
 

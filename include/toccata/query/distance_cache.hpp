@@ -22,8 +22,8 @@ struct DistanceCacheCounts {
 /// What is kept of one question of distance for the next about the same two meshes or height fields, which have moved
 /// little in between: where the search stopped, and how far everything that it left out is at least. The next looks
 /// only at what can have come near by the motion since, which it computes from the poses. It changes no bit of any
-/// answer, and any motion is allowed; the smaller the motion, the less is looked at. While surfaces meet, a question
-/// costs what it costs without.
+/// answer, and any motion is allowed; the smaller the motion, the less is looked at. While surfaces meet, and
+/// under poses that shear, a question costs what it costs without.
 ///
 /// It holds on to the models. One thread may use it at a time.
 class DistanceCache {

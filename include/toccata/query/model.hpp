@@ -87,7 +87,7 @@ class Model {
   /// triangle. For the library itself.
   [[nodiscard]] std::span<const WindingMoments> winding_moments() const;
 
-  /// Its triangles side by side at the tree's blocks, in its units, as floats; made when first asked for. Some 55 bytes
+  /// Its triangles side by side at the tree's blocks, in its units, as floats; made when first asked for. Some 53 bytes
   /// a triangle. For the library itself.
   [[nodiscard]] const LeafTriangles& leaf_triangles() const;
 

@@ -39,7 +39,8 @@ struct SceneSignedDistance {
 };
 
 /// For each point what `signed_distance` tells of the models as of one compound, whatever they are taken for (`solid`
-/// is not looked at). Throws like it, and Error where there is no model.
+/// is not looked at); but of a point on a surface `sign_by` is that of the object whose surface it is. Throws like it,
+/// and Error where there is no model.
 [[nodiscard]] std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points,
                                                                     std::span<const Posed> models,
                                                                     SignBy sign_by = SignBy::automatic,
