@@ -15,6 +15,7 @@
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/bounds/volume.hpp"
 #include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"

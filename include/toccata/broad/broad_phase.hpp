@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/broad/box_pairs.hpp"
+#include "toccata/core/index.hpp"
+
+namespace toccata {
+
+/// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
+enum class BroadPhaseMethod {
+  automatic,    ///< by what the boxes are like
+  brute_force,  ///< every pair, with vector instructions
+};
+
+/// "auto", "brute-force" …
+[[nodiscard]] std::string_view name_of(BroadPhaseMethod method);
+
+/// All of them, `automatic` first.
+[[nodiscard]] std::span<const BroadPhaseMethod> broad_phase_methods();
+
+/// Throws Error naming the closest when there is none of that name.
+[[nodiscard]] BroadPhaseMethod broad_phase_method(std::string_view name);
+
+struct BroadPhaseOptions {
+  BroadPhaseMethod method = BroadPhaseMethod::automatic;
+  int threads = 1;  ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+};
+
+/// The box with its sides moved out by `margin` (not negative, in the box's unit), rounded outward: boxes grown by half
+/// a distance each overlap wherever the boxes are that near along every axis. An empty box stays empty. Throws Error
+/// where the margin is negative or no number.
+[[nodiscard]] Aabb grown(const Aabb& box, double margin);
+
+/// What an update has changed, both ascending. The pairs kept are those of now without those begun.
+struct PairChanges {
+  std::vector<IndexPair> begun;
+  std::vector<IndexPair> ended;
+};
+
+/// Boxes that move, and the pairs of them that overlap; touching counts.
+///
+/// Boxes have numbers that stay the same until they are removed. They are dense: the numbers of removed boxes are given
+/// out again, the least first, but never before the next `update`, so that no pair of an update means two objects. A
+/// box may have infinite sides; an empty one (`Aabb{}`) overlaps nothing; any other must have lower ≤ upper along every
+/// axis, else Error names it. What throws has changed nothing.
+///
+/// Const functions may be called from many threads at once. A copy has the same boxes, pairs and changes.
+class BroadPhase {
+ public:
+  explicit BroadPhase(const BroadPhaseOptions& options = {});
+  BroadPhase(const BroadPhase& other);
+  BroadPhase(BroadPhase&&) noexcept;
+  BroadPhase& operator=(BroadPhase other) noexcept;
+  ~BroadPhase();
+
+  /// The numbers given to the boxes, in their order.
+  std::vector<Index> add(std::span<const Aabb> boxes);
+  /// Throws Error naming a number that is in use no more, or given twice.
+  void remove(std::span<const Index> numbers);
+  /// Gives box `numbers[i]` the place `boxes[i]`; of several for one number the last counts. Throws Error naming a
+  /// number that is not in use, and where the spans differ in length.
+  void move(std::span<const Index> numbers, std::span<const Aabb> boxes);
+
+  /// Finds the pairs of the boxes as they are now: all of them, ascending, each once. The span is valid until the next
+  /// update.
+  std::span<const IndexPair> update();
+  /// What the last update found.
+  [[nodiscard]] std::span<const IndexPair> pairs() const;
+  /// What the last update found that was not there at the one before, and the reverse.
+  [[nodiscard]] PairChanges changes() const;
+
+  /// How many numbers there are, those of removed boxes included: every number is less.
+  [[nodiscard]] std::size_t size() const;
+  /// Where the box is now. Empty for a number that is not in use.
+  [[nodiscard]] const Aabb& box(Index number) const;
+  [[nodiscard]] bool in_use(Index number) const;
+
+  /// The method of the last update: never `automatic`.
+  [[nodiscard]] BroadPhaseMethod method() const;
+  /// Why that one, for people: "sizes span 3 decades, clustered: …". Empty where it was asked for.
+  [[nodiscard]] std::string reason() const;
+  /// Memory of the boxes and of what the method keeps, without the pairs.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+/// All pairs of boxes that overlap, as `overlapping_pairs(boxes)` finds them, by any method on any number of threads.
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options);
+
+}  // namespace toccata

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/broad/broad_phase.hpp"
+
+namespace toccata {
+
+using PairList = std::vector<IndexPair>;
+
+/// What a method is shown in an update.
+struct BoxesNow {
+  std::span<const Aabb> boxes;  ///< empty where a number is not in use
+  std::span<const Index>
+      changed;  ///< the numbers whose boxes are not those of the last update, in any order, each once
+  std::span<const IndexPair> before;  ///< the pairs of the last update
+  int threads = 1;
+};
+
+/// One way to find all pairs of boxes that overlap. It is shown every update of one set of boxes, in order; the first
+/// time all boxes count as changed.
+class PairFinder {
+ public:
+  PairFinder() = default;
+  PairFinder(const PairFinder&) = delete;
+  PairFinder& operator=(const PairFinder&) = delete;
+  virtual ~PairFinder() = default;
+
+  /// All pairs, ascending, each once, in a list whose memory is that of `storage`, whatever it holds.
+  [[nodiscard]] virtual PairList find(const BoxesNow& now, PairList storage) = 0;
+  /// Memory kept between updates.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  /// What `automatic` tells of its choice; the other methods are what they are.
+  [[nodiscard]] virtual BroadPhaseMethod chosen() const { return BroadPhaseMethod::automatic; }
+  [[nodiscard]] virtual std::string reason() const { return {}; }
+};
+
+[[nodiscard]] std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method);
+
+}  // namespace toccata

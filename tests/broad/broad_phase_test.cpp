@@ -1,0 +1,241 @@
+#include "toccata/broad/broad_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "broad/box_families.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
+
+namespace toccata {
+namespace {
+
+using Pairs = std::vector<IndexPair>;
+
+Pairs list_of(std::span<const IndexPair> pairs) { return {pairs.begin(), pairs.end()}; }
+Aabb cube_at(double x, double size = 1) { return {{x, 0, 0}, {x + size, 1, 1}}; }
+
+/// What the boxes of a broad phase should be, kept in the plainest way.
+class Model {
+ public:
+  explicit Model(const BroadPhaseOptions& options) : phase_(options) {}
+
+  void add(const std::vector<Aabb>& boxes) {
+    const std::vector<Index> numbers = phase_.add(boxes);
+    ASSERT_EQ(numbers.size(), boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      ASSERT_TRUE(boxes_.emplace(numbers[i], boxes[i]).second) << numbers[i] << " was in use";
+  }
+  void remove(const std::vector<Index>& numbers) {
+    phase_.remove(numbers);
+    for (const Index number : numbers) boxes_.erase(number);
+  }
+  void move(const std::vector<Index>& numbers, const std::vector<Aabb>& boxes) {
+    phase_.move(numbers, boxes);
+    for (std::size_t i = 0; i < numbers.size(); ++i) boxes_[numbers[i]] = boxes[i];
+  }
+  /// A part of the numbers in use.
+  std::vector<Index> some(Random& random, double share) const {
+    std::vector<Index> numbers;
+    for (const auto& [number, box] : boxes_)
+      if (random.unit() < share) numbers.push_back(number);
+    return numbers;
+  }
+
+  void update() {
+    const Pairs before = list_of(phase_.pairs());
+    const Pairs now = list_of(phase_.update());
+    std::vector<Aabb> all(phase_.size());
+    for (const auto& [number, box] : boxes_) all[number] = box;
+    ASSERT_EQ(now, overlapping_pairs_by_brute_force(all));
+    Pairs begun, ended;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(begun));
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(ended));
+    const PairChanges changes = phase_.changes();
+    ASSERT_EQ(changes.begun, begun);
+    ASSERT_EQ(changes.ended, ended);
+  }
+
+  [[nodiscard]] BroadPhase& phase() { return phase_; }
+
+ private:
+  BroadPhase phase_;
+  std::map<Index, Aabb> boxes_;
+};
+
+/// One frame of a life: some move a little, some teleport, now and then some come and go.
+void live(Model& model, std::string_view family, int frame, Random& random) {
+  std::vector<Index> numbers = model.some(random, frame % 3 == 0 ? 1 : 0.1);
+  std::vector<Aabb> boxes;
+  for (const Index number : numbers) {
+    const Aabb box = model.phase().box(number);
+    const Vec3 by = test::vector_between(random, -0.05, 0.05);
+    const bool teleports = frame % 5 == 0 || is_empty(box);
+    boxes.push_back(teleports ? test::random_box(family, number, random) : Aabb{box.lower + by, box.upper + by});
+  }
+  model.move(numbers, boxes);
+  if (frame % 4 == 1) model.remove(model.some(random, 0.2));
+  if (frame % 4 == 2) model.add(test::random_boxes(family, random.below(40), random));
+  if (frame % 16 == 7) model.remove(model.some(random, 1));
+  if (frame % 16 == 8) model.add(test::random_boxes(family, 100 + random.below(100), random));
+}
+
+class EveryMethod : public testing::TestWithParam<BroadPhaseMethod> {};
+
+TEST_P(EveryMethod, FindsThePairsOfBruteForceThroughALife) {
+  for (const std::string_view family : test::box_families) {
+    SCOPED_TRACE(family);
+    Random random(family.size());
+    Model model({GetParam(), 1});
+    model.add(test::random_boxes(family, 150, random));
+    for (int frame = 0; frame < 20 && !testing::Test::HasFatalFailure(); ++frame) {
+      SCOPED_TRACE(frame);
+      live(model, family, frame, random);
+      model.update();
+    }
+  }
+}
+
+TEST_P(EveryMethod, FindsThePairsOfBruteForceAmongMore) {
+  for (const std::string_view family : test::box_families) {
+    SCOPED_TRACE(family);
+    Random random(7);
+    const std::vector<Aabb> boxes =
+        test::random_boxes(family, family == "equal" || family == "nested" ? 300 : 1500, random);
+    const Pairs expected = overlapping_pairs_by_brute_force(boxes);
+    EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 1}), expected);
+    EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 2}), expected);
+  }
+}
+
+TEST_P(EveryMethod, FindsNothingAmongNothing) {
+  BroadPhase phase({GetParam(), 1});
+  EXPECT_TRUE(phase.update().empty());
+  const std::vector<Aabb> none(5);
+  EXPECT_EQ(phase.add(none), (std::vector<Index>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(phase.update().empty());
+  phase.add(std::vector<Aabb>{cube_at(0)});
+  EXPECT_TRUE(phase.update().empty());
+  phase.move(std::vector<Index>{2}, std::vector<Aabb>{cube_at(1)});
+  EXPECT_EQ(list_of(phase.update()), (Pairs{{2, 5}}));
+}
+
+INSTANTIATE_TEST_SUITE_P(BroadPhases, EveryMethod,
+                         testing::ValuesIn(broad_phase_methods().begin(), broad_phase_methods().end()),
+                         [](const auto& method) {
+                           std::string name(name_of(method.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(BroadPhase, GivesTheLeastNumbersOutAgainAfterAnUpdate) {
+  BroadPhase phase;
+  phase.add(std::vector<Aabb>(4, cube_at(0)));
+  phase.update();
+  phase.remove(std::vector<Index>{3, 1});
+  EXPECT_EQ(phase.add(std::vector<Aabb>{cube_at(0)}), (std::vector<Index>{4}));
+  EXPECT_EQ(list_of(phase.update()), (Pairs{{0, 2}, {0, 4}, {2, 4}}));
+  EXPECT_EQ(phase.changes().ended, (Pairs{{0, 1}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+  EXPECT_EQ(phase.add(std::vector<Aabb>(3, cube_at(0))), (std::vector<Index>{1, 3, 5}));
+  EXPECT_EQ(phase.size(), 6U);
+}
+
+TEST(BroadPhase, TellsWhatAnUpdateChanged) {
+  BroadPhase phase;
+  phase.add(std::vector<Aabb>{cube_at(0), cube_at(1), cube_at(9)});
+  phase.update();
+  EXPECT_EQ(phase.changes().begun, (Pairs{{0, 1}}));
+  phase.update();
+  EXPECT_TRUE(phase.changes().begun.empty());
+  EXPECT_TRUE(phase.changes().ended.empty());
+  phase.move(std::vector<Index>{1}, std::vector<Aabb>{cube_at(8)});
+  EXPECT_EQ(phase.pairs().size(), 1U);  // of the last update
+  phase.update();
+  EXPECT_EQ(phase.changes().begun, (Pairs{{1, 2}}));
+  EXPECT_EQ(phase.changes().ended, (Pairs{{0, 1}}));
+}
+
+TEST(BroadPhase, ACopyLivesOnByItself) {
+  BroadPhase phase;
+  phase.add(std::vector<Aabb>{cube_at(0), cube_at(1), cube_at(9)});
+  phase.update();
+  BroadPhase copy = phase;
+  EXPECT_EQ(copy.changes().begun, (Pairs{{0, 1}}));
+  phase.move(std::vector<Index>{1}, std::vector<Aabb>{cube_at(8)});
+  phase.update();
+  EXPECT_EQ(list_of(copy.pairs()), (Pairs{{0, 1}}));
+  copy.remove(std::vector<Index>{0});
+  EXPECT_TRUE(copy.update().empty());
+  EXPECT_EQ(list_of(phase.pairs()), (Pairs{{1, 2}}));
+}
+
+TEST(BroadPhase, RefusesWhatIsNoBoxAndChangesNothing) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  BroadPhase phase;
+  phase.add(std::vector<Aabb>{cube_at(0), cube_at(1)});
+  phase.update();
+  const std::vector<Index> both{0, 1};
+  EXPECT_EQ(message_of([&] {
+              phase.move(both, std::vector<Aabb>{cube_at(5), {{nan, 0, 0}, {1, 1, 1}}});
+            }),
+            "box 1: its x is not a number");
+  EXPECT_EQ(message_of([&] {
+              phase.move(both, std::vector<Aabb>{cube_at(5), {{0, 2, 0}, {1, 1, 1}}});
+            }),
+            "box 1: its lower y 2 is above its upper y 1");
+  EXPECT_EQ(message_of([&] {
+              phase.add(std::vector<Aabb>{cube_at(5), {{0, 0, 0}, {1, 1, nan}}});
+            }),
+            "box 1 of the 2 to add: its z is not a number");
+  EXPECT_EQ(message_of([&] { phase.move(both, std::vector<Aabb>{cube_at(5)}); }), "2 numbers with 1 boxes to move to");
+  EXPECT_EQ(message_of([&] { phase.remove(std::vector<Index>{0, 0}); }), "box 0 is to be removed twice");
+  EXPECT_EQ(message_of([&] {
+              phase.remove(std::vector<Index>{0, 7});
+            }),
+            "box 7 is not in use: it was removed, or never added");
+  EXPECT_EQ(list_of(phase.update()), (Pairs{{0, 1}}));
+  EXPECT_EQ(phase.box(0), cube_at(0));
+  EXPECT_EQ(phase.size(), 2U);
+  phase.remove(std::vector<Index>{1});
+  EXPECT_EQ(message_of([&] { phase.move(both, std::vector<Aabb>(2)); }),
+            "box 1 is not in use: it was removed, or never added");
+}
+
+TEST(BroadPhase, KnowsItsMethodsByName) {
+  for (const BroadPhaseMethod method : broad_phase_methods()) EXPECT_EQ(broad_phase_method(name_of(method)), method);
+  EXPECT_EQ(message_of([] { static_cast<void>(broad_phase_method("brute-forse")); }),
+            "there is no broad phase 'brute-forse'; did you mean 'brute-force'?");
+}
+
+TEST(Grown, BoxesReachAtLeastAsFarAsAsked) {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const Aabb box = test::random_box("decades", 0, random);
+    const double margin = std::pow(10, random.between(-20, 20));
+    const Aabb larger = grown(box, margin);
+    EXPECT_LT(larger.lower.x, box.lower.x);
+    EXPECT_GT(larger.upper.z, box.upper.z);
+    EXPECT_GE(box.lower.y - larger.lower.y, margin * (1 - 1e-15));
+  }
+  EXPECT_EQ(grown(cube_at(0), 0), cube_at(0));
+  EXPECT_EQ(grown(Aabb{}, 5), Aabb{});
+  EXPECT_EQ(message_of([] { static_cast<void>(grown(cube_at(0), -1)); }), "a margin of -1: it must not be negative");
+}
+
+}  // namespace
+}  // namespace toccata
