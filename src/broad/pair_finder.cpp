@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "broad/finders.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 
@@ -20,21 +21,8 @@ struct Known {
 constexpr std::array known_methods{
     Known{BroadPhaseMethod::automatic, "auto"},
     Known{BroadPhaseMethod::brute_force, "brute-force"},
-};
-
-/// Every pair, one by one: the oracle.
-class EveryPair final : public PairFinder {
- public:
-  PairList find(const BoxesNow& now, PairList) override { return overlapping_pairs_by_brute_force(now.boxes); }
-  [[nodiscard]] std::size_t bytes() const override { return 0; }
-};
-
-/// By a tree over the boxes, built anew.
-class ByTree final : public PairFinder {
- public:
-  PairList find(const BoxesNow& now, PairList) override { return overlapping_pairs(now.boxes); }
-  [[nodiscard]] std::size_t bytes() const override { return 0; }
-  [[nodiscard]] BroadPhaseMethod chosen() const override { return BroadPhaseMethod::brute_force; }
+    Known{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
+    Known{BroadPhaseMethod::uniform_grid, "grid"},
 };
 
 }  // namespace
@@ -63,8 +51,17 @@ BroadPhaseMethod broad_phase_method(std::string_view name) {
 }
 
 std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
-  if (method == BroadPhaseMethod::brute_force) return std::make_unique<EveryPair>();
-  return std::make_unique<ByTree>();
+  switch (method) {
+    case BroadPhaseMethod::brute_force:
+      return make_brute_force();
+    case BroadPhaseMethod::sort_and_sweep:
+      return make_sort_and_sweep();
+    case BroadPhaseMethod::uniform_grid:
+      return make_uniform_grid();
+    case BroadPhaseMethod::automatic:
+      break;
+  }
+  return make_uniform_grid();
 }
 
 }  // namespace toccata

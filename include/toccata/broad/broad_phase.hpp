@@ -15,8 +15,10 @@ namespace toccata {
 
 /// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
 enum class BroadPhaseMethod {
-  automatic,    ///< by what the boxes are like
-  brute_force,  ///< every pair, with vector instructions
+  automatic,       ///< by what the boxes are like
+  brute_force,     ///< every pair, with vector instructions
+  sort_and_sweep,  ///< sorted along one axis anew each time
+  uniform_grid,    ///< cells of one size, about that of most boxes
 };
 
 /// "auto", "brute-force" …

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broad/box_lanes.hpp"
+
+namespace toccata {
+
+/// The axis along which the boxes are spread out most, measured by their sizes: along which fewest lie side by side.
+[[nodiscard]] std::size_t sweep_axis(std::span<const FlatBox> boxes);
+
+/// Boxes in the order of their lower ends along an axis: each can overlap only those behind it until the first that
+/// begins behind its upper end.
+class BoxSweep {
+ public:
+  void lay_out(std::span<const FlatBox> boxes, std::size_t axis);
+  [[nodiscard]] std::size_t size() const { return ends_.size(); }
+  /// The pairs of those from `begin` to `end` with those behind them. `all` are the boxes by number.
+  void add_pairs(std::span<const Aabb> all, std::size_t begin, std::size_t end, PairBuffer& pairs) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Keyed {
+    std::uint32_t key;
+    std::uint32_t place;
+  };
+  void sort_keys();
+
+  ColumnStore store_;
+  std::vector<std::uint32_t> ends_;
+  std::vector<Keyed> keyed_, sorted_;
+};
+
+}  // namespace toccata

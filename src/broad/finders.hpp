@@ -1,0 +1,13 @@
+#pragma once
+
+#include "broad/pair_finder.hpp"
+
+// One function per method of finding pairs (docs/design/broad-phase.md); each class is in the file of its name.
+namespace toccata {
+
+[[nodiscard]] std::unique_ptr<PairFinder> make_brute_force();
+[[nodiscard]] std::unique_ptr<PairFinder> make_sort_and_sweep();
+[[nodiscard]] std::unique_ptr<PairFinder> make_uniform_grid();
+[[nodiscard]] std::unique_ptr<PairFinder> make_kd_tiles();
+
+}  // namespace toccata
