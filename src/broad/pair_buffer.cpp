@@ -12,7 +12,7 @@ namespace {
 /// nearest cache, is sorted by itself.
 class PairSort {
  public:
-  PairSort(std::span<const PairBuffer> buffers, std::size_t count, int threads)
+  PairSort(std::span<const PairBuffer* const> buffers, std::size_t count, int threads)
       : buffers_(buffers), threads_(threads), shift_(shift_for(count, pair_count())), ranges_((count >> shift_) + 1) {}
 
   PairList sort(PairList storage) {
@@ -29,7 +29,7 @@ class PairSort {
 
   [[nodiscard]] std::size_t pair_count() const {
     std::size_t sum = 0;
-    for (const PairBuffer& buffer : buffers_) sum += buffer.size();
+    for (const PairBuffer* buffer : buffers_) sum += buffer->size();
     return sum;
   }
   static int shift_for(std::size_t count, std::size_t pairs) {
@@ -44,7 +44,7 @@ class PairSort {
   void count_ranges() {
     places_.assign(buffers_.size() * ranges_, 0);
     parallel_for(buffers_.size(), threads_, [&](std::size_t part) {
-      const PairBuffer& buffer = buffers_[part];
+      const PairBuffer& buffer = *buffers_[part];
       std::size_t* counts = places_.data() + part * ranges_;
       for (std::size_t i = 0; i < buffer.size(); ++i) ++counts[range_of(buffer.ones()[i], buffer.others()[i])];
     });
@@ -60,7 +60,7 @@ class PairSort {
     return sum;
   }
   void scatter(std::size_t part, PairList& sorted) {
-    const PairBuffer& buffer = buffers_[part];
+    const PairBuffer& buffer = *buffers_[part];
     std::size_t* places = places_.data() + part * ranges_;
     for (std::size_t i = 0; i < buffer.size(); ++i) {
       const Index one = buffer.ones()[i], other = buffer.others()[i];
@@ -93,7 +93,7 @@ class PairSort {
     }
   }
 
-  std::span<const PairBuffer> buffers_;
+  std::span<const PairBuffer* const> buffers_;
   int threads_;
   int shift_;
   std::size_t ranges_;
@@ -103,8 +103,14 @@ class PairSort {
 
 }  // namespace
 
-PairList sorted_pairs(std::span<const PairBuffer> buffers, std::size_t count, int threads, PairList storage) {
+PairList sorted_pairs(std::span<const PairBuffer* const> buffers, std::size_t count, int threads, PairList storage) {
   return PairSort(buffers, count, threads).sort(std::move(storage));
+}
+
+PairList sorted_pairs(std::span<const PairBuffer> buffers, std::size_t count, int threads, PairList storage) {
+  std::vector<const PairBuffer*> each;
+  for (const PairBuffer& buffer : buffers) each.push_back(&buffer);
+  return sorted_pairs(each, count, threads, std::move(storage));
 }
 
 }  // namespace toccata

@@ -55,6 +55,9 @@ class PairBuffer {
 
 /// All pairs of the buffers, ascending and the lesser number first, in the memory of `storage`. Each pair is in one
 /// buffer, once. All numbers are below `count`.
+[[nodiscard]] PairList sorted_pairs(std::span<const PairBuffer* const> buffers, std::size_t count, int threads,
+                                    PairList storage);
+
 [[nodiscard]] PairList sorted_pairs(std::span<const PairBuffer> buffers, std::size_t count, int threads,
                                     PairList storage);
 

@@ -23,6 +23,7 @@ constexpr std::array known_methods{
     Known{BroadPhaseMethod::brute_force, "brute-force"},
     Known{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
     Known{BroadPhaseMethod::uniform_grid, "grid"},
+    Known{BroadPhaseMethod::kd_tiles, "kd-tiles"},
 };
 
 }  // namespace
@@ -58,6 +59,8 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
       return make_sort_and_sweep();
     case BroadPhaseMethod::uniform_grid:
       return make_uniform_grid();
+    case BroadPhaseMethod::kd_tiles:
+      return make_kd_tiles();
     case BroadPhaseMethod::automatic:
       break;
   }

@@ -12,6 +12,7 @@
 #include "broad/box_families.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/generate/crowds.hpp"
 
 namespace toccata {
 namespace {
@@ -114,6 +115,23 @@ TEST_P(EveryMethod, FindsThePairsOfBruteForceAmongMore) {
   }
 }
 
+TEST_P(EveryMethod, FindsThePairsOfCrowds) {
+  for (const NamedScene& scene : crowd_scenes())
+    for (const std::size_t count : {400, 20'000}) {
+      SCOPED_TRACE(scene.name);
+      Crowd crowd(scene.name, count, count);
+      BroadPhase phase({GetParam(), 2});
+      phase.add(crowd.boxes());
+      phase.update();
+      const std::span<const Index> moved = crowd.step();
+      std::vector<Aabb> to;
+      for (const Index number : moved) to.push_back(crowd.boxes()[number]);
+      phase.move(moved, to);
+      phase.update();
+      EXPECT_TRUE(std::ranges::equal(phase.pairs(), overlapping_pairs(crowd.boxes())));
+    }
+}
+
 TEST_P(EveryMethod, FindsNothingAmongNothing) {
   BroadPhase phase({GetParam(), 1});
   EXPECT_TRUE(phase.update().empty());
@@ -133,6 +151,13 @@ INSTANTIATE_TEST_SUITE_P(BroadPhases, EveryMethod,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+TEST(KdTiles, TellEachPairOnceWhereABoxReachesOverSeveralCuts) {
+  Crowd crowd("clustered", 100'000);
+  crowd.step();
+  EXPECT_EQ(overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::kd_tiles, 1}),
+            overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::sort_and_sweep, 1}));
+}
 
 std::string message_of(const std::function<void()>& call) {
   try {

@@ -19,6 +19,7 @@ enum class BroadPhaseMethod {
   brute_force,     ///< every pair, with vector instructions
   sort_and_sweep,  ///< sorted along one axis anew each time
   uniform_grid,    ///< cells of one size, about that of most boxes
+  kd_tiles,        ///< space cut so that each part has as many boxes
 };
 
 /// "auto", "brute-force" …
