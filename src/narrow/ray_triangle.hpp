@@ -12,6 +12,9 @@ struct PreparedRay {
   double largest;
 };
 
+/// Not less than any RayTime is wide, which is at most 2^-41 of the way but for rounding.
+inline constexpr double widest_time = 0x1p-40;
+
 /// When a ray meets a triangle: the exact time lies in [lower, upper], which is at most 2^-41 of the way wide.
 struct RayTime {
   bool hit = false;

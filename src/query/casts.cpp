@@ -4,15 +4,11 @@
 #include <variant>
 
 #include "query/ask.hpp"
+#include "query/keep_least.hpp"
 #include "query/search_scratch.hpp"
 
 namespace toccata {
 namespace {
-
-/// Keeps the earlier of two; the first among those of one upper end.
-void keep_earlier(std::optional<Cast>& earliest, const Cast& found) {
-  if (!earliest || (found.hit && (!earliest->hit || found.upper < earliest->upper))) earliest = found;
-}
 
 /// A shape that stands while the other moves the opposite way: what meets, meets at the same time, farther on.
 Cast seen_from_target(const Cast& cast, const Vec3& motion) {
@@ -48,13 +44,14 @@ Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQu
 
 Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedModels models(a, b, query, workspace.scratch());
-  std::optional<Cast> earliest;
+  std::optional<Cast> earliest;  // of those that hit
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
     require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);
-    keep_earlier(earliest, std::visit(AskCast{motion, workspace.scratch()}, part_a.shape, part_b.shape));
+    const Cast found = std::visit(AskCast{motion, workspace.scratch()}, part_a.shape, part_b.shape);
+    if (found.hit) keep_least(earliest, found);
     return true;
   });
-  return *earliest;
+  return earliest.value_or(Cast{});
 }
 
 }  // namespace toccata

@@ -6,6 +6,7 @@
 
 #include "narrow/within.hpp"
 #include "query/ask.hpp"
+#include "query/keep_least.hpp"
 #include "query/mesh_distance.hpp"
 #include "query/nearest_triangles.hpp"
 #include "query/numbered.hpp"
@@ -103,7 +104,7 @@ std::optional<Distance> distance_within(const Model& a, const Model& b, double l
     const std::optional<Nearby> found = ask(question, part_a, part_b);
     if (!found) return true;
     within = within || found->is_within;
-    if (!least || found->distance.upper < least->upper) least = numbered(found->distance, part_a, part_b);
+    keep_least(least, numbered(found->distance, part_a, part_b));
     return least->upper > 0;
   });
   return within ? least : std::nullopt;

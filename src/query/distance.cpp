@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "query/ask.hpp"
+#include "query/keep_least.hpp"
 #include "query/mesh_distance.hpp"
 #include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
@@ -35,9 +36,7 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Worksp
   const PosedModels models(a, b, query, workspace.scratch());
   std::optional<Distance> least;
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
-    const Distance found = ask(AskDistance{workspace.scratch()}, part_a, part_b);
-    // The first counts among those of one upper end; parts come in their order.
-    if (!least || found.upper < least->upper) least = numbered(found, part_a, part_b);
+    keep_least(least, numbered(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b));
     return least->upper > 0;
   });
   return *least;

@@ -30,19 +30,22 @@ class FirstHit {
 
   /// True where that is the first now.
   bool take(const RayTime& time, Index number) {
-    if (!time.hit || time.upper > time_.upper) return false;
+    if (!time.hit) return false;
+    lower_ = std::min(lower_, time.lower);
+    if (time.upper > time_.upper) return false;
     if (time.upper == time_.upper && time_.hit && triangle_ < number) return false;
     time_ = time;
     triangle_ = number;
-    // Not less.
-    const double part = (time.upper - from_) * per_length_;
+    // Not less, and so that every triangle whose interval begins before this one's is told of on any way to it: the
+    // answer's lower end must not depend on the way.
+    const double part = (time.upper + widest_time - from_) * per_length_;
     limit_ = part < 1 ? static_cast<float>(std::max(part, 0.0)) + 0x1p-19F : 1;
     return true;
   }
 
   /// What is met later than at this part of the way is of no interest.
   [[nodiscard]] float limit() const { return limit_; }
-  [[nodiscard]] TriangleHit best() const { return {time_, triangle_}; }
+  [[nodiscard]] TriangleHit best() const { return {time_, triangle_, time_.hit ? lower_ : 0}; }
 
  private:
   const PreparedRay& ray_;
@@ -50,6 +53,7 @@ class FirstHit {
   double per_length_;
   float limit_ = 1;
   RayTime time_{false, 0, HUGE_VAL};
+  double lower_ = HUGE_VAL;  ///< of all that are met
   Index triangle_ = 0;
 };
 
@@ -174,13 +178,10 @@ void RayTarget::take_passing(Together& all, std::span<TriangleHit> hits) const {
     const PassingHit& told = all.told[next++];
     FirstHit& found = all.found[ray];
     TriangleHit& hit = hits[all.number_of[ray]];
-    if (!told.told) {
-      consider(candidate, found);
-      hit = found.best();
-    } else if (found.take({true, told.cast.lower, told.cast.upper}, candidate.triangle)) {
-      hit = found.best();
-      hit.cast = told.cast;
-    }
+    const bool first = told.told && found.take({true, told.cast.lower, told.cast.upper}, candidate.triangle);
+    if (!told.told) consider(candidate, found);
+    hit = found.best();
+    if (first) hit.cast = told.cast;
   }
 }
 

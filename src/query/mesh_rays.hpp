@@ -11,8 +11,9 @@ namespace toccata {
 
 /// The first triangle that a ray meets: least by (upper end, number).
 struct TriangleHit {
-  RayTime time;
+  RayTime time;  ///< of this triangle
   Index triangle = 0;
+  double lower = 0;            ///< of all triangles: the exact first time lies in [lower, time.upper]
   std::optional<Cast> cast{};  ///< ray_hit of it, where that is known already
 };
 

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
+#include "query/keep_least.hpp"
 #include "query/relation_locality.hpp"
 #include "toccata/core/error.hpp"
 
@@ -36,8 +38,10 @@ RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, con
                       const TriangleHit& found) {
   if (!found.time.hit) return {};
   const Index face = target.mesh.model().mesh().face_of(found.triangle);
-  if (found.cast) return numbered(*found.cast, found.triangle, face);
-  return numbered(ray_hit(ray, search.world_triangle(found.triangle), found.time), found.triangle, face);
+  const Cast cast = found.cast ? *found.cast : ray_hit(ray, search.world_triangle(found.triangle), found.time);
+  RayHit hit = numbered(cast, found.triangle, face);
+  hit.lower = found.lower;
+  return hit;
 }
 
 RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
@@ -73,17 +77,17 @@ RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
 
 RayHit RaySearch::first_hit(const PreparedRay& ray) const {
   if (posed_.parts.size() == 1) return hit_of_part(posed_.parts[0], 0, ray);
-  RayHit earliest;
+  std::optional<RayHit> earliest;
   std::size_t mesh = 0;
   for (const PosedPart& part : posed_.parts) {
     RayHit found = hit_of_part(part, mesh, ray);
     if (std::holds_alternative<PosedTriangles>(part.shape)) ++mesh;
-    if (!found.hit || (earliest.hit && found.upper >= earliest.upper)) continue;
+    if (!found.hit) continue;
     found.element += part.first_element;
     found.face += part.first_face;
-    earliest = found;
+    keep_least(earliest, found);
   }
-  return earliest;
+  return earliest.value_or(RayHit{});
 }
 
 void RaySearch::first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const {

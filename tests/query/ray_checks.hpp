@@ -111,7 +111,7 @@ inline std::string ray_fault(const RayCase& c, const RayHit& hit) {
   if (oracle::exact(hit.lower) > *of_named || oracle::exact(hit.upper) < *of_named) return "not in the interval";
   if (!(hit.upper - hit.lower <= 0x1p-41)) return "the interval is wide";
   // Of two that are nearer to each other than the interval is wide either may be named.
-  if (*of_named - first > oracle::exact(hit.upper - hit.lower)) return "not the first";
+  if (first < oracle::exact(hit.lower)) return "not the first";
   return "";
 }
 
