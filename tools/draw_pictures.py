@@ -8,6 +8,7 @@ otherwise.
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -94,8 +95,10 @@ def main():
         for picture in names:
             shown, options, look = WANTED[picture]
             target = PICTURES / f"{picture}.png"
-            words = [command, "view", *words_for(shown, picture, folder), *options, "--png", str(target), "--size", SIZE]
+            drawn = folder / target.name
+            words = [command, "view", *words_for(shown, picture, folder), *options, "--png", str(drawn), "--size", SIZE]
             subprocess.run([*words, "--look", look] if look else words, cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            shutil.copyfile(drawn, target)
             print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")
 
 

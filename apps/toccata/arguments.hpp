@@ -43,6 +43,7 @@ struct CheckArguments : PosedArguments {
   std::string clearance;                   ///< a length, or "all"; empty: none is asked for
   std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
   std::string html;                        ///< a page to write besides; empty: none
+  std::string glb;                         ///< a GLB file; empty: none
 };
 
 struct ViewArguments : CheckArguments {

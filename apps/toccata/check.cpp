@@ -15,7 +15,7 @@ CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckAr
                                  const ClearanceQuestion& clearances) {
   ProgressBar bar("checking");
   CheckOptions options;
-  options.contacts = arguments.faces || !arguments.html.empty();
+  options.contacts = arguments.faces || !arguments.html.empty() || !arguments.glb.empty();
   options.penetration = arguments.penetration;
   options.clearance = clearances.common;
   options.pair_clearances = clearances.of_pairs;
@@ -26,14 +26,18 @@ CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckAr
 
 namespace {
 
-/// A page is written when the answer is complete, and before it is printed.
-void write_html(const CheckArguments& arguments, const CheckInput& input, const CheckAnswer& answer,
-                const ReportOptions& options) {
-  if (arguments.html.empty()) return;
+ViewTarget target_of(const CheckArguments& arguments) {
+  const std::vector<std::string>& files = arguments.input.files;
+  return {arguments.html, arguments.glb, {title_of(files), up_of(files), {}}, {}};
+}
+
+/// What is drawn is written when the answer is complete, and before it is printed.
+void write_drawn(const ViewTarget& target, const CheckInput& input, const CheckAnswer& answer,
+                 const ReportOptions& options) {
+  if (target.path.empty() && target.glb.empty()) return;
   ReportOptions with_faces = options;
   with_faces.faces = true;
-  write_view({arguments.html, {title_of(arguments.input.files), up_of(arguments.input.files), {}}, {}}, input,
-             make_check_report(input.models, answer, with_faces));
+  write_view(target, input, make_check_report(input.models, answer, with_faces));
 }
 
 std::string text_of(const LoadedScene& loaded, const std::vector<Posed>& models, const CheckReport& report,
@@ -55,6 +59,8 @@ int run_check(const CheckArguments& arguments) {
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
   require_touching_counts(arguments);
+  const ViewTarget target = target_of(arguments);
+  require_view(target, arguments.input.files);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)
@@ -70,7 +76,7 @@ int run_check(const CheckArguments& arguments) {
   const CheckReport report = make_check_report(input.models, answer, options);
   const std::string text = text_of(loaded, input.models, report, arguments.format);
   print_warnings(loaded.warnings);
-  write_html(arguments, input, answer, options);
+  write_drawn(target, input, answer, options);
   print_answer(text);
   return report.pairs.empty() ? 0 : 1;
 }

@@ -22,6 +22,34 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
 }
 
+/// An option that must say something where it is given; `missing` is told where it does not.
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& help,
+                      const std::string& missing) {
+  return app.add_option(name, text, help)->check([missing](const std::string& word) {
+    return word.empty() ? missing : std::string();
+  });
+}
+
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& help,
+                      const std::string& type = "FILE") {
+  return add_text(app, name, file, help, "a file must be named")->type_name(type);
+}
+
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::string& length, const std::string& help) {
+  return add_text(app, name, length, help, "a length must be given")->type_name("LENGTH");
+}
+
+/// So many numbers, by commas or spaces.
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                         const std::string& help, int count, const std::string& type) {
+  return app.add_option(name, numbers, help)->expected(count)->delimiter(',')->allow_extra_args(false)->type_name(type);
+}
+
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                       const std::string& help) {
+  return add_numbers(app, name, numbers, help, 3, "X Y Z");
+}
+
 /// Where the objects of two files are: --pose-a and --pose-b.
 std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
@@ -34,12 +62,9 @@ std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
 /// Where the objects of two files are, once or at many poses. Returns --poses.
 CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
   const auto [pose_a, pose_b] = add_pose_pair(app, options);
-  return app
-      .add_option("--poses", poses,
+  return add_file(app, "--poses", poses,
                   "answers for two objects at many poses: a file with 12 or 24 numbers a line "
                   "(docs/reference/poses-file.md)")
-      ->check([](const std::string& file) { return file.empty() ? "a file must be named" : std::string(); })
-      ->type_name("FILE")
       ->excludes(pose_a)
       ->excludes(pose_b);
 }
@@ -72,12 +97,9 @@ CLI::Option* add_solid(CLI::App& app, Options& options) {
 /// --clearance and --clearance-of; returns both.
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
   CLI::Option* clearance =
-      app.add_option(
-             "--clearance", arguments.clearance,
-             "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
-             "its own (0.5, 2mm, 0.1in); all: every pair")
-          ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
-          ->type_name("LENGTH");
+      add_length(app, "--clearance", arguments.clearance,
+                 "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
+                 "its own (0.5, 2mm, 0.1in); all: every pair");
   CLI::Option* clearance_of =
       app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
           ->type_name("NAME,NAME=LENGTH")
@@ -85,6 +107,12 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
           ->allow_extra_args(false)
           ->take_all();
   return {clearance, clearance_of};
+}
+
+CLI::Option* add_glb(CLI::App& app, CheckArguments& arguments) {
+  return add_file(app, "--glb", arguments.glb,
+                  "write the objects and what was found as a GLB file, for Blender (docs/reference/glb-file.md)",
+                  "FILE.glb");
 }
 
 void add_check(CLI::App& app, Options& options) {
@@ -101,10 +129,10 @@ void add_check(CLI::App& app, Options& options) {
   const auto [clearance, clearance_of] = add_clearances(*check, options.check);
   clearance->excludes(poses);
   clearance_of->excludes(poses);
-  CLI::Option* html =
-      check->add_option("--html", options.check.html, "also write a page that shows the objects and what was found")
-          ->type_name("FILE")
-          ->excludes(poses);
+  CLI::Option* html = add_file(*check, "--html", options.check.html,
+                               "also write a page that shows the objects and what was found", "FILE.html")
+                          ->excludes(poses);
+  CLI::Option* glb = add_glb(*check, options.check)->excludes(poses);
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")
@@ -113,6 +141,7 @@ void add_check(CLI::App& app, Options& options) {
       ->excludes(clearance)
       ->excludes(clearance_of)
       ->excludes(html)
+      ->excludes(glb)
       ->excludes(solid)
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
@@ -136,19 +165,21 @@ void add_view(CLI::App& app, Options& options) {
   ViewArguments& arguments = options.view;
   CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what touches, and why");
   add_input(*view, arguments.input, any_files);
-  view->add_option("-o,--output", arguments.html, "the page to write")->type_name("FILE.html");
+  add_file(*view, "-o,--output", arguments.html, "the page to write", "FILE.html");
+  add_glb(*view, arguments);
   add_pose_pair(*view, options);
   add_solid(*view, options);
   view->add_flag("--penetration", arguments.penetration,
                  "also how deep solids overlap, and their points and regions of contact");
   add_clearances(*view, arguments);
-  view->add_option("--hierarchy", arguments.hierarchy,
-                   "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
-                   "rss, ellipsoid, hull; wide: the tree that queries use")
+  add_text(*view, "--hierarchy", arguments.hierarchy,
+           "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
+           "rss, ellipsoid, hull; wide: the tree that queries use",
+           "a volume must be named")
       ->type_name("VOLUME");
-  view->add_option("--png", arguments.png, "draw a picture of the page, where Chromium is installed")
-      ->type_name("FILE.png");
-  view->add_option("--size", arguments.size, "of the picture (default: 1200x800)")->type_name("WIDTHxHEIGHT");
+  add_file(*view, "--png", arguments.png, "draw a picture of the page, where Chromium is installed", "FILE.png");
+  add_text(*view, "--size", arguments.size, "of the picture (default: 1200x800)", "a size must be given")
+      ->type_name("WIDTHxHEIGHT");
   view->add_option("--look", arguments.look,
                    "what the picture shows: the end of a link to the page, 'pair=0&theme=dark'")
       ->type_name("TEXT");
@@ -161,6 +192,7 @@ void add_view(CLI::App& app, Options& options) {
                 "  {0} view a.stl b.obj -o touch.html\n"
                 "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
                 "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+                "  {0} view scene.json --glb scene.glb\n"
                 "  {0} view a.stl b.obj --png touch.png --look 'pair=0'"));
 }
 
@@ -179,13 +211,9 @@ void add_distance(CLI::App& app, Options& options) {
 void add_ray(CLI::App& app, Options& options) {
   CLI::App* ray = app.add_subcommand("ray", "what a ray meets first, decided exactly");
   add_input(*ray, options.ray.input, any_files);
-  const auto point = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
-    return ray->add_option(name, numbers, what)->expected(3)->allow_extra_args(false)->type_name("X Y Z");
-  };
-  CLI::Option* from = point("--from", options.from, "where the ray starts, in the world");
-  CLI::Option* to = point("--to", options.to, "where it ends");
-  ray->add_option("--rays", options.ray.rays, "many rays: a file with six numbers a line, where each starts and ends")
-      ->type_name("FILE")
+  CLI::Option* from = add_point(*ray, "--from", options.from, "where the ray starts, in the world");
+  CLI::Option* to = add_point(*ray, "--to", options.to, "where it ends");
+  add_file(*ray, "--rays", options.ray.rays, "many rays: a file with six numbers a line, where each starts and ends")
       ->excludes(from)
       ->excludes(to);
   add_solid(*ray, options);
@@ -199,17 +227,9 @@ void add_ray(CLI::App& app, Options& options) {
 void add_faces(CLI::App& app, Options& options) {
   CLI::App* faces = app.add_subcommand("faces", "which faces lie in a box or a ball, wholly or in part");
   add_input(*faces, options.faces.input, any_files);
-  CLI::Option* box = faces->add_option("--box", options.box, "the least corner and the greatest, in the world")
-                         ->expected(6)
-                         ->delimiter(',')
-                         ->allow_extra_args(false)
-                         ->type_name("X0 Y0 Z0 X1 Y1 Z1");
-  faces->add_option("--ball", options.ball, "centre and radius")
-      ->expected(4)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("X Y Z R")
-      ->excludes(box);
+  CLI::Option* box = add_numbers(*faces, "--box", options.box, "the least corner and the greatest, in the world", 6,
+                                 "X0 Y0 Z0 X1 Y1 Z1");
+  add_numbers(*faces, "--ball", options.ball, "centre and radius", 4, "X Y Z R")->excludes(box);
   add_writing(*faces, options, options.faces.threads, "docs/reference/faces-report.md");
   faces->footer(
       with_name("Touching counts. Faces are the files' own, from 0.\n\n"
@@ -255,23 +275,15 @@ void add_cost(CLI::App& app, Options& options) {
 void add_nearest(CLI::App& app, Options& options) {
   CLI::App* nearest = app.add_subcommand("nearest", "which point of a surface is nearest to a point, certified");
   add_input(*nearest, options.nearest.input, any_files);
-  CLI::Option* point = nearest->add_option("--point", options.point, "the point, in the world")
-                           ->expected(3)
-                           ->delimiter(',')
-                           ->allow_extra_args(false)
-                           ->type_name("X Y Z");
-  nearest->add_option("--points", options.nearest.points, "many points: a file with three numbers a line")
-      ->type_name("FILE")
+  CLI::Option* point = add_point(*nearest, "--point", options.point, "the point, in the world");
+  add_file(*nearest, "--points", options.nearest.points, "many points: a file with three numbers a line")
       ->excludes(point);
   nearest->add_option("--k", options.nearest.k, "so many nearest triangles, nearest first")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("NUMBER");
-  nearest
-      ->add_option("--within", options.nearest.within,
-                   "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "
-                   "all: nothing is")
-      ->check([](const std::string& length) { return length.empty() ? "a length must be given" : std::string(); })
-      ->type_name("LENGTH");
+  add_length(*nearest, "--within", options.nearest.within,
+             "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "
+             "all: nothing is");
   nearest->add_flag(
       "--signed", options.nearest.sides,
       "tell on which side of the surface the point is, and inside of which object: exactly of closed meshes "
@@ -309,8 +321,8 @@ void add_inspect(CLI::App& app, Options& options) {
 void add_tree(CLI::App& app, Options& options) {
   CLI::App* tree = app.add_subcommand("tree", "save the tree over a mesh, or look whether one belongs to it");
   tree->add_option("file", options.tree.file, "a file with one mesh")->required();
-  CLI::Option* save = tree->add_option("--save", options.tree.save, "write the tree here")->type_name("FILE");
-  tree->add_option("--check", options.tree.check, "look through this tree")->type_name("FILE")->excludes(save);
+  CLI::Option* save = add_file(*tree, "--save", options.tree.save, "write the tree here");
+  add_file(*tree, "--check", options.tree.check, "look through this tree")->excludes(save);
   add_threads(*tree, options.tree.threads, "tree");
   tree->footer(
       with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
@@ -320,8 +332,8 @@ void add_tree(CLI::App& app, Options& options) {
 
 void add_demo(CLI::App& app, Options& options) {
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
-  demo->add_option("--write", options.demo.write_folder, "write the scenes as files to play with, into this folder")
-      ->check([](const std::string& folder) { return folder.empty() ? "a folder must be named" : std::string(); });
+  add_text(*demo, "--write", options.demo.write_folder, "write the scenes as files to play with, into this folder",
+           "a folder must be named");
   add_threads(*demo, options.demo.threads, "answer");
   demo->add_flag("--json", options.json, "write the answers as JSON");
   demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));

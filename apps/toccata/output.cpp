@@ -3,11 +3,23 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
 
 #include "toccata/core/error.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The signal that came last; a handler can reach nothing else.
+volatile std::sig_atomic_t waiting_signal = 0;
+
+}  // namespace
 
 void print_answer(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -19,13 +31,40 @@ void print_warnings(const std::vector<std::string>& warnings) {
 }
 
 UninterruptedWriting::UninterruptedWriting() {
-  sigset_t interruptions;
-  sigemptyset(&interruptions);
-  sigaddset(&interruptions, SIGINT);
-  sigaddset(&interruptions, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &interruptions, &before_);
+  // Blocking the signals would not do: they would reach a thread of the pool, and end the process there.
+  for (std::size_t i = 0; i < signals_.size(); ++i) {
+    sigaction(signals_[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler == SIG_IGN) continue;
+    struct sigaction wait {};
+    wait.sa_handler = [](int signal) { waiting_signal = signal; };
+    wait.sa_flags = SA_RESTART;
+    sigaction(signals_[i], &wait, nullptr);
+  }
 }
 
-UninterruptedWriting::~UninterruptedWriting() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+UninterruptedWriting::~UninterruptedWriting() {
+  for (std::size_t i = 0; i < signals_.size(); ++i) sigaction(signals_[i], &before_[i], nullptr);
+  if (const int signal = std::exchange(waiting_signal, 0); signal != 0) raise(signal);
+}
+
+bool UninterruptedWriting::is_interrupted() { return waiting_signal != 0; }
+
+void require_distinct(const std::vector<NamedOutput>& outputs, const std::vector<std::string>& inputs) {
+  const auto place = [](const std::string& path) {
+    std::error_code code;
+    const fs::path absolute = fs::absolute(path, code), whole = fs::weakly_canonical(absolute, code);
+    return code ? absolute : whole;
+  };
+  std::map<fs::path, std::string> named;
+  for (const std::string& input : inputs) named.emplace(place(input), "a file that is read");
+  for (const NamedOutput& output : outputs) {
+    if (output.path.empty()) continue;
+    const auto [other, is_new] = named.emplace(place(output.path), output.option);
+    if (!is_new)
+      throw Error(fmt::format("{} would write {}, which is {} too: give them different names", output.option,
+                              output.path,
+                              other->second.starts_with("-") ? "that of " + other->second : other->second));
+  }
+}
 
 }  // namespace toccata::command

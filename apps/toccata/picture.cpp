@@ -20,7 +20,9 @@
 #include <thread>
 #include <vector>
 
+#include "output.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/io/output_file.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
@@ -29,8 +31,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -73,6 +73,17 @@ std::string find_browser() {
       "no Chromium was found to draw a picture with: install it (apt-get install chromium), or write a page with -o");
 }
 
+/// A path in an address: what means something there, and what is no letter, by its number.
+std::string in_address(const std::string& path) {
+  std::string address;
+  for (const char c : path) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          std::string_view("/-_.~").find(c) != std::string_view::npos;
+    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return address;
+}
+
 std::vector<std::string> words_of(const std::string& browser, const fs::path& folder, const PictureTarget& target) {
   std::vector<std::string> words = {browser,
                                     "--headless",
@@ -91,7 +102,7 @@ std::vector<std::string> words_of(const std::string& browser, const fs::path& fo
                                     "--screenshot=" + (folder / "picture.png").string()};
   if (geteuid() == 0) words.emplace_back("--no-sandbox");  // which refuses to run for the administrator
   const std::string look = target.look.empty() ? "" : target.look + "&";
-  words.push_back("file://" + (folder / "page.html").string() + "#" + look + "panels=0&theme=light");
+  words.push_back("file://" + in_address((folder / "page.html").string()) + "#" + look + "panels=0&theme=light");
   return words;
 }
 
@@ -116,38 +127,18 @@ pid_t started(std::vector<std::string> words) {
   return process;
 }
 
-/// Waits for the process; when it takes too long, it and its children are ended.
+/// Waits for the process; when it takes too long, or somebody wants an end of this, it and its children are ended.
 void await(pid_t process) {
   constexpr std::chrono::minutes patience(2);
   const Clock::time_point end = Clock::now() + patience;
   while (waitpid(process, nullptr, WNOHANG) == 0) {
-    if (Clock::now() > end) {
+    if (UninterruptedWriting::is_interrupted() || Clock::now() > end) {
       kill(-process, SIGKILL);
       waitpid(process, nullptr, 0);
       return;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-}
-
-void require_png_or_nothing(const std::string& path) {
-  std::error_code code;
-  if (!fs::exists(path, code)) return;
-  if (!fs::is_regular_file(path, code) || !text_of(path).starts_with(png_signature))
-    throw Error(path + ": this exists and is no PNG; choose another name");
-}
-
-/// Under a name of its own first, so that it is there whole or not at all.
-void place_picture(const std::string& bytes, const std::string& path) {
-  const std::string part = fmt::format("{}.{}.part", path, getpid());  // nobody else's
-  std::ofstream stream(part, std::ios::binary);
-  stream << bytes;
-  stream.close();
-  std::error_code code;
-  if (stream) fs::rename(part, path, code);
-  if (stream && !code) return;
-  fs::remove(part, code);
-  throw Error(path + ": the file cannot be written; check the folder and its permissions");
 }
 
 int parse_extent(std::string_view text) {
@@ -166,16 +157,23 @@ void set_size(PictureTarget& target, const std::string& text) {
     throw Error(fmt::format("--size: '{}' is no size; write width and height from 16 to 8192, 1200x800", text));
 }
 
+void require_picture(const PictureTarget& target) {
+  require_output(target.path, OutputKind::picture);
+  static_cast<void>(find_browser());
+}
+
 void write_picture(const std::string& page, const PictureTarget& target) {
-  require_png_or_nothing(target.path);
+  require_picture(target);
   const std::string browser = find_browser();
+  const UninterruptedWriting writing;
   const ScratchFolder folder;
   std::ofstream(folder.path() / "page.html", std::ios::binary) << page;
   await(started(words_of(browser, folder.path(), target)));
+  if (UninterruptedWriting::is_interrupted()) return;
   const std::string picture = text_of(folder.path() / "picture.png");
-  if (!picture.starts_with(png_signature))
+  if (picture.empty())
     throw Error(fmt::format("{} drew no picture; write a page with -o and open it to see why", browser));
-  place_picture(picture, target.path);
+  write_output(picture, target.path, OutputKind::picture);
 }
 
 }  // namespace toccata::command

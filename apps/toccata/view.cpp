@@ -8,6 +8,8 @@
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
+#include "toccata/io/glb_file.hpp"
+#include "toccata/io/output_file.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -42,17 +44,35 @@ std::optional<CostVolume> volume_of(const std::string& name) {
 }
 
 ViewTarget target_of(const ViewArguments& arguments) {
-  if (arguments.html.empty() && arguments.png.empty())
-    throw Error("no page was named: say where it shall be written with -o FILE.html, or a picture with --png FILE.png");
+  if (arguments.html.empty() && arguments.png.empty() && arguments.glb.empty())
+    throw Error(
+        "no page was named: say where it shall be written with -o FILE.html, or a picture with --png FILE.png, or a "
+        "GLB "
+        "file with --glb FILE.glb");
   if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   const std::vector<std::string>& files = arguments.input.files;
   const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
-  ViewTarget target{arguments.html, {title_of(files), up, volume_of(arguments.hierarchy)}, {}};
+  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up, volume_of(arguments.hierarchy)}, {}};
   if (arguments.png.empty()) return target;
   target.picture = PictureTarget{arguments.png, arguments.look};
   if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
   return target;
+}
+
+double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
+
+/// What was written, a line each.
+std::string told_of(const ViewTarget& target, const std::string& holds) {
+  std::string told;
+  if (!target.path.empty())
+    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(target.path), holds,
+                        megabytes_of(target.path));
+  if (!target.glb.empty())
+    told += fmt::format("{}: {}, {:.1f} MB; open it in Blender or another program for glTF.\n", printable(target.glb),
+                        holds, megabytes_of(target.glb));
+  if (target.picture) told += fmt::format("{}: a picture of {}.\n", printable(target.picture->path), holds);
+  return told;
 }
 
 }  // namespace
@@ -69,16 +89,30 @@ std::string title_of(const std::vector<std::string>& files) {
   return files.size() > most_files ? fmt::format("{} and {} more", title, files.size() - most_files) : title;
 }
 
+void require_view(const ViewTarget& target, const std::vector<std::string>& inputs) {
+  require_distinct(
+      {{"-o or --html", target.path}, {"--glb", target.glb}, {"--png", target.picture ? target.picture->path : ""}},
+      inputs);
+  if (!target.path.empty()) require_output(target.path, OutputKind::page);
+  if (!target.glb.empty()) require_output(target.glb, OutputKind::glb);
+  if (target.picture) require_picture(*target.picture);
+}
+
 void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report) {
   const LoadedScene& loaded = input.loaded;
-  const std::string page = view_page(loaded.scene, input.models, report, target.options, loaded.warnings);
+  const std::string page = target.path.empty() && !target.picture
+                               ? ""
+                               : view_page(loaded.scene, input.models, report, target.options, loaded.warnings);
+  const std::string glb = target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, report, target.options);
   if (target.picture) write_picture(page, *target.picture);
   const UninterruptedWriting writing;
   if (!target.path.empty()) write_view_page(page, target.path);
+  if (!target.glb.empty()) write_glb(glb, target.glb);
 }
 
 int run_view(const ViewArguments& arguments) {
   const ViewTarget target = target_of(arguments);
+  require_view(target, arguments.input.files);
   require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
@@ -90,13 +124,8 @@ int run_view(const ViewArguments& arguments) {
       input.models, answer, {arguments.touching, true, arguments.penetration, clearances.common, clearances.of_pairs});
   print_warnings(input.loaded.warnings);
   write_view(target, input, report);
-  const std::string holds = counted(input.models.size(), "object") + " and " + counted(report.pairs.size(), "pair");
-  std::string told;
-  if (!target.path.empty())
-    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(target.path), holds,
-                        static_cast<double>(fs::file_size(target.path)) / 1e6);
-  if (target.picture) told += fmt::format("{}: a picture of {}.\n", printable(target.picture->path), holds);
-  print_answer(told);
+  print_answer(
+      told_of(target, counted(input.models.size(), "object") + " and " + counted(report.pairs.size(), "pair")));
   return 0;
 }
 

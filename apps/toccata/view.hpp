@@ -12,12 +12,17 @@
 
 namespace toccata::command {
 
-/// A page to be written, or a picture of it, or both.
+/// A page to be written, a GLB file, a picture: any of them.
 struct ViewTarget {
-  std::string path;  ///< of the page; empty: it is not kept
-  ViewOptions options;
+  std::string path{};  ///< of the page; empty: it is not kept
+  std::string glb{};   ///< of the GLB file; empty: none
+  ViewOptions options{};
   std::optional<PictureTarget> picture{};
 };
+
+/// Throws Error, before long work, when one cannot be written, two are one file, or one is among the files that are
+/// read.
+void require_view(const ViewTarget& target, const std::vector<std::string>& inputs);
 
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
 UpAxis up_of(const std::vector<std::string>& files);

@@ -1,5 +1,7 @@
 #include "io/drawn_hierarchy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,12 +15,14 @@
 #include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/trees/builders.hpp"
 
 namespace toccata::io {
 namespace {
 
 constexpr std::size_t most_nodes = 1024;
+constexpr std::size_t most_meshes = 32;
 
 std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
   std::vector<Triangle> triangles;
@@ -215,6 +219,17 @@ DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
       return Drawing<Aabb>(triangles, shape_of(model.wide_tree()), !is_round).all_levels();
   }
   return {};
+}
+
+std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const Posed> models, CostVolume volume) {
+  std::map<const TriangleMesh*, const Model*> model_of;
+  for (const Posed& posed : models)
+    if (posed.model.has_mesh()) model_of.try_emplace(&posed.model.mesh(), &posed.model);
+  if (model_of.size() > most_meshes)
+    throw Error(fmt::format("hierarchies of more than {} meshes are too many to look at: show fewer", most_meshes));
+  std::map<const TriangleMesh*, DrawnHierarchy> hierarchies;
+  for (const auto& [mesh, model] : model_of) hierarchies.emplace(mesh, drawn_hierarchy(*model, volume));
+  return hierarchies;
 }
 
 }  // namespace toccata::io

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "toccata/core/index.hpp"
+#include "toccata/query/check_all.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/query/model.hpp"
 
@@ -37,5 +40,9 @@ struct DrawnHierarchy {
 /// Of a model that has a mesh: a binary hierarchy built by the surface-area heuristic, with at most two triangles a
 /// leaf; for `wide`, boxes fitted around the nodes of the model's own tree.
 [[nodiscard]] DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume);
+
+/// That of each mesh of these models. Throws Error when there are more than 32, too many to be looked at.
+[[nodiscard]] std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const Posed> models,
+                                                                              CostVolume volume);
 
 }  // namespace toccata::io

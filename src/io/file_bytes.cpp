@@ -87,6 +87,8 @@ void write_file(const fs::path& path, std::string_view text) {
   temporary.path.clear();
 }
 
+void require_writable(const fs::path& path) { const TemporaryFile tried(path); }
+
 std::string lower_case_extension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(),

@@ -23,6 +23,9 @@ struct FileBytes {
 /// Writes the file under a name of its own beside it and renames it when it is complete. Throws Error naming the file.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Throws Error naming the file when write_file could not: its folder is missing, or cannot be written to.
+void require_writable(const std::filesystem::path& path);
+
 /// ".obj" for "A.OBJ"; empty when there is none.
 [[nodiscard]] std::string lower_case_extension(const std::filesystem::path& path);
 

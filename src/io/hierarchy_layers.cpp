@@ -7,14 +7,11 @@
 
 #include "io/drawn_hierarchy.hpp"
 #include "io/utf8.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t most_meshes = 32;
 
 /// Points as floats from 0 to 1 of the greatest extent of the mesh's box.
 struct MeshFrame {
@@ -70,8 +67,7 @@ Json steps_of(const DrawnHierarchy& hierarchy) {
   return steps;
 }
 
-Json layer_of(const Model& model, CostVolume volume, ViewData& data) {
-  const DrawnHierarchy hierarchy = drawn_hierarchy(model, volume);
+Json layer_of(const Model& model, const DrawnHierarchy& hierarchy, ViewData& data) {
   const MeshFrame frame(model.vertex_box());
   const auto numbers = [&](const std::vector<Index>& all) { return data.add(std::span<const std::uint32_t>(all)); };
   return {{"kind", "hierarchy"},
@@ -90,14 +86,13 @@ Json layer_of(const Model& model, CostVolume volume, ViewData& data) {
 }  // namespace
 
 std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume volume, ViewData& data) {
+  const std::map<const TriangleMesh*, DrawnHierarchy> hierarchies = drawn_hierarchies(models, volume);
   std::map<const TriangleMesh*, Json> layer_of_mesh;
   std::vector<Json> layers;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!models[i].model.has_mesh()) continue;
     const auto [found, is_new] = layer_of_mesh.try_emplace(&models[i].model.mesh());
-    if (layer_of_mesh.size() > most_meshes)
-      throw Error(fmt::format("hierarchies of more than {} meshes are too many to look at: show fewer", most_meshes));
-    if (is_new) found->second = layer_of(models[i].model, volume, data);
+    if (is_new) found->second = layer_of(models[i].model, hierarchies.at(found->first), data);
     Json& layer = layers.emplace_back(found->second);
     layer["object"] = i;
     layer["name"] = fmt::format("{}: {}", as_utf8(models[i].name),

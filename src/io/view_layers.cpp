@@ -2,20 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
+
+#include "io/contact_geometry.hpp"
 
 namespace toccata::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// What the faces of a pair have in common, in shown coordinates.
-struct Meetings {
-  std::vector<float> points;
-  std::vector<float> segments;
-  std::vector<float> triangles;
-};
 
 class PairLayers {
  public:
@@ -23,8 +17,8 @@ class PairLayers {
       : pair_(pair), meshes_(meshes), unit_(std::move(unit)), data_(data), layers_(layers) {}
 
   void add(const ReportedPair& pair) {
-    add_faces(pair.a, faces_of(pair, &ReportedFacePair::face_a));
-    add_faces(pair.b, faces_of(pair, &ReportedFacePair::face_b));
+    add_faces(pair.a, meeting_faces(pair, &ReportedFacePair::face_a));
+    add_faces(pair.b, meeting_faces(pair, &ReportedFacePair::face_b));
     add_meetings(pair);
     if (pair.penetration && pair.penetration->upper > 0)
       add_length("depth", pair.penetration->on_a, pair.penetration->on_b, pair.penetration->upper);
@@ -34,14 +28,6 @@ class PairLayers {
   }
 
  private:
-  static std::vector<Index> faces_of(const ReportedPair& pair, Index ReportedFacePair::*side) {
-    std::vector<Index> faces;
-    for (const ReportedFacePair& found : pair.face_pairs) faces.push_back(found.*side);
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
-  }
-
   void append(std::vector<float>& numbers, const Vec3& world) const {
     const std::array<float, 3> shown = meshes_.frame().shown(world);
     numbers.insert(numbers.end(), shown.begin(), shown.end());
@@ -63,23 +49,17 @@ class PairLayers {
   }
 
   void add_meetings(const ReportedPair& pair) {
-    Meetings found;
-    for (const ReportedFacePair& faces : pair.face_pairs)
-      for (const ReportedMeeting& meeting : faces.meetings) add_meeting(found, meeting.points);
-    add_numbers("triangles", "contact", found.triangles);
-    add_numbers("segments", "contact", found.segments);
-    add_numbers("points", "contact", found.points);
+    const ContactGeometry found = contact_geometry(pair);
+    add_numbers("triangles", "contact", shown(found.triangles));
+    add_numbers("segments", "contact", shown(found.segments));
+    add_numbers("points", "contact", shown(found.points));
   }
 
-  /// A point, a segment, or a convex polygon: its area and its outline.
-  void add_meeting(Meetings& found, const std::vector<Vec3>& points) const {
-    if (points.size() == 1) append(found.points, points[0]);
-    for (std::size_t i = 0; i + 1 < points.size() || (i + 1 == points.size() && points.size() > 2); ++i) {
-      append(found.segments, points[i]);
-      append(found.segments, points[(i + 1) % points.size()]);
-    }
-    for (std::size_t i = 1; i + 1 < points.size(); ++i)
-      for (const std::size_t corner : {std::size_t{0}, i, i + 1}) append(found.triangles, points[corner]);
+  [[nodiscard]] std::vector<float> shown(const std::vector<Vec3>& points) const {
+    std::vector<float> numbers;
+    numbers.reserve(3 * points.size());
+    for (const Vec3& point : points) append(numbers, point);
+    return numbers;
   }
 
   void add_length(const char* role, const Vec3& from, const Vec3& to, double length) {

@@ -17,9 +17,16 @@ namespace toccata::io {
 /// theirs.
 class ViewMeshes {
  public:
+  struct Drawn {
+    std::size_t mesh = 0;
+    std::optional<Pose> fit;  ///< from the mesh to the shape's own frame
+  };
+
   explicit ViewMeshes(std::span<const Posed> models);
 
   [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
+  [[nodiscard]] const std::vector<DisplayMesh>& meshes() const { return meshes_; }
+  [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }  ///< of each model
 
   /// The triangles that are drawn for these faces of a model; `faces` ascend. None when all of it is one face, as
   /// shapes other than meshes are.
@@ -29,18 +36,13 @@ class ViewMeshes {
   void write(nlohmann::ordered_json& header, ViewData& data) const;
 
  private:
-  struct Drawn {
-    std::size_t mesh = 0;
-    std::optional<Pose> fit;  ///< from the mesh to the shape's own frame
-  };
-
   Drawn drawn_of(const Posed& posed);
   std::size_t mesh_number(const std::string& key, const Model& model);
   [[nodiscard]] DisplayMesh mesh_for(const std::string& key, const Model& model) const;
 
   std::vector<DisplayMesh> meshes_;
   std::map<std::string, std::size_t> number_of_;
-  std::vector<Drawn> drawn_;  ///< of each model
+  std::vector<Drawn> drawn_;
   std::size_t spheres_ = 0;
   DisplayFrame frame_;
 };

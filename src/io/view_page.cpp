@@ -1,11 +1,7 @@
 #include "toccata/io/view_page.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/file_bytes.hpp"
-#include "io/file_error.hpp"
 #include "io/hierarchy_layers.hpp"
 #include "io/utf8.hpp"
 #include "io/view_data.hpp"
@@ -13,6 +9,7 @@
 #include "io/view_meshes.hpp"
 #include "io/view_template.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/io/output_file.hpp"
 #include "toccata/io/relation_words.hpp"
 
 namespace toccata {
@@ -58,24 +55,6 @@ std::string script(const char* id, const char* type, const std::string& text) {
   return std::string("<script id=\"") + id + "\" type=\"" + type + "\">" + text + "</script>\n";
 }
 
-/// A page of this program, or any other HTML, and nothing else that somebody has.
-void require_page_or_nothing(const std::filesystem::path& path) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (status.type() == fs::file_type::not_found) return;
-  if (fs::is_directory(status)) io::fail_in_file(path.string(), {"this is a directory", "name a file in it"});
-  if (!fs::is_regular_file(status))
-    io::fail_in_file(path.string(), {"this exists and is no regular file", "choose another name"});
-  constexpr std::string_view begin = "<!doctype html>";
-  std::string start(begin.size(), '\0');
-  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
-  std::transform(start.begin(), start.end(), start.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (start != begin && fs::file_size(path, code) > 0)
-    io::fail_in_file(path.string(), {"the file exists and is no HTML page", "choose another name"});
-}
-
 }  // namespace
 
 std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
@@ -103,8 +82,7 @@ std::string view_page(const Scene& scene, std::span<const Posed> models, const C
 }
 
 void write_view_page(const std::string& page, const std::filesystem::path& path) {
-  require_page_or_nothing(path);
-  io::write_file(path, page);
+  write_output(page, path, OutputKind::page);
 }
 
 }  // namespace toccata

@@ -68,6 +68,43 @@ TEST(ViewCommand, DrawsWhatThePageShows) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
+/// A page of somebody else is one, too.
+TEST(ViewCommand, ReplacesOnlyWhatItWrote) {
+  const TemporaryFolder folder;
+  folder.write("theirs.html", "<!doctype html>\n<p>theirs</p>");
+  folder.write("empty.html", "");
+  const auto exit_code_for = [&](const std::string& file) {
+    return run_command({"view", "gen:box", "-o", file}, folder.path()).exit_code;
+  };
+  EXPECT_EQ(exit_code_for("theirs.html"), 2);
+  EXPECT_EQ(text_of(folder.path() / "theirs.html"), "<!doctype html>\n<p>theirs</p>");
+  EXPECT_EQ(exit_code_for("empty.html"), 0);
+  EXPECT_EQ(exit_code_for("empty.html"), 0);
+}
+
+TEST(ViewCommand, CheckWritesAGlbFileBesideItsAnswer) {
+  const TemporaryFolder folder;
+  const auto result =
+      run_command({"check", "gen:box", "gen:icosphere", "--penetration", "--glb", "both.glb"}, folder.path());
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_TRUE(text_of(folder.path() / "both.glb").starts_with("glTF"));
+  const auto view = run_command({"view", "gen:torus", "--hierarchy", "obb", "--glb", "tree.glb"}, folder.path());
+  EXPECT_EQ(view.exit_code, 0) << view.err;
+  EXPECT_NE(view.out.find("tree.glb: 1 object and 0 pairs"), std::string::npos) << view.out;
+  const auto read = run_command({"inspect", "tree.glb"}, folder.path());
+  EXPECT_NE(read.out.find("level 3"), std::string::npos) << read.out << read.err;
+}
+
+/// Long work is not begun for a file that cannot be written.
+TEST(ViewCommand, RefusesAtOnceWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  for (const char* option : {"--html", "--glb"}) {
+    const auto result = run_command({"check", "nothing.obj", option, "nowhere/file"}, folder.path());
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("nowhere/file: the file cannot be written"), std::string::npos) << result.err;
+  }
+}
+
 TEST(ViewCommand, TroubleWritesNothing) {
   const TemporaryFolder folder;
   folder.write("notes.txt", "mine");
@@ -81,14 +118,22 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"view", "gen:box"}, "no page was named: say where it shall be written with -o FILE.html");
   refused({"view", "-o", "page.html"}, "no file was named");
   refused({"view", "broken.obj", "-o", "page.html"}, "broken.obj:2");
-  refused({"view", "gen:box", "-o", "notes.txt"}, "the file exists and is no HTML page; choose another name");
+  refused({"view", "gen:box", "-o", "notes.txt"},
+          "notes.txt: the file exists and is not a page of Toccata; choose another name, or delete it");
   refused({"view", "gen:box", "-o", "nowhere/page.html"}, "nowhere/page.html");
   refused({"view", "gen:box", "--hierarchy", "ob", "-o", "page.html"}, "there is no volume 'ob'; did you mean 'obb'?");
   refused({"view", "gen:box", "-o", "page.html", "--size", "9x9"}, "--size and --look are of a picture");
   refused({"view", "gen:box", "--png", "a.png", "--size", "9x900"}, "'9x900' is no size");
-  refused({"view", "gen:box", "--png", "notes.txt"}, "notes.txt: this exists and is no PNG; choose another name");
-  refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "no HTML page");
+  refused({"view", "gen:box", "--png", "notes.txt"}, "notes.txt: the file exists and is not a picture of Toccata");
+  refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "is not a page of Toccata");
   refused({"check", "gen:box", "--self", "--html", "page.html"}, "excludes");
+  refused({"view", "gen:box", "--glb", "notes.txt"}, "is not a GLB file of Toccata");
+  refused({"view", "gen:box", "-o", "page.html", "--hierarchy", ""}, "a volume must be named");
+  refused({"view", "gen:box", "-o", ""}, "a file must be named");
+  refused({"view", "gen:box", "-o", "a.html", "--glb", "./a.html"},
+          "--glb would write ./a.html, which is that of -o or --html too: give them different names");
+  refused({"view", "broken.obj", "-o", "broken.obj"}, "which is a file that is read too");
+  refused({"check", "gen:box", "gen:box", "--self", "--glb", "a.glb"}, "excludes");
   EXPECT_EQ(text_of(folder.path() / "notes.txt"), "mine");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
 }

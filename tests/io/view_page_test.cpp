@@ -304,8 +304,11 @@ TEST(ViewPage, WritesNothingOverWhatIsNoPage) {
   EXPECT_EQ(kept.str(), "mine");
   EXPECT_THROW(write_view_page("<!doctype html>", folder.path()), Error);
   EXPECT_THROW(write_view_page("<!doctype html>", folder.path() / "missing" / "page.html"), Error);
-  write_view_page("<!doctype html>1", folder.path() / "page.html");
-  write_view_page("<!doctype html>2", folder.path() / "page.html");
+  EXPECT_THROW(write_view_page("<!doctype html>", folder.write("theirs.html", "<!doctype html>\n<p>")), Error);
+  std::filesystem::remove(folder.path() / "theirs.html");
+  const std::string page = page_of(Scene{}).html;
+  write_view_page(page, folder.path() / "page.html");
+  write_view_page(page, folder.path() / "page.html");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
 }
 

@@ -33,8 +33,8 @@ struct ViewOptions {
 [[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
                                     const ViewOptions& options = {}, std::span<const std::string> warnings = {});
 
-/// Writes a page: the file is complete or not there. Throws Error naming the file when it exists and is no HTML page,
-/// or cannot be written.
+/// Writes a page: the file is complete or not there. Throws Error naming the file when it exists and was not written by
+/// Toccata, or cannot be written (write_output).
 void write_view_page(const std::string& page, const std::filesystem::path& path);
 
 }  // namespace toccata
