@@ -27,17 +27,19 @@ struct TriangleGaps {
     double other_share = 0;
   };
   [[nodiscard]] Points points(std::size_t lane) const { return {features[lane], share[lane], other_share[lane]}; }
+  void set_points(std::size_t lane, const Points& points) {
+    features[lane] = points.features;
+    share[lane] = points.share;
+    other_share[lane] = points.other_share;
+  }
 };
 
 /// The block's corners are in the world. The same bits at every SIMD level.
 void bound_gaps(const TrianglePairBlock& block, TriangleGaps& gaps);
 
-struct GapInterval {
-  double lower = 0;
-  double upper = 0;
-};
-
-/// The same of one pair in numbers of twice as many digits, from the points that `bound_gaps` found.
-[[nodiscard]] GapInterval precise_gap(const Triangle& a, const Triangle& b, const TriangleGaps::Points& points);
+/// Narrower bounds of every lane, in numbers of twice as many digits, from the points that `bound_gaps` found; the
+/// block is still the same, or holds the same pairs in the same order. `lower` is 0 and `upper` infinite where they do
+/// not tell. The same bits at every SIMD level, whichever lane a pair is in.
+void refine_gaps(const TrianglePairBlock& block, TriangleGaps& gaps);
 
 }  // namespace toccata

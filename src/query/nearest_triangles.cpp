@@ -19,37 +19,20 @@ constexpr double interval_width = 0.99e-12;
 /// Not when the upper end is infinite: nothing is known then.
 bool is_narrow(double lower, double upper) { return upper - lower < 0.9 * interval_width * upper; }
 
-void put(TrianglePairBlock::Corners& corners, std::size_t lane, const Triangle& triangle) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) corners[i][static_cast<std::size_t>(axis)][lane] = triangle.vertex[i][axis];
-}
-
-/// The upper end of a pair's interval, and the pair.
-struct Key {
-  double upper;
-  ItemPair pair;
-  bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
-};
-
 }  // namespace
 
 double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), infinity); }
 
-void PairDistances::bound_block(std::span<const ItemPair> pairs) {
-  for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
-    const Triangle a = a_[pairs[lane].first], b = b_[pairs[lane].second];
-    swapped_[lane] = !lexicographically_less(a[0], b[0]);
-    put(block_.a, lane, swapped_[lane] ? b : a);
-    put(block_.b, lane, swapped_[lane] ? a : b);
-  }
-  bound_gaps(block_, gaps_);
+/// Which triangle of a pair comes first is told by the two alone, and so is what is computed of them, unless they meet.
+void PairDistances::put(std::size_t lane, const ItemPair& pair) {
+  const Triangle a = a_[pair.first], b = b_[pair.second];
+  swapped_[lane] = !lexicographically_less(a[0], b[0]);
+  set_pair(block_, lane, swapped_[lane] ? b : a, swapped_[lane] ? a : b);
 }
 
-/// The triangles of a pair that do not meet: so it is told which comes first, and what is computed of them is the same
-/// either way round.
-std::pair<Triangle, Triangle> PairDistances::in_order(const ItemPair& pair) const {
-  const Triangle x = a_[pair.first], y = b_[pair.second];
-  return lexicographically_less(x[0], y[0]) ? std::pair(x, y) : std::pair(y, x);
+void PairDistances::bound_block(std::span<const ItemPair> pairs) {
+  for (std::size_t lane = 0; lane < pairs.size(); ++lane) put(lane, pairs[lane]);
+  bound_gaps(block_, gaps_);
 }
 
 Distance PairDistances::exact(const ItemPair& pair, ConvexWorkspace* kept) const {
@@ -64,19 +47,44 @@ FrontGap PairDistances::gap_in(std::size_t lane, const NearCandidate& candidate)
   return {((swapped_[lane] ? -1 : 1) / std::sqrt(dot(seen, seen))) * seen, found.gap};
 }
 
-double PairDistances::upper_of(const NearCandidate& candidate) const {
-  if (is_narrow(candidate.lower, candidate.upper)) return candidate.upper;
-  const auto [x, y] = in_order(candidate.pair);
-  const GapInterval precise = precise_gap(x, y, candidate.points);
-  return is_narrow(precise.lower, precise.upper) ? precise.upper : exact(candidate.pair).upper;
+TriangleGaps::Lanes PairDistances::uppers_of(std::span<const NearCandidate> candidates) {
+  TriangleGaps::Lanes uppers{};
+  bool all_narrow = true;
+  for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
+    uppers[lane] = candidates[lane].upper;
+    all_narrow = all_narrow && is_narrow(candidates[lane].lower, candidates[lane].upper);
+  }
+  if (all_narrow) return uppers;
+  for (const NearCandidate& candidate : candidates) prefetch_corners(candidate.pair);
+  for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
+    put(lane, candidates[lane].pair);
+    gaps_.set_points(lane, candidates[lane].points);
+  }
+  refine_gaps(block_, gaps_);
+  for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
+    if (is_narrow(candidates[lane].lower, candidates[lane].upper)) continue;
+    uppers[lane] =
+        is_narrow(gaps_.lower[lane], gaps_.upper[lane]) ? gaps_.upper[lane] : exact(candidates[lane].pair).upper;
+  }
+  return uppers;
+}
+
+PairDistances::Ends PairDistances::precise_ends(const NearCandidate& candidate) const {
+  TrianglePairBlock block{};
+  TriangleGaps gaps{};
+  const Triangle x = a_[candidate.pair.first], y = b_[candidate.pair.second];
+  const bool in_order = lexicographically_less(x[0], y[0]);
+  set_pair(block, 0, in_order ? x : y, in_order ? y : x);
+  gaps.set_points(0, candidate.points);
+  refine_gaps(block, gaps);
+  return {gaps.lower[0], gaps.upper[0]};
 }
 
 bool PairDistances::is_within(const NearCandidate& candidate, double tolerance) const {
   if (candidate.upper <= tolerance) return true;
   if (candidate.lower > tolerance) return false;
   if (candidate.upper < infinity) {
-    const auto [x, y] = in_order(candidate.pair);
-    const GapInterval precise = precise_gap(x, y, candidate.points);
+    const Ends precise = precise_ends(candidate);
     if (precise.upper <= tolerance) return true;
     if (precise.lower > tolerance) return false;
   }
@@ -100,20 +108,37 @@ bool NearestTriangles::keep(NearCandidate candidate) {
   return true;
 }
 
-Distance NearestTriangles::nearest(ConvexWorkspace* kept) {
-  Key best{infinity, {}};
-  std::sort(candidates_.begin(), candidates_.end(),
-            [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
-  constexpr std::size_t corners_ahead = 4, numbers_ahead = 8;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    const NearCandidate& candidate = candidates_[i];
-    if (candidate.lower > limit_) break;
-    if (i + numbers_ahead < candidates_.size()) pairs_.prefetch_numbers(candidates_[i + numbers_ahead].pair);
-    if (i + corners_ahead < candidates_.size()) pairs_.prefetch_corners(candidates_[i + corners_ahead].pair);
-    const Key key{pairs_.upper_of(candidate), candidate.pair};
-    limit_ = std::min(limit_, limit_from(key.upper));
-    if (key < best) best = key;
+/// The least of some candidates, of a block's worth at most.
+NearestTriangles::Key NearestTriangles::least_of(std::span<const NearCandidate> candidates) {
+  const TriangleGaps::Lanes uppers = pairs_.uppers_of(candidates);
+  Key least;
+  for (std::size_t i = 0; i < candidates.size(); ++i) least = std::min(least, Key{uppers[i], candidates[i].pair});
+  limit_ = std::min(limit_, limit_from(least.upper));
+  return least;
+}
+
+/// The least of all; those that seem to be nearest come first, so that the limit soon leaves out what it can.
+NearestTriangles::Key NearestTriangles::least() {
+  constexpr std::size_t at_once = TrianglePairBlock::lanes;
+  const auto first = candidates_.begin() + static_cast<std::ptrdiff_t>(std::min(at_once, candidates_.size()));
+  std::nth_element(candidates_.begin(), first, candidates_.end(),
+                   [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
+  Key least;
+  std::array<NearCandidate, at_once> block;
+  std::size_t count = 0;
+  for (const NearCandidate& candidate : candidates_) {
+    if (candidate.lower > limit_) continue;
+    pairs_.prefetch_numbers(candidate.pair);
+    block[count++] = candidate;
+    if (count < at_once) continue;
+    least = std::min(least, least_of(block));
+    count = 0;
   }
+  return std::min(least, least_of(std::span(block).first(count)));
+}
+
+Distance NearestTriangles::nearest(ConvexWorkspace* kept) {
+  const Key best = least();
   Distance result = pairs_.exact(best.pair, kept);
   result.upper = std::min(result.upper, best.upper);
   result.lower = lower_from(result.upper);

@@ -90,8 +90,8 @@ class PairDistances {
   [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
   [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
 
-  /// The upper end of the pair's own interval. They do not meet.
-  [[nodiscard]] double upper_of(const NearCandidate& candidate) const;
+  /// The upper ends of the pairs' own intervals, of a block's worth at most. They do not meet.
+  [[nodiscard]] TriangleGaps::Lanes uppers_of(std::span<const NearCandidate> candidates);
 
   /// Of the last block that was bounded: how far apart the candidate in that lane is.
   [[nodiscard]] FrontGap gap_in(std::size_t lane, const NearCandidate& candidate) const;
@@ -103,8 +103,15 @@ class PairDistances {
   static std::span<const ItemPair> first_of(std::span<const ItemPair> pairs) {
     return pairs.first(std::min(TrianglePairBlock::lanes, pairs.size()));
   }
+  /// Ends of a pair's interval.
+  struct Ends {
+    double lower;
+    double upper;
+  };
+
+  void put(std::size_t lane, const ItemPair& pair);
+  [[nodiscard]] Ends precise_ends(const NearCandidate& candidate) const;
   void bound_block(std::span<const ItemPair> pairs);
-  [[nodiscard]] std::pair<Triangle, Triangle> in_order(const ItemPair& pair) const;
 
   WorldTriangles a_;
   WorldTriangles b_;
@@ -150,7 +157,16 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
   [[nodiscard]] bool any_within(double tolerance) const;
 
  private:
+  /// The upper end of a pair's own interval, and the pair.
+  struct Key {
+    double upper = std::numeric_limits<double>::infinity();
+    ItemPair pair{};
+    bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
+  };
+
   bool keep(NearCandidate candidate);
+  Key least();
+  Key least_of(std::span<const NearCandidate> candidates);
 
   PairDistances pairs_;
   std::vector<NearCandidate>& candidates_;
