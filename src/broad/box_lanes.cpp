@@ -196,6 +196,51 @@ void of_cells(const CellRows& rows, std::size_t begin, std::size_t end, PairBuff
   out.flush();
 }
 
+/// The pairs of a box with those from place `behind` on.
+HWY_INLINE void put_from_tree(const TreeColumns& tree, const LaidOut& items, const Boxes& box, Index number,
+                              std::size_t behind, PairWriter& out) {
+  constexpr std::size_t width = TreeColumns::width;
+  struct Node {
+    std::size_t level, first;
+  };
+  // At each level all nodes of a block may wait, one of which is gone into.
+  Node stack[TreeColumns::most_levels * width];
+  std::size_t waiting = 0;
+  stack[waiting++] = {tree.depth - 1, 0};
+  std::size_t reach[TreeColumns::most_levels];  // the node of each level that place `behind` is in
+  for (std::size_t level = 0, place = behind; level < tree.depth; ++level, place /= width) reach[level] = place;
+  while (waiting > 0) {
+    const Node node = stack[--waiting];
+    for (std::size_t first = node.first; first < node.first + width; first += lanes()) {
+      if (node.level == 0) {
+        if (first + lanes() <= behind) continue;
+        const Yes asked = first < behind ? hn::Not(first_lanes(behind - first)) : first_lanes(lanes());
+        put(items, number, items.columns.number + first, room_between(box, boxes_at(items.columns, first)), asked, out);
+        continue;
+      }
+      const Number room = room_between(box, boxes_at(tree.levels[node.level], first));
+      for (std::uint32_t rest = bits_of(hn::Ge(room, hn::Zero(Floats()))); rest != 0; rest &= rest - 1) {
+        const std::size_t child = first + static_cast<std::size_t>(__builtin_ctz(rest));
+        if (child >= reach[node.level]) stack[waiting++] = {node.level - 1, child * width};
+      }
+    }
+  }
+}
+
+void in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end, PairBuffer& pairs) {
+  PairWriter out{pairs};
+  const LaidOut items{tree.levels[0], boxes};
+  for (std::size_t i = begin; i < end; ++i)
+    put_from_tree(tree, items, everywhere(items.columns, i), items.columns.number[i], i + 1, out);
+  out.flush();
+}
+
+void with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs) {
+  PairWriter out{pairs};
+  put_from_tree(tree, {tree.levels[0], boxes}, everywhere(box), box.number, 0, out);
+  out.flush();
+}
+
 }  // namespace
 }  // namespace toccata::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -207,6 +252,8 @@ HWY_EXPORT(behind);
 HWY_EXPORT(in_tile);
 HWY_EXPORT(with_one);
 HWY_EXPORT(of_cells);
+HWY_EXPORT(in_tree);
+HWY_EXPORT(with_tree);
 
 void add_overlaps_behind(const LaidOut& laid, std::size_t begin, std::size_t end, const std::uint32_t* ends,
                          PairBuffer& pairs) {
@@ -221,6 +268,14 @@ void add_overlaps_with(const LaidOut& laid, const FlatBox& box, std::size_t begi
 }
 void add_overlaps_of_cells(const CellRows& rows, std::size_t begin, std::size_t end, PairBuffer& pairs) {
   HWY_DYNAMIC_DISPATCH(of_cells)(rows, begin, end, pairs);
+}
+
+void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
+                          PairBuffer& pairs) {
+  HWY_DYNAMIC_DISPATCH(in_tree)(tree, boxes, begin, end, pairs);
+}
+void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs) {
+  HWY_DYNAMIC_DISPATCH(with_tree)(tree, boxes, box, pairs);
 }
 
 }  // namespace toccata

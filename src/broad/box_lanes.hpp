@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,5 +41,22 @@ struct CellRows {
 
 /// The pairs of boxes in cells from `begin` to `end` with each other and with those of the neighbours behind.
 void add_overlaps_of_cells(const CellRows& rows, std::size_t begin, std::size_t end, PairBuffer& pairs);
+
+/// A tree whose nodes are the boxes around every sixteen of the level below; level 0 are the boxes themselves. Behind
+/// the last of each level there are boxes that overlap nothing, to the next sixteen.
+struct TreeColumns {
+  static constexpr std::size_t width = 16;
+  static constexpr std::size_t most_levels = 8;
+  std::array<BoxColumns, most_levels> levels;
+  std::array<std::size_t, most_levels> sizes;
+  std::size_t depth;
+};
+
+/// The pairs of boxes from `begin` to `end` with those behind them.
+void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
+                          PairBuffer& pairs);
+
+/// The pairs of a box, which is not among them.
+void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs);
 
 }  // namespace toccata

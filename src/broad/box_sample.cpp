@@ -45,4 +45,74 @@ BoxSample::BoxSample(std::span<const Aabb> boxes) {
   }
 }
 
+namespace {
+
+std::vector<Aabb> few_of(std::span<const Aabb> boxes) {
+  constexpr std::size_t wanted = 384;
+  std::vector<Aabb> few;
+  for (std::size_t i = 0, step = std::max<std::size_t>(1, boxes.size() / wanted); i < boxes.size(); i += step)
+    if (!is_empty(boxes[i])) few.push_back(boxes[i]);
+  return few;
+}
+
+/// About the cells that the grid would have.
+struct CellsAbout {
+  CellsAbout(const BoxSample& sample, double count) {
+    double all = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      size[axis] = std::min(sample.sizes(axis).most, 1.5 * sample.sizes(axis).high);
+      range[axis] = sample.places(axis).high - sample.places(axis).low;
+      cells[axis] = std::clamp(range[axis] / std::max(size[axis], 1e-300), 1.0, 0x1p20);
+      all *= cells[axis];
+    }
+    const double larger = all > 1.5 * count ? std::cbrt(all / (1.5 * count)) : 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cells[axis] = std::max(cells[axis] / larger, 1.0);
+      size[axis] = cells[axis] > 1 ? range[axis] / cells[axis] : std::numeric_limits<double>::infinity();
+    }
+  }
+  std::array<double, 3> size{}, range{}, cells{};
+};
+
+}  // namespace
+
+BoxDensity::BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes) {
+  const std::vector<Aabb> few = few_of(boxes);
+  if (few.size() < 2) return;
+  const CellsAbout about(sample, static_cast<double>(boxes.size()));
+  std::array<double, 3> meets{};
+  double nears = 0;
+  for (std::size_t i = 0; i < few.size(); ++i)
+    for (std::size_t j = i + 1; j < few.size(); ++j) {
+      bool is_near = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double Vec3::*at = coordinates[axis];
+        meets[axis] += few[i].lower.*at <= few[j].upper.*at && few[j].lower.*at <= few[i].upper.*at ? 1 : 0;
+        // Written so that what is not a number is near.
+        if (std::fabs(0.25 * few[i].lower.*at - 0.25 * few[j].lower.*at) > 1.5 * about.size[axis]) is_near = false;
+      }
+      nears += is_near ? 1 : 0;
+    }
+  const auto size = static_cast<double>(few.size());
+  const double pairs = 0.5 * size * (size - 1);
+  swept = 0.5 * *std::min_element(meets.begin(), meets.end()) / pairs;
+  near = 0.5 * nears / pairs;
+  double evenly = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) evenly *= std::min(1.0, 3 / about.cells[axis]);
+  heaped = nears > 16 && nears / pairs > 4 * evenly;
+  // A box that reaches over many cells is compared row by row.
+  double rows_of_large = 0;
+  for (const Aabb& box : few) {
+    double rows = 1, most = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double reach = 0.25 * box.upper.*coordinates[axis] - 0.25 * box.lower.*coordinates[axis];
+      const double over = std::min(reach / about.size[axis], about.cells[axis]);
+      most = std::max(most, over);
+      if (axis < 2) rows *= over + 2;
+    }
+    if (most > 2) rows_of_large += std::min(rows, static_cast<double>(boxes.size()) / 16);
+  }
+  near += 20 * rows_of_large / size / static_cast<double>(boxes.size());
+}
+
 }  // namespace toccata

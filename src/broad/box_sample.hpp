@@ -33,4 +33,16 @@ class BoxSample {
   std::size_t size_ = 0;
 };
 
+/// How crowded boxes are, from all pairs of a few hundred.
+struct BoxDensity {
+  BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes);
+
+  /// Of two boxes, how likely one is met in a sweep along the best axis from the other.
+  double swept = 0;
+  /// Of two boxes, how likely one is looked at in a grid from the other; what is larger than cells is counted by what
+  /// it costs.
+  double near = 0;
+  bool heaped = false;  ///< far from evenly spread
+};
+
 }  // namespace toccata

@@ -1,20 +1,8 @@
 #include "broad/box_sweep.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <utility>
 
 namespace toccata {
-namespace {
-
-/// Unsigned numbers in the order of the floats.
-std::uint32_t ordered(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
-}
-
-}  // namespace
 
 std::size_t sweep_axis(std::span<const FlatBox> boxes) {
   std::size_t best = 0;
@@ -42,7 +30,7 @@ void BoxSweep::lay_out(std::span<const FlatBox> boxes, std::size_t axis) {
   keyed_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     keyed_[i] = {ordered(boxes[i].lower[axis]), static_cast<std::uint32_t>(i)};
-  sort_keys();
+  sort_by_key(keyed_, sorted_);
   store_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) store_.put(i, boxes[keyed_[i].place]);
   ends_.resize(boxes.size());
@@ -59,27 +47,13 @@ void BoxSweep::lay_out(std::span<const FlatBox> boxes, std::size_t axis) {
   }
 }
 
-void BoxSweep::sort_keys() {
-  constexpr int digit_bits = 11;
-  constexpr std::uint32_t digits = 1U << digit_bits;
-  sorted_.resize(keyed_.size());
-  for (int shift = 0; shift < 32; shift += digit_bits) {
-    std::array<std::uint32_t, digits> place{};
-    for (const Keyed& keyed : keyed_) ++place[keyed.key >> shift & (digits - 1)];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& of_digit : place) sum += std::exchange(of_digit, sum);
-    for (const Keyed& keyed : keyed_) sorted_[place[keyed.key >> shift & (digits - 1)]++] = keyed;
-    std::swap(keyed_, sorted_);
-  }
-}
-
 void BoxSweep::add_pairs(std::span<const Aabb> all, std::size_t begin, std::size_t end, PairBuffer& pairs) const {
   add_overlaps_behind({store_.columns(), all.data()}, begin, end, ends_.data() + begin, pairs);
 }
 
 std::size_t BoxSweep::bytes() const {
   return store_.bytes() + ends_.capacity() * sizeof(std::uint32_t) +
-         (keyed_.capacity() + sorted_.capacity()) * sizeof(Keyed);
+         (keyed_.capacity() + sorted_.capacity()) * sizeof(keyed_[0]);
 }
 
 }  // namespace toccata

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broad/box_lanes.hpp"
+#include "broad/key_sort.hpp"
 
 namespace toccata {
 
@@ -23,15 +24,9 @@ class BoxSweep {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Keyed {
-    std::uint32_t key;
-    std::uint32_t place;
-  };
-  void sort_keys();
-
   ColumnStore store_;
   std::vector<std::uint32_t> ends_;
-  std::vector<Keyed> keyed_, sorted_;
+  std::vector<Keyed<std::uint32_t>> keyed_, sorted_;
 };
 
 }  // namespace toccata

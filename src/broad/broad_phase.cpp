@@ -55,22 +55,18 @@ Aabb grown(const Aabb& box, double margin) {
 class BroadPhase::State {
  public:
   explicit State(const BroadPhaseOptions& options) : options_(options), finder_(make_pair_finder(options.method)) {}
-  /// What the method keeps is not copied: it is found anew, as at the first time.
+  /// What the method keeps is not copied: it is made anew.
   State(const State& other)
       : options_(other.options_),
         boxes_(other.boxes_),
         marks_(other.marks_),
+        changed_(other.changed_),
         free_(other.free_),
         freed_(other.freed_),
         pairs_(other.pairs_),
         before_(other.before_),
         nothing_moved_(other.nothing_moved_),
-        finder_(make_pair_finder(options_.method)) {
-    for (Index number = 0; number < boxes_.size(); ++number) {
-      marks_[number] |= changed;
-      changed_.push_back(number);
-    }
-  }
+        finder_(make_pair_finder(options_.method)) {}
 
   std::vector<Index> add(std::span<const Aabb> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)

@@ -9,5 +9,9 @@ namespace toccata {
 [[nodiscard]] std::unique_ptr<PairFinder> make_sort_and_sweep();
 [[nodiscard]] std::unique_ptr<PairFinder> make_uniform_grid();
 [[nodiscard]] std::unique_ptr<PairFinder> make_kd_tiles();
+[[nodiscard]] std::unique_ptr<PairFinder> make_morton_tree();
+[[nodiscard]] std::unique_ptr<PairFinder> make_packed_r_tree();
+[[nodiscard]] std::unique_ptr<PairFinder> make_layers();
+[[nodiscard]] std::unique_ptr<PairFinder> make_automatic();
 
 }  // namespace toccata

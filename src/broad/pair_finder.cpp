@@ -24,6 +24,9 @@ constexpr std::array known_methods{
     Known{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
     Known{BroadPhaseMethod::uniform_grid, "grid"},
     Known{BroadPhaseMethod::kd_tiles, "kd-tiles"},
+    Known{BroadPhaseMethod::morton_tree, "morton-tree"},
+    Known{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
+    Known{BroadPhaseMethod::layers, "layers"},
 };
 
 }  // namespace
@@ -61,10 +64,16 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
       return make_uniform_grid();
     case BroadPhaseMethod::kd_tiles:
       return make_kd_tiles();
+    case BroadPhaseMethod::morton_tree:
+      return make_morton_tree();
+    case BroadPhaseMethod::packed_r_tree:
+      return make_packed_r_tree();
+    case BroadPhaseMethod::layers:
+      return make_layers();
     case BroadPhaseMethod::automatic:
       break;
   }
-  return make_uniform_grid();
+  return make_automatic();
 }
 
 }  // namespace toccata

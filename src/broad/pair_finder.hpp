@@ -21,8 +21,8 @@ struct BoxesNow {
   int threads = 1;
 };
 
-/// One way to find all pairs of boxes that overlap. It is shown every update of one set of boxes, in order; the first
-/// time all boxes count as changed.
+/// One way to find all pairs of boxes that overlap. It is shown every update of one set of boxes, in order, from the
+/// first or a later one: then it makes what it keeps from all boxes.
 class PairFinder {
  public:
   PairFinder() = default;

@@ -87,6 +87,14 @@ void live(Model& model, std::string_view family, int frame, Random& random) {
   if (frame % 16 == 8) model.add(test::random_boxes(family, 100 + random.below(100), random));
 }
 
+/// Found once for all methods.
+const Pairs& pairs_of_brute_force(std::string_view name, const std::vector<Aabb>& boxes) {
+  static std::map<std::string, Pairs, std::less<>> known;
+  const std::string key = std::string(name) + std::to_string(boxes.size());
+  const auto at = known.find(key);
+  return at != known.end() ? at->second : known.emplace(key, overlapping_pairs_by_brute_force(boxes)).first->second;
+}
+
 class EveryMethod : public testing::TestWithParam<BroadPhaseMethod> {};
 
 TEST_P(EveryMethod, FindsThePairsOfBruteForceThroughALife) {
@@ -109,7 +117,7 @@ TEST_P(EveryMethod, FindsThePairsOfBruteForceAmongMore) {
     Random random(7);
     const std::vector<Aabb> boxes =
         test::random_boxes(family, family == "equal" || family == "nested" ? 300 : 1500, random);
-    const Pairs expected = overlapping_pairs_by_brute_force(boxes);
+    const Pairs& expected = pairs_of_brute_force(family, boxes);
     EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 1}), expected);
     EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 2}), expected);
   }
@@ -117,7 +125,7 @@ TEST_P(EveryMethod, FindsThePairsOfBruteForceAmongMore) {
 
 TEST_P(EveryMethod, FindsThePairsOfCrowds) {
   for (const NamedScene& scene : crowd_scenes())
-    for (const std::size_t count : {400, 20'000}) {
+    for (const std::size_t count : {400, 6'000}) {
       SCOPED_TRACE(scene.name);
       Crowd crowd(scene.name, count, count);
       BroadPhase phase({GetParam(), 2});
@@ -128,7 +136,7 @@ TEST_P(EveryMethod, FindsThePairsOfCrowds) {
       for (const Index number : moved) to.push_back(crowd.boxes()[number]);
       phase.move(moved, to);
       phase.update();
-      EXPECT_TRUE(std::ranges::equal(phase.pairs(), overlapping_pairs(crowd.boxes())));
+      EXPECT_EQ(list_of(phase.pairs()), pairs_of_brute_force(scene.name, crowd.boxes()));
     }
 }
 

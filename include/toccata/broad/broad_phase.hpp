@@ -20,6 +20,9 @@ enum class BroadPhaseMethod {
   sort_and_sweep,  ///< sorted along one axis anew each time
   uniform_grid,    ///< cells of one size, about that of most boxes
   kd_tiles,        ///< space cut so that each part has as many boxes
+  morton_tree,     ///< a tree over the boxes in the order of a space-filling curve, rebuilt each time
+  packed_r_tree,   ///< a tree over tiles of sorted boxes, rebuilt each time
+  layers,          ///< what rests in a tree that is kept, movers against it and among themselves
 };
 
 /// "auto", "brute-force" …

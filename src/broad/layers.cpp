@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "broad/box_sweep.hpp"
+#include "broad/finders.hpp"
+#include "broad/packed_tree.hpp"
+#include "toccata/core/parallel.hpp"
+
+namespace toccata {
+namespace {
+
+/// Boxes at rest in a tree that is not touched, and movers that are tested against it and swept among themselves. Pairs
+/// of two at rest are those of before. A box that moves leaves the tree for good; when too many that once moved rest
+/// again, or too many move, the tree is made anew, from those that rest, once it is worth while.
+class Layers final : public PairFinder {
+ public:
+  PairList find(const BoxesNow& now, PairList storage) override {
+    std::size_t most_movers = now.boxes.size() / 8;
+    if (now.changed.size() > most_movers) {
+      is_made_ = false;
+      return everything_->find(now, std::move(storage));
+    }
+    if (is_made_) take_movers(now);
+    if (!is_made_ || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now);
+    wasted_ += movers_.size() - now.changed.size();
+    find_new(now);
+    return merged(now.before, std::move(storage));
+  }
+
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = everything_->bytes() + resting_.bytes() + sweep_.bytes() + roles_.capacity() +
+                      (places_.capacity() + movers_.capacity()) * sizeof(Index) +
+                      (flat_.capacity() + flat_movers_.capacity()) * sizeof(FlatBox) +
+                      new_pairs_.capacity() * sizeof(IndexPair);
+    for (const PairBuffer& found : found_) sum += found.bytes();
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t parts = 16;
+  enum class Role : std::uint8_t { none, resting, mover };
+
+  void take_movers(const BoxesNow& now) {
+    roles_.resize(now.boxes.size(), Role::none);
+    places_.resize(now.boxes.size());
+    for (const Index number : now.changed) {
+      if (roles_[number] == Role::mover) continue;
+      if (roles_[number] == Role::resting) resting_.forget(places_[number]);
+      roles_[number] = Role::mover;
+      movers_.push_back(number);
+    }
+  }
+
+  void make(const BoxesNow& now) {
+    is_made_ = true;
+    wasted_ = 0;
+    roles_.assign(now.boxes.size(), Role::none);
+    places_.resize(now.boxes.size());
+    movers_.assign(now.changed.begin(), now.changed.end());
+    for (const Index number : movers_) roles_[number] = Role::mover;
+    frame_ = FloatFrame(finite_bounds(now.boxes));
+    flat_.clear();
+    for (Index number = 0; number < now.boxes.size(); ++number) {
+      if (roles_[number] == Role::mover || is_empty(now.boxes[number])) continue;
+      roles_[number] = Role::resting;
+      flat_.push_back(flat(frame_, now.boxes[number], number));
+    }
+    resting_.build(flat_, PackingOrder::morton);
+    for (std::size_t place = 0; place < flat_.size(); ++place) places_[flat_[place].number] = static_cast<Index>(place);
+  }
+
+  /// All pairs of movers, with each other and with what rests.
+  void find_new(const BoxesNow& now) {
+    flat_movers_.clear();
+    for (const Index number : movers_)
+      if (!is_empty(now.boxes[number])) flat_movers_.push_back(flat(frame_, now.boxes[number], number));
+    sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
+    const Chunks chunks(flat_movers_.size(), parts);
+    parallel_for(parts, now.threads, [&](std::size_t part) {
+      found_[part].clear();
+      sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
+      for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
+        resting_.add_pairs_with(now.boxes.data(), flat_movers_[i], found_[part]);
+    });
+    new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
+  }
+
+  [[nodiscard]] PairList merged(std::span<const IndexPair> before, PairList storage) const {
+    storage.resize(before.size() + new_pairs_.size());
+    IndexPair* out = storage.data();
+    const IndexPair* added = new_pairs_.data();
+    const IndexPair* const last_added = added + new_pairs_.size();
+    for (const IndexPair& pair : before) {
+      while (added != last_added && *added < pair) *out++ = *added++;
+      *out = pair;
+      // Those of movers are found anew. (No branch: which come is not to be foreseen.)
+      out += (roles_[pair.first] != Role::mover) & (roles_[pair.second] != Role::mover);
+    }
+    out = std::copy(added, last_added, out);
+    storage.resize(static_cast<std::size_t>(out - storage.data()));
+    return storage;
+  }
+
+  std::unique_ptr<PairFinder> everything_ = make_kd_tiles();
+  bool is_made_ = false;
+  std::size_t wasted_ = 0;  ///< how often a mover was looked for that had not moved
+  FloatFrame frame_;
+  PackedTree resting_;
+  std::vector<Role> roles_;    ///< by number
+  std::vector<Index> places_;  ///< in the tree, by number
+  std::vector<Index> movers_;
+  std::vector<FlatBox> flat_, flat_movers_;
+  BoxSweep sweep_;
+  std::vector<PairBuffer> found_{parts};
+  PairList new_pairs_;
+};
+
+}  // namespace
+
+std::unique_ptr<PairFinder> make_layers() { return std::make_unique<Layers>(); }
+
+}  // namespace toccata

@@ -1,0 +1,50 @@
+#include <utility>
+#include <vector>
+
+#include "broad/finders.hpp"
+#include "broad/packed_tree.hpp"
+#include "toccata/core/parallel.hpp"
+
+namespace toccata {
+namespace {
+
+/// A packed tree over all boxes, built anew in each update; each box is looked for among those behind it.
+class RebuiltTree final : public PairFinder {
+ public:
+  explicit RebuiltTree(PackingOrder order) : order_(order) {}
+
+  PairList find(const BoxesNow& now, PairList storage) override {
+    const FloatFrame frame(finite_bounds(now.boxes));
+    flat_.clear();
+    for (Index number = 0; number < now.boxes.size(); ++number)
+      if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame, now.boxes[number], number));
+    tree_.build(flat_, order_);
+    const Chunks chunks(tree_.size(), parts);
+    parallel_for(parts, now.threads, [&](std::size_t part) {
+      found_[part].clear();
+      tree_.add_pairs(now.boxes.data(), chunks.begin(part), chunks.end(part), found_[part]);
+    });
+    return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));
+  }
+
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = tree_.bytes() + flat_.capacity() * sizeof(FlatBox);
+    for (const PairBuffer& found : found_) sum += found.bytes();
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t parts = 32;
+
+  PackingOrder order_;
+  std::vector<FlatBox> flat_;
+  PackedTree tree_;
+  std::vector<PairBuffer> found_{parts};
+};
+
+}  // namespace
+
+std::unique_ptr<PairFinder> make_morton_tree() { return std::make_unique<RebuiltTree>(PackingOrder::morton); }
+std::unique_ptr<PairFinder> make_packed_r_tree() { return std::make_unique<RebuiltTree>(PackingOrder::sort_and_tile); }
+
+}  // namespace toccata
