@@ -41,7 +41,8 @@ std::string poses_table(const Scene& scene, const PosesReport& report) {
   for (std::size_t i = 0; i < report.relations.size(); ++i) {
     const Relation& relation = report.relations[i];
     rows.push_back({fmt::format("query {}", i), a, verb_of(relation), b, remark_on(relation)});
-    if (!report.penetrations.empty()) rows.back().push_back(depth_text(report.penetrations[i]));
+    const bool has_depth = relation.kind != RelationKind::apart;
+    if (!report.penetrations.empty()) rows.back().push_back(has_depth ? depth_text(report.penetrations[i]) : "");
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
   }
   const std::size_t contacts = contact_count(report);

@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "look.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
@@ -101,8 +102,7 @@ std::vector<std::string> words_of(const std::string& browser, const fs::path& fo
                                     fmt::format("--window-size={},{}", target.width, target.height),
                                     "--screenshot=" + (folder / "picture.png").string()};
   if (geteuid() == 0) words.emplace_back("--no-sandbox");  // which refuses to run for the administrator
-  const std::string look = target.look.empty() ? "" : target.look + "&";
-  words.push_back("file://" + in_address((folder / "page.html").string()) + "#" + look + "panels=0&theme=light");
+  words.push_back("file://" + in_address((folder / "page.html").string()) + link_of_picture(target.look));
   return words;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "look.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
@@ -55,6 +56,7 @@ ViewTarget target_of(const ViewArguments& arguments) {
   const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
   ViewTarget target{arguments.html, arguments.glb, {title_of(files), up, volume_of(arguments.hierarchy)}, {}};
   if (arguments.png.empty()) return target;
+  require_known_keys(arguments.look);
   target.picture = PictureTarget{arguments.png, arguments.look};
   if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
   return target;

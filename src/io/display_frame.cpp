@@ -7,11 +7,14 @@ namespace toccata::io {
 
 DisplayFrame DisplayFrame::around(const Aabb& box) {
   if (is_empty(box)) return {};
-  // Halved before they are added or subtracted: the whole could overflow.
+  // Halved before they are added or subtracted, as the whole could overflow; what is lost of the least doubles by that
+  // is less than nothing beside what could.
   const Vec3 half_lower = 0.5 * box.lower, half_upper = 0.5 * box.upper;
   const Vec3 half = half_upper - half_lower;
+  const Vec3 whole = box.upper - box.lower;
   const double size = std::max({half.x, half.y, half.z});
-  return {half_lower + half_upper, std::isnormal(size) ? size : 1};
+  const double least = std::max({whole.x, whole.y, whole.z});  // 2⁻¹⁰⁷⁴ has no half
+  return {half_lower + half_upper, size > 0 ? size : least > 0 ? least : 1};
 }
 
 std::array<float, 3> DisplayFrame::shown(const Vec3& world) const {

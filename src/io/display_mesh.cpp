@@ -1,5 +1,6 @@
 #include "io/display_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -61,23 +62,21 @@ std::vector<Vec3> corners_of(const ConvexHull& hull) {
   return corners;
 }
 
-constexpr int fine = 12;
-constexpr int coarse = 6;
-
-DisplayMesh mesh_of(const Rounded& shape) {
+DisplayMesh mesh_of(const Rounded& shape, int circles) {
   constexpr std::size_t few = 16;
+  constexpr int coarse = 6;
   const std::vector<Vec3> core = std::visit([](const auto& part) { return corners_of(part); }, shape.core());
-  return rounded_mesh(core, shape.radius(), core.size() <= few ? fine : coarse);
+  return rounded_mesh(core, shape.radius(), core.size() <= few ? circles : std::min(circles, coarse));
 }
 
 /// The parts one after the other, with faces counted as answers count them.
-DisplayMesh mesh_of_parts(const Model& model) {
+DisplayMesh mesh_of_parts(const Model& model, int circles) {
   DisplayMesh whole;
   Index first_face = 0;
   const auto compound_parts = std::get<Compound>(model.shape()).parts();
   for (std::size_t i = 0; i < compound_parts.size(); ++i) {
     const Model& part_model = model.parts()[i];
-    const DisplayMesh part = display_mesh(part_model);
+    const DisplayMesh part = display_mesh(part_model, circles);
     const auto first_vertex = static_cast<Index>(whole.vertices.size());
     for (const Vec3& vertex : part.vertices) whole.vertices.push_back(transform(compound_parts[i].pose, vertex));
     for (const auto& [a, b, c] : part.triangles)
@@ -90,6 +89,7 @@ DisplayMesh mesh_of_parts(const Model& model) {
 
 struct MeshOfShape {
   const Model& model;
+  int circles;
 
   DisplayMesh operator()(const Point& shape) const { return {corners_of(shape), {}, {}, false}; }
   DisplayMesh operator()(const Segment& shape) const { return {corners_of(shape), {}, {}, false}; }
@@ -97,18 +97,18 @@ struct MeshOfShape {
   DisplayMesh operator()(const HalfSpace& shape) const { return display_mesh(shape, shape.point(), 1); }
   DisplayMesh operator()(const Sphere& shape) const {
     const std::array<Vec3, 1> centre{shape.centre()};
-    return rounded_mesh(centre, shape.radius(), fine);
+    return rounded_mesh(centre, shape.radius(), circles);
   }
   DisplayMesh operator()(const Box& shape) const { return hull_of(corners_of(shape)); }
   DisplayMesh operator()(const Capsule& shape) const {
     const std::array<Vec3, 2> ends{shape.start(), shape.end()};
-    return rounded_mesh(ends, shape.radius(), fine);
+    return rounded_mesh(ends, shape.radius(), circles);
   }
   DisplayMesh operator()(const ConvexHull& shape) const { return mesh_of(shape); }
-  DisplayMesh operator()(const Rounded& shape) const { return mesh_of(shape); }
+  DisplayMesh operator()(const Rounded& shape) const { return mesh_of(shape, circles); }
   DisplayMesh operator()(const HeightField& shape) const { return mesh_of(*shape.mesh()); }
   DisplayMesh operator()(const std::shared_ptr<const TriangleMesh>& shape) const { return mesh_of(*shape); }
-  DisplayMesh operator()(const Compound&) const { return mesh_of_parts(model); }
+  DisplayMesh operator()(const Compound&) const { return mesh_of_parts(model, circles); }
 };
 
 Vec3 unit(const Vec3& v) {
@@ -132,7 +132,9 @@ std::vector<Vec3> sphere_points(int circles) {
   return points;
 }
 
-DisplayMesh display_mesh(const Model& model) { return std::visit(MeshOfShape{model}, model.shape()); }
+DisplayMesh display_mesh(const Model& model, int circles) {
+  return std::visit(MeshOfShape{model, circles}, model.shape());
+}
 
 DisplayMesh display_mesh(const HalfSpace& shape, const Vec3& centre, double half_side) {
   const Vec3 normal = unit(shape.normal());
@@ -143,10 +145,9 @@ DisplayMesh display_mesh(const HalfSpace& shape, const Vec3& centre, double half
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}, {0, 0}, false};
 }
 
-DisplayMesh unit_sphere(std::size_t spheres) {
-  constexpr std::size_t many = 500;
+DisplayMesh unit_sphere(int circles) {
   const std::array<Vec3, 1> centre{};
-  return rounded_mesh(centre, 1, spheres < many ? fine : coarse);
+  return rounded_mesh(centre, 1, circles);
 }
 
 DisplayMesh unit_box() { return hull_of(corners_of(Box({1, 1, 1}))); }

@@ -18,14 +18,16 @@ struct DisplayMesh {
   bool smooth = false;       ///< a round shape, of which the triangles are no part
 };
 
+/// Of latitude, by which round shapes are drawn at their finest.
+inline constexpr int most_circles = 12;
+
 /// Of any shape but a half-space, which is drawn as the square of that half side around a point of its boundary. Round
-/// shapes are drawn as a few hundred triangles inside them.
-[[nodiscard]] DisplayMesh display_mesh(const Model& model);
+/// shapes are drawn as triangles inside them, of so many circles of latitude.
+[[nodiscard]] DisplayMesh display_mesh(const Model& model, int circles = most_circles);
 [[nodiscard]] DisplayMesh display_mesh(const HalfSpace& shape, const Vec3& centre, double half_side);
 
-/// The sphere of radius 1 and the box of half extents 1, which are drawn wherever there is a sphere or a box. Where
-/// there are many spheres, each is drawn more coarsely.
-[[nodiscard]] DisplayMesh unit_sphere(std::size_t spheres);
+/// The sphere of radius 1 and the box of half extents 1, which are drawn wherever there is a sphere or a box.
+[[nodiscard]] DisplayMesh unit_sphere(int circles = most_circles);
 [[nodiscard]] DisplayMesh unit_box();
 
 /// Points of the unit sphere, on so many circles of latitude that are turned against each other, and the poles.

@@ -1,7 +1,5 @@
 #include "io/view_layers.hpp"
 
-#include <fmt/format.h>
-
 #include <vector>
 
 #include "io/contact_geometry.hpp"
@@ -13,8 +11,8 @@ using Json = nlohmann::ordered_json;
 
 class PairLayers {
  public:
-  PairLayers(std::size_t pair, const ViewMeshes& meshes, std::string unit, ViewData& data, Json& layers)
-      : pair_(pair), meshes_(meshes), unit_(std::move(unit)), data_(data), layers_(layers) {}
+  PairLayers(std::size_t pair, const ViewMeshes& meshes, ViewData& data, Json& layers)
+      : pair_(pair), meshes_(meshes), data_(data), layers_(layers) {}
 
   void add(const ReportedPair& pair) {
     add_faces(pair.a, meeting_faces(pair, &ReportedFacePair::face_a));
@@ -62,11 +60,13 @@ class PairLayers {
     return numbers;
   }
 
+  /// A length beyond the largest double is written as null.
   void add_length(const char* role, const Vec3& from, const Vec3& to, double length) {
+    if (!is_finite(from) || !is_finite(to)) return;
     std::vector<float> ends;
     append(ends, from);
     append(ends, to);
-    add_layer("segments", role, data_.add(ends))["label"] = fmt::format("{:.6g}{}", length, unit_);
+    add_layer("segments", role, data_.add(ends))["length"] = length;
     add_numbers("points", role, ends);
   }
 
@@ -85,17 +85,15 @@ class PairLayers {
 
   std::size_t pair_;
   const ViewMeshes& meshes_;
-  std::string unit_;
   ViewData& data_;
   Json& layers_;
 };
 
 }  // namespace
 
-Json pair_layers(const CheckReport& report, const ViewMeshes& meshes, const std::string& unit, ViewData& data) {
+Json pair_layers(const CheckReport& report, const ViewMeshes& meshes, ViewData& data) {
   Json layers = Json::array();
-  for (std::size_t i = 0; i < report.pairs.size(); ++i)
-    PairLayers(i, meshes, unit == "unit" ? "" : " " + unit, data, layers).add(report.pairs[i]);
+  for (std::size_t i = 0; i < report.pairs.size(); ++i) PairLayers(i, meshes, data, layers).add(report.pairs[i]);
   return layers;
 }
 

@@ -11,7 +11,6 @@ namespace toccata::io {
 
 /// The layers of a page that show what was found of pairs: their faces, the curves in which these meet, depths,
 /// distances and normals (docs/reference/view-page.md).
-[[nodiscard]] nlohmann::ordered_json pair_layers(const CheckReport& report, const ViewMeshes& meshes,
-                                                 const std::string& unit, ViewData& data);
+[[nodiscard]] nlohmann::ordered_json pair_layers(const CheckReport& report, const ViewMeshes& meshes, ViewData& data);
 
 }  // namespace toccata::io

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "io/display_range.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata::io {
@@ -63,9 +64,13 @@ std::array<Vec3, 8> corners(const Aabb& box) {
   return all;
 }
 
-bool is_sphere(const Posed& posed) { return kind_of(posed.model.shape()) == ShapeKind::sphere; }
-
 bool is_half_space(const Posed& posed) { return kind_of(posed.model.shape()) == ShapeKind::half_space; }
+
+/// How round shapes are drawn: where there are many, each is small on the screen.
+int circles_for(std::size_t objects) {
+  if (objects < 500) return most_circles;
+  return objects < 3000 ? 6 : 4;
+}
 
 /// The place of a world point in a frame that is at most turned and moved.
 Vec3 in_frame(const Pose& pose, const Vec3& world) {
@@ -78,29 +83,30 @@ Vec3 in_frame(const Pose& pose, const Vec3& world) {
 /// Meshes of fewer vertices keep 24 bits of each coordinate, larger ones 16.
 constexpr std::size_t most_fine_vertices = 65'536;
 
+/// Whether numbers up to 65,535 tell it: neither wider than the doubles nor as small as their least ones.
+bool has_steps(const DisplayRange& range) { return range.is_whole && (range.step == 0 || range.step > 1e-290); }
+
 Json written_vertices(const DisplayMesh& mesh, const Aabb& box, ViewData& data) {
-  const auto steps = [&](double count) {
-    // Divided before they are subtracted: the whole extent could overflow.
-    return Vec3{box.upper.x / count - box.lower.x / count, box.upper.y / count - box.lower.y / count,
-                box.upper.z / count - box.lower.z / count};
-  };
-  const auto place = [&](double x, double lower, double step) { return step > 0 ? (x - lower) / step : 0.0; };
-  const bool fine = mesh.vertices.size() <= most_fine_vertices;
-  const Vec3 step = steps(fine ? 1 : 65535);
+  const std::array<DisplayRange, 3> ranges{DisplayRange(box.lower.x, box.upper.x),
+                                           DisplayRange(box.lower.y, box.upper.y),
+                                           DisplayRange(box.lower.z, box.upper.z)};
+  constexpr double most = 65535;
+  const bool fine = mesh.vertices.size() <= most_fine_vertices || !std::all_of(ranges.begin(), ranges.end(), has_steps);
   std::vector<float> floats;
   std::vector<std::uint16_t> shorts;
   for (const Vec3& v : mesh.vertices)
     for (int axis = 0; axis < 3; ++axis) {
-      const double at = place(v[axis], box.lower[axis], step[axis]);
+      const double at = ranges[static_cast<std::size_t>(axis)].number(v[axis]);
       if (fine)
         floats.push_back(static_cast<float>(at));
       else
-        shorts.push_back(static_cast<std::uint16_t>(std::clamp(std::round(at), 0.0, 65535.0)));
+        shorts.push_back(static_cast<std::uint16_t>(std::clamp(std::round(at * most), 0.0, most)));
     }
   Json json = fine ? data.add(floats) : data.add(shorts);
   json["bytes"] = fine ? 4 : 2;
   json["lower"] = {box.lower.x, box.lower.y, box.lower.z};
-  json["step"] = {step.x, step.y, step.z};
+  const double parts = fine ? 1 : most;
+  json["step"] = {ranges[0].step / parts, ranges[1].step / parts, ranges[2].step / parts};
   return json;
 }
 
@@ -129,8 +135,7 @@ Json written(const DisplayMesh& mesh, ViewData& data) {
 
 }  // namespace
 
-ViewMeshes::ViewMeshes(std::span<const Posed> models)
-    : spheres_(static_cast<std::size_t>(std::count_if(models.begin(), models.end(), is_sphere))) {
+ViewMeshes::ViewMeshes(std::span<const Posed> models) : circles_(circles_for(models.size())) {
   for (const Posed& posed : models) drawn_.push_back(drawn_of(posed));
   Aabb world;
   std::vector<Aabb> boxes;
@@ -164,8 +169,8 @@ std::size_t ViewMeshes::mesh_number(const std::string& key, const Model& model) 
 }
 
 DisplayMesh ViewMeshes::mesh_for(const std::string& key, const Model& model) const {
-  if (key == "sphere") return unit_sphere(spheres_);
-  return key == "box" ? unit_box() : display_mesh(model);
+  if (key == "sphere") return unit_sphere(circles_);
+  return key == "box" ? unit_box() : display_mesh(model, circles_);
 }
 
 std::vector<Index> ViewMeshes::triangles_of(std::size_t model, std::span<const Index> faces) const {

@@ -43,7 +43,7 @@ class ViewMeshes {
   std::vector<DisplayMesh> meshes_;
   std::map<std::string, std::size_t> number_of_;
   std::vector<Drawn> drawn_;
-  std::size_t spheres_ = 0;
+  int circles_ = most_circles;  ///< of latitude, of round shapes
   DisplayFrame frame_;
 };
 

@@ -46,6 +46,13 @@ TEST_F(CheckPoses, TableHasALinePerQuery) {
             "2 of 4 queries in contact, decided exactly.\n");
 }
 
+TEST_F(CheckPoses, DepthsAreOfWhatMeets) {
+  const std::string out = check({"--penetration"}).out;
+  EXPECT_NE(out.find("query 0  a  is apart from  b  (both solids)\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("query 1  a  touches        b  (both solids)  0 deep\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("query 2  a  overlaps       b  (both solids)  0.5 deep along ("), std::string::npos) << out;
+}
+
 TEST_F(CheckPoses, CsvHasALinePerQuery) {
   EXPECT_EQ(check({"--csv"}).out,
             "query,relation,containment,side_unresolved,status,contact\n"

@@ -124,6 +124,9 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"view", "gen:box", "--hierarchy", "ob", "-o", "page.html"}, "there is no volume 'ob'; did you mean 'obb'?");
   refused({"view", "gen:box", "-o", "page.html", "--size", "9x9"}, "--size and --look are of a picture");
   refused({"view", "gen:box", "--png", "a.png", "--size", "9x900"}, "'9x900' is no size");
+  refused({"view", "gen:box", "--png", "a.png", "--look", "pear=0"},
+          "'pear' is nothing that a link can say; did you mean 'pair'?");
+  refused({"view", "gen:box", "--png", "a.png", "--look", "theme=dark&pair=0&theme=light"}, "'theme' is said twice");
   refused({"view", "gen:box", "--png", "notes.txt"}, "notes.txt: the file exists and is not a picture of Toccata");
   refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "is not a page of Toccata");
   refused({"check", "gen:box", "--self", "--html", "page.html"}, "excludes");

@@ -19,6 +19,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
+#include "toccata/query/pairs.hpp"
 #include "toccata/query/scene_models.hpp"
 
 namespace toccata {
@@ -95,8 +96,10 @@ Vec3 shown_vertex(const Page& page, std::size_t object, std::size_t vertex) {
     const std::size_t number = 3 * vertex + static_cast<std::size_t>(axis);
     const double stored = place["bytes"] == 4 ? static_cast<double>(page.numbers<float>(place)[number])
                                               : static_cast<double>(page.numbers<std::uint16_t>(place)[number]);
-    at[axis] = place["lower"][static_cast<std::size_t>(axis)].get<double>() +
-               stored * place["step"][static_cast<std::size_t>(axis)].get<double>();
+    const double step = place["step"][static_cast<std::size_t>(axis)].get<double>();
+    const double lower = place["lower"][static_cast<std::size_t>(axis)].get<double>();
+    const double half = stored / 2 * step;
+    at[axis] = std::isfinite(stored * step) ? lower + stored * step : lower + half + half;
   }
   const auto pose_of = [](const Json& numbers) { return Pose::from_numbers(numbers.get<std::array<double, 12>>()); };
   if (drawn.contains("fit")) at = transform(pose_of(drawn["fit"]), at);
@@ -213,9 +216,10 @@ TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
   const Page page = page_of(scene, options);
   std::vector<std::string> labels;
   for (const Json& layer : page.header["layers"])
-    if (layer.contains("label"))
-      labels.push_back(layer["role"].get<std::string>() + " " + layer["label"].get<std::string>());
-  EXPECT_EQ(labels, (std::vector<std::string>{"depth 0.5 mm", "distance 3 mm"}));
+    if (layer.contains("length"))
+      labels.push_back(layer["role"].get<std::string>() + " " + Json(layer["length"].get<float>()).dump());
+  EXPECT_EQ(labels, (std::vector<std::string>{"depth 0.5", "distance 3.0"}));
+  EXPECT_EQ(page.report["unit"], "mm");
 }
 
 TEST(ViewPage, TinyHugeAndEmptyScenesFitTheFloats) {
@@ -227,6 +231,89 @@ TEST(ViewPage, TinyHugeAndEmptyScenesFitTheFloats) {
     }
   }
   EXPECT_TRUE(page_of(Scene{}).header["objects"].empty());
+}
+
+TEST(ViewPage, MeshesNearTheEndsOfTheDoublesAreDrawn) {
+  for (const double size : {1.7e308, 1e-310, 5e-324}) {
+    Scene scene;
+    const std::vector<Vec3> vertices{{size > 1 ? -size : 0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+    scene.objects.push_back(
+        {"wide",
+         std::make_shared<const TriangleMesh>(
+             vertices, std::vector<std::array<Index, 3>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+         {},
+         Solid::automatic,
+         "",
+         {},
+         ""});
+    const Page page = page_of(scene);
+    const double shown = page.header["frame"]["size"].get<double>();
+    EXPECT_GE(shown, size / 2);
+    EXPECT_LE(shown, size);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vec3 at = shown_vertex(page, 0, i);
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_LE(std::abs(at[axis] / size - vertices[i][axis] / size), 1e-6) << size;
+    }
+  }
+}
+
+TEST(ViewPage, LengthsBeyondTheDoublesAreNull) {
+  Scene scene;
+  scene.objects.push_back({"a", Sphere(1.7e308), {}, Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"b", Sphere(1.7e308), Pose::translation(1, 0, 0), Solid::automatic, "", {}, ""});
+  const Page page = page_of(scene, everything());
+  EXPECT_TRUE(page.report["pairs"][0]["penetration"]["upper"].is_null());
+  std::size_t lengths = 0;
+  for (const Json& layer : page.header["layers"]) {
+    if (!layer.contains("length")) continue;
+    ++lengths;
+    EXPECT_TRUE(layer["length"].is_null());
+    for (const float x : page.numbers<float>(layer["data"])) EXPECT_LE(std::abs(x), 1.0F);
+  }
+  EXPECT_EQ(lengths, 1U);
+}
+
+TEST(ViewPage, TellsHowEachThingWasFound) {
+  CheckOptions options = everything();
+  options.clearance = 0;
+  const Page page = page_of(boxes_sharing_half({1, 0}), options);
+  const auto method = [&](const char* question) {
+    return page.header["methods"][page.header["words"][0]["methods"][question].get<std::size_t>()];
+  };
+  EXPECT_EQ(method("relation"), pair_cells::by_tree.text);
+  EXPECT_EQ(method("penetration"), pair_cells::by_inner_parts.text);
+  EXPECT_EQ(method("distance"), pair_cells::nearest_by_tree.text);
+}
+
+TEST(ViewPage, HoldsTheTreeOfTheScene) {
+  Scene scene = boxes_sharing_half({1, 0});
+  scene.nodes = {{"arm", {}, {}}, {"hand", Index{0}, {}}};
+  EXPECT_FALSE(page_of(boxes_sharing_half({1, 0})).header.contains("nodes"));
+  scene.objects[1].node = 1;
+  const Page page = page_of(scene);
+  EXPECT_EQ(page.header["nodes"], Json::parse(R"([{"name":"arm"},{"name":"hand","parent":0}])"));
+  EXPECT_FALSE(page.header["objects"][0].contains("node"));
+  EXPECT_EQ(page.header["objects"][1]["node"], 1);
+}
+
+TEST(ViewPage, ManyRoundShapesAreDrawnCoarsely) {
+  const auto triangles_of = [](std::size_t count) {
+    Scene scene;
+    for (std::size_t i = 0; i < count; ++i)
+      scene.objects.push_back({std::to_string(i),
+                               Sphere(1),
+                               Pose::translation(static_cast<double>(3 * i), 0, 0),
+                               Solid::automatic,
+                               "",
+                               {},
+                               ""});
+    const Page page = page_of(scene);
+    EXPECT_EQ(page.header["meshes"].size(), 1U);
+    return page.header["meshes"][0]["triangles"]["count"].get<std::size_t>() / 3;
+  };
+  EXPECT_GT(triangles_of(10), 400U);
+  EXPECT_LT(triangles_of(3000), 60U);
 }
 
 TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {

@@ -120,8 +120,13 @@ class Browser:
                 self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=clicks)
 
     def picture(self):
-        """What is seen, as rows of (red, green, blue)."""
-        return rows_of(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))
+        """What is seen, at half its size, as rows of (red, green, blue)."""
+        width, height = self.value("[innerWidth, innerHeight]")
+        clip = {"x": 0, "y": 0, "width": width, "height": height, "scale": 0.5}
+        return rows_of(base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip)["data"]))
+
+    def resize(self, width, height):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def complaints(self):
         """Errors that were logged, and requests for anything but files and what the page holds itself."""

@@ -16,6 +16,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
 
+TURNED = "a\u202egnp.exe\x07"
 WICKED = "</script><img src=x onerror=alert(1)><!--"
 BOX = {"type": "box", "half_extents": [1, 1, 1]}
 
@@ -36,6 +37,10 @@ class Checks:
             raise RuntimeError(result.stderr)
         return result.stdout
 
+    def write_scene(self, name, objects, unit="m", **more):
+        scene = {"format": "toccata-scene", "version": 1, "unit": unit, "objects": objects, **more}
+        (self.folder / name).write_text(json.dumps(scene))
+
     def opened(self, browser, name, end=""):
         browser.open(self.folder / name, end)
         browser.wait_for("window.toccata && toccata.stage.drawn > 0 || !document.getElementById('notice').hidden")
@@ -47,6 +52,17 @@ class Checks:
 def share(picture, is_colour):
     pixels = [pixel for row in picture for pixel in row]
     return sum(map(is_colour, pixels)) / len(pixels)
+
+
+def differing(one, other):
+    """The share of pixels of the scene that differ, and by how much they do at most; beside it are lists and buttons."""
+    rows = [(row[165:], line[165:]) for row, line in zip(one[30:], other[30:])]
+    differences = [max(abs(x - y) for x, y in zip(p, q)) for row, line in rows for p, q in zip(row, line)]
+    return sum(difference > 4 for difference in differences) / len(differences), max(differences)
+
+
+def moved(x, y=0.0, z=0.0):
+    return [1, 0, 0, 0, 1, 0, 0, 0, 1, x, y, z]
 
 
 def is_blue(pixel):
@@ -74,6 +90,7 @@ def check_contacts(checks, browser):
     depth = float(re.search(r"([-\d.e]+) m deep", facts).group(1))
     checks.expect(abs(depth / pair["penetration"]["upper"] - 1) < 1e-5, f"the depth: {depth}")
     checks.expect(f"{len(pair['faces'])} face pairs in contact" in facts, f"the face pairs: {facts}")
+    checks.expect("decided exactly, by tree, exact pairs, winding numbers" in facts, f"the method: {facts}")
     time.sleep(0.3)
     picture = browser.picture()
     checks.expect(share(picture, is_blue) > 0.005, "the first object is blue")
@@ -120,14 +137,24 @@ def check_wicked_names(checks, browser):
 
 
 def check_many(checks, browser):
-    poses = ([1, 0, 0, 0, 1, 0, 0, 0, 1, 3.0 * (i % 100), 3.0 * (i // 100), 0] for i in range(10_000))
-    objects = [{"name": f"box {i}", "shape": BOX, "pose": pose} for i, pose in enumerate(poses)]
-    scene = {"format": "toccata-scene", "version": 1, "unit": "m", "objects": objects}
-    (checks.folder / "many.json").write_text(json.dumps(scene))
-    checks.run("view", "many.json", "-o", "many.html")
-    checks.opened(browser, "many.html")
-    calls = browser.value("toccata.stage.renderer.info.render.calls")
-    checks.expect(calls <= 6, f"10,000 boxes in {calls} drawing calls")
+    ball = {"type": "sphere", "radius": 1}
+    capsules = [{"type": "capsule", "radius": 1 - i / 4, "start": [0, 0, 0], "end": [0, 0, 1]} for i in range(3)]
+    for name, shapes in [("boxes", [BOX]), ("balls", [ball]), ("capsules", capsules), ("mixed", [BOX, ball, *capsules])]:
+        poses = (moved(3.0 * (i % 100), 3.0 * (i // 100)) for i in range(10_000))
+        checks.write_scene("many.json", [{"name": f"{i}", "shape": shapes[i % len(shapes)], "pose": pose} for i, pose in enumerate(poses)])
+        checks.run("view", "many.json", "-o", "many.html")
+        size = (checks.folder / "many.html").stat().st_size / 1e6
+        started = time.monotonic()
+        checks.opened(browser, "many.html")
+        print(f"10,000 {name}: {size:.2f} MB, drawn in {time.monotonic() - started:.2f} s")
+        calls = browser.value("toccata.stage.renderer.info.render.calls")
+        checks.expect(calls <= 6, f"10,000 {name} in {calls} drawing calls")
+        checks.expect(size < 6, f"10,000 {name}: {size:.2f} MB")
+        triangles = browser.value("toccata.stage.renderer.info.render.triangles")
+        checks.expect(triangles < 700_000, f"10,000 {name}: {triangles} triangles")
+    browser.value("toccata.toggle([0, 1], 'ghosts')")
+    time.sleep(0.3)
+    checks.expect(browser.value("toccata.stage.renderer.info.render.calls") <= 6, "with ghosts as well")
     checks.quiet(browser, "many")
 
 
@@ -154,8 +181,148 @@ def check_shapes(checks, browser):
     checks.opened(browser, "shapes.html", "#pair=0")
     browser.wait_for("!document.getElementById('found').hidden")
     facts = browser.value("[...document.querySelectorAll('#facts li')].map(fact => fact.textContent)")
-    checks.expect(facts == ["0.5 m deep; moving B by it along (1, 0, 0) parts them", "1 point of contact", "decided exactly"], f"{facts}")
+    told = ["0.5 m deep; moving B by it along (1, 0, 0) parts them", "1 point of contact", "decided exactly, by exact signs of separating normals"]
+    checks.expect(facts == [*told, "depth by expanding polytope, certified bracket"], f"{facts}")
     checks.quiet(browser, "shapes")
+
+
+def check_rest(checks, browser):
+    """What is not of the chosen pair is there as a ghost: seen, and faint."""
+    shapes = [("a", 0), ("b", 1.5), ("c", -2.5), ("d", 4)]
+    objects = [{"name": name, "shape": BOX, "pose": moved(x)} for name, x in shapes]
+    checks.write_scene("rest.json", objects)
+    checks.run("view", "rest.json", "--clearance", "1", "-o", "rest.html")
+    camera = "camera=0,0,0,6,-0.9,0.45"
+    pictures = {}
+    for rest in ["ghost", "shown", "hidden"]:
+        checks.opened(browser, "rest.html", f"#pair=1&labels=0&rest={rest}&{camera}")
+        browser.wait_for(f"toccata.state.rest === '{rest}' && toccata.state.pair === 1")
+        time.sleep(0.3)
+        pictures[rest] = browser.picture()
+        browser.open("/", "")  # so that another end of the link opens the page anew
+    seen, much = differing(pictures["ghost"], pictures["hidden"])
+    checks.expect(seen > 0.004, f"ghosts cover {seen:.4f} of the picture")
+    checks.expect(much < 90, f"ghosts differ by {much} from what is behind them")
+    seen, much = differing(pictures["shown"], pictures["hidden"])
+    checks.expect(seen > 0.004 and much > 60, f"the rest can be shown: {seen:.4f}, {much}")
+    report = json.loads(checks.run("check", "rest.json", "--clearance", "1", "--json"))
+    checks.opened(browser, "rest.html", "#pair=0")
+    for number, pair in enumerate(report["pairs"]):
+        browser.value(f"toccata.choosePair({number})")
+        facts = browser.value("document.getElementById('facts').textContent")
+        apart = re.match(r"([-\d.e+]+) m apart", facts)
+        checks.expect((float(apart.group(1)) if apart else 0) == pair["distance"]["upper"], f"the distance: {facts}")
+    tab = browser.value("document.getElementById('tab-contacts').textContent")
+    checks.expect(tab == "Contacts 1 · near 2", f"the tab counts: {tab}")
+    checks.quiet(browser, "rest")
+
+
+def check_links(checks, browser):
+    """What a link asks for in vain is told."""
+    complaint = "document.getElementById('complaint').hidden ? '' : document.getElementById('complaint-text').textContent"
+    browser.open("/", "")
+    checks.opened(browser, "rest.html", "#pair=7&colour=red&hidden=0-2,9&steps=0:4&theme=loud&camera=1,2&pair=0")
+    told = browser.value(complaint)
+    for words in ["no pair “7”: here pairs are 0 to 2", "“colour”", "no object “9”", "no slider “0”", "“theme” is one of", "“camera”", "“pair” is said twice"]:
+        checks.expect(words in told, f"{words} is not told: {told}")
+    checks.expect(browser.value("[...toccata.state.hidden]") == [0, 1, 2], "what is understood is done")
+    browser.value("document.getElementById('complaint-seen').click()")
+    checks.expect(browser.value(complaint) == "", "the complaint can be closed")
+    browser.open("/", "")
+    checks.opened(browser, "levels.html", "#steps=0:99")
+    checks.expect("no step “99”: here steps are 0 to" in browser.value(complaint), "a step that is not there is told")
+    checks.expect(browser.value("toccata.state.steps.size") == 0, "a step that is not there hides nothing")
+    browser.open("/", "")
+    checks.opened(browser, "levels.html", "#steps=0:2")
+    checks.expect(browser.value("toccata.state.steps.get(0)") == 2 and browser.value(complaint) == "", "a step is shown")
+    checks.expect("steps=0:2" in browser.value("toccata.link()"), "a step is in the link")
+    checks.quiet(browser, "links")
+
+
+def check_turned_names(checks, browser):
+    """Names that turn the writing round stay within themselves; a unit that is a number multiplies."""
+    checks.write_scene("turned.json", [{"name": TURNED, "shape": BOX}, {"name": "שלום 1", "shape": BOX, "pose": moved(1.5)}], 0.3)
+    checks.run("view", "turned.json", "--penetration", "-o", "turned.html")
+    checks.opened(browser, "turned.html", "#pair=0")
+    sentence = browser.value("document.getElementById('sentence').textContent")
+    checks.expect(sentence == "a\\u202egnp.exe\\u0007 overlaps שלום 1 (both solids).", f"the sentence: {sentence}")
+    edges = browser.value("[...document.querySelectorAll('#sentence bdi')].map(name => [name.getBoundingClientRect().left, name.getBoundingClientRect().right])")
+    checks.expect(len(edges) == 2 and edges[0][1] < edges[1][0], f"the names stand in their order: {edges}")
+    shown = browser.value("document.body.innerText + document.title")
+    checks.expect(not re.search("[\u202a-\u202e\x07]", shown), "no name turns the writing round")
+    checks.expect("0.5 × 0.3 m deep" in shown and "in units of 0.3 m" in shown, f"the unit: {shown}")
+    checks.quiet(browser, "turned")
+
+
+def check_extremes(checks, browser):
+    """Scenes at the ends of the doubles are drawn, and depths beyond them told."""
+    balls = [{"name": name, "shape": {"type": "sphere", "radius": 1.7e308}, "pose": moved(x)} for name, x in [("a", 0), ("b", 1)]]
+    checks.write_scene("huge.json", balls)
+    for name, far, near in [("wide.off", "1.7e308", "-1.7e308"), ("tiny.off", "5e-324", "0")]:
+        (checks.folder / name).write_text(f"OFF\n4 4 0\n{near} 0 0\n{far} 0 0\n0 {far} 0\n0 0 {far}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+    for name, what in [("huge.json", "--penetration"), ("wide.off", "--penetration"), ("tiny.off", "--penetration")]:
+        checks.run("view", name, what, "-o", f"{name}.html")
+        checks.opened(browser, f"{name}.html")
+        time.sleep(0.3)
+        with_it = browser.picture()
+        browser.value("toccata.toggle(toccata.data.report.objects.map((_, i) => i), 'hidden')")
+        time.sleep(0.3)
+        seen, _ = differing(with_it, browser.picture())
+        checks.expect(seen > 0.05, f"{name} covers {seen:.4f} of the picture")
+        bar = browser.value("document.getElementById('scale').textContent")
+        checks.expect(re.fullmatch(r"[\d.]+(e[-+]\d+)?( m)?", bar) is not None, f"{name}: the bar tells {bar}")
+    checks.opened(browser, "huge.json.html", "#pair=0")
+    browser.wait_for("toccata.state.pair === 0")
+    facts = browser.value("document.getElementById('facts').textContent")
+    checks.expect(facts.startswith("more than 1.79769e+308 m deep; moving B"), f"an infinite depth: {facts}")
+    checks.quiet(browser, "extremes")
+
+
+def check_tree(checks, browser):
+    frames = [{"name": "arm"}, {"name": "hand", "parent": "arm", "pose": moved(3)}]
+    parts = [("base", None), ("upper", "arm"), ("finger", "hand"), ("thumb", "hand")]
+    objects = [{"name": name, "shape": BOX, "pose": moved(3 * i)} | ({"parent": parent} if parent else {}) for i, (name, parent) in enumerate(parts)]
+    checks.write_scene("tree.json", objects, frames=frames)
+    checks.run("view", "tree.json", "-o", "tree.html")
+    checks.opened(browser, "tree.html")
+    rows = "[...document.querySelectorAll('#object-list li')].map(row => [row.getAttribute('aria-level'), row.querySelector('.row bdi').textContent].join(' '))"
+    listed = browser.value(rows)
+    checks.expect(sorted(listed) == sorted(["1 base", "1 arm", "2 hand", "3 finger", "3 thumb", "2 upper"]), f"the tree: {listed}")
+    press = "[...document.querySelectorAll('#object-list li')].find(row => row.querySelector('.row bdi').textContent === '{}').querySelectorAll('.small')[{}].click()"
+    browser.value(press.format("hand", 0))
+    checks.expect(browser.value("[...toccata.state.hidden].sort()") == [2, 3], "a node is hidden with all under it")
+    browser.value(press.format("hand", 0))
+    checks.expect(browser.value("toccata.state.hidden.size") == 0, "and shown again")
+    browser.value(press.format("arm", 1))
+    checks.expect(browser.value("[...toccata.state.ghosts].sort()") == [1, 2, 3], "a node becomes a ghost")
+    browser.value(press.format("arm", 2))
+    checks.expect(browser.value("[...toccata.state.only].sort()") == [1, 2, 3], "a node is shown alone")
+    link = browser.value("toccata.link()")
+    checks.expect("only=1-3" in link and "ghosts=1-3" in link, f"the link holds it: {link}")
+    browser.value("document.querySelector('#object-list .fold').click()")
+    checks.expect(len(browser.value(rows)) == 2, "a node can be folded")
+    browser.value("document.getElementById('filter').value = 'thumb'; document.getElementById('filter').oninput()")
+    checks.expect(browser.value(rows) == ["1 arm", "2 hand", "3 thumb"], "what is found is listed with what it is under")
+    checks.quiet(browser, "tree")
+
+
+def check_narrow(checks, browser):
+    """A telephone: everything is within the window, and the picture has its share of it."""
+    browser.resize(480, 800)
+    checks.opened(browser, "gears.html", "#pair=0")
+    time.sleep(0.3)
+    wide = browser.value("document.documentElement.scrollWidth")
+    canvas = browser.value("[toccata.stage.canvas.clientWidth, toccata.stage.canvas.clientHeight]")
+    found = browser.value("(box => [box.left, box.right, box.bottom])(document.getElementById('found').getBoundingClientRect())")
+    checks.expect(wide <= 480, f"the page is {wide} pixels wide")
+    checks.expect(canvas[0] >= 460 and canvas[1] >= 250, f"the picture has {canvas}")
+    checks.expect(found[0] >= 0 and found[1] <= 480 and found[2] <= 800, f"the sentence is at {found}")
+    browser.resize(1300, 800)
+    checks.opened(browser, "gears.html")
+    told = browser.value("document.getElementById('summary').textContent")
+    checks.expect(told.startswith("in m · 3 objects"), f"the summary: {told}")
+    checks.quiet(browser, "narrow")
+    browser.resize(1200, 800)
 
 
 def check_hierarchy(checks, browser):
@@ -203,7 +370,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_large, check_shapes, check_hierarchy, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_empty]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

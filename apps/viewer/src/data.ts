@@ -1,4 +1,5 @@
 // What the engine wrote into the page (docs/reference/view-page.md), decoded.
+import { visible } from './visible';
 
 export type Vec = [number, number, number];
 
@@ -35,6 +36,7 @@ export interface Layer {
   pair?: number;
   object?: number;
   label?: string;
+  length?: number | null; // written at the middle of the first segment; null: beyond the largest double
   name?: string;
   steps?: LayerStep[];
 }
@@ -52,20 +54,25 @@ export interface HierarchyLayer extends Layer {
   steps: LayerStep[];
 }
 
+export type Question = 'relation' | 'distance' | 'penetration';
+
 export interface Header {
   format: string;
   title: string;
   up: 'y' | 'z';
   frame: { centre: Vec; size: number };
   meshes: MeshHeader[];
-  objects: { mesh: number; fit?: number[] }[];
-  words: { verb: string; remark: string; face_pairs?: number }[];
+  objects: { mesh: number; fit?: number[]; node?: number }[];
+  nodes?: { name: string; parent?: number }[]; // parents before their children
+  words: { verb: string; remark: string; face_pairs?: number; methods: Partial<Record<Question, number>> }[];
+  methods: string[];
   layers: Layer[];
 }
 
+/// Lengths beyond the largest double are null.
 export interface Penetration {
-  lower: number;
-  upper: number;
+  lower: number | null;
+  upper: number | null;
   direction: Vec;
   on_a: Vec;
   on_b: Vec;
@@ -73,8 +80,8 @@ export interface Penetration {
 }
 
 export interface Distance {
-  lower: number;
-  upper: number;
+  lower: number | null;
+  upper: number | null;
   on_a: Vec;
   on_b: Vec;
   face_a: number;
@@ -130,9 +137,9 @@ export class PageData {
   ) {}
 
   static read(): PageData {
-    const header = JSON.parse(textOf('toccata-header')) as Header;
+    const header = JSON.parse(textOf('toccata-header'), visible) as Header;
     if (header.format !== 'toccata/view/1') throw new Error(`this page cannot show ${header.format}`);
-    return new PageData(header, JSON.parse(textOf('toccata-report')) as Report, bytesOf(textOf('toccata-data')));
+    return new PageData(header, JSON.parse(textOf('toccata-report'), visible) as Report, bytesOf(textOf('toccata-data')));
   }
 
   floats(place: ArrayPlace): Float32Array {

@@ -5,7 +5,7 @@ import type { Header } from './data';
 
 /// 1, 2 or 5 times a power of ten, at most `length`.
 export function roundLength(length: number): number {
-  const power = 10 ** Math.floor(Math.log10(length));
+  const power = Math.max(10 ** Math.floor(Math.log10(length)), Number.MIN_VALUE);
   return length >= 5 * power ? 5 * power : length >= 2 * power ? 2 * power : power;
 }
 
@@ -14,7 +14,8 @@ export function gridLines(header: Header, box: Box3, theme: Theme): Object3D {
   const { centre, size } = header.frame;
   const [u, v, up] = header.up === 'z' ? [0, 1, 2] : [2, 0, 1];
   const extent = Math.max(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 1e-6);
-  const step = roundLength((extent * size) / 8);
+  const step = roundLength((extent / 8) * size);
+  const spacing = step / size; // first divided, as the lengths themselves may be beyond the doubles
   const low = box.min.getComponent(up);
   const numbers: number[] = [];
   const colours: number[] = [];
@@ -33,9 +34,9 @@ export function gridLines(header: Header, box: Box3, theme: Theme): Object3D {
     const margin = extent * 0.5;
     const from = box.min.getComponent(along) - margin;
     const to = box.max.getComponent(along) + margin;
-    const first = Math.ceil(((box.min.getComponent(across) - margin) * size + centre[across]) / step);
-    const last = Math.floor(((box.max.getComponent(across) + margin) * size + centre[across]) / step);
-    for (let i = first; i <= last && i - first < 200; ++i) add(along, across, (i * step - centre[across]) / size, from, to, i === 0);
+    const first = Math.ceil((box.min.getComponent(across) - margin + centre[across] / size) / spacing);
+    const last = Math.floor((box.max.getComponent(across) + margin + centre[across] / size) / spacing);
+    for (let i = first; i <= last && i - first < 200; ++i) add(along, across, i * spacing - centre[across] / size, from, to, i === 0);
   };
   lines(u, v);
   lines(v, u);

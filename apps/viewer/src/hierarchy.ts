@@ -6,7 +6,7 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import { stepColours, type Theme } from './colours';
 import type { HierarchyLayer, LayerStep, PageData } from './data';
 import type { Objects } from './objects';
-import { compose, matrixOf, worldToShown } from './place';
+import { matrixOf, shownPlace } from './place';
 
 /// What can be asked about a level that is drawn.
 export interface DrawnLevel {
@@ -87,9 +87,8 @@ export function drawLevel(layer: HierarchyLayer, step: LayerStep, data: PageData
   const volumes = drawnVolumes(layer, step, data);
   const boxes = new Group().add(volumes, drawnEdges(layer, step, data));
   const { size, lower } = layer;
-  const placed = compose(data.report.objects[layer.object].pose, [size, 0, 0, 0, size, 0, 0, 0, size, ...lower]);
   boxes.matrixAutoUpdate = false;
-  boxes.matrix.copy(matrixOf(worldToShown(data.header.frame)(placed)));
+  boxes.matrix.copy(matrixOf(shownPlace(data.header.frame, data.report.objects[layer.object].pose, [size, 0, 0, 0, size, 0, 0, 0, size, ...lower])));
   return { drawn: new Group().add(boxes, colouredTriangles(layer, step, data, objects)), level: { layer, step, volumes } };
 }
 

@@ -19,7 +19,7 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import type { Layer, LayerStep, PageData } from './data';
 import { facesA, facesB, stepColours, type Theme } from './colours';
 import type { Objects } from './objects';
-import { compose, matrixOf, worldToShown } from './place';
+import { identity, matrixOf, shownPlace } from './place';
 
 export interface LayerStyle {
   theme: Theme;
@@ -158,7 +158,7 @@ const boxes: Draw = (layer, drawing, style) => {
   if (layer.object !== undefined) {
     const { header, report } = drawing.data;
     drawn.matrixAutoUpdate = false;
-    drawn.matrix.copy(matrixOf(worldToShown(header.frame)(compose(report.objects[layer.object].pose, [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]))));
+    drawn.matrix.copy(matrixOf(shownPlace(header.frame, report.objects[layer.object].pose, identity)));
   }
   return drawn;
 };

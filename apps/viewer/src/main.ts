@@ -50,6 +50,7 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
     next: () => go(1),
     leave: () => viewer.choosePair(undefined),
     'show-all': () => viewer.showAll(),
+    'complaint-seen': () => (element('complaint').hidden = true),
   };
 }
 
@@ -100,6 +101,7 @@ function listen(viewer: Viewer): void {
 function start(): void {
   const viewer = new Viewer(PageData.read());
   listen(viewer);
+  window.addEventListener('hashchange', () => location.reload()); // another link was put into the address
   Object.assign(window, { toccata: viewer }); // for tests, and for the curious
 }
 

@@ -73,10 +73,11 @@ export class Marks {
   private placeScale(): void {
     const { camera, place } = this.stage.orbit;
     const height = 2 * Math.tan((camera.fov * Math.PI) / 360) * place.distance;
-    const perPixel = (height * this.header.frame.size) / this.stage.canvas.clientHeight;
-    const length = roundLength(perPixel * 140);
+    const perPixel = height / this.stage.canvas.clientHeight; // shown
+    const { size } = this.header.frame;
+    const length = roundLength(Math.min(perPixel * 140 * size, Number.MAX_VALUE));
     const [bar, text] = element('scale').children as unknown as [HTMLElement, HTMLElement];
-    bar.style.width = `${length / perPixel}px`;
+    bar.style.width = `${length / size / perPixel}px`;
     text.textContent = lengthText(length, this.unit);
   }
 }

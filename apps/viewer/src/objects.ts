@@ -1,15 +1,13 @@
-// The objects: each mesh is drawn once for all objects that share it, and once more for those that are ghosts.
+// The objects: each mesh is drawn once for all objects that share it, and once more for those that are ghosts; many small
+// ones are drawn together.
 import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  Color,
   DoubleSide,
   Group,
-  InstancedMesh,
   LineBasicMaterial,
   LineSegments,
-  Material,
   Matrix4,
   MeshLambertMaterial,
   Object3D,
@@ -18,8 +16,9 @@ import {
   Raycaster,
   Vector3,
 } from 'three';
+import { Copies, Crowd, CrowdPart, type Drawing, type Member } from './crowd';
 import type { Header, MeshHeader, PageData } from './data';
-import { compose, identity, matrixOf, stored, worldToShown } from './place';
+import { matrixOf, shownPlace, stored } from './place';
 
 export type Look = 'shown' | 'ghost' | 'hidden';
 
@@ -29,42 +28,30 @@ export interface Appearance {
   ghostColour?: number;
 }
 
-interface DrawnMesh {
-  geometry: BufferGeometry;
-  objects: number[];
-  solid: InstancedMesh;
-  ghost: InstancedMesh;
-}
+/// The same objects, as those that are shown and as ghosts.
+type Drawings = Record<'shown' | 'ghost', Drawing>;
+
+/// Objects of so few triangles are drawn together where there are so many of them.
+const small = { triangles: 600, objects: 32, vertices: 4_000_000 };
 
 export class Objects {
   readonly group = new Group();
   readonly matrices: Matrix4[];
   readonly boxes: Box3[];
-  private readonly meshes: DrawnMesh[] = [];
+  private readonly geometries: BufferGeometry[];
+  private readonly drawings: Drawings[] = [];
   private readonly thin = new Map<number, LineSegments | Points>();
-  private readonly ghostMaterials: MeshLambertMaterial[] = [];
   private readonly solidMaterials: MeshLambertMaterial[] = [];
-  private looks: Appearance[] = [];
 
   constructor(private readonly data: PageData) {
     const { header, report } = data;
-    const toShown = worldToShown(header.frame);
-    this.matrices = header.objects.map((object, i) => {
-      const placed = compose(report.objects[i].pose, object.fit ?? identity);
-      return matrixOf(toShown(compose(placed, stored(header.meshes[object.mesh]))));
-    });
-    const members: number[][] = header.meshes.map(() => []);
-    header.objects.forEach((object, i) => members[object.mesh].push(i));
-    header.meshes.forEach((mesh, i) => this.addMesh(mesh, members[i]));
-    this.boxes = header.objects.map((object, i) => this.boxOf(header, object.mesh, i));
+    this.matrices = header.objects.map(({ mesh, fit }, i) => matrixOf(shownPlace(header.frame, report.objects[i].pose, stored(header.meshes[mesh]), fit)));
+    this.geometries = header.meshes.map((mesh) => this.geometryOf(mesh));
+    this.boxes = header.objects.map(({ mesh }, i) => (this.geometries[mesh].boundingBox ?? new Box3()).clone().applyMatrix4(this.matrices[i]));
+    this.addDrawings(header);
   }
 
-  private boxOf(header: Header, mesh: number, object: number): Box3 {
-    const box = this.meshes[mesh].geometry.boundingBox;
-    return (box ?? new Box3()).clone().applyMatrix4(this.matrices[object]);
-  }
-
-  private addMesh(mesh: MeshHeader, members: number[]): void {
+  private geometryOf(mesh: MeshHeader): BufferGeometry {
     const geometry = new BufferGeometry();
     const vertices = mesh.vertices.bytes === 2 ? this.data.shorts(mesh.vertices) : this.data.floats(mesh.vertices);
     geometry.setAttribute('position', new BufferAttribute(vertices, 3));
@@ -73,27 +60,48 @@ export class Objects {
     if (mesh.smooth) geometry.computeVertexNormals();
     geometry.computeBoundingBox();
     geometry.computeBoundingSphere();
-    const solid = this.instances(geometry, this.material(mesh, false), members.length);
-    const ghost = this.instances(geometry, this.material(mesh, true), members.length);
-    ghost.renderOrder = 1;
-    this.meshes.push({ geometry, objects: members, solid, ghost });
-    if (mesh.triangles.count === 0) for (const object of members) this.addThin(object, geometry);
+    return geometry;
   }
 
-  private material(mesh: MeshHeader, ghost: boolean): MeshLambertMaterial {
-    const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: !mesh.smooth });
-    if (ghost) Object.assign(material, { transparent: true, opacity: 0.1, depthWrite: false });
-    else Object.assign(material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-    (ghost ? this.ghostMaterials : this.solidMaterials).push(material);
-    return material;
+  private addDrawings(header: Header): void {
+    const members: Member[][] = header.meshes.map(() => []);
+    header.objects.forEach(({ mesh }, object) => members[mesh].push({ object, geometry: this.geometries[mesh], matrix: this.matrices[object] }));
+    const crowds: Record<'smooth' | 'flat', Member[][]> = { smooth: [], flat: [] };
+    header.meshes.forEach((mesh, i) => {
+      if (mesh.triangles.count === 0) for (const { object, geometry } of members[i]) this.addThin(object, geometry);
+      else if (mesh.triangles.count <= 3 * small.triangles) crowds[mesh.smooth ? 'smooth' : 'flat'].push(members[i]);
+      else this.addCopies(members[i], mesh.smooth);
+    });
+    for (const kind of ['smooth', 'flat'] as const) this.addSmall(crowds[kind], kind === 'smooth');
   }
 
-  private instances(geometry: BufferGeometry, material: Material, count: number): InstancedMesh {
-    const mesh = new InstancedMesh(geometry, material, count);
-    mesh.setColorAt(0, new Color());
-    mesh.frustumCulled = false;
-    this.group.add(mesh);
-    return mesh;
+  private addSmall(groups: Member[][], smooth: boolean): void {
+    const all = groups.flat();
+    const vertices = all.reduce((sum, { geometry }) => sum + geometry.getAttribute('position').count, 0);
+    if (all.length < small.objects || vertices > small.vertices) {
+      for (const group of groups) this.addCopies(group, smooth);
+      return;
+    }
+    const crowd = new Crowd(all, smooth);
+    this.add({ shown: new CrowdPart(crowd, this.material(smooth, false)), ghost: new CrowdPart(crowd, this.material(smooth, true)) });
+  }
+
+  private addCopies(members: Member[], smooth: boolean): void {
+    if (members.length === 0) return;
+    this.add({ shown: new Copies(members, this.material(smooth, false)), ghost: new Copies(members, this.material(smooth, true)) });
+  }
+
+  private add(drawings: Drawings): void {
+    drawings.ghost.drawn.renderOrder = 1;
+    this.group.add(drawings.shown.drawn, drawings.ghost.drawn);
+    this.drawings.push(drawings);
+  }
+
+  private material(smooth: boolean, ghost: boolean): MeshLambertMaterial {
+    const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: !smooth });
+    if (ghost) return Object.assign(material, { transparent: true, opacity: 0.1, depthWrite: false, forceSinglePass: true });
+    this.solidMaterials.push(material);
+    return Object.assign(material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   }
 
   /// Points and segments, which have no triangles.
@@ -110,27 +118,14 @@ export class Objects {
 
   /// One appearance for each object.
   show(looks: Appearance[], ghostColour: number): void {
-    this.looks = looks;
-    for (const mesh of this.meshes) {
-      this.fill(mesh.solid, mesh.objects.filter((i) => looks[i].look === 'shown'), (i) => looks[i].colour);
-      this.fill(mesh.ghost, mesh.objects.filter((i) => looks[i].look === 'ghost'), (i) => looks[i].ghostColour ?? ghostColour);
+    for (const drawing of this.drawings) {
+      drawing.shown.fill((i) => looks[i].look === 'shown', (i) => looks[i].colour);
+      drawing.ghost.fill((i) => looks[i].look === 'ghost', (i) => looks[i].ghostColour ?? ghostColour);
     }
     for (const [object, drawn] of this.thin) {
       drawn.visible = looks[object].look !== 'hidden';
       (drawn.material as LineBasicMaterial).color.set(looks[object].colour);
     }
-  }
-
-  private fill(mesh: InstancedMesh, objects: number[], colourOf: (object: number) => number): void {
-    const colour = new Color();
-    objects.forEach((object, place) => {
-      mesh.setMatrixAt(place, this.matrices[object]);
-      mesh.setColorAt(place, colour.set(colourOf(object)));
-    });
-    mesh.count = objects.length;
-    mesh.visible = objects.length > 0;
-    mesh.instanceMatrix.needsUpdate = true;
-    if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
   }
 
   seeThrough(on: boolean): void {
@@ -144,16 +139,14 @@ export class Objects {
 
   /// The object under a ray, and where; objects that are shown before ghosts.
   hit(ray: Raycaster): { object: number; point: Vector3 } | undefined {
-    for (const part of ['solid', 'ghost'] as const) {
+    for (const part of ['shown', 'ghost'] as const) {
       let best: { object: number; point: Vector3; distance: number } | undefined;
-      for (const mesh of this.meshes) {
-        if (!mesh[part].visible) continue;
-        mesh[part].computeBoundingSphere();
-        const look = part === 'solid' ? 'shown' : 'ghost';
-        const drawn = mesh.objects.filter((i) => this.looks[i].look === look);
-        for (const found of ray.intersectObject(mesh[part], false))
-          if (!best || found.distance < best.distance)
-            best = { object: drawn[found.instanceId ?? 0], point: found.point, distance: found.distance };
+      for (const drawings of this.drawings) {
+        const drawing = drawings[part];
+        if (!drawing.drawn.visible) continue;
+        drawing.prepareRays();
+        for (const found of ray.intersectObject(drawing.drawn, false))
+          if (!best || found.distance < best.distance) best = { object: drawing.objectAt(found), point: found.point, distance: found.distance };
       }
       if (best) return best;
     }
@@ -162,7 +155,7 @@ export class Objects {
 
   /// A drawing of some triangles of an object, over it.
   trianglesOf(object: number, triangles: Uint32Array): BufferGeometry {
-    const { geometry } = this.meshes[this.data.header.objects[object].mesh];
+    const geometry = this.geometries[this.data.header.objects[object].mesh];
     const all = geometry.getIndex();
     const chosen = new Uint32Array(triangles.length * 3);
     triangles.forEach((triangle, i) => {

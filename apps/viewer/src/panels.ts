@@ -1,6 +1,8 @@
 // The lists at the side and the sentence below. Names are untrusted: they are only ever set as text.
 import type { PageData } from './data';
 import type { State } from './state';
+import { isDim, isSetFor, Tree, type Row } from './tree';
+import { isolated } from './visible';
 import { countText, numberText, pairFacts, pairNumber, sortedPairs, type Order } from './words';
 
 const most = 500; // rows at a time
@@ -20,18 +22,27 @@ export function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = '', c
 
 export interface Actions {
   choosePair(pair: number | undefined): void;
-  focusObject(object: number): void;
-  toggle(object: number, what: 'hidden' | 'ghosts' | 'only'): void;
+  focus(objects: number[]): void;
+  toggle(objects: number[], what: 'hidden' | 'ghosts' | 'only'): void;
   colourOf(object: number): number;
 }
 
-/// Rows, the first `most` of them and a button for more.
-function fillList(list: HTMLElement, numbers: number[], row: (number: number) => HTMLElement, none: string): void {
+/// A name among words: what it is written in does not turn these round.
+const nameIn = (name: string, className = '') => {
+  const made = make('bdi', name);
+  if (className) made.className = className;
+  return made;
+};
+
+/// Rows, the first `most` of them and a button for more. The place in the list and what has the focus are kept.
+function fillList<T>(list: HTMLElement, items: T[], row: (item: T) => HTMLElement, none: string): void {
+  const { scrollTop } = list;
+  const focused = list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset.key : undefined;
   list.replaceChildren();
-  if (numbers.length === 0) list.append(make('li', none, 'none'));
+  if (items.length === 0) list.append(make('li', none, 'none'));
   const addFrom = (first: number) => {
-    for (const number of numbers.slice(first, first + most)) list.append(row(number));
-    const left = numbers.length - first - most;
+    for (const one of items.slice(first, first + most)) list.append(row(one));
+    const left = items.length - first - most;
     if (left <= 0) return;
     const more = make('button', `${left.toLocaleString('en-US')} more …`, 'more');
     const item = make('li');
@@ -43,25 +54,29 @@ function fillList(list: HTMLElement, numbers: number[], row: (number: number) =>
     list.append(item);
   };
   addFrom(0);
+  list.scrollTop = scrollTop;
+  if (focused) list.querySelector<HTMLElement>(`[data-key="${focused}"]`)?.focus();
 }
 
 export class Panels {
   private order: number[] = [];
+  private readonly tree: Tree;
 
   constructor(
     private readonly data: PageData,
     private readonly state: State,
     private readonly actions: Actions,
   ) {
+    this.tree = new Tree(data);
     for (const tab of ['contacts', 'objects']) element(`tab-${tab}`).onclick = () => this.open(tab);
     element<HTMLSelectElement>('order').onchange = (event) => {
       state.order = (event.target as HTMLSelectElement).value;
       this.listPairs();
     };
     element('filter').oninput = () => this.listObjects();
-    element('title').textContent = data.header.title;
+    element('title').replaceChildren(nameIn(data.header.title));
     element('title').title = data.header.title;
-    document.title = `${data.header.title} – Toccata`;
+    document.title = `${isolated(data.header.title)} – Toccata`;
     this.summarise();
     this.listPairs();
     this.listObjects();
@@ -83,10 +98,12 @@ export class Panels {
     if (triangles > 0) parts.push(countText(triangles, 'triangle'));
     parts.push(`${countText(report.pairs.length - near, 'pair')} in contact`);
     if (near > 0) parts.push(`${countText(near, 'pair')} near`);
-    if (report.unit !== 'unit') parts.push(`in ${report.unit}`);
+    if (report.unit !== 'unit') parts.unshift(/^[-+.\d]/.test(report.unit) ? `in units of ${report.unit}` : `in ${report.unit}`);
     element('summary').textContent = parts.join(' · ');
-    element('summary').title = report.warnings.join('\n');
-    element('tab-contacts').textContent = `Contacts ${report.pairs.length.toLocaleString('en-US')}`;
+    element('summary').title = [parts.join(' · '), ...report.warnings].join('\n');
+    const counted = (count: number) => count.toLocaleString('en-US');
+    const contacts = `Contacts ${counted(report.pairs.length - near)}`;
+    element('tab-contacts').textContent = near > 0 ? `${contacts} · near ${counted(near)}` : contacts;
     element('tab-objects').textContent = `Objects ${report.objects.length.toLocaleString('en-US')}`;
   }
 
@@ -112,10 +129,12 @@ export class Panels {
     const item = make('li');
     item.dataset.pair = String(index);
     const row = make('button', '', 'row');
-    row.append(make('span', `${pair.a} – ${pair.b}`));
+    const names = make('span');
+    names.append(nameIn(pair.a), ' – ', nameIn(pair.b));
+    row.append(names);
     const number = pairNumber(header, report, index);
     row.append(make('span', number ? `${relationWord(pair.relation, header.words[index].verb)} · ${number}` : header.words[index].verb, 'what'));
-    row.title = `${pair.a} ${header.words[index].verb} ${pair.b}`;
+    row.title = `${isolated(pair.a)} ${header.words[index].verb} ${isolated(pair.b)}`;
     row.onclick = () => this.actions.choosePair(index);
     item.append(row);
     return item;
@@ -140,43 +159,74 @@ export class Panels {
     const pair = report.pairs[index];
     const words = header.words[index];
     const sentence = element('sentence');
-    sentence.replaceChildren(make('span', pair.a, 'a'), ` ${words.verb} `, make('span', pair.b, 'b'), ` ${words.remark}.`);
+    sentence.replaceChildren(nameIn(pair.a, 'a'), ` ${words.verb} `, nameIn(pair.b, 'b'), ` ${words.remark}.`);
     const facts = pairFacts(header, report, index).map((fact) => make('li', fact));
     element('facts').replaceChildren(...facts);
   }
 
   listObjects(): void {
     const wanted = element<HTMLInputElement>('filter').value.toLowerCase();
-    const objects = this.data.report.objects;
-    const numbers = objects.map((_, i) => i).filter((i) => objects[i].name.toLowerCase().includes(wanted));
-    fillList(element('object-list'), numbers, (object) => this.objectRow(object), objects.length === 0 ? 'There is no object.' : 'No object is named so.');
+    const none = this.data.report.objects.length === 0 ? 'There is no object.' : 'No object is named so.';
+    fillList(element('object-list'), this.tree.rows(wanted), (row) => this.objectRow(row), none);
   }
 
-  private objectRow(index: number): HTMLElement {
-    const object = this.data.report.objects[index];
-    const { state, actions } = this;
-    const item = make('li', '', state.hidden.has(index) || (state.only !== undefined && state.only !== index) ? 'dim' : '');
-    const swatch = make('span', '', 'swatch');
-    swatch.style.background = `#${actions.colourOf(index).toString(16).padStart(6, '0')}`;
-    const row = make('button', '', 'row');
-    row.append(make('span', object.name), make('span', describe(object), 'what'));
-    row.title = `${object.name}\n${object.source}\npose ${object.pose.map(numberText).join(' ')}`;
-    row.onclick = () => actions.focusObject(index);
-    const button = (text: string, what: 'hidden' | 'ghosts' | 'only', on: boolean, tells: string) => {
-      const made = make('button', text, 'small');
-      made.setAttribute('aria-pressed', String(on));
-      made.setAttribute('aria-label', `${tells}: ${object.name}`);
-      made.title = tells;
-      made.onclick = () => actions.toggle(index, what);
-      return made;
-    };
-    item.append(swatch, row);
+  private objectRow(row: Row): HTMLElement {
+    const { state } = this;
+    const item = make('li', '', row.objects.every((object) => isDim(state, object)) ? 'dim' : '');
+    item.setAttribute('aria-level', String(row.depth + 1));
+    item.style.paddingLeft = `${Math.min(row.depth, 12) * 14}px`;
+    item.append(row.node === undefined ? this.swatch(row.objects[0]) : this.folder(row.node, row.name), this.nameButton(row));
     item.append(
-      button('hide', 'hidden', state.hidden.has(index), 'Hide'),
-      button('ghost', 'ghosts', state.ghosts.has(index), 'Show as a ghost'),
-      button('only', 'only', state.only === index, 'Show it alone'),
+      this.toggle(row, 'hide', 'hidden', 'Hide'),
+      this.toggle(row, 'ghost', 'ghosts', 'Show as a ghost'),
+      this.toggle(row, 'only', 'only', 'Show it alone'),
     );
     return item;
+  }
+
+  private swatch(object: number): HTMLElement {
+    const swatch = make('span', '', 'swatch');
+    swatch.style.background = `#${this.actions.colourOf(object).toString(16).padStart(6, '0')}`;
+    return swatch;
+  }
+
+  /// Folds what is under a node away, and back.
+  private folder(node: number, name: string): HTMLElement {
+    const { folded } = this.tree;
+    const made = make('button', folded.has(node) ? '▸' : '▾', 'fold');
+    made.dataset.key = `fold ${node}`;
+    made.setAttribute('aria-expanded', String(!folded.has(node)));
+    made.setAttribute('aria-label', `What is under ${isolated(name)}`);
+    made.onclick = () => {
+      if (!folded.delete(node)) folded.add(node);
+      this.listObjects();
+    };
+    return made;
+  }
+
+  private nameButton(row: Row): HTMLElement {
+    const made = make('button', '', 'row');
+    const objects = this.data.report.objects;
+    const name = make('span');
+    name.append(nameIn(row.name));
+    const triangles = row.objects.reduce((sum, i) => sum + objects[i].triangles, 0);
+    const held = [countText(row.objects.length, 'object'), ...(triangles > 0 ? [countText(triangles, 'triangle')] : [])].join(', ');
+    const object = objects[row.objects[0]];
+    made.append(name, make('span', row.node === undefined ? describe(object) : held, 'what'));
+    made.title = row.node === undefined ? `${isolated(object.name)}\n${isolated(object.source)}\npose ${object.pose.map(numberText).join(' ')}` : isolated(row.name);
+    made.dataset.key = row.key;
+    made.onclick = () => this.actions.focus(row.objects);
+    return made;
+  }
+
+  private toggle(row: Row, text: string, what: 'hidden' | 'ghosts' | 'only', tells: string): HTMLElement {
+    const made = make('button', text, 'small');
+    made.dataset.key = `${text} ${row.key}`;
+    made.setAttribute('aria-pressed', String(isSetFor(this.state, row.objects, what)));
+    made.setAttribute('aria-label', `${tells}: ${isolated(row.name)}`);
+    made.title = tells;
+    made.onclick = () => this.actions.toggle(row.objects, what);
+    return made;
   }
 }
 

@@ -25,10 +25,15 @@ export function compose(outer: Numbers12, inner: Numbers12): Numbers12 {
   return [...result, ...apply(outer, [inner[9], inner[10], inner[11]])];
 }
 
-/// World coordinates to those that are drawn.
-export function worldToShown(frame: Header['frame']): (m: Numbers12) => Numbers12 {
-  const { centre, size } = frame;
-  return (m) => [...m.slice(0, 9).map((x) => x / size), ...[0, 1, 2].map((i) => (m[9 + i] - centre[i]) / size)];
+/// From an object's frame, or by `fit` from what is fitted into it, to what is drawn. Lengths are divided by a power of
+/// two near the scene's size first, so that those near the ends of the doubles neither overflow nor are rounded away.
+export function shownPlace(frame: Header['frame'], pose: Numbers12, inner: Numbers12, fit?: Numbers12): Numbers12 {
+  const power = 2 ** Math.min(1023, Math.floor(Math.log2(frame.size)));
+  const size = frame.size / power;
+  const scaled = (m: Numbers12) => m.map((x) => x / power);
+  const within = fit ? compose(scaled(fit), inner) : scaled(inner);
+  const placed = compose([...pose.slice(0, 9), ...scaled(pose.slice(9))], within);
+  return [...placed.slice(0, 9).map((x) => x / size), ...[0, 1, 2].map((i) => (placed[9 + i] - frame.centre[i] / power) / size)];
 }
 
 /// The numbers of a mesh's vertices to its own frame.

@@ -15,6 +15,7 @@ export class Stage {
   private readonly overlays = new Group();
   private grid: Object3D | undefined;
   private waiting = false;
+  private sized = false;
   private readonly sun = new DirectionalLight(0xffffff, 2.2);
 
   constructor(
@@ -42,6 +43,7 @@ export class Stage {
 
   drawNow(): void {
     this.waiting = false;
+    if (!this.sized) return; // `resize` comes, and draws
     this.renderer.render(this.scene, this.orbit.camera);
     ++this.drawn;
     this.afterDrawing();
@@ -50,6 +52,7 @@ export class Stage {
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
+    this.sized = true;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.orbit.resize(clientWidth, clientHeight);
     this.drawNow();

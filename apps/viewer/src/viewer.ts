@@ -7,10 +7,21 @@ import { draw, merged, points, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Objects, type Appearance } from './objects';
 import { element, Panels } from './panels';
+import { isSetFor } from './tree';
 import { LayerPanel } from './layer_panel';
 import { Stage } from './stage';
-import { fromHash, toHash, type State } from './state';
-import { countText } from './words';
+import { fromHash, toHash, type Known } from './link';
+import type { State } from './state';
+import { countText, lengthText } from './words';
+
+function knownOf({ header, report }: PageData): Known {
+  return {
+    pairs: report.pairs.length,
+    objects: report.objects.length,
+    sliders: header.layers.flatMap(({ steps }, layer) => (steps && steps.length > 0 ? [{ layer, steps: steps.length }] : [])),
+    roles: new Set(header.layers.map((layer) => layer.role)),
+  };
+}
 
 export class Viewer {
   readonly state: State;
@@ -20,13 +31,16 @@ export class Viewer {
   private readonly layerPanel: LayerPanel;
   private readonly marks: Marks;
   private readonly touched: Set<number>;
+  private readonly known: Known;
   private linkTimer = 0;
   private levels: DrawnLevel[] = [];
   private litNode = -1;
 
   constructor(readonly data: PageData) {
     const { header, report } = data;
-    this.state = fromHash(location.hash, report.objects.length, report.pairs.length);
+    this.known = knownOf(data);
+    const { state, complaints } = fromHash(location.hash, this.known);
+    this.state = state;
     this.touched = new Set(report.pairs.flatMap((pair) => (pair.relation === 'apart' ? [] : [pair.a_index, pair.b_index])));
     this.objects = new Objects(data);
     this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
@@ -34,11 +48,12 @@ export class Viewer {
     this.layerPanel = new LayerPanel(data, this.state, () => this.show());
     this.panels = new Panels(data, this.state, {
       choosePair: (pair) => this.choosePair(pair),
-      focusObject: (object) => this.stage.frameBox(this.objects.boxes[object]),
-      toggle: (object, what) => this.toggle(object, what),
+      focus: (objects) => this.stage.frameBox(this.boxAround(objects)),
+      toggle: (objects, what) => this.toggle(objects, what),
       colourOf: (object) => this.colourOf(object),
     });
     this.noticeIfEmpty();
+    this.complain(complaints);
     this.openHierarchy();
     this.show();
     this.panels.markPair();
@@ -69,6 +84,17 @@ export class Viewer {
     notice.textContent = 'This scene is empty: it holds no object.';
   }
 
+  /// What the link asks for in vain.
+  private complain(complaints: string[]): void {
+    element('complaint').hidden = complaints.length === 0;
+    const text = complaints.map((complaint) => `${complaint}.`).join(' ');
+    element('complaint-text').textContent = `The link to this view is not understood in all: ${text}`;
+  }
+
+  private boxAround(objects: number[]): Box3 {
+    return objects.reduce((box, object) => box.union(this.objects.boxes[object]), new Box3());
+  }
+
   private colourOf(object: number): number {
     const { pair } = this.state;
     if (pair !== undefined) {
@@ -88,11 +114,10 @@ export class Viewer {
     return objects;
   }
 
-  private lookOf(object: number): Appearance['look'] {
+  private lookOf(object: number, opened: Set<number>): Appearance['look'] {
     const { state } = this;
-    if (state.hidden.has(object) || (state.only !== undefined && state.only !== object)) return 'hidden';
+    if (state.hidden.has(object) || (state.only && !state.only.has(object))) return 'hidden';
     if (state.ghosts.has(object)) return 'ghost';
-    const opened = this.opened();
     if (opened.has(object)) return 'hidden'; // its triangles are drawn in the colours of the level
     if (state.pair === undefined) return opened.size > 0 ? state.rest : 'shown';
     const pair = this.data.report.pairs[state.pair];
@@ -108,7 +133,8 @@ export class Viewer {
     document.documentElement.dataset.theme = state.theme;
     document.documentElement.dataset.panels = state.panels ? 'on' : 'off';
     this.objects.seeThrough(state.through);
-    const looks = this.data.report.objects.map((_, i) => ({ look: this.lookOf(i), colour: this.colourOf(i) }));
+    const opened = this.opened();
+    const looks = this.data.report.objects.map((_, i) => ({ look: this.lookOf(i, opened), colour: this.colourOf(i) }));
     if (state.pair !== undefined) this.colourContainer(looks, state.pair);
     this.objects.show(looks, theme.ghost);
     this.stage.setTheme(theme, state.grid);
@@ -205,9 +231,10 @@ export class Viewer {
       { at: top(this.objects.boxes[pair.b_index]), text: pair.b, className: 'mark b', kept: true },
     ];
     for (const layer of header.layers) {
-      if (layer.pair !== this.state.pair || !layer.label || this.state.off.has(layer.role)) continue;
+      const text = layer.length === undefined ? layer.label : lengthText(layer.length, report.unit);
+      if (layer.pair !== this.state.pair || !text || this.state.off.has(layer.role)) continue;
       const ends = this.data.floats(layer.data);
-      marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text: layer.label, className: 'mark' });
+      marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text, className: 'mark' });
     }
     return marks;
   }
@@ -220,7 +247,7 @@ export class Viewer {
       const opened = this.opened();
       this.data.report.objects.forEach((object, i) => {
         const isOpened = opened.has(i);
-        const counts = opened.size > 0 ? isOpened : this.lookOf(i) !== 'hidden';
+        const counts = opened.size > 0 ? isOpened : this.lookOf(i, opened) !== 'hidden';
         if (counts && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
       });
       return box.isEmpty() ? this.stage.wholeBox() : box;
@@ -262,10 +289,12 @@ export class Viewer {
     this.frame();
   }
 
-  toggle(object: number, what: 'hidden' | 'ghosts' | 'only'): void {
+  /// All of them, unless they all are so already: then none.
+  toggle(objects: number[], what: 'hidden' | 'ghosts' | 'only'): void {
     const { state } = this;
-    if (what === 'only') state.only = state.only === object ? undefined : object;
-    else if (!state[what].delete(object)) state[what].add(object);
+    const isOn = isSetFor(state, objects, what);
+    if (what === 'only') state.only = isOn ? undefined : new Set(objects);
+    else for (const object of objects) isOn ? state[what].delete(object) : state[what].add(object);
     this.panels.listObjects();
     this.show();
   }
@@ -292,7 +321,7 @@ export class Viewer {
   link(): string {
     const { place } = this.stage.orbit;
     this.state.camera = [place.target.x, place.target.y, place.target.z, place.distance, place.yaw, place.pitch];
-    return toHash(this.state);
+    return toHash(this.state, this.known);
   }
 
   private rememberLink(): void {

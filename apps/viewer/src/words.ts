@@ -1,13 +1,16 @@
 // Numbers and sentences for people. The relation's words are the engine's; numbers are those of the report, shortened.
-import type { Header, Pair, Report, Vec } from './data';
+import type { Header, Pair, Question, Report, Vec } from './data';
 
 export function numberText(x: number): string {
   if (x === 0) return '0';
   return String(Number(x.toPrecision(6)));
 }
 
-export function lengthText(x: number, unit: string): string {
-  return unit === 'unit' ? numberText(x) : `${numberText(x)} ${unit}`;
+/// A unit that is a number of others is multiplied: "2 × 0.3 m". Null stands for lengths beyond the largest double.
+export function lengthText(x: number | null, unit: string): string {
+  if (x === null) return `more than ${lengthText(Number.MAX_VALUE, unit)}`;
+  if (unit === 'unit') return numberText(x);
+  return `${numberText(x)} ${/^[-+.\d]/.test(unit) ? '× ' : ''}${unit}`;
 }
 
 export function countText(n: number, one: string, many = `${one}s`): string {
@@ -36,40 +39,53 @@ function facesText(header: Header, report: Report, index: number): string {
 /// The one number of a pair that people sort by: "0.5 m deep", "2 m apart", "24 face pairs".
 export function pairNumber(header: Header, report: Report, index: number): string {
   const pair = report.pairs[index];
-  if (pair.distance && pair.distance.upper > 0) return `${lengthText(pair.distance.upper, report.unit)} apart`;
-  if (pair.penetration && pair.penetration.upper > 0) return `${lengthText(pair.penetration.upper, report.unit)} deep`;
+  if (pair.distance && pair.distance.upper !== 0) return `${lengthText(pair.distance.upper, report.unit)} apart`;
+  if (pair.penetration && pair.penetration.upper !== 0) return `${lengthText(pair.penetration.upper, report.unit)} deep`;
   return facesText(header, report, index);
 }
 
 function depthText(pair: Pair, unit: string): string[] {
   const depth = pair.penetration;
   if (!depth || depth.upper === 0) return [];
-  const lower = numberText(depth.lower);
-  const range = lower === numberText(depth.upper) ? '' : `${lower} to `;
+  const [lower, upper] = [depth.lower, depth.upper].map((x) => lengthText(x, unit));
+  const range = lower === upper || depth.lower === null || depth.upper === null ? '' : `${numberText(depth.lower)} to `;
   const way = `moving B by it along ${directionText(depth.direction)} parts them`;
-  return [`${range}${lengthText(depth.upper, unit)} deep; ${way}`];
+  return [`${range}${upper} deep; ${way}`];
+}
+
+function distanceText(pair: Pair, unit: string): string[] {
+  const { distance } = pair;
+  if (!distance || distance.upper === 0) return [];
+  return [`${lengthText(distance.upper, unit)} apart, from ${vectorText(distance.on_a)} to ${vectorText(distance.on_b)}`];
+}
+
+/// How it was found out, by the engine's table of pairs.
+function methodTexts(header: Header, index: number, pair: Pair): string[] {
+  const methods = (question: Question) => header.methods[header.words[index].methods[question] ?? -1];
+  const decided = pair.status === 'exact' ? 'decided exactly' : `status: ${pair.status.replace('_', ' ')}`;
+  const texts = [methods('relation') ? `${decided}, by ${methods('relation')}` : decided];
+  if (methods('penetration') && pair.penetration?.upper !== 0) texts.push(`depth by ${methods('penetration')}`);
+  if (methods('distance') && pair.distance?.upper !== 0) texts.push(`distance by ${methods('distance')}`);
+  return texts;
 }
 
 /// What is known of a pair beside its sentence, a line each.
 export function pairFacts(header: Header, report: Report, index: number): string[] {
   const pair = report.pairs[index];
   const facts: string[] = [];
-  if (pair.distance && pair.distance.upper > 0)
-    facts.push(
-      `${lengthText(pair.distance.upper, report.unit)} apart, from ${vectorText(pair.distance.on_a)} to ${vectorText(pair.distance.on_b)}`,
-    );
+  facts.push(...distanceText(pair, report.unit));
   facts.push(...depthText(pair, report.unit));
   const faces = facesText(header, report, index);
   if (faces) facts.push(faces.startsWith('no') ? faces : `${faces} in contact`);
   if (pair.regions && pair.regions.length > 0) facts.push(countText(pair.regions.length, 'region of contact', 'regions of contact'));
   if (pair.manifold) facts.push(countText(pair.manifold.points.length, 'point of contact', 'points of contact'));
-  facts.push(pair.status === 'exact' ? 'decided exactly' : `status: ${pair.status.replace('_', ' ')}`);
+  facts.push(...methodTexts(header, index, pair));
   return facts;
 }
 
 export type Order = 'deepest' | 'largest' | 'nearest' | 'listed';
 
-const depthOf = (pair: Pair) => pair.penetration?.upper ?? 0;
+const depthOf = (pair: Pair) => (pair.penetration ? (pair.penetration.upper ?? Infinity) : 0);
 const gapOf = (pair: Pair) => (pair.relation === 'apart' ? (pair.distance?.upper ?? Infinity) : 0);
 
 /// The numbers of the pairs in that order; those that are equal in it stay as listed.
@@ -78,7 +94,7 @@ export function sortedPairs(header: Header, report: Report, order: Order): numbe
   const faces = (i: number) => header.words[i].face_pairs ?? 0;
   const numbers = pairs.map((_, i) => i);
   if (order === 'deepest')
-    numbers.sort((i, j) => depthOf(pairs[j]) - depthOf(pairs[i]) || compare(gapOf(pairs[i]), gapOf(pairs[j])) || faces(j) - faces(i) || i - j);
+    numbers.sort((i, j) => compare(depthOf(pairs[j]), depthOf(pairs[i])) || compare(gapOf(pairs[i]), gapOf(pairs[j])) || faces(j) - faces(i) || i - j);
   if (order === 'largest') numbers.sort((i, j) => faces(j) - faces(i) || i - j);
   if (order === 'nearest') numbers.sort((i, j) => compare(gapOf(pairs[i]), gapOf(pairs[j])) || i - j);
   return numbers;
