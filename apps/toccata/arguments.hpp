@@ -69,6 +69,12 @@ struct FacesArguments : PosedArguments {
 struct CostArguments : PosedArguments {
   CostOptions options;
   std::size_t rows = 10;  ///< of each table; 0: all
+  std::string svg;        ///< a plot to write; empty: none
+};
+
+struct PlotArguments {
+  std::string file;  ///< a report in JSON
+  std::string svg;
 };
 
 struct NearestArguments : PosedArguments {
@@ -115,6 +121,7 @@ int run_distance_poses(const DistanceArguments& arguments);
 int run_ray(const RayArguments& arguments);
 int run_faces(const FacesArguments& arguments);
 int run_cost(const CostArguments& arguments);
+int run_plot(const PlotArguments& arguments);
 int run_tree(const TreeArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_pairs(const PairsArguments& arguments);

@@ -9,6 +9,8 @@
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/cost_report.hpp"
+#include "toccata/io/output_file.hpp"
+#include "toccata/io/plot.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -72,6 +74,8 @@ std::string tables_of(const CostTable& table, std::size_t most, const std::strin
 }  // namespace
 
 int run_cost(const CostArguments& arguments) {
+  require_distinct({{"--svg", arguments.svg}}, arguments.input.files);
+  if (!arguments.svg.empty()) require_output(arguments.svg, OutputKind::plot);
   const CheckInput input = read_check_input(arguments);
   const std::vector<PairQuery> queries = queries_of(input, arguments);
   CostTable table;
@@ -83,11 +87,13 @@ int run_cost(const CostArguments& arguments) {
   }
   const LoadedScene& loaded = input.loaded;
   const std::size_t most = arguments.rows == 0 ? table.rows.size() : arguments.rows;
-  const std::string text =
-      arguments.format == Format::json  ? cost_report_json(loaded.scene, input.models, table, loaded.warnings)
-      : arguments.format == Format::csv ? cost_report_csv(table)
-                                        : tables_of(table, most, remark_on_wide(arguments.options));
+  const std::string json = cost_report_json(loaded.scene, input.models, table, loaded.warnings);
+  const std::string text = arguments.format == Format::json ? json
+                           : arguments.format == Format::csv
+                               ? cost_report_csv(table)
+                               : tables_of(table, most, remark_on_wide(arguments.options));
   print_warnings(loaded.warnings);
+  if (!arguments.svg.empty()) write_output(report_plot_svg(json), arguments.svg, OutputKind::plot);
   print_answer(text);
   return 0;
 }

@@ -69,6 +69,7 @@ int run(const CLI::App& app, Options& options) {
     options.cost.options = cost_options_of(options.cost_words);
     return run_cost(options.cost);
   }
+  if (app.got_subcommand("plot")) return run_plot(options.plot);
   if (app.got_subcommand("tree")) return run_tree(options.tree);
   if (app.got_subcommand("nearest")) {
     options.nearest.format = format_of(options);

@@ -264,12 +264,23 @@ void add_cost(CLI::App& app, Options& options) {
   cost->add_option("--rows", options.cost.rows, "how many rows of each table to show; 0: all")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
+  add_file(*cost, "--svg", options.cost.svg,
+           "also draw the cheapest hierarchy of each volume as bars (docs/reference/plots.md)", "FILE.svg");
   add_formats(*cost, options, "docs/reference/cost-report.md");
   cost->footer(
       with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
                 "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
                 "  {0} cost part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0 --quick\n"
                 "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
+}
+
+void add_plot(CLI::App& app, Options& options) {
+  CLI::App* plot = app.add_subcommand("plot", "draw a report of `cost` or of a benchmark");
+  plot->add_option("file", options.plot.file, "the report in JSON")->required()->type_name("FILE.json");
+  add_file(*plot, "-o,--output", options.plot.svg, "the picture to write", "FILE.svg")->required();
+  plot->footer(
+      with_name("Exit code: 0 written, 2 trouble.\n\nExample:\n"
+                "  {0} cost a.stl b.stl --json > cost.json\n  {0} plot cost.json -o cost.svg"));
 }
 
 void add_nearest(CLI::App& app, Options& options) {
@@ -348,6 +359,7 @@ void add_subcommands(CLI::App& app, Options& options) {
   add_ray(app, options);
   add_faces(app, options);
   add_cost(app, options);
+  add_plot(app, options);
   add_nearest(app, options);
   add_pairs(app, options);
   add_inspect(app, options);

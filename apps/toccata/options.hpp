@@ -24,6 +24,7 @@ struct Options {
   std::vector<std::string> box;
   std::vector<std::string> ball;
   CostArguments cost;
+  PlotArguments plot;
   CostWords cost_words;
   NearestArguments nearest;
   std::vector<std::string> point;

@@ -40,6 +40,7 @@
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/output_file.hpp"
+#include "toccata/io/plot.hpp"
 #include "toccata/io/points_file.hpp"
 #include "toccata/io/poses_file.hpp"
 #include "toccata/io/poses_report.hpp"

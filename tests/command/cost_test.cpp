@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -44,6 +46,37 @@ TEST_F(Cost, TableIsSortedAndTellsTheWinner) {
         "as it ran", "- the cheapest is ", "of one query, in nanoseconds", "dearer rows (--rows 0 shows all)"})
     EXPECT_NE(result.out.find(text), std::string::npos) << text << " is missing in\n" << result.out;
   EXPECT_LT(std::count(result.out.begin(), result.out.end(), '\n'), 40);
+}
+
+TEST_F(Cost, IsDrawnAtOnceAndFromAReportThatWasKept) {
+  const auto measured = cost({"--quick", "--volumes", "aabb,obb", "--json", "--svg", "cost.svg"});
+  EXPECT_EQ(measured.exit_code, 0) << measured.err;
+  folder.write("cost.json", measured.out);
+  const auto text_of = [&](const char* file) {
+    std::ifstream stream(folder.path() / file);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const auto drawn = run_command({"plot", "cost.json", "-o", "again.svg"}, folder.path());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_EQ(drawn.out, "again.svg: a plot of cost.json.\n");
+  EXPECT_FALSE(text_of("cost.svg").empty());
+  EXPECT_EQ(text_of("cost.svg"), text_of("again.svg"));
+}
+
+TEST_F(Cost, PlotsThatCannotBeAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
+    const auto result = run_command(words, folder.path());
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+  };
+  folder.write("report.json", "{}");
+  refused({"plot", "report.json", "-o", "a.svg"}, "report.json");
+  refused({"plot", "report.json", "-o", "report.json"}, "which is a file that is read too");
+  refused({"plot", "missing.json", "-o", "a.svg"}, "missing.json");
+  refused({"plot", "report.json", "-o", "a.obj"}, "is not a plot of Toccata");
+  refused({"plot", "report.json"}, "--output is required");
+  refused({"cost", "a.obj", "b.obj", "--svg", "b.obj"}, "which is a file that is read too");
+  refused({"cost", "a.obj", "b.obj", "--svg", "nowhere/a.svg"}, "nowhere/a.svg: the file cannot be written");
 }
 
 TEST_F(Cost, JsonHasEveryTermAndFIsTheirSum) {
