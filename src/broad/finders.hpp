@@ -12,6 +12,11 @@ namespace toccata {
 [[nodiscard]] std::unique_ptr<PairFinder> make_morton_tree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_packed_r_tree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_layers();
+[[nodiscard]] std::unique_ptr<PairFinder> make_incremental_sweep();
+[[nodiscard]] std::unique_ptr<PairFinder> make_spatial_hash();
+[[nodiscard]] std::unique_ptr<PairFinder> make_hierarchical_hash();
+[[nodiscard]] std::unique_ptr<PairFinder> make_interval_sweeps();
+[[nodiscard]] std::unique_ptr<PairFinder> make_rectangle_sweeps();
 [[nodiscard]] std::unique_ptr<PairFinder> make_automatic();
 
 }  // namespace toccata

@@ -27,6 +27,11 @@ constexpr std::array known_methods{
     Known{BroadPhaseMethod::morton_tree, "morton-tree"},
     Known{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
     Known{BroadPhaseMethod::layers, "layers"},
+    Known{BroadPhaseMethod::incremental_sweep, "incremental-sweep"},
+    Known{BroadPhaseMethod::spatial_hash, "spatial-hash"},
+    Known{BroadPhaseMethod::hierarchical_hash, "hierarchical-hash"},
+    Known{BroadPhaseMethod::interval_sweeps, "interval-sweeps"},
+    Known{BroadPhaseMethod::rectangle_sweeps, "rectangle-sweeps"},
 };
 
 }  // namespace
@@ -70,6 +75,16 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
       return make_packed_r_tree();
     case BroadPhaseMethod::layers:
       return make_layers();
+    case BroadPhaseMethod::incremental_sweep:
+      return make_incremental_sweep();
+    case BroadPhaseMethod::spatial_hash:
+      return make_spatial_hash();
+    case BroadPhaseMethod::hierarchical_hash:
+      return make_hierarchical_hash();
+    case BroadPhaseMethod::interval_sweeps:
+      return make_interval_sweeps();
+    case BroadPhaseMethod::rectangle_sweeps:
+      return make_rectangle_sweeps();
     case BroadPhaseMethod::automatic:
       break;
   }

@@ -15,14 +15,19 @@ namespace toccata {
 
 /// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
 enum class BroadPhaseMethod {
-  automatic,       ///< by what the boxes are like
-  brute_force,     ///< every pair, with vector instructions
-  sort_and_sweep,  ///< sorted along one axis anew each time
-  uniform_grid,    ///< cells of one size, about that of most boxes
-  kd_tiles,        ///< space cut so that each part has as many boxes
-  morton_tree,     ///< a tree over the boxes in the order of a space-filling curve, rebuilt each time
-  packed_r_tree,   ///< a tree over tiles of sorted boxes, rebuilt each time
-  layers,          ///< what rests in a tree that is kept, movers against it and among themselves
+  automatic,          ///< by what the boxes are like
+  brute_force,        ///< every pair, with vector instructions
+  sort_and_sweep,     ///< sorted along one axis anew each time
+  uniform_grid,       ///< cells of one size, about that of most boxes
+  kd_tiles,           ///< space cut so that each part has as many boxes
+  morton_tree,        ///< a tree over the boxes in the order of a space-filling curve, rebuilt each time
+  packed_r_tree,      ///< a tree over tiles of sorted boxes, rebuilt each time
+  layers,             ///< what rests in a tree that is kept, movers against it and among themselves
+  incremental_sweep,  ///< ends kept sorted along three axes
+  spatial_hash,       ///< cells of one size, by key
+  hierarchical_hash,  ///< cells of many sizes, by key
+  interval_sweeps,    ///< overlaps along each axis, each swept by itself, for few boxes
+  rectangle_sweeps,   ///< overlaps in two planes, each swept by itself, for few boxes
 };
 
 /// "auto", "brute-force" …
