@@ -25,7 +25,7 @@ double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), inf
 
 /// Which triangle of a pair comes first is told by the two alone, and so is what is computed of them, unless they meet.
 void PairDistances::put(std::size_t lane, const ItemPair& pair) {
-  const Triangle a = a_[pair.first], b = b_[pair.second];
+  const Triangle &a = a_.kept(pair.first), &b = b_.kept(pair.second);
   swapped_[lane] = !lexicographically_less(a[0], b[0]);
   set_pair(block_, lane, swapped_[lane] ? b : a, swapped_[lane] ? a : b);
 }

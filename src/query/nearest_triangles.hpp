@@ -30,7 +30,9 @@ inline constexpr double least_limit = 1e-200;
 class WorldTriangles {
  public:
   explicit WorldTriangles(const PosedMesh& mesh)
-      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {}
+      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {
+    numbers_.fill(std::numeric_limits<Index>::max());
+  }
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
@@ -50,10 +52,26 @@ class WorldTriangles {
              world_vertex(pose_, vertices_[corner[2]])}};
   }
 
+  /// The same for one that is likely to have been asked for lately; valid until the next one is.
+  const Triangle& kept(Index number) {
+    // Neighbours' numbers often differ by a power of two.
+    const std::size_t place = (number * 0x9E3779B1U) >> (32 - log2_kept);
+    if (numbers_[place] != number) {
+      numbers_[place] = number;
+      kept_[place] = (*this)[number];
+    }
+    return kept_[place];
+  }
+
  private:
+  static constexpr unsigned log2_kept = 6;
+  static constexpr std::size_t kept_count = std::size_t{1} << log2_kept;
+
   Pose pose_;
   std::span<const Vec3> vertices_;
   std::span<const std::array<Index, 3>> triangles_;
+  std::array<Index, kept_count> numbers_;
+  std::array<Triangle, kept_count> kept_;
 };
 
 /// The distances of pairs of triangles of two posed meshes: what is said of a pair depends on its two alone.

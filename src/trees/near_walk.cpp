@@ -45,7 +45,11 @@ HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
           hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
 }
 /// Second where the first is not a number.
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::Max(a, b); }  // one instruction
+#else
 HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
+#endif
 HWY_INLINE Number sum_of_products(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
   return hn::Add(hn::Add(hn::Mul(u[0], v[0]), hn::Mul(u[1], v[1])), hn::Mul(u[2], v[2]));
 }
@@ -83,34 +87,41 @@ HWY_INLINE Seen seen(const NearView& view, const OrientedBlock& block, std::size
   return box;
 }
 
+/// The square of how far apart two boxes are along an axis of one, or 0; `along` is how far their centres are, and
+/// `cosine` what the other's axes share with it, in magnitude.
+HWY_INLINE Number squared_gap(const Number& along, const Number& extent, const std::array<Number, 3>& other_extent,
+                              const std::array<Number, 3>& cosine) {
+  const Number gap = hn::Sub(hn::Sub(along, extent), sum_of_products(other_extent, cosine));
+  const Number part = greater(gap, hn::Zero(Tag()));
+  return hn::Mul(part, part);
+}
+
+HWY_INLINE std::array<Number, 3> magnitudes_along(const std::array<Vector, 3>& axes, const Vector& v) {
+  return {hn::Abs(dot(axes[0], v)), hn::Abs(dot(axes[1], v)), hn::Abs(dot(axes[2], v))};
+}
+
 /// Never above the distance of two boxes (docs/methods/mesh-distance.md): the gaps along the own axes, those along the
-/// other's, and the gap along the line of the centres, whichever is largest.
+/// other's, and the gap along the line of the centres, whichever is largest. Without loops, which would keep what is
+/// found in memory.
 HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
+  using Three = std::array<Number, 3>;
   const Vector first = loaded(block.axis[0], lane), second = loaded(block.axis[1], lane);
   const std::array<Vector, 3> own{first, second, cross(first, second)};
   const std::array<Vector, 3> other{in_all(box.axis[0]), in_all(box.axis[1]), in_all(box.axis[2])};
-  const std::array<Number, 3> extent{loaded(block.extent[0], lane), loaded(block.extent[1], lane),
-                                     loaded(block.extent[2], lane)};
-  const std::array<Number, 3> other_extent{all(box.extent.x), all(box.extent.y), all(box.extent.z)};
+  const Three extent{loaded(block.extent[0], lane), loaded(block.extent[1], lane), loaded(block.extent[2], lane)};
+  const Three other_extent{all(box.extent.x), all(box.extent.y), all(box.extent.z)};
   const Vector between = minus(in_all(box.centre), loaded(block.centre, lane));
 
-  std::array<std::array<Number, 3>, 3> cosine;  // their magnitudes, by own and other axis
-  std::array<Number, 3> along_own, along_other;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) cosine[i][j] = hn::Abs(dot(own[i], other[j]));
-    along_own[i] = hn::Abs(dot(own[i], between));
-    along_other[i] = hn::Abs(dot(other[i], between));
-  }
+  const Three along_own = magnitudes_along(own, between), along_other = magnitudes_along(other, between);
+  const Three c0 = magnitudes_along(other, own[0]), c1 = magnitudes_along(other, own[1]),
+              c2 = magnitudes_along(other, own[2]);
+  const Number by_own = hn::Add(hn::Add(squared_gap(along_own[0], extent[0], other_extent, c0),
+                                        squared_gap(along_own[1], extent[1], other_extent, c1)),
+                                squared_gap(along_own[2], extent[2], other_extent, c2));
+  const Number by_other = hn::Add(hn::Add(squared_gap(along_other[0], other_extent[0], extent, {c0[0], c1[0], c2[0]}),
+                                          squared_gap(along_other[1], other_extent[1], extent, {c0[1], c1[1], c2[1]})),
+                                  squared_gap(along_other[2], other_extent[2], extent, {c0[2], c1[2], c2[2]}));
   const Number zero = hn::Zero(Tag());
-  Number by_own = zero, by_other = zero;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<Number, 3> of_other{cosine[0][i], cosine[1][i], cosine[2][i]};
-    const Number gap = hn::Sub(hn::Sub(along_own[i], extent[i]), sum_of_products(other_extent, cosine[i]));
-    const Number other_gap = hn::Sub(hn::Sub(along_other[i], other_extent[i]), sum_of_products(extent, of_other));
-    const Number own_part = greater(gap, zero), other_part = greater(other_gap, zero);
-    by_own = hn::Add(by_own, hn::Mul(own_part, own_part));
-    by_other = hn::Add(by_other, hn::Mul(other_part, other_part));
-  }
   const Number by_sides = hn::Mul(greater(by_own, by_other), all(1 - 0x1p-18));
   const Number squared = dot(between, between);
   const Number reach = hn::Add(sum_of_products(extent, along_own), sum_of_products(other_extent, along_other));
@@ -262,7 +273,7 @@ class Run {
   void empty_bucket() {
     NearFrontier::Bucket &boxes = f_.boxes[bucket_], &items = f_.items[bucket_];
     while (limit_part_ >= 0 && (!boxes.empty() || !items.empty())) {
-      while (!boxes.empty()) {
+      while (limit_part_ >= 0 && !boxes.empty()) {
         const NearFrontier::Entry entry = f_.pop(boxes);
         if (!boxes.empty()) ask_for_boxes(f_.top(boxes));
         if (!is_beyond(entry.bound)) open(entry);
@@ -298,10 +309,24 @@ class Run {
     bounds_of(walk_.view(side), own, box, bounds_);
     f_.counts.volume_tests += own.count;
     const std::int32_t other_child = other.child[other_lane];
-    for (std::uint32_t lane = 0; lane < own.count; ++lane) {
-      const double part = bounds_[lane] * inverse_;
-      if (!is_beyond(part)) file(side, number, lane, entry.second, other_child, box.size, part);
+    // Bits instead of a test of each, which would be foretold wrongly time and again.
+    for (std::uint32_t near = lanes_in_reach(own.count); near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+      file(side, number, lane, entry.second, other_child, box.size, bounds_[lane]);
     }
+  }
+
+  /// Makes the bounds parts of the first limit, and tells by bits which of the first lanes are not beyond that of now.
+  HWY_INLINE std::uint32_t lanes_in_reach(std::uint32_t count) {
+    std::uint32_t near = 0;
+    for (std::size_t lane = 0; lane < width; lane += hn::Lanes(Tag())) {
+      const Number parts = hn::Mul(hn::LoadU(Tag(), bounds_.data() + lane), all(inverse_));
+      hn::StoreU(parts, Tag(), bounds_.data() + lane);
+      std::array<std::uint8_t, 8> bits{};
+      hn::StoreMaskBits(Tag(), hn::Not(hn::Gt(parts, all(limit_part_))), bits.data());
+      near |= std::uint32_t{bits[0]} << lane;
+    }
+    return near & ((1U << count) - 1);
   }
 
   /// Two items, or two boxes of which the larger is to be opened.
@@ -311,7 +336,7 @@ class Run {
     const std::int32_t child = own.child[lane];
     if (child < 0 && other_child < 0) {
       const auto place = static_cast<std::uint32_t>(~child), other_place = static_cast<std::uint32_t>(~other_child);
-      push(f_.items, side == 0 ? place : other_place, side == 0 ? other_place : place, part);
+      file_items(side == 0 ? place : other_place, side == 0 ? other_place : place, part);
     } else if (other_child < 0 || (child >= 0 && size_of(own, lane) >= other_size)) {
       push_boxes(side, static_cast<std::uint32_t>(child), other, part);
     } else {
@@ -319,7 +344,17 @@ class Run {
     }
   }
 
+  /// What would come before all else that waits is not kept waiting; and nothing is once batches have not lowered the
+  /// limit, for it is likely to be what it will be then: now the two items are near what was looked at last.
+  HWY_INLINE void file_items(std::uint32_t place_a, std::uint32_t place_b, double part) {
+    if (bucket_of(part) == bucket_ || steady_batches_ >= steady)
+      add_pair(place_a, place_b);
+    else
+      push(f_.items, place_a, place_b, part);
+  }
+
   static constexpr std::size_t largest_batch = 64;
+  static constexpr std::size_t steady = 2;  ///< batches
 
   void add_pair(std::uint32_t place_a, std::uint32_t place_b) {
     f_.pairs.push_back({walk_.tree(0).items[place_a], walk_.tree(1).items[place_b]});
@@ -332,6 +367,7 @@ class Run {
     question_.visit(f_.pairs);
     f_.pairs.clear();
     const double limit = question_.limit();
+    steady_batches_ = limit < 0.99 * last_limit_ ? 0 : steady_batches_ + 1;
     if (limit < last_limit_) {
       last_limit_ = limit;
       limit_part_ = limit < 0 ? -1 : limit * inverse_ * (1 + 0x1p-20);
@@ -347,6 +383,7 @@ class Run {
   double inverse_ = 1;
   double last_limit_ = 0;
   double limit_part_ = 1;
+  std::size_t steady_batches_ = 0;  ///< how many have not lowered the limit by more than a little
 };
 
 void run_near(const NearWalk& walk, NearFrontier& frontier, NearQuestion& question) {

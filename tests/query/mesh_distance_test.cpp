@@ -21,6 +21,19 @@ PairQuery apart(PairQuery query, Random& random) {
   return query;
 }
 
+void expect_same_at_every_simd_level(const Model& a, const Model& b, const PairQuery& query) {
+  const Distance truth = distance(a, b, query);
+  EXPECT_GT(truth.upper, 0);
+  Workspace first;
+  static_cast<void>(distance(a, b, query, first));
+  test::at_every_simd_level([&](SimdLevel level) {
+    Workspace workspace;
+    EXPECT_EQ(distance(a, b, query, workspace), truth) << name_of(level);
+    EXPECT_EQ(workspace.counts(), first.counts()) << name_of(level);
+    EXPECT_EQ(distance(a, b, query, workspace), truth) << "warm, " << name_of(level);
+  });
+}
+
 TEST(MeshDistance, IsThatOfTheOracle) {
   for (const std::string& family : test::pose_families())
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -52,18 +65,21 @@ TEST(MeshDistance, IsTheLeastOfAllPairs) {
     }
 }
 
+TEST(MeshDistance, WhereManyPairsAreEquallyNearIsTheLeastOfAllPairs) {
+  for (const double gap : {1e-2, 1e-6, 1e-9}) {
+    const Model helix(helix_mesh({.pitch = 2 * (2 + gap), .turns = 1, .steps_per_turn = 12}));
+    const PairQuery query{.pose_b = Pose::translation(0, 0, 2 + gap)};
+    EXPECT_EQ(test::fault_of_surface_distance(helix, helix, query), "") << "gap " << gap;
+  }
+}
+
 TEST(MeshDistance, IsTheSameAtEverySimdLevelWithTheSameCounts) {
   const Model ball(icosphere_mesh(1, 4)), ring(torus_mesh({.radius = 3, .tube_radius = 0.5}));
-  const PairQuery query{.pose_b = {rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}}};
-  const Distance truth = distance(ball, ring, query);
-  EXPECT_GT(truth.upper, 0.5);
-  Workspace first;
-  static_cast<void>(distance(ball, ring, query, first));
-  test::at_every_simd_level([&](SimdLevel level) {
-    Workspace workspace;
-    EXPECT_EQ(distance(ball, ring, query, workspace), truth) << name_of(level);
-    EXPECT_EQ(workspace.counts(), first.counts()) << name_of(level);
-  });
+  expect_same_at_every_simd_level(ball, ring, {.pose_b = {rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}}});
+  const Model helix(helix_mesh({.pitch = 4.0002, .sides = 16}));
+  expect_same_at_every_simd_level(helix, helix, {.pose_b = Pose::translation(0, 0, 2.0001)});
+  const Model shell(noise_sphere_mesh({1, 0.3, 4, 3})), inner(noise_sphere_mesh({0.999, 0.3, 4, 3}));
+  expect_same_at_every_simd_level(shell, inner, {.solid_a = Solid::none, .solid_b = Solid::none});
 }
 
 TEST(MeshDistance, OfSolidsIsZeroWhereOneContainsTheOther) {
