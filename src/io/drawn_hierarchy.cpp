@@ -84,8 +84,8 @@ TreeShape shape_of(const WideTree& tree) {
 template <class Volume>
 class Drawing {
  public:
-  Drawing(const std::vector<Triangle>& triangles, TreeShape shape, bool round)
-      : round_(round), shape_(std::move(shape)), runs_(item_runs(shape_)) {
+  Drawing(const std::vector<Triangle>& triangles, TreeShape shape)
+      : shape_(std::move(shape)), runs_(item_runs(shape_)) {
     for (const Index item : shape_.items) ordered_.push_back(triangles[item]);
     drawn_.order = shape_.items;
   }
@@ -102,6 +102,8 @@ class Drawing {
   }
 
  private:
+  static constexpr bool is_round = requires(const Volume& volume) { round_volume(volume); };
+
   [[nodiscard]] std::span<const Triangle> held_by(Index node) const {
     return std::span<const Triangle>(ordered_).subspan(runs_[node].first, runs_[node].count);
   }
@@ -111,7 +113,6 @@ class Drawing {
     level.first_node = drawn_.runs.size();
     level.nodes = nodes.size();
     level.first_face = drawn_.faces.size();
-    level.first_edge = drawn_.edges.size();
     std::vector<Volume> volumes;
     double size = 0, held = 0;
     for (const Index node : nodes) {
@@ -120,11 +121,11 @@ class Drawing {
       size += measure(volumes.back());
       held += measure(fit<HullBound>(held_by(node)));
       draw(volumes.back(), nodes.size(), static_cast<Index>(volumes.size() - 1));
+      if constexpr (is_round) drawn_.rounds.push_back(round_volume(volumes.back()));
     }
     level.fill = size > 0 ? std::min(1.0, held / size) : 0;
     level.overlapping_pairs = overlapping_pairs(volumes);
     level.faces = drawn_.faces.size() - level.first_face;
-    level.edges = drawn_.edges.size() - level.first_edge;
   }
 
   static std::size_t overlapping_pairs(const std::vector<Volume>& volumes) {
@@ -152,26 +153,26 @@ class Drawing {
     if (hull.dimension() < 1) return;
     for (Index face = 0; face < topology.face_count(); ++face) {
       const Index first = topology.face_start[face], end = topology.face_start[face + 1];
+      const auto is_drawn = [&](Index edge) {
+        return is_edge(hull, topology.face[edge], topology.face[topology.twin[edge]]);
+      };
       for (Index i = first + 1; i + 1 < end; ++i) {
         drawn_.faces.push_back({hull.vertex(topology.origin[first]), hull.vertex(topology.origin[i]),
                                 hull.vertex(topology.origin[i + 1])});
         drawn_.node_of_face.push_back(number);
+        const bool sides[3] = {i == first + 1 && is_drawn(first), is_drawn(i), i + 2 == end && is_drawn(i + 1)};
+        drawn_.edges_of_face.push_back(
+            static_cast<std::uint8_t>((sides[0] ? 1U : 0U) | (sides[1] ? 2U : 0U) | (sides[2] ? 4U : 0U)));
       }
     }
-    for (Index edge = 0; edge < topology.origin.size(); ++edge)
-      if (edge < topology.twin[edge] && is_edge(hull, topology.face[edge], topology.face[topology.twin[edge]])) {
-        drawn_.edges.push_back({hull.vertex(topology.origin[edge]), hull.vertex(topology.target(edge))});
-        drawn_.node_of_edge.push_back(number);
-      }
   }
 
   /// Faces that rounding alone has parted have no edge between them, and round volumes none at all.
-  [[nodiscard]] bool is_edge(const ConvexHull& hull, Index one, Index other) const {
-    if (round_) return false;
+  static bool is_edge(const ConvexHull& hull, Index one, Index other) {
+    if (is_round) return false;
     return one == other || dot(normal_of(hull, one), normal_of(hull, other)) < 0.9999;
   }
 
-  bool round_;
   TreeShape shape_;
   std::vector<ItemRun> runs_;
   std::vector<Triangle> ordered_;
@@ -179,20 +180,19 @@ class Drawing {
 };
 
 template <class Volume>
-DrawnHierarchy drawn(const std::vector<Triangle>& triangles, bool round = false) {
-  return Drawing<Volume>(triangles, binary_shape(triangles), round).all_levels();
+DrawnHierarchy drawn(const std::vector<Triangle>& triangles) {
+  return Drawing<Volume>(triangles, binary_shape(triangles)).all_levels();
 }
 
 }  // namespace
 
 DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
   const std::vector<Triangle> triangles = triangles_of(model.mesh());
-  constexpr bool is_round = true;
   switch (volume) {
     case CostVolume::aabb:
       return drawn<Aabb>(triangles);
     case CostVolume::ball:
-      return drawn<Ball>(triangles, is_round);
+      return drawn<Ball>(triangles);
     case CostVolume::cube:
       return drawn<Cube>(triangles);
     case CostVolume::obb:
@@ -206,17 +206,17 @@ DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
     case CostVolume::dop26:
       return drawn<Kdop<26>>(triangles);
     case CostVolume::pss:
-      return drawn<Pss>(triangles, is_round);
+      return drawn<Pss>(triangles);
     case CostVolume::lss:
-      return drawn<Lss>(triangles, is_round);
+      return drawn<Lss>(triangles);
     case CostVolume::rss:
-      return drawn<Rss>(triangles, is_round);
+      return drawn<Rss>(triangles);
     case CostVolume::ellipsoid:
-      return drawn<EllipsoidBound>(triangles, is_round);
+      return drawn<EllipsoidBound>(triangles);
     case CostVolume::hull:
       return drawn<HullBound>(triangles);
     case CostVolume::wide:
-      return Drawing<Aabb>(triangles, shape_of(model.wide_tree()), !is_round).all_levels();
+      return Drawing<Aabb>(triangles, shape_of(model.wide_tree())).all_levels();
   }
   return {};
 }

@@ -29,12 +29,11 @@ struct MeshFrame {
   }
 };
 
-template <std::size_t corners>
-Json written(const std::vector<std::array<Vec3, corners>>& items, const MeshFrame& frame, ViewData& data) {
+Json written(const std::vector<std::array<Vec3, 3>>& faces, const MeshFrame& frame, ViewData& data) {
   std::vector<float> numbers;
-  numbers.reserve(items.size() * corners * 3);
-  for (const auto& item : items)
-    for (const Vec3& point : item) frame.append(numbers, point);
+  numbers.reserve(faces.size() * 9);
+  for (const auto& face : faces)
+    for (const Vec3& corner : face) frame.append(numbers, corner);
   return data.add(numbers);
 }
 
@@ -42,6 +41,22 @@ Json written(const std::vector<std::array<Index, 2>>& runs, ViewData& data) {
   std::vector<std::uint32_t> numbers;
   for (const auto& run : runs) numbers.insert(numbers.end(), run.begin(), run.end());
   return data.add(std::span<const std::uint32_t>(numbers));
+}
+
+Json written(const std::vector<RoundVolume>& rounds, const MeshFrame& frame, ViewData& data) {
+  std::vector<float> numbers;
+  numbers.reserve(rounds.size() * 18);
+  for (const RoundVolume& round : rounds) {
+    frame.append(numbers, round.centre);
+    for (const Vec3& way : {round.core[0], round.core[1], round.axis[0], round.axis[1], round.axis[2]})
+      for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<float>(way[i] / frame.size));
+  }
+  return data.add(numbers);
+}
+
+Json written(const std::vector<std::uint8_t>& numbers, ViewData& data) {
+  const std::vector<std::uint16_t> shorts(numbers.begin(), numbers.end());
+  return data.add(std::span<const std::uint16_t>(shorts));
 }
 
 std::string note_of(const DrawnLevel& level) {
@@ -59,8 +74,7 @@ Json steps_of(const DrawnHierarchy& hierarchy) {
                      {"note", note_of(level)},
                      {"first", level.first_node},
                      {"count", level.nodes},
-                     {"faces", {level.first_face, level.faces}},
-                     {"edges", {level.first_edge, level.edges}},
+                     {"faces", {level.first_face, hierarchy.rounds.empty() ? level.faces : 0}},
                      {"fill", level.fill},
                      {"overlapping_pairs", level.overlapping_pairs}});
   }
@@ -70,17 +84,21 @@ Json steps_of(const DrawnHierarchy& hierarchy) {
 Json layer_of(const Model& model, const DrawnHierarchy& hierarchy, ViewData& data) {
   const MeshFrame frame(model.vertex_box());
   const auto numbers = [&](const std::vector<Index>& all) { return data.add(std::span<const std::uint32_t>(all)); };
-  return {{"kind", "hierarchy"},
-          {"role", "hierarchy"},
-          {"data", written(hierarchy.runs, data)},
-          {"order", numbers(hierarchy.order)},
-          {"lower", {frame.lower.x, frame.lower.y, frame.lower.z}},
-          {"size", frame.size},
-          {"faces", written(hierarchy.faces, frame, data)},
-          {"node_of_face", numbers(hierarchy.node_of_face)},
-          {"edges", written(hierarchy.edges, frame, data)},
-          {"node_of_edge", numbers(hierarchy.node_of_edge)},
-          {"steps", steps_of(hierarchy)}};
+  Json layer = {{"kind", "hierarchy"},
+                {"role", "hierarchy"},
+                {"data", written(hierarchy.runs, data)},
+                {"order", numbers(hierarchy.order)},
+                {"lower", {frame.lower.x, frame.lower.y, frame.lower.z}},
+                {"size", frame.size},
+                {"steps", steps_of(hierarchy)}};
+  if (!hierarchy.rounds.empty()) {
+    layer["rounds"] = written(hierarchy.rounds, frame, data);
+    return layer;
+  }
+  layer["faces"] = written(hierarchy.faces, frame, data);
+  layer["node_of_face"] = numbers(hierarchy.node_of_face);
+  layer["edges_of_face"] = written(hierarchy.edges_of_face, data);
+  return layer;
 }
 
 }  // namespace

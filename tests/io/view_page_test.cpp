@@ -328,6 +328,7 @@ TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {
   const auto order = page.numbers<std::uint32_t>(layer["order"]);
   const auto runs = page.numbers<std::uint32_t>(layer["data"]);
   const auto faces = page.numbers<float>(layer["faces"]);
+  const auto edges = page.numbers<std::uint16_t>(layer["edges_of_face"]);
   const double size = layer["size"].get<double>();
   const Vec3 lower{layer["lower"][0].get<double>(), layer["lower"][1].get<double>(), layer["lower"][2].get<double>()};
   ASSERT_EQ(order.size(), mesh->triangle_count());
@@ -338,7 +339,11 @@ TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {
     EXPECT_GT(count, nodes_before);
     nodes_before = count;
     EXPECT_EQ(step["faces"][1], 12 * count);  // a box
-    EXPECT_EQ(step["edges"][1], 12 * count);
+    int sides = 0;                            // that are edges: each of the 12 of a box is a side of two triangles
+    const auto first_face = step["faces"][0].get<std::ptrdiff_t>(), face_count = step["faces"][1].get<std::ptrdiff_t>();
+    for (auto mask = edges.begin() + first_face; mask != edges.begin() + first_face + face_count; ++mask)
+      sides += (*mask & 1) + (*mask >> 1 & 1) + (*mask >> 2 & 1);
+    EXPECT_EQ(static_cast<std::size_t>(sides), 24 * count);
     std::vector<Aabb> boxes;
     std::size_t held = 0;
     for (std::size_t node = 0; node < count; ++node) {
@@ -376,8 +381,61 @@ TEST(ViewPage, EveryVolumeIsDrawn) {
     const Page page = page_of(scene, {}, {"", UpAxis::z, volume});
     ASSERT_EQ(page.header["layers"].size(), 2U) << name_of(volume);
     EXPECT_EQ(page.header["layers"][0]["data"], page.header["layers"][1]["data"]);
-    for (const Json& step : page.header["layers"][0]["steps"])
-      EXPECT_GE(step["faces"][1], 2 * step["count"].get<std::size_t>()) << name_of(volume);
+    const Json& layer = page.header["layers"][0];
+    for (const Json& step : layer["steps"])
+      EXPECT_TRUE(layer.contains("rounds") || step["faces"][1] >= 2 * step["count"].get<std::size_t>())
+          << name_of(volume);
+  }
+}
+
+/// The numbers of a round volume, in the frame of its layer.
+struct Round {
+  std::array<Vec3, 6> part;  // centre, two of the core, three axes
+
+  /// Below 1 within: how far from the nearest point of the core, in the axes.
+  [[nodiscard]] double reach(const Vec3& point) const {
+    Vec3 rest = point - part[0];
+    for (std::size_t i = 1; i < 3; ++i) {
+      const double length = dot(part[i], part[i]);
+      if (length > 0) rest = rest - std::clamp(dot(rest, part[i]) / length, -1.0, 1.0) * part[i];
+    }
+    double sum = 0;
+    for (std::size_t i = 3; i < 6; ++i) sum += std::pow(dot(rest, part[i]) / dot(part[i], part[i]), 2);
+    return std::sqrt(sum);
+  }
+
+  /// The rounding of the floats in the shortest axis; flat volumes have a very short one.
+  [[nodiscard]] double rounding() const {
+    const double least = std::min({dot(part[3], part[3]), dot(part[4], part[4]), dot(part[5], part[5])});
+    return 1e-6 / std::sqrt(least);
+  }
+};
+
+TEST(ViewPage, RoundVolumesAreDrawnAsWhatTheyAre) {
+  Scene scene;
+  const auto mesh = std::make_shared<const TriangleMesh>(torus_mesh({}));
+  scene.objects.push_back({"ring", mesh, {}, Solid::automatic, "", {}, ""});
+  using enum CostVolume;
+  for (const CostVolume volume : {ball, pss, lss, rss, ellipsoid}) {
+    const Page page = page_of(scene, {}, {"", UpAxis::z, volume});
+    const Json& layer = page.header["layers"][0];
+    EXPECT_FALSE(layer.contains("faces"));
+    const auto numbers = page.numbers<float>(layer["rounds"]);
+    const auto runs = page.numbers<std::uint32_t>(layer["data"]);
+    const auto order = page.numbers<std::uint32_t>(layer["order"]);
+    const double size = layer["size"].get<double>();
+    const Vec3 lower{layer["lower"][0].get<double>(), layer["lower"][1].get<double>(), layer["lower"][2].get<double>()};
+    ASSERT_EQ(numbers.size(), 9 * runs.size());
+    for (std::size_t node = 0; node < runs.size() / 2; ++node) {
+      Round round;
+      for (std::size_t i = 0; i < 18; ++i) round.part[i / 3][static_cast<int>(i % 3)] = numbers[18 * node + i];
+      double farthest = 0;
+      for (std::size_t i = runs[2 * node]; i < runs[2 * node] + runs[2 * node + 1]; ++i)
+        for (const Index corner : mesh->triangles()[order[i]])
+          farthest = std::max(farthest, round.reach((1 / size) * (mesh->vertices()[corner] - lower)));
+      EXPECT_LT(farthest, 1 + round.rounding()) << name_of(volume) << " " << node;
+      EXPECT_GT(farthest, 0.9 - round.rounding()) << name_of(volume) << " " << node;
+    }
   }
 }
 

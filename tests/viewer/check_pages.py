@@ -335,16 +335,32 @@ def check_hierarchy(checks, browser):
     told = browser.value("document.querySelector('#layers output').textContent")
     checks.expect(told == f"level 5: {steps[5]['note']}", f"the level tells {told}")
     checks.expect(f"{steps[5]['count']} volumes" in told, f"the level tells {told}")
+    look_at_level(checks, browser, 5, "oriented boxes")
+    for volume in ["ball", "lss", "rss", "ellipsoid"]:
+        checks.run("view", "gen:torus-knot", "--hierarchy", volume, "-o", "round.html")
+        browser.open("/", "")
+        checks.opened(browser, "round.html", "#steps=0:4&theme=light")
+        checks.expect(browser.value("toccata.data.header.layers[0].rounds.count % 18 === 0"), f"{volume}: the volumes as they are")
+        look_at_level(checks, browser, 4, volume)
+    checks.quiet(browser, "levels")
+
+
+def look_at_level(checks, browser, level, what):
     time.sleep(0.3)
     picture = browser.picture()
-    checks.expect(share(picture, is_blue) > 0.01 and share(picture, is_orange) > 0.01, "nodes have colours of their own")
+    checks.expect(share(picture, is_blue) > 0.01 and share(picture, is_orange) > 0.01, f"{what}: nodes have colours of their own")
+    calls = browser.value("toccata.stage.renderer.info.render.calls")
+    checks.expect(calls <= 3, f"{what}: volumes, triangles and grid in {calls} drawing calls")
+    dark = picture
     for place in range(300, 1200, 30):
         browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=place, y=420)
         lit = browser.value("document.getElementById('hover').textContent")
         if lit:
             break
-    checks.expect(re.fullmatch(r"node \d+ of level 5: [\d,]+ triangles?", lit) is not None, f"a node lights up: {lit}")
-    checks.quiet(browser, "levels")
+    checks.expect(re.fullmatch(rf"node \d+ of level {level}: [\d,]+ triangles?", lit) is not None, f"{what}: a node lights up: {lit}")
+    time.sleep(0.3)
+    seen, much = differing(dark, browser.picture())
+    checks.expect(seen > 0.001 and much > 60, f"{what}: its triangles are seen to: {seen:.4f}, {much}")
 
 
 def check_empty(checks, browser):

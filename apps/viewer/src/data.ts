@@ -25,8 +25,7 @@ export interface LayerStep {
   note?: string;
   first: number;
   count: number;
-  faces?: [number, number]; // of a hierarchy: the first and how many
-  edges?: [number, number];
+  faces?: [number, number]; // of a hierarchy of polyhedra: the first and how many
 }
 
 export interface Layer {
@@ -42,17 +41,27 @@ export interface Layer {
 }
 
 /// The levels of a hierarchy over a mesh (`kind` is "hierarchy"); `data` holds the run of triangles of each node.
-export interface HierarchyLayer extends Layer {
+interface Levels extends Layer {
   object: number;
   order: ArrayPlace;
   lower: Vec;
   size: number;
-  faces: ArrayPlace;
-  node_of_face: ArrayPlace;
-  edges: ArrayPlace;
-  node_of_edge: ArrayPlace;
   steps: LayerStep[];
 }
+
+/// Of polyhedra.
+export interface FlatHierarchy extends Levels {
+  faces: ArrayPlace;
+  node_of_face: ArrayPlace;
+  edges_of_face: ArrayPlace;
+}
+
+/// Of balls, ellipsoids and swept spheres, 18 numbers each (round.ts).
+export interface RoundHierarchy extends Levels {
+  rounds: ArrayPlace;
+}
+
+export type HierarchyLayer = FlatHierarchy | RoundHierarchy;
 
 export type Question = 'relation' | 'distance' | 'penetration';
 

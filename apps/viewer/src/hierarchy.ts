@@ -1,18 +1,28 @@
 // A level of a hierarchy: every volume in a colour of its own, and the triangles that it holds in the same.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, Raycaster, type Object3D } from 'three';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Raycaster,
+  ShaderMaterial,
+  type Object3D,
+} from 'three';
 import { stepColours, type Theme } from './colours';
-import type { HierarchyLayer, LayerStep, PageData } from './data';
+import type { ArrayPlace, FlatHierarchy, HierarchyLayer, LayerStep, PageData } from './data';
 import type { Objects } from './objects';
 import { matrixOf, shownPlace } from './place';
+import { roundSurfaces } from './round';
 
 /// What can be asked about a level that is drawn.
 export interface DrawnLevel {
   layer: HierarchyLayer;
   step: LayerStep;
-  volumes: Mesh;
+  volumes: Volumes;
 }
 
 /// The colours of nodes, one after the other for each of `corners` vertices.
@@ -26,36 +36,95 @@ function coloursOf(nodes: Uint32Array, corners: number): Float32Array {
   return colours;
 }
 
-function drawnVolumes(layer: HierarchyLayer, step: LayerStep, data: PageData): Mesh {
-  const [first, count] = step.faces ?? [0, 0];
-  const nodes = data.integers(layer.node_of_face).subarray(first, first + count);
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(data.floats(layer.faces).subarray(first * 9, (first + count) * 9), 3));
-  geometry.setAttribute('color', new BufferAttribute(coloursOf(nodes, 3), 3));
-  const material = new MeshLambertMaterial({
-    vertexColors: true,
-    transparent: true,
-    opacity: 0.16,
-    depthWrite: false,
-    side: DoubleSide,
-    flatShading: true,
-  });
+/// Faces are faint and the lines of a polyhedron strong, both in one drawing: `corner` tells how far a point of a triangle is
+/// from each of its sides, and 1 for sides that are no edges.
+const flatShaders = {
+  vertexShader: `
+    attribute vec3 corner;
+    varying vec3 vColor, vCorner, vPlace;
+    void main() {
+      vColor = color;
+      vCorner = corner;
+      vec4 place = modelViewMatrix * vec4(position, 1.0);
+      vPlace = place.xyz;
+      gl_Position = projectionMatrix * place;
+    }`,
+  fragmentShader: `
+    varying vec3 vColor, vCorner, vPlace;
+    void main() {
+      vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+      vec3 pixel = fwidth(vCorner);
+      vec3 away = smoothstep(pixel * 0.7, pixel * 1.7, vCorner);
+      float line = 1.0 - min(away.x, min(away.y, away.z));
+      vec3 lit = vColor * (0.65 + 0.35 * abs(normal.z));
+      gl_FragColor = vec4(mix(lit, vColor * 0.85, line), mix(0.16, 1.0, line));
+      #include <colorspace_fragment>
+    }`,
+};
+
+/// Round volumes are strong where they turn away.
+const roundShaders = {
+  vertexShader: `
+    varying vec3 vColor, vNormal, vPlace;
+    void main() {
+      vColor = color;
+      vNormal = normalMatrix * normal;
+      vec4 place = modelViewMatrix * vec4(position, 1.0);
+      vPlace = place.xyz;
+      gl_Position = projectionMatrix * place;
+    }`,
+  fragmentShader: `
+    varying vec3 vColor, vNormal, vPlace;
+    void main() {
+      float facing = abs(dot(normalize(vNormal), normalize(vPlace)));
+      float rim = pow(1.0 - facing, 3.0);
+      gl_FragColor = vec4(vColor * (0.65 + 0.35 * facing), mix(0.16, 0.95, rim));
+      #include <colorspace_fragment>
+    }`,
+};
+
+function volumeMesh(geometry: BufferGeometry, shaders: { vertexShader: string; fragmentShader: string }): Mesh {
+  const material = new ShaderMaterial({ ...shaders, vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide, forceSinglePass: true });
   const drawn = new Mesh(geometry, material);
   drawn.frustumCulled = false;
   drawn.renderOrder = 3;
   return drawn;
 }
 
-function drawnEdges(layer: HierarchyLayer, step: LayerStep, data: PageData): Object3D {
-  const [first, count] = step.edges ?? [0, 0];
-  if (count === 0) return new Group();
-  const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(data.floats(layer.edges).subarray(first * 6, (first + count) * 6));
-  geometry.setColors(coloursOf(data.integers(layer.node_of_edge).subarray(first, first + count), 2));
-  const drawn = new LineSegments2(geometry, new LineMaterial({ vertexColors: true, linewidth: 1.6 }));
-  drawn.frustumCulled = false;
-  drawn.renderOrder = 4;
-  return drawn;
+/// How far the three corners of each face are from its sides that are edges.
+function cornersOf(edges: Uint16Array): Float32Array {
+  const corners = new Float32Array(edges.length * 9);
+  edges.forEach((sides, face) => {
+    for (let corner = 0; corner < 3; ++corner)
+      for (let side = 0; side < 3; ++side) {
+        const isOff = corner === (side + 2) % 3; // of the corners of a triangle, the one that the side does not touch
+        corners[9 * face + 3 * corner + side] = isOff || ((sides >> side) & 1) === 0 ? 1 : 0;
+      }
+  });
+  return corners;
+}
+
+interface Volumes {
+  mesh: Mesh;
+  nodeOf: (face: number) => number;
+}
+
+function flatVolumes(layer: FlatHierarchy, step: LayerStep, data: PageData): Volumes {
+  const [first, count] = step.faces ?? [0, 0];
+  const nodes = data.integers(layer.node_of_face).subarray(first, first + count);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(data.floats(layer.faces).subarray(first * 9, (first + count) * 9), 3));
+  geometry.setAttribute('color', new BufferAttribute(coloursOf(nodes, 3), 3));
+  geometry.setAttribute('corner', new BufferAttribute(cornersOf(data.shorts(layer.edges_of_face).subarray(first, first + count)), 3));
+  return { mesh: volumeMesh(geometry, flatShaders), nodeOf: (face) => nodes[face] };
+}
+
+function roundVolumes(rounds: ArrayPlace, step: LayerStep, data: PageData): Volumes {
+  const numbers = data.floats(rounds).subarray(18 * step.first, 18 * (step.first + step.count));
+  const { geometry, vertices, triangles } = roundSurfaces(numbers);
+  const nodes = new Uint32Array(step.count).map((_, i) => i);
+  geometry.setAttribute('color', new BufferAttribute(coloursOf(nodes, vertices), 3));
+  return { mesh: volumeMesh(geometry, roundShaders), nodeOf: (face) => Math.floor(face / triangles) };
 }
 
 /// The triangles of one node of the level, as numbers of the mesh.
@@ -83,20 +152,19 @@ function colouredTriangles(layer: HierarchyLayer, step: LayerStep, data: PageDat
   return drawn;
 }
 
+/// Two drawings: the volumes, and what they hold.
 export function drawLevel(layer: HierarchyLayer, step: LayerStep, data: PageData, objects: Objects): { drawn: Object3D; level: DrawnLevel } {
-  const volumes = drawnVolumes(layer, step, data);
-  const boxes = new Group().add(volumes, drawnEdges(layer, step, data));
+  const volumes = 'rounds' in layer ? roundVolumes(layer.rounds, step, data) : flatVolumes(layer, step, data);
   const { size, lower } = layer;
-  boxes.matrixAutoUpdate = false;
-  boxes.matrix.copy(matrixOf(shownPlace(data.header.frame, data.report.objects[layer.object].pose, [size, 0, 0, 0, size, 0, 0, 0, size, ...lower])));
-  return { drawn: new Group().add(boxes, colouredTriangles(layer, step, data, objects)), level: { layer, step, volumes } };
+  const inner = [size, 0, 0, 0, size, 0, 0, 0, size, ...lower];
+  volumes.mesh.matrixAutoUpdate = false;
+  volumes.mesh.matrix.copy(matrixOf(shownPlace(data.header.frame, data.report.objects[layer.object].pose, inner)));
+  return { drawn: new Group().add(volumes.mesh, colouredTriangles(layer, step, data, objects)), level: { layer, step, volumes } };
 }
 
 /// The smallest node of the level whose volume a ray meets.
 export function nodeUnder(level: DrawnLevel, ray: Raycaster, data: PageData): number | undefined {
-  const nodes = data.integers(level.layer.node_of_face);
-  const first = level.step.faces?.[0] ?? 0;
-  const hits = ray.intersectObject(level.volumes, false).map((hit) => nodes[first + (hit.faceIndex ?? 0)]);
+  const hits = ray.intersectObject(level.volumes.mesh, false).map((hit) => level.volumes.nodeOf(hit.faceIndex ?? 0));
   const held = (node: number) => trianglesHeld(level.layer, level.step, node, data).length;
   return hits.length === 0 ? undefined : hits.reduce((best, node) => (held(node) < held(best) ? node : best));
 }
