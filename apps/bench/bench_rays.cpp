@@ -11,6 +11,7 @@
 #include "report.hpp"
 #include "single_mesh.hpp"
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -22,6 +23,8 @@ std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, st
   const Aabb box = fit_aabb(mesh.vertices());
   const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
   const double reach = std::sqrt(dot(size, size));
+  if (!(reach > 0) || !std::isfinite(reach))
+    throw Error("--mesh: rays are sent through the box of the mesh, and its diagonal is 0 or overflows; name another");
   Random random(seed);
   std::vector<RayQuestion> rays;
   while (rays.size() < count) {

@@ -26,32 +26,51 @@ struct Options {
   WalkerArguments walker;
 };
 
+/// CLI11's own tells the range of all doubles.
+CLI::Validator positive() {
+  return {[](std::string& text) {
+            double number = 0;
+            const bool is_less = CLI::detail::lexical_cast(text, number) && !(number > 0);
+            return is_less ? fmt::format("{} is too small: at least 1 is needed", text) : std::string();
+          },
+          "POSITIVE"};
+}
+
 void add_peers(CLI::App& app, std::vector<std::string>& peers, const std::vector<std::string>& known) {
   app.add_option("--peer", peers, fmt::format("libraries to compare with, by commas: {}", fmt::join(known, ",")))
       ->delimiter(',')
       ->check(CLI::IsMember(known));
 }
 
-/// What mesh and triangle benchmarks have in common.
+CLI::Option* add_mesh_file(CLI::App& app, const std::string& name, std::string& mesh) {
+  return app.add_option(name, mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…");
+}
+
+template <class Number>
+void add_number(CLI::App& app, const std::string& name, Number& number, const std::string& what) {
+  app.add_option(name, number, what)->check(positive())->capture_default_str();
+}
+
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "write JSON (docs/guide/benchmarks.md)"); }
+
+/// What the benchmarks of many queries have in common.
 template <class Arguments>
 void add_common(CLI::App& app, Arguments& arguments) {
   app.add_option("--seed", arguments.seed, "another seed, other queries")->capture_default_str();
-  app.add_option("--rounds", arguments.rounds, "how often each query is asked; the fastest counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(app, "--rounds", arguments.rounds, "how often each query is asked; the fastest counts");
   app.add_flag("--verify", arguments.verify, "compare every answer with brute force in rational arithmetic: slow");
-  app.add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_json(app, arguments.json);
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App* mesh = app.add_subcommand("mesh", "questions about two posed meshes, taken as surfaces");
-  mesh->add_option("--mesh-a", arguments.mesh_a, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
-  mesh->add_option("--mesh-b", arguments.mesh_b, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  add_mesh_file(*mesh, "--mesh-a", arguments.mesh_a)->required();
+  add_mesh_file(*mesh, "--mesh-b", arguments.mesh_b)->required();
   mesh->add_option("--poses", arguments.poses,
                    "file with a line per query: 12 numbers (R by rows, t; B in A's frame) or 24 (both poses)");
   mesh->add_option("--random", arguments.random,
                    "this many random poses near contact (1000); with --poses: its poses, both objects moved together")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   mesh->add_flag("--near", arguments.near, "random poses within 1e-6 to 1e-14 of contact instead of 2 %");
   mesh->add_option("--task", arguments.task, "what to ask")
       ->check(CLI::IsMember({"overlap", "contacts", "distance", "coherent-distance", "build"}))
@@ -67,7 +86,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->capture_default_str();
   mesh->add_option("--simd", arguments.simd, "vector instructions that Toccata uses (default: the most there are)")
       ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx512"}));
@@ -84,7 +103,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
 
 void add_triangle(CLI::App& app, TriangleArguments& arguments) {
   CLI::App* triangle = app.add_subcommand("triangle", "do two triangles meet");
-  triangle->add_option("--count", arguments.count, "pairs")->check(CLI::PositiveNumber)->capture_default_str();
+  add_number(*triangle, "--count", arguments.count, "pairs");
   triangle->add_option("--family", arguments.family, "kind of pairs")
       ->check(CLI::IsMember(test::triangle_pair_families()))
       ->capture_default_str();
@@ -109,7 +128,7 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
                    "far; near: a gap of 1 %; deep; coherent: near, in steps of 1 %, with a warm start")
       ->check(CLI::IsMember({"far", "near", "deep", "coherent"}))
       ->capture_default_str();
-  convex->add_option("--count", arguments.count, "questions")->check(CLI::PositiveNumber)->capture_default_str();
+  add_number(*convex, "--count", arguments.count, "questions");
   add_peers(*convex, arguments.peers, convex_peers());
   add_common(*convex, arguments);
   convex->footer("Example:\n  ./toccata bench convex --pair hull --vertices 32 --task distance --peer bullet,fcl");
@@ -117,8 +136,8 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
 
 void add_rays(CLI::App& app, RaysArguments& arguments) {
   CLI::App* rays = app.add_subcommand("rays", "where rays first meet a mesh, taken as a surface");
-  rays->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
-  rays->add_option("--count", arguments.count, "rays")->check(CLI::PositiveNumber)->capture_default_str();
+  add_mesh_file(*rays, "--mesh", arguments.mesh)->required();
+  add_number(*rays, "--count", arguments.count, "rays");
   add_peers(*rays, arguments.peers, {"embree"});
   add_common(*rays, arguments);
   rays->footer("Example:\n  ./toccata bench rays --mesh gen:torus-knot --peer embree");
@@ -126,54 +145,46 @@ void add_rays(CLI::App& app, RaysArguments& arguments) {
 
 void add_self(CLI::App& app, SelfArguments& arguments) {
   CLI::App* self = app.add_subcommand("self", "where a mesh meets itself: all pairs of its triangles");
-  self->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
-  self->add_option("--rounds", arguments.rounds, "how often it is asked; the fastest counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_mesh_file(*self, "--mesh", arguments.mesh)->required();
+  add_number(*self, "--rounds", arguments.rounds, "how often it is asked; the fastest counts");
   add_peers(*self, arguments.peers, {"cgal"});
-  self->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_json(*self, arguments.json);
   self->footer("Example:\n  ./toccata bench self --mesh gen:torus-knot --peer cgal");
 }
 
 void add_refit(CLI::App& app, RefitArguments& arguments) {
   CLI::App* refit = app.add_subcommand("refit", "putting the tree of a mesh around vertices that have moved");
-  refit->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  add_mesh_file(*refit, "--mesh", arguments.mesh)->required();
   refit->add_option("--seed", arguments.seed, "another seed, other questions to compare answers by")
       ->capture_default_str();
-  refit->add_option("--rounds", arguments.rounds, "how often three frames are gone through; the median counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  refit->add_option("--threads", arguments.threads, "use so many, where the library does (FCL uses one)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(*refit, "--rounds", arguments.rounds, "how often three frames are gone through; the median counts");
+  add_number(*refit, "--threads", arguments.threads, "use so many, where the library does (FCL uses one)");
   add_peers(*refit, arguments.peers, {"embree", "fcl"});
-  refit->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_json(*refit, arguments.json);
   refit->footer("Example:\n  ./toccata bench refit --mesh gen:torus-knot --peer embree,fcl");
 }
 
 void add_build(CLI::App& app, BuildArguments& arguments) {
   CLI::App* build = app.add_subcommand("build", "every builder of trees, on one thread and on several");
-  build->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  add_mesh_file(*build, "--mesh", arguments.mesh)->required();
   build
       ->add_option("--threads", arguments.threads,
                    "numbers of threads, the first of which the others are compared with")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->capture_default_str();
-  build->add_option("--rounds", arguments.rounds, "builds on each number of threads, in turn; the fastest counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  build->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_number(*build, "--rounds", arguments.rounds, "builds on each number of threads, in turn; the fastest counts");
+  add_json(*build, arguments.json);
   build->footer("Example:\n  ./toccata bench build --mesh gen:torus-knot --threads 1,2");
 }
 
 void add_nearest(CLI::App& app, NearestArguments& arguments) {
   CLI::App* nearest = app.add_subcommand("nearest", "how far points are from a mesh, taken as a surface");
-  nearest->add_option("--mesh", arguments.mesh, "a file, or gen:NAME?PARAMETER=NUMBER&…")->required();
+  add_mesh_file(*nearest, "--mesh", arguments.mesh)->required();
   nearest->add_option("--where", arguments.where, "far: two diagonals away; near: within 1 % of the surface")
       ->check(CLI::IsMember({"far", "near"}))
       ->capture_default_str();
-  nearest->add_option("--count", arguments.count, "points")->check(CLI::PositiveNumber)->capture_default_str();
+  add_number(*nearest, "--count", arguments.count, "points");
   add_peers(*nearest, arguments.peers, {"cgal", "embree"});
   add_common(*nearest, arguments);
   nearest->footer("Example:\n  ./toccata bench nearest --mesh gen:torus-knot --where near --peer cgal,embree");
@@ -184,26 +195,20 @@ void add_process(CLI::App& app, ProcessArguments& arguments) {
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
   process->add_option("--mesh", arguments.mesh, "checked against itself (default: stanford-bunny.obj of TOCCATA_DATA)");
   process->add_option("--shift", arguments.shift, "by how much the second one is moved along x")->capture_default_str();
-  process->add_option("--objects", arguments.objects, "small meshes in the generated scene")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  process->add_option("--repeat", arguments.repeat, "runs; the median counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(*process, "--objects", arguments.objects, "small meshes in the generated scene");
+  add_number(*process, "--repeat", arguments.repeat, "runs; the median counts");
   process->add_option("--command", arguments.command, "the toccata command to run");
-  process->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_json(*process, arguments.json);
   process->footer("Example:\n  ./toccata bench process --mesh part.stl --shift 2.5");
 }
 
 void add_walker(CLI::App& app, WalkerArguments& arguments) {
   CLI::App* walker = app.add_subcommand("walker", "the generic walkers of trees beside loops written by hand");
-  walker->add_option("--mesh-a", arguments.mesh_a, "a file, or gen:NAME?PARAMETER=NUMBER&…")->capture_default_str();
-  walker->add_option("--mesh-b", arguments.mesh_b, "a file, or gen:NAME?PARAMETER=NUMBER&…")->capture_default_str();
-  walker->add_option("--rounds", arguments.rounds, "how often each walk is timed; the median counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_mesh_file(*walker, "--mesh-a", arguments.mesh_a)->capture_default_str();
+  add_mesh_file(*walker, "--mesh-b", arguments.mesh_b)->capture_default_str();
+  add_number(*walker, "--rounds", arguments.rounds, "how often each walk is timed; the median counts");
   walker->add_option("--only", arguments.only, "only walk, once: what valgrind counts");
-  walker->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  add_json(*walker, arguments.json);
   walker->footer("Example:\n  ./toccata bench walker --mesh-a a.obj --mesh-b b.obj");
 }
 

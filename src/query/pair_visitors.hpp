@@ -12,6 +12,7 @@
 #include "query/posed_mesh.hpp"
 #include "query/search_scratch.hpp"
 #include "query/self_meeting.hpp"
+#include "toccata/bounds/aabb.hpp"
 #include "trees/wide_walk.hpp"
 
 // What is done with the pairs of triangles that a walk over two posed meshes finds: they are decided in blocks.
@@ -26,19 +27,27 @@ bool each_lane(unsigned bits, const See& see) {
   return true;
 }
 
+/// Comparisons alone tell it. Coordinates near the greatest double overflow wherever they are subtracted: then nothing
+/// else is left that tells pairs apart without exact arithmetic, neither in trees nor in blocks.
+inline bool boxes_meet(const Triangle& a, const Triangle& b) { return overlap(fit_aabb(a.vertex), fit_aabb(b.vertex)); }
+
 /// How a pair is decided that plain arithmetic leaves open: two triangles of two meshes.
 struct OfTwoMeshes {
   static constexpr bool one_mesh = false;
-  static bool meet(const Triangle& a, const Triangle& b) { return overlap(a, b); }
-  static Meeting meeting_of(const Triangle& a, const Triangle& b) { return meeting(a, b); }
+  static bool meet(const Triangle& a, const Triangle& b) { return boxes_meet(a, b) && overlap(a, b); }
+  static Meeting meeting_of(const Triangle& a, const Triangle& b) {
+    return boxes_meet(a, b) ? meeting(a, b) : Meeting{};
+  }
 };
 
 /// The same for two triangles of one mesh. What plain arithmetic decides is in general position, or neighbours that
 /// have nothing in common but what they share.
 struct OfOneMesh {
   static constexpr bool one_mesh = true;
-  static bool meet(const Triangle& a, const Triangle& b) { return self_meet(a, b); }
-  static Meeting meeting_of(const Triangle& a, const Triangle& b) { return self_meeting(a, b); }
+  static bool meet(const Triangle& a, const Triangle& b) { return boxes_meet(a, b) && self_meet(a, b); }
+  static Meeting meeting_of(const Triangle& a, const Triangle& b) {
+    return boxes_meet(a, b) ? self_meeting(a, b) : Meeting{};
+  }
 };
 
 template <class Kind>

@@ -232,6 +232,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
     assert run("mesh", *ROUND_PAIR, "--peer", "nobody").returncode == 2
+    none = run("nearest", "--mesh", "gen:torus", "--count", "0")
+    assert none.returncode == 2 and "--count: 0 is too small: at least 1 is needed" in none.stderr, none.stderr
 
 
 main()

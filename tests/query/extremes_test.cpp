@@ -9,10 +9,12 @@
 #include "toccata/narrow/posed_shapes.hpp"
 #include "toccata/query/closer_than.hpp"
 #include "toccata/query/contact_regions.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/distance_cache.hpp"
 #include "toccata/query/flipped.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/penetration.hpp"
+#include "toccata/query/self_contacts.hpp"
 #include "toccata/query/winding_number.hpp"
 
 // Sizes near the ends of the doubles, and solids that are inside out.
@@ -51,6 +53,22 @@ TEST(Extremes, DistancesOfEnlargedMeshesAreEnlarged) {
       EXPECT_TRUE(closer_than(a, b, plain.upper * factor * (1 + 1e-9), larger)) << power << ", " << degrees;
     }
   }
+}
+
+/// Nothing can be subtracted there, in trees or blocks: pairs that only exact arithmetic told apart took minutes.
+TEST(Extremes, ContactsAtTheGreatestDoublesAreThoseOfSmallMeshes) {
+  const Model torus(torus_mesh({.radius = 1, .tube_radius = 0.25}));
+  const Pose turned{rotation_about({1, 2, 3}, 30), {0.125, 0, 0.0625}};
+  const double factor = std::ldexp(1.0, 1023);
+  const PairQuery plain{.pose_b = turned}, huge{.pose_a = enlarged(Pose{}, factor), .pose_b = enlarged(turned, factor)};
+  const std::vector<Contact> few = contacts(torus, torus, plain), many = contacts(torus, torus, huge);
+  ASSERT_EQ(few.size(), many.size());
+  EXPECT_GT(few.size(), 10U);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    EXPECT_EQ(few[i].triangle_a, many[i].triangle_a);
+    EXPECT_EQ(few[i].triangle_b, many[i].triangle_b);
+  }
+  EXPECT_EQ(self_contacts(torus, enlarged(Pose{}, factor)).size(), self_contacts(torus, Pose{}).size());
 }
 
 /// The least of all pairs of triangles.
