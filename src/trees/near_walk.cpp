@@ -11,148 +11,33 @@
 #include <bit>
 #include <cmath>
 
+#include "trees/box_lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+/// The blocks that were seen last: eight boxes at once are seen in the time of one, and the others are mostly asked for
+/// soon.
+class SeenBlocks {
+ public:
+  SeenBlocks() { numbers_.fill(NearFrontier::none); }
 
-constexpr std::size_t width = OrientedBlock::width;
-using Tag = hn::CappedTag<double, width>;
-using Number = hn::Vec<Tag>;
-using Bounds = std::array<double, width>;
-
-struct Vector {
-  Number x, y, z;
-};
-
-HWY_INLINE Number all(double value) { return hn::Set(Tag(), value); }
-HWY_INLINE Vector in_all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE Number loaded(const std::array<float, width>& values, std::size_t lane) {
-  return hn::PromoteTo(Tag(), hn::LoadU(hn::Rebind<float, Tag>(), values.data() + lane));
-}
-HWY_INLINE Vector loaded(const std::array<std::array<float, width>, 3>& values, std::size_t lane) {
-  return {loaded(values[0], lane), loaded(values[1], lane), loaded(values[2], lane)};
-}
-HWY_INLINE Vector minus(const Vector& u, const Vector& v) {
-  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
-}
-HWY_INLINE Number dot(const Vector& u, const Vector& v) {
-  return hn::Add(hn::Add(hn::Mul(u.x, v.x), hn::Mul(u.y, v.y)), hn::Mul(u.z, v.z));
-}
-HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
-  return {hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)), hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
-          hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
-}
-/// Second where the first is not a number.
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::Max(a, b); }  // one instruction
-#else
-HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
-#endif
-HWY_INLINE Number sum_of_products(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
-  return hn::Add(hn::Add(hn::Mul(u[0], v[0]), hn::Mul(u[1], v[1])), hn::Mul(u[2], v[2]));
-}
-
-HWY_INLINE Vec3 vector_of(const std::array<std::array<float, width>, 3>& values, std::size_t lane) {
-  return {values[0][lane], values[1][lane], values[2][lane]};
-}
-HWY_INLINE Vec3 times(const Mat3& m, const Vec3& v) {
-  return {toccata::dot(m[0], v), toccata::dot(m[1], v), toccata::dot(m[2], v)};
-}
-
-/// A box of the other tree in the own frame.
-struct Seen {
-  Vec3 centre;
-  std::array<Vec3, 3> axis;
-  Vec3 extent;
-  double size;
-};
-
-HWY_INLINE Seen seen(const NearView& view, const OrientedBlock& block, std::size_t lane) {
-  Seen box;
-  box.extent = view.ratio * vector_of(block.extent, lane);
-  box.size = (box.extent.x + box.extent.y) + box.extent.z;
-  const Vec3 first = vector_of(block.axis[0], lane), second = vector_of(block.axis[1], lane);
-  const Vec3 centre = vector_of(block.centre, lane);
-  if (!view.rigid) {
-    box.centre = view.offset + times(view.other, centre);
-    box.axis = {times(view.other, first), times(view.other, second), times(view.other, toccata::cross(first, second))};
-    box.extent = vector_of(block.extent, lane);
-    return box;
+  HWY_INLINE Seen box(const NearView& view, std::span<const OrientedBlock> blocks, std::uint32_t number,
+                      std::size_t lane) {
+    const std::size_t place = (number * 0x9E3779B1U) >> (32 - log2_count);
+    if (numbers_[place] != number) {
+      numbers_[place] = number;
+      see(view, blocks[number], blocks_[place]);
+    }
+    return seen_in(blocks_[place], lane);
   }
-  box.centre = view.offset + view.ratio * times(view.rotation, centre);
-  box.axis = {times(view.rotation, first), times(view.rotation, second), {}};
-  box.axis[2] = toccata::cross(box.axis[0], box.axis[1]);
-  return box;
-}
 
-/// The square of how far apart two boxes are along an axis of one, or 0; `along` is how far their centres are, and
-/// `cosine` what the other's axes share with it, in magnitude.
-HWY_INLINE Number squared_gap(const Number& along, const Number& extent, const std::array<Number, 3>& other_extent,
-                              const std::array<Number, 3>& cosine) {
-  const Number gap = hn::Sub(hn::Sub(along, extent), sum_of_products(other_extent, cosine));
-  const Number part = greater(gap, hn::Zero(Tag()));
-  return hn::Mul(part, part);
-}
-
-HWY_INLINE std::array<Number, 3> magnitudes_along(const std::array<Vector, 3>& axes, const Vector& v) {
-  return {hn::Abs(dot(axes[0], v)), hn::Abs(dot(axes[1], v)), hn::Abs(dot(axes[2], v))};
-}
-
-/// Never above the distance of two boxes (docs/methods/mesh-distance.md): the gaps along the own axes, those along the
-/// other's, and the gap along the line of the centres, whichever is largest. Without loops, which would keep what is
-/// found in memory.
-HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
-  using Three = std::array<Number, 3>;
-  const Vector first = loaded(block.axis[0], lane), second = loaded(block.axis[1], lane);
-  const std::array<Vector, 3> own{first, second, cross(first, second)};
-  const std::array<Vector, 3> other{in_all(box.axis[0]), in_all(box.axis[1]), in_all(box.axis[2])};
-  const Three extent{loaded(block.extent[0], lane), loaded(block.extent[1], lane), loaded(block.extent[2], lane)};
-  const Three other_extent{all(box.extent.x), all(box.extent.y), all(box.extent.z)};
-  const Vector between = minus(in_all(box.centre), loaded(block.centre, lane));
-
-  const Three along_own = magnitudes_along(own, between), along_other = magnitudes_along(other, between);
-  const Three c0 = magnitudes_along(other, own[0]), c1 = magnitudes_along(other, own[1]),
-              c2 = magnitudes_along(other, own[2]);
-  const Number by_own = hn::Add(hn::Add(squared_gap(along_own[0], extent[0], other_extent, c0),
-                                        squared_gap(along_own[1], extent[1], other_extent, c1)),
-                                squared_gap(along_own[2], extent[2], other_extent, c2));
-  const Number by_other = hn::Add(hn::Add(squared_gap(along_other[0], other_extent[0], extent, {c0[0], c1[0], c2[0]}),
-                                          squared_gap(along_other[1], other_extent[1], extent, {c0[1], c1[1], c2[1]})),
-                                  squared_gap(along_other[2], other_extent[2], extent, {c0[2], c1[2], c2[2]}));
-  const Number zero = hn::Zero(Tag());
-  const Number by_sides = hn::Mul(greater(by_own, by_other), all(1 - 0x1p-18));
-  const Number squared = dot(between, between);
-  const Number reach = hn::Add(sum_of_products(extent, along_own), sum_of_products(other_extent, along_other));
-  const Number left = greater(hn::Sub(squared, reach), zero);
-  // Not left² / squared: a fourth power of lengths leaves the range of doubles where distances are far from it.
-  const Number by_centres = hn::Mul(left, hn::Div(left, squared));
-  return hn::Mul(hn::Sub(hn::Sqrt(greater(by_centres, by_sides)), all(view.pad)), all(view.scale));
-}
-
-/// The same under any poses: along the line of the centres alone.
-HWY_INLINE double general_bound(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
-  const Vec3 between = box.centre - times(view.own, vector_of(block.centre, lane));
-  const Vec3 first = vector_of(block.axis[0], lane), second = vector_of(block.axis[1], lane);
-  const std::array<Vec3, 3> axis{first, second, toccata::cross(first, second)};
-  double reach = 0;
-  for (int i = 0; i < 3; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    reach += block.extent[at][lane] * std::fabs(toccata::dot(between, times(view.own, axis[at])));
-    reach += box.extent[i] * std::fabs(toccata::dot(between, box.axis[at]));
-  }
-  const double squared = toccata::dot(between, between), left = squared - reach;
-  return left > 0 ? (left / std::sqrt(squared) - view.pad) * view.scale : 0 * view.scale;
-}
-
-HWY_INLINE void bounds_of(const NearView& view, const OrientedBlock& block, const Seen& box, Bounds& bounds) {
-  if (view.rigid)
-    for (std::size_t lane = 0; lane < width; lane += hn::Lanes(Tag()))
-      hn::StoreU(rigid_bound(view, block, lane, box), Tag(), bounds.data() + lane);
-  else
-    for (std::size_t lane = 0; lane < width; ++lane) bounds[lane] = general_bound(view, block, lane, box);
-}
+ private:
+  static constexpr unsigned log2_count = 4;
+  std::array<std::uint32_t, 1U << log2_count> numbers_;
+  std::array<SeenBlock, 1U << log2_count> blocks_;
+};
 
 /// A box of either tree.
 struct BoxNumber {
@@ -177,6 +62,11 @@ class Run {
  private:
   [[nodiscard]] const OrientedBlock& block(std::size_t side, std::size_t number) const {
     return walk_.tree(side).blocks[number];
+  }
+
+  /// A box of the other tree.
+  HWY_INLINE Seen seen_box(std::size_t side, std::uint32_t number, std::size_t lane) {
+    return seen_[side].box(walk_.view(side), walk_.tree(side ^ 1).blocks, number, lane);
   }
 
   /// Follows the nearest boxes down to two items, so that there is a limit to begin with, unless they turn out to be
@@ -226,7 +116,7 @@ class Run {
   /// The bounds of a box and the children of a block; says which is the least.
   Nearest expand(std::size_t side, std::uint32_t number, const BoxNumber& other) {
     const OrientedBlock& own = block(side, number);
-    const Seen box = seen(walk_.view(side), block(side ^ 1, other.block), other.lane);
+    const Seen box = seen_box(side, other.block, other.lane);
     bounds_of(walk_.view(side), own, box, bounds_);
     f_.counts.volume_tests += own.count;
     std::uint32_t nearest = 0;
@@ -267,6 +157,7 @@ class Run {
   }
 
   void push_boxes(std::size_t side, std::uint32_t number, std::uint32_t other, double part) {
+    prefetch(block(side, number));
     push(f_.boxes, number << 1 | static_cast<std::uint32_t>(side), other, part);
   }
 
@@ -305,7 +196,7 @@ class Run {
     const OrientedBlock& own = block(side, number);
     const OrientedBlock& other = block(side ^ 1, entry.second >> 3);
     const std::size_t other_lane = entry.second & 7U;
-    const Seen box = seen(walk_.view(side), other, other_lane);
+    const Seen box = seen_box(side, entry.second >> 3, other_lane);
     bounds_of(walk_.view(side), own, box, bounds_);
     f_.counts.volume_tests += own.count;
     const std::int32_t other_child = other.child[other_lane];
@@ -377,6 +268,7 @@ class Run {
   const NearWalk& walk_;
   NearFrontier& f_;
   NearQuestion& question_;
+  std::array<SeenBlocks, 2> seen_;
   Bounds bounds_{};
   bool opens_own_ = false;
   std::size_t bucket_ = 0;
@@ -392,7 +284,9 @@ void run_near(const NearWalk& walk, NearFrontier& frontier, NearQuestion& questi
 
 NearBounds bounds_of_block(const NearWalk& walk, std::size_t side, std::uint32_t number, std::uint32_t other) {
   NearBounds bounds;
-  const Seen box = seen(walk.view(side), walk.tree(side ^ 1).blocks[other >> 3], other & 7U);
+  SeenBlock block;
+  see(walk.view(side), walk.tree(side ^ 1).blocks[other >> 3], block);
+  const Seen box = seen_in(block, other & 7U);
   bounds_of(walk.view(side), walk.tree(side).blocks[number], box, bounds.least);
   bounds.other_size = box.size;
   return bounds;
