@@ -94,6 +94,17 @@ struct NearestArguments {
   bool json = false;
 };
 
+struct BroadArguments {
+  std::string scene = "uniform";
+  std::size_t count = 100000;
+  int frames = 60;
+  std::vector<std::string> methods{"auto"};
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -120,6 +131,7 @@ int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
+int run_broad(const BroadArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

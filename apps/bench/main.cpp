@@ -7,6 +7,8 @@
 #include "convex_library.hpp"
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/generate/crowds.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -22,6 +24,7 @@ struct Options {
   RefitArguments refit;
   BuildArguments build;
   NearestArguments nearest;
+  BroadArguments broad;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -190,6 +193,30 @@ void add_nearest(CLI::App& app, NearestArguments& arguments) {
   nearest->footer("Example:\n  ./toccata bench nearest --mesh gen:torus-knot --where near --peer cgal,embree");
 }
 
+void add_broad(CLI::App& app, BroadArguments& arguments) {
+  std::vector<std::string> scenes, methods;
+  for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
+  for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
+  CLI::App* broad = app.add_subcommand("broad", "which boxes of a moving crowd overlap, frame by frame");
+  broad->add_option("--scene", arguments.scene, "the crowd")->check(CLI::IsMember(scenes))->capture_default_str();
+  broad->add_option("--count", arguments.count, "boxes")->check(CLI::PositiveNumber)->capture_default_str();
+  broad->add_option("--frames", arguments.frames, "the median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  broad->add_option("--method", arguments.methods, "by commas; the others are compared with the first")
+      ->delimiter(',')
+      ->check(CLI::IsMember(methods))
+      ->capture_default_str();
+  broad->add_option("--threads", arguments.threads, "that Toccata uses")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_peers(*broad, arguments.peers, {"bullet", "cgal", "fcl", "ode"});
+  broad->add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
+  broad->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
+  broad->footer(
+      "Example:\n  ./toccata bench broad --scene clustered --count 10000 --method auto,grid --peer bullet,fcl");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -231,6 +258,7 @@ int main_of(int argc, char** argv) {
   add_refit(app, options.refit);
   add_build(app, options.build);
   add_nearest(app, options.nearest);
+  add_broad(app, options.broad);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -248,6 +276,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("refit")) return run_refit(options.refit);
   if (app.got_subcommand("build")) return run_build(options.build);
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
+  if (app.got_subcommand("broad")) return run_broad(options.broad);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -103,6 +104,17 @@ struct PairsArguments {
   Format format = Format::table;
 };
 
+struct CrowdArguments {
+  std::string scene = "uniform";
+  std::size_t count = 100'000;
+  std::size_t frames = 60;
+  std::string method = "auto";
+  bool compare = false;  ///< all methods instead of the one
+  std::uint64_t seed = 1;
+  int threads = 1;
+  Format format = Format::table;
+};
+
 struct DemoArguments {
   std::string write_folder;  ///< empty: run the demo
   Format format = Format::table;
@@ -125,6 +137,7 @@ int run_plot(const PlotArguments& arguments);
 int run_tree(const TreeArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
+int run_crowd(const CrowdArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 
 }  // namespace toccata::command

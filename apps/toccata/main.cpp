@@ -81,6 +81,10 @@ int run(const CLI::App& app, Options& options) {
     options.inspect.format = format_of(options);
     return options.inspect.hierarchy ? run_inspect_hierarchy(options.inspect) : run_inspect(options.inspect);
   }
+  if (app.got_subcommand("crowd")) {
+    options.crowd.format = format_of(options);
+    return run_crowd(options.crowd);
+  }
   options.demo.format = format_of(options);
   return run_demo(options.demo);
 }

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/generate/crowds.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -341,6 +343,31 @@ void add_tree(CLI::App& app, Options& options) {
                 "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
 }
 
+void add_crowd(CLI::App& app, Options& options) {
+  std::vector<std::string> scenes, methods;
+  for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
+  for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
+  CLI::App* crowd = app.add_subcommand("crowd", "many moving boxes: which overlap, frame by frame, and how fast");
+  const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000});
+  crowd->add_option("--count", options.crowd.count, "boxes")->check(positive)->capture_default_str();
+  crowd->add_option("--scene", options.crowd.scene, "how they lie and move")
+      ->check(CLI::IsMember(scenes))
+      ->capture_default_str();
+  crowd->add_option("--frames", options.crowd.frames, "the median of their times is told")
+      ->check(positive)
+      ->capture_default_str();
+  CLI::Option* method = crowd->add_option("--method", options.crowd.method, "how pairs are found")
+                            ->check(CLI::IsMember(methods))
+                            ->capture_default_str();
+  crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other")
+      ->excludes(method);
+  crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")->capture_default_str();
+  add_threads(*crowd, options.crowd.threads, "pairs");
+  crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
+  crowd->footer(
+      with_name("Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare"));
+}
+
 void add_demo(CLI::App& app, Options& options) {
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
   add_text(*demo, "--write", options.demo.write_folder, "write the scenes as files to play with, into this folder",
@@ -364,6 +391,7 @@ void add_subcommands(CLI::App& app, Options& options) {
   add_pairs(app, options);
   add_inspect(app, options);
   add_tree(app, options);
+  add_crowd(app, options);
   add_demo(app, options);
 }
 

@@ -30,6 +30,7 @@ struct Options {
   std::vector<std::string> point;
   InspectArguments inspect;
   TreeArguments tree;
+  CrowdArguments crowd;
   DemoArguments demo;
   bool json = false;
   bool csv = false;

@@ -14,6 +14,7 @@
 #include "toccata/bounds/swept_sphere.hpp"
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/bounds/volume.hpp"
+#include "toccata/broad/bound_pairs.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"

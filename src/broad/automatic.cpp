@@ -168,6 +168,11 @@ class Automatic final : public PairFinder {
   /// The one on trial has seen all updates since it was made; the other one begins anew after it.
   [[nodiscard]] PairFinder& finder_of_update() { return tried_finder_ ? *tried_finder_ : *finder_; }
 
+  /// What other programs take from a single update does not show.
+  static double smoothed(double before, double now) {
+    return now < before ? 0.5 * (before + now) : std::min(now, 1.05 * before);
+  }
+
   void note(double milliseconds) {
     if (!tried_finder_) {
       Candidate& used = candidate(method_);

@@ -1,3 +1,4 @@
+#include "broad.hpp"
 #include "library.hpp"
 #include "nearest.hpp"
 #include "self.hpp"
@@ -8,5 +9,6 @@ MeshLibraries cgal_mesh_libraries() { peer_is_missing("cgal"); }
 NearestLibraries cgal_nearest_libraries() { peer_is_missing("cgal"); }
 TriangleLibraries cgal_triangle_libraries() { peer_is_missing("cgal"); }
 SelfLibraries cgal_self_libraries() { peer_is_missing("cgal"); }
+BroadLibraries cgal_broad_libraries() { peer_is_missing("cgal"); }
 
 }  // namespace toccata::bench

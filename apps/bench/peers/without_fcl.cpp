@@ -1,3 +1,4 @@
+#include "broad.hpp"
 #include "convex_library.hpp"
 #include "refits.hpp"
 
@@ -7,5 +8,6 @@ MeshLibraries fcl_mesh_libraries() { peer_is_missing("fcl"); }
 TriangleLibraries fcl_triangle_libraries() { peer_is_missing("fcl"); }
 ConvexOffer fcl_convex(const ConvexWork&) { peer_is_missing("fcl"); }
 RefitLibraries fcl_refit_libraries() { peer_is_missing("fcl"); }
+BroadLibraries fcl_broad_libraries() { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench

@@ -1,8 +1,10 @@
+#include "broad.hpp"
 #include "convex_library.hpp"
 
 namespace toccata::bench {
 
 MeshLibraries ode_mesh_libraries() { peer_is_missing("ode"); }
 ConvexOffer ode_convex(const ConvexWork&) { peer_is_missing("ode"); }
+BroadLibraries ode_broad_libraries() { peer_is_missing("ode"); }
 
 }  // namespace toccata::bench

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/version.hpp"
+#include "toccata/generate/crowds.hpp"
+
+namespace toccata::command {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A method's way through all frames.
+struct Run {
+  BroadPhaseMethod method{};
+  double median_ms = 0;
+  double worst_ms = 0;
+  std::size_t pairs = 0;  ///< in the last frame
+  std::size_t begun = 0;  ///< in all frames together
+  std::size_t ended = 0;
+  double bytes_per_body = 0;
+  std::string reason;
+  std::vector<IndexPair> last;
+};
+
+Run run_method(BroadPhaseMethod method, const CrowdArguments& arguments, const Progress& progress, std::size_t done,
+               std::size_t total) {
+  using Clock = std::chrono::steady_clock;
+  Crowd crowd(arguments.scene, arguments.count, arguments.seed);
+  BroadPhase phase({method, arguments.threads});
+  phase.add(crowd.boxes());
+  phase.update();
+  Run run;
+  run.method = method;
+  std::vector<double> times;
+  std::vector<Aabb> to;
+  for (std::size_t frame = 0; frame < arguments.frames; ++frame) {
+    const std::span<const Index> moved = crowd.step();
+    to.clear();
+    for (const Index number : moved) to.push_back(crowd.boxes()[number]);
+    const auto start = Clock::now();
+    phase.move(moved, to);
+    phase.update();
+    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    const PairChanges changes = phase.changes();
+    run.begun += changes.begun.size();
+    run.ended += changes.ended.size();
+    if (progress) progress(done + frame + 1, total);
+  }
+  std::sort(times.begin(), times.end());
+  run.median_ms = times[times.size() / 2];
+  run.worst_ms = times.back();
+  run.pairs = phase.pairs().size();
+  run.bytes_per_body = static_cast<double>(phase.bytes()) / static_cast<double>(arguments.count);
+  run.reason = phase.reason();
+  run.last.assign(phase.pairs().begin(), phase.pairs().end());
+  return run;
+}
+
+/// Those that go through so many boxes in bearable time.
+std::vector<BroadPhaseMethod> methods_for(std::size_t count) {
+  std::vector<BroadPhaseMethod> methods;
+  for (const BroadPhaseMethod method : broad_phase_methods()) {
+    const bool is_for_few = method == BroadPhaseMethod::interval_sweeps || method == BroadPhaseMethod::rectangle_sweeps;
+    if (is_for_few && count > 2'000) continue;
+    if (method == BroadPhaseMethod::brute_force && count > 20'000) continue;
+    if (method == BroadPhaseMethod::sort_and_sweep && count > 300'000) continue;
+    methods.push_back(method);
+  }
+  return methods;
+}
+
+/// The methods check each other.
+void require_same(const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    if (run.last != runs.front().last || run.begun != runs.front().begun || run.ended != runs.front().ended)
+      throw Error(fmt::format("{} and {} found different pairs: this is a defect of Toccata", name_of(run.method),
+                              name_of(runs.front().method)));
+}
+
+Json json_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
+  Json json = {{"schema", "toccata/crowd/1"},  {"version", version},         {"scene", arguments.scene},
+               {"count", arguments.count},     {"frames", arguments.frames}, {"seed", arguments.seed},
+               {"threads", arguments.threads}, {"methods", Json::array()}};
+  for (const Run& run : runs)
+    json["methods"].push_back({{"method", name_of(run.method)},
+                               {"median_ms", run.median_ms},
+                               {"worst_ms", run.worst_ms},
+                               {"pairs", run.pairs},
+                               {"begun", run.begun},
+                               {"ended", run.ended},
+                               {"bytes_per_body", run.bytes_per_body},
+                               {"reason", run.reason}});
+  return json;
+}
+
+std::string table_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
+  std::string text = fmt::format("{} boxes, {}, {} frames\n{:<20}{:>13}{:>11}{:>11}{:>10}{:>10}{:>9}\n",
+                                 arguments.count, arguments.scene, arguments.frames, "method", "ms per frame", "worst",
+                                 "pairs", "begun", "ended", "B/body");
+  for (const Run& run : runs)
+    text += fmt::format("{:<20}{:>13.3f}{:>11.3f}{:>11}{:>10}{:>10}{:>9.0f}\n", name_of(run.method), run.median_ms,
+                        run.worst_ms, run.pairs, run.begun, run.ended, run.bytes_per_body);
+  for (const Run& run : runs)
+    if (!run.reason.empty()) text += fmt::format("{}: {}\n", name_of(run.method), run.reason);
+  return text;
+}
+
+}  // namespace
+
+int run_crowd(const CrowdArguments& arguments) {
+  const std::vector<BroadPhaseMethod> methods =
+      arguments.compare ? methods_for(arguments.count) : std::vector{broad_phase_method(arguments.method)};
+  std::vector<Run> runs;
+  {
+    ProgressBar bar("frames");
+    const Progress progress = bar.callback();
+    for (std::size_t i = 0; i < methods.size(); ++i)
+      runs.push_back(
+          run_method(methods[i], arguments, progress, i * arguments.frames, methods.size() * arguments.frames));
+  }
+  require_same(runs);
+  print_answer(arguments.format == Format::json ? json_of(arguments, runs).dump(1) + "\n" : table_of(arguments, runs));
+  return 0;
+}
+
+}  // namespace toccata::command

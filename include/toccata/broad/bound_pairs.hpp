@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "toccata/bounds/ball.hpp"
+#include "toccata/bounds/obb.hpp"
+#include "toccata/bounds/rectangle.hpp"
+#include "toccata/broad/broad_phase.hpp"
+
+// The broad phase of other bounds than boxes along the axes: boxes around them are compared first, then they
+// themselves.
+namespace toccata {
+
+/// A closed piece of a line.
+struct LineInterval {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// All pairs of intervals, rectangles, balls or oriented boxes that overlap, first < second, ascending, each once;
+/// touching counts. Of intervals and rectangles exact; of balls and oriented boxes none is missing, and those that are
+/// apart by a hair may be among them. Empty ones overlap nothing. Throws Error naming an interval whose ends, or a
+/// rectangle whose numbers, are no such.
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const LineInterval> intervals,
+                                                       const BroadPhaseOptions& options = {});
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Rectangle> rectangles,
+                                                       const BroadPhaseOptions& options = {});
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Ball> balls,
+                                                       const BroadPhaseOptions& options = {});
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Obb> boxes,
+                                                       const BroadPhaseOptions& options = {});
+
+}  // namespace toccata
