@@ -23,16 +23,18 @@ ViewData::Json ViewData::add(std::span<const float> numbers) { return add_number
 
 std::string ViewData::base64() const {
   static constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte = [&](std::size_t i) {
-    return i < bytes_.size() ? std::uint32_t{static_cast<unsigned char>(bytes_[i])} : 0U;
+  const std::size_t whole = bytes_.size() / 3;
+  std::string text((bytes_.size() + 2) / 3 * 4, '=');
+  const auto write = [&](std::size_t i, std::string_view bytes) {
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? std::uint32_t{static_cast<unsigned char>(bytes[k])} : 0U;
+    };
+    const std::uint32_t bits = byte(0) << 16U | byte(1) << 8U | byte(2);
+    for (std::size_t k = 0; k <= bytes.size(); ++k) text[4 * i + k] = letters[bits >> (18U - 6U * k) & 63U];
   };
-  std::string text;
-  text.reserve((bytes_.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-    const std::uint32_t bits = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += letters[bits >> shift & 63U];
-  }
-  for (std::size_t missing = (3 - bytes_.size() % 3) % 3; missing > 0; --missing) text[text.size() - missing] = '=';
+  const std::string_view all(bytes_);
+  for (std::size_t i = 0; i < whole; ++i) write(i, all.substr(3 * i, 3));
+  if (bytes_.size() % 3 != 0) write(whole, all.substr(3 * whole));
   return text;
 }
 

@@ -8,6 +8,7 @@ Exits with 77, which CTest takes for skipped, where Chromium is not installed.
 import json
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -156,6 +157,23 @@ def check_many(checks, browser):
     time.sleep(0.3)
     checks.expect(browser.value("toccata.stage.renderer.info.render.calls") <= 6, "with ghosts as well")
     checks.quiet(browser, "many")
+
+
+def check_writing(checks, browser):
+    """A page is written in less than a second for each million triangles: beside reading the mesh and looking at it."""
+
+    def seconds(*words):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        checks.run(*words)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+    mesh = "gen:uv-sphere?around=1000&along=501"
+    without, whole = seconds("check", mesh, "gen:box"), seconds("check", mesh, "gen:box", "--html", "million.html")
+    size = (checks.folder / "million.html").stat().st_size / 1e6
+    print(f"a million triangles: {size:.1f} MB, written in {whole - without:.2f} s of a processor, with {without:.2f} s of everything before")
+    checks.expect(whole - without < 1, f"written in {whole - without:.2f} s")
+    checks.expect(size < 40, f"a million triangles in {size:.1f} MB")
 
 
 def check_large(checks, browser):
@@ -317,6 +335,8 @@ def check_narrow(checks, browser):
     checks.expect(wide <= 480, f"the page is {wide} pixels wide")
     checks.expect(canvas[0] >= 460 and canvas[1] >= 250, f"the picture has {canvas}")
     checks.expect(found[0] >= 0 and found[1] <= 480 and found[2] <= 800, f"the sentence is at {found}")
+    covered = browser.value("document.getElementById('found').getBoundingClientRect().top < toccata.stage.canvas.getBoundingClientRect().bottom - 1")
+    checks.expect(not covered, "the sentence covers nothing of the picture")
     browser.resize(1300, 800)
     checks.opened(browser, "gears.html")
     told = browser.value("document.getElementById('summary').textContent")
@@ -386,7 +406,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_empty]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0
