@@ -18,6 +18,22 @@ GlbPaint paint_of(std::size_t colour) {
   return {fmt::format("volumes {}", colour + 1), colours[colour], seen_through};
 }
 
+/// Without the triangles of which floats have left a line, and what only those use: rounding makes corners of volumes
+/// that are hardly any.
+void add_volume(GlbPart& part, const GlbPart& volume) {
+  std::map<Index, Index> used;
+  const auto number_of = [&](Index corner) {
+    const auto [found, is_new] = used.try_emplace(corner, static_cast<Index>(part.points.size()));
+    if (is_new) part.points.push_back(volume.points[corner]);
+    return found->second;
+  };
+  for (std::size_t i = 0; i < volume.corners.size(); i += 3) {
+    const Index a = volume.corners[i], b = volume.corners[i + 1], c = volume.corners[i + 2];
+    if (a == b || b == c || c == a) continue;
+    for (const Index corner : {a, b, c}) part.corners.push_back(number_of(corner));
+  }
+}
+
 /// The volumes of a level by colour, neighbours in different ones. Each is a surface of its own.
 std::array<GlbPart, colours.size()> parts_of(const DrawnHierarchy& hierarchy, const DrawnLevel& level,
                                              const GlbPlace& place, const GlbFrame& frame) {
@@ -27,11 +43,7 @@ std::array<GlbPart, colours.size()> parts_of(const DrawnHierarchy& hierarchy, co
     std::vector<Vec3> corners;
     for (; face < level.first_face + level.faces && hierarchy.node_of_face[face] == node; ++face)
       corners.insert(corners.end(), hierarchy.faces[face].begin(), hierarchy.faces[face].end());
-    const GlbPart volume = joined_part(place.placed(corners), frame);
-    GlbPart& part = parts[node % colours.size()];
-    const auto first = static_cast<Index>(part.points.size());
-    part.points.insert(part.points.end(), volume.points.begin(), volume.points.end());
-    for (const Index corner : volume.corners) part.corners.push_back(first + corner);
+    add_volume(parts[node % colours.size()], joined_part(place.placed(corners), frame));
   }
   return parts;
 }

@@ -303,7 +303,9 @@ TEST(GlbFile, NamesAreThoseOfTheObjectsWhateverTheyHold) {
 
 TEST(GlbFile, InstancesShareTheirNumbers) {
   const Scene scene = many_parts(500, 3);
-  const Exported file = exported(scene, everything());
+  CheckOptions with_faces;
+  with_faces.contacts = true;
+  const Exported file = exported(scene, with_faces);
   const SoundGlb glb(file.bytes);
   const std::vector<Json> objects = glb.nodes_named("objects");
   ASSERT_EQ(objects.size(), 1U);
@@ -424,6 +426,18 @@ TEST(GlbFile, LevelsAreNodesWithWhatThePageTells) {
   const std::vector<float> corners = glb.numbers<float>(box["attributes"]["POSITION"].get<std::size_t>(), 3);
   EXPECT_EQ(corners.size(), 24U);
   for (const float x : corners) EXPECT_NEAR(std::abs(x), 1, 0.2);
+}
+
+TEST(GlbFile, LevelsHaveNoTrianglesWithoutArea) {
+  const auto flat = std::make_shared<const TriangleMesh>(generate_mesh("torus-knot"));
+  const SoundGlb glb(exported(scene_of({object("knot", flat)}), {}, {"", UpAxis::z, CostVolume::obb}).bytes);
+  for (const Json& part : glb.top["meshes"].back()["primitives"]) {
+    const auto place = part["indices"].get<std::size_t>();
+    ASSERT_EQ(glb.top["accessors"][place]["componentType"], 5123);
+    const std::vector<std::uint16_t> corners = glb.numbers<std::uint16_t>(place, 1);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+      EXPECT_TRUE(corners[i] != corners[i + 1] && corners[i + 1] != corners[i + 2] && corners[i + 2] != corners[i]);
+  }
 }
 
 TEST(GlbFile, EmptyScenesAndBadOnesAreTold) {

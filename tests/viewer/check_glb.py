@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Reads GLB files of the command with another program, Assimp, and compares what both say.
+
+usage: check_glb.py TOCCATA     ends with 77 where Assimp is not installed (apt-get install assimp-utils)
+"""
+import json
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+TOCCATA = str(pathlib.Path(sys.argv[1]).resolve())
+CASES = {
+    "gears": ["scenes/gears/scene.json", "--penetration", "--hierarchy", "obb"],
+    "shelf": ["scenes/shelf/scene.json"],
+    "knots": ["gen:torus-knot", "gen:torus", "--clearance", "all", "--hierarchy", "wide"],
+}
+
+
+def run(folder, *words):
+    return subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True).stdout
+
+
+def contents(file):
+    """Nodes, parts of meshes, materials and faces, as the file itself tells them."""
+    data = file.read_bytes()
+    size, = struct.unpack_from("<I", data, 12)
+    top = json.loads(data[20:20 + size])
+    parts = [part for mesh in top["meshes"] for part in mesh["primitives"]]
+    corners = {0: 1, 1: 2, 4: 3}
+    return {
+        "Nodes": len(top["nodes"]),
+        "Meshes": len(parts),
+        "Materials": len(top["materials"]),
+        "Faces": sum(top["accessors"][part["indices"]]["count"] // corners[part["mode"]] for part in parts),
+    }
+
+
+def read_by_assimp(text):
+    keys = ["Nodes", "Meshes", "Materials", "Faces"]  # it joins some vertices and parts others
+    found = {key: int(re.search(rf"^{key}:\s+(\d+)", text, re.M).group(1)) for key in keys}
+    point = lambda name: [float(x) for x in re.search(rf"^{name} point\s+\(([^)]*)\)", text, re.M).group(1).split()]
+    return found, point("Minimum"), point("Maximum")
+
+
+def box(folder, file):
+    """Around all that our own reader finds, in metres."""
+    objects = json.loads(run(folder, TOCCATA, "inspect", file, "--json"))["objects"]
+    boxes = [each["world_box"] for each in objects]
+    return [min(b["lower"][i] for b in boxes) for i in range(3)], [max(b["upper"][i] for b in boxes) for i in range(3)]
+
+
+def main():
+    if shutil.which("assimp") is None:
+        print("SKIPPED: Assimp is not installed, so no other program reads the GLB files (apt-get install assimp-utils)")
+        return 77
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        run(folder, TOCCATA, "demo", "--write", "scenes")
+        for case, words in CASES.items():
+            file = f"{case}.glb"
+            # Assimp's box applies the poses of nested nodes in the wrong order: so the first node has none.
+            run(folder, TOCCATA, "view", *words, "--up", "y", "--glb", file)
+            found, lower, upper = read_by_assimp(run(folder, "assimp", "info", file))
+            expected = contents(folder / file)
+            # Of triangles of a contact area that rounding has left a line of it makes a mesh of lines.
+            assert found.pop("Meshes") >= expected.pop("Meshes"), f"{case}: parts of meshes are missing"
+            assert found == expected, f"{case}: Assimp finds {found} instead of {expected}"
+            own_lower, own_upper = box(folder, file)
+            size = max(abs(x) for x in [*own_lower, *own_upper])
+            for one, other in zip([*lower, *upper], [*own_lower, *own_upper]):
+                assert abs(one - other) <= 2e-6 * size + 1e-6, f"{case}: Assimp's box is {lower}, {upper}, ours {own_lower}, {own_upper}"
+            print(f"{case}: {found}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
