@@ -115,4 +115,14 @@ BoxDensity::BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes) {
   near += 20 * rows_of_large / size / static_cast<double>(boxes.size());
 }
 
+double least_size(const BoxSample& sample) {
+  double least = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const BoxSample::Spread& places = sample.places(axis);
+    least = std::max({least, 0x1p-28 * (places.high - places.low), 0x1p-46 * std::fabs(places.low),
+                      0x1p-46 * std::fabs(places.high)});
+  }
+  return std::min(least, 0x1p1000);
+}
+
 }  // namespace toccata

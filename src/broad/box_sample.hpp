@@ -45,4 +45,8 @@ struct BoxDensity {
   bool heaped = false;  ///< far from evenly spread
 };
 
+/// Smaller boxes count as of this size where cells are of the size of boxes: where boxes are points, cells need not
+/// tell doubles apart.
+[[nodiscard]] double least_size(const BoxSample& sample);
+
 }  // namespace toccata

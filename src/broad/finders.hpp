@@ -17,6 +17,8 @@ namespace toccata {
 [[nodiscard]] std::unique_ptr<PairFinder> make_hierarchical_hash();
 [[nodiscard]] std::unique_ptr<PairFinder> make_interval_sweeps();
 [[nodiscard]] std::unique_ptr<PairFinder> make_rectangle_sweeps();
+[[nodiscard]] std::unique_ptr<PairFinder> make_dynamic_tree();
+[[nodiscard]] std::unique_ptr<PairFinder> make_loose_octree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_automatic();
 
 }  // namespace toccata

@@ -54,17 +54,6 @@ double longest_side(const Aabb& box) {
 /// Of a power of two above this; for 0 one below all.
 int exponent_above(double size) { return size > 0 ? std::ilogb(size) + 1 : -1080; }
 
-/// What is smaller counts as of this size: where boxes are points, their cells need not tell doubles apart.
-double least_size(const BoxSample& sample) {
-  double least = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const BoxSample::Spread& places = sample.places(axis);
-    least = std::max({least, 0x1p-28 * (places.high - places.low), 0x1p-46 * std::fabs(places.low),
-                      0x1p-46 * std::fabs(places.high)});
-  }
-  return std::min(least, 0x1p1000);
-}
-
 /// Each box is entered, by key, into every cell that it reaches into; boxes of equal key are compared. Different cells
 /// may have one key: what is found is tested, and a pair is told only where the greater of its lower corners lies. The
 /// few boxes of many cells are looked for in a tree.

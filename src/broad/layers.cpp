@@ -26,7 +26,10 @@ class Layers final : public PairFinder {
     if (!is_made_ || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now);
     wasted_ += movers_.size() - now.changed.size();
     find_new(now);
-    return merged(now.before, std::move(storage));
+    // Those of movers are found anew.
+    return with_new_pairs(now.before, new_pairs_, std::move(storage), [&](const IndexPair& pair) {
+      return ((roles_[pair.first] == Role::mover) | (roles_[pair.second] == Role::mover)) == 0;
+    });
   }
 
   [[nodiscard]] std::size_t bytes() const override {
@@ -85,22 +88,6 @@ class Layers final : public PairFinder {
         resting_.add_pairs_with(now.boxes.data(), flat_movers_[i], found_[part]);
     });
     new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
-  }
-
-  [[nodiscard]] PairList merged(std::span<const IndexPair> before, PairList storage) const {
-    storage.resize(before.size() + new_pairs_.size());
-    IndexPair* out = storage.data();
-    const IndexPair* added = new_pairs_.data();
-    const IndexPair* const last_added = added + new_pairs_.size();
-    for (const IndexPair& pair : before) {
-      while (added != last_added && *added < pair) *out++ = *added++;
-      *out = pair;
-      // Those of movers are found anew. (No branch: which come is not to be foreseen.)
-      out += (roles_[pair.first] != Role::mover) & (roles_[pair.second] != Role::mover);
-    }
-    out = std::copy(added, last_added, out);
-    storage.resize(static_cast<std::size_t>(out - storage.data()));
-    return storage;
   }
 
   std::unique_ptr<PairFinder> everything_ = make_kd_tiles();

@@ -61,6 +61,24 @@ class PairBuffer {
 [[nodiscard]] PairList sorted_pairs(std::span<const PairBuffer> buffers, std::size_t count, int threads,
                                     PairList storage);
 
+/// Of the pairs before, those that stay, and the new ones between them, ascending, in the memory of `storage`. What is
+/// new does not stay from before.
+template <class Stays>
+[[nodiscard]] PairList with_new_pairs(std::span<const IndexPair> before, std::span<const IndexPair> added,
+                                      PairList storage, const Stays& stays) {
+  storage.resize(before.size() + added.size());
+  IndexPair* out = storage.data();
+  auto next = added.begin();
+  for (const IndexPair& pair : before) {
+    while (next != added.end() && *next < pair) *out++ = *next++;
+    *out = pair;
+    out += stays(pair) ? 1 : 0;  // no branch: which stay is not to be foreseen
+  }
+  out = std::copy(next, added.end(), out);
+  storage.resize(static_cast<std::size_t>(out - storage.data()));
+  return storage;
+}
+
 /// Some of the numbers below `count`, split into parts that do not depend on how many threads there are.
 struct Chunks {
   std::size_t count;

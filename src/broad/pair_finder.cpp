@@ -27,6 +27,8 @@ constexpr std::array known_methods{
     Known{BroadPhaseMethod::morton_tree, "morton-tree"},
     Known{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
     Known{BroadPhaseMethod::layers, "layers"},
+    Known{BroadPhaseMethod::dynamic_tree, "dynamic-tree"},
+    Known{BroadPhaseMethod::loose_octree, "loose-octree"},
     Known{BroadPhaseMethod::incremental_sweep, "incremental-sweep"},
     Known{BroadPhaseMethod::spatial_hash, "spatial-hash"},
     Known{BroadPhaseMethod::hierarchical_hash, "hierarchical-hash"},
@@ -85,6 +87,10 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
       return make_interval_sweeps();
     case BroadPhaseMethod::rectangle_sweeps:
       return make_rectangle_sweeps();
+    case BroadPhaseMethod::dynamic_tree:
+      return make_dynamic_tree();
+    case BroadPhaseMethod::loose_octree:
+      return make_loose_octree();
     case BroadPhaseMethod::automatic:
       break;
   }

@@ -23,6 +23,8 @@ enum class BroadPhaseMethod {
   morton_tree,        ///< a tree over the boxes in the order of a space-filling curve, rebuilt each time
   packed_r_tree,      ///< a tree over tiles of sorted boxes, rebuilt each time
   layers,             ///< what rests in a tree that is kept, movers against it and among themselves
+  dynamic_tree,       ///< a tree of enlarged boxes, of which those that leave theirs are put in anew
+  loose_octree,       ///< a box in the cell of its middle at the depth of its size
   incremental_sweep,  ///< ends kept sorted along three axes
   spatial_hash,       ///< cells of one size, by key
   hierarchical_hash,  ///< cells of many sizes, by key

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "broad/finders.hpp"
+#include "broad/pair_buffer.hpp"
+#include "toccata/core/parallel.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr Index none = std::numeric_limits<Index>::max();
+
+/// The box with a tenth of its longest side around it, so that small motions stay inside.
+Aabb enlarged(const Aabb& box) {
+  const Vec3 size = box.upper - box.lower;
+  const double longest = std::max({size.x, size.y, size.z});
+  return longest <= std::numeric_limits<double>::max() ? grown(box, 0.1 * longest) : box;
+}
+
+/// A binary tree of boxes that is never made anew as a whole while few of them leave their enlarged ones: what does is
+/// taken out, and put in again where the boxes above grow least. (After E. Catto, "Dynamic bounding volume
+/// hierarchies", 2019.)
+class BoxTree {
+ public:
+  void build(std::span<const Aabb> boxes) {
+    nodes_.clear();
+    free_.clear();
+    leaves_.assign(boxes.size(), none);
+    inserted_ = 0;
+    std::vector<Index> numbers;
+    for (Index number = 0; number < boxes.size(); ++number)
+      if (!is_empty(boxes[number])) numbers.push_back(number);
+    root_ = numbers.empty() ? none : build_over(boxes, numbers, none);
+  }
+
+  void move(Index number, const Aabb& box) {
+    if (leaves_.size() <= number) leaves_.resize(number + std::size_t{1}, none);
+    const Index leaf = leaves_[number];
+    if (leaf != none && !is_empty(box) && contains(nodes_[leaf].box, box)) return;
+    if (leaf != none) take_out(leaf);
+    if (!is_empty(box)) put_in(number, enlarged(box));
+  }
+  /// How many have been put in since all was built.
+  [[nodiscard]] std::size_t inserted() const { return inserted_; }
+
+  /// Calls `found` with the number of each leaf whose enlarged box overlaps.
+  template <class Found>
+  void each_overlap(const Aabb& box, std::vector<Index>& waiting, const Found& found) const {
+    waiting.clear();
+    if (root_ != none) waiting.push_back(root_);
+    while (!waiting.empty()) {
+      const Node& node = nodes_[waiting.back()];
+      waiting.pop_back();
+      if (!overlap(node.box, box)) continue;
+      if (node.right == none) {
+        found(node.left);
+        continue;
+      }
+      waiting.push_back(node.left);
+      waiting.push_back(node.right);
+    }
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + (free_.capacity() + leaves_.capacity()) * sizeof(Index);
+  }
+
+ private:
+  /// Of a leaf `right` is none and `left` the number of its box.
+  struct Node {
+    Aabb box;
+    Index parent = none, left = none, right = none;
+  };
+
+  Index new_node(const Node& node) {
+    if (free_.empty()) {
+      nodes_.push_back(node);
+      return static_cast<Index>(nodes_.size() - 1);
+    }
+    const Index at = free_.back();
+    free_.pop_back();
+    nodes_[at] = node;
+    return at;
+  }
+
+  /// Halves along the axis on which the middles are spread most.
+  Index build_over(std::span<const Aabb> boxes, std::span<Index> numbers, Index parent) {
+    if (numbers.size() == 1) {
+      const Index leaf = new_node({enlarged(boxes[numbers[0]]), parent, numbers[0], none});
+      leaves_[numbers[0]] = leaf;
+      return leaf;
+    }
+    Aabb middles;
+    const auto middle = [&](Index number) { return 0.5 * boxes[number].lower + 0.5 * boxes[number].upper; };
+    for (const Index number : numbers) middles = merge(middles, middle(number));
+    const Vec3 spread = 0.5 * middles.upper - 0.5 * middles.lower;
+    const int axis = spread.x >= spread.y ? (spread.x >= spread.z ? 0 : 2) : (spread.y >= spread.z ? 1 : 2);
+    const auto half = static_cast<std::ptrdiff_t>(numbers.size() / 2);
+    std::nth_element(numbers.begin(), numbers.begin() + half, numbers.end(), [&](Index a, Index b) {
+      // What is no number, the middle of all, comes last.
+      const double at_a = middle(a)[axis], at_b = middle(b)[axis];
+      if (std::isnan(at_a) || std::isnan(at_b)) return std::isnan(at_a) != std::isnan(at_b) ? std::isnan(at_b) : a < b;
+      return at_a != at_b ? at_a < at_b : a < b;
+    });
+    const Index node = new_node({{}, parent, none, none});
+    const Index left = build_over(boxes, numbers.first(numbers.size() / 2), node);
+    const Index right = build_over(boxes, numbers.subspan(numbers.size() / 2), node);
+    nodes_[node].left = left;
+    nodes_[node].right = right;
+    nodes_[node].box = merge(nodes_[left].box, nodes_[right].box);
+    return node;
+  }
+
+  void put_in(Index number, const Aabb& box) {
+    ++inserted_;
+    const Index leaf = new_node({box, none, number, none});
+    leaves_[number] = leaf;
+    if (root_ == none) {
+      root_ = leaf;
+      return;
+    }
+    Index beside = root_;
+    while (nodes_[beside].right != none) {
+      const Node& node = nodes_[beside];
+      const auto growth = [&](Index child) {
+        return half_area(merge(nodes_[child].box, box)) - half_area(nodes_[child].box);
+      };
+      beside = growth(node.left) <= growth(node.right) ? node.left : node.right;
+    }
+    const Index above = nodes_[beside].parent;
+    const Index node = new_node({merge(nodes_[beside].box, box), above, beside, leaf});
+    nodes_[beside].parent = node;
+    nodes_[leaf].parent = node;
+    replace_child(above, beside, node);
+    refit_from(above);
+  }
+
+  void take_out(Index leaf) {
+    leaves_[nodes_[leaf].left] = none;
+    free_.push_back(leaf);
+    const Index parent = nodes_[leaf].parent;
+    if (parent == none) {
+      root_ = none;
+      return;
+    }
+    const Index other = nodes_[parent].left == leaf ? nodes_[parent].right : nodes_[parent].left;
+    const Index above = nodes_[parent].parent;
+    nodes_[other].parent = above;
+    free_.push_back(parent);
+    replace_child(above, parent, other);
+    refit_from(above);
+  }
+
+  void replace_child(Index parent, Index child, Index by) {
+    if (parent == none)
+      root_ = by;
+    else
+      (nodes_[parent].left == child ? nodes_[parent].left : nodes_[parent].right) = by;
+  }
+  /// Upward until nothing changes.
+  void refit_from(Index node) {
+    for (; node != none; node = nodes_[node].parent) {
+      const Aabb box = merge(nodes_[nodes_[node].left].box, nodes_[nodes_[node].right].box);
+      if (box == nodes_[node].box) return;
+      nodes_[node].box = box;
+    }
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<Index> free_;
+  std::vector<Index> leaves_;  ///< by number
+  Index root_ = none;
+  std::size_t inserted_ = 0;
+};
+
+/// Each box that moved is looked for in the tree; pairs of two that did not are those of before.
+class DynamicTree final : public PairFinder {
+ public:
+  PairList find(const BoxesNow& now, PairList storage) override {
+    if (!is_built_ || 4 * now.changed.size() > now.boxes.size() || tree_.inserted() > now.boxes.size() / 2)
+      tree_.build(now.boxes);
+    else
+      for (const Index number : now.changed) tree_.move(number, now.boxes[number]);
+    is_built_ = true;
+    has_moved_.assign(now.boxes.size(), 0);
+    for (const Index number : now.changed) has_moved_[number] = 1;
+    find_new(now);
+    return with_new_pairs(now.before, new_pairs_, std::move(storage), [&](const IndexPair& pair) {
+      return (has_moved_[pair.first] | has_moved_[pair.second]) == 0;
+    });
+  }
+
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = tree_.bytes() + has_moved_.capacity() + new_pairs_.capacity() * sizeof(IndexPair);
+    for (const PairBuffer& found : found_) sum += found.bytes();
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t parts = 16;
+
+  void find_new(const BoxesNow& now) {
+    const Chunks chunks(now.changed.size(), parts);
+    parallel_for(parts, now.threads, [&](std::size_t part) {
+      found_[part].clear();
+      std::vector<Index> waiting;
+      for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i) {
+        const Index number = now.changed[i];
+        const Aabb& box = now.boxes[number];
+        if (is_empty(box)) continue;
+        tree_.each_overlap(box, waiting, [&](Index other) {
+          // Two that both moved meet twice.
+          if (other != number && (has_moved_[other] == 0 || number < other) && overlap(box, now.boxes[other]))
+            found_[part].add(number, other);
+        });
+      }
+    });
+    new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
+  }
+
+  BoxTree tree_;
+  bool is_built_ = false;
+  std::vector<std::uint8_t> has_moved_;  ///< by number
+  std::vector<PairBuffer> found_{parts};
+  PairList new_pairs_;
+};
+
+}  // namespace
+
+std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<DynamicTree>(); }
+
+}  // namespace toccata
