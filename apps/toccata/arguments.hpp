@@ -32,6 +32,7 @@ struct PosedArguments {
   std::optional<Pose> pose_b;
   std::string poses;           ///< a file of queries about two objects; empty: all are asked about as they are
   std::optional<Solid> solid;  ///< overrides what the scene says
+  std::string save_case;       ///< a file for what is asked and the answer; empty: none
   Format format = Format::table;
   int threads = 0;
 };
@@ -56,6 +57,13 @@ struct ViewArguments : CheckArguments {
 };
 
 struct DistanceArguments : PosedArguments {};
+
+struct ReplayArguments {
+  std::string file;
+  std::string save_case;  ///< the case with the answer of now; empty: none
+  Format format = Format::table;
+  int threads = 0;
+};
 
 struct RayArguments : PosedArguments {
   std::optional<Vec3> from;
@@ -130,6 +138,7 @@ int run_inspect(const InspectArguments& arguments);
 int run_inspect_hierarchy(const InspectArguments& arguments);
 int run_distance(const DistanceArguments& arguments);
 int run_distance_poses(const DistanceArguments& arguments);
+int run_replay(const ReplayArguments& arguments);
 int run_ray(const RayArguments& arguments);
 int run_faces(const FacesArguments& arguments);
 int run_cost(const CostArguments& arguments);

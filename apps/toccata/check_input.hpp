@@ -5,7 +5,6 @@
 
 #include "arguments.hpp"
 #include "load.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/pair_query.hpp"
 
@@ -23,16 +22,6 @@ CheckInput read_check_input(const PosedArguments& arguments);
 /// What the file --poses asks about two models, which keep the poses that their own files give them. Throws Error when
 /// there are not two.
 std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArguments& arguments);
-
-/// What `ask` answers about the object of that name, which its errors begin with.
-template <class Ask>
-auto asked_of(const std::string& name, const Ask& ask) {
-  try {
-    return ask();
-  } catch (const Error& error) {
-    throw Error("'" + name + "': " + error.what());
-  }
-}
 
 /// An open mesh among solids contains nothing: whoever did not know that it is open should. Adds a warning then.
 void warn_of_open_meshes(CheckInput& input);

@@ -3,40 +3,16 @@
 #include <algorithm>
 
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "check_input.hpp"
-#include "output.hpp"
-#include "progress_bar.hpp"
-#include "toccata/io/poses_report.hpp"
 #include "toccata/io/relation_words.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
-namespace {
 
-PosesReport answer_queries(const CheckInput& input, const CheckArguments& arguments) {
-  PosesReport report;
-  report.queries = read_queries(input, arguments);
-  report.touching = arguments.touching;
-  const Model &a = input.models[0].model, &b = input.models[1].model;
-  {
-    ProgressBar bar("checking");
-    report.relations = relation_each(a, b, report.queries, {arguments.threads, bar.callback()});
-  }
-  if (arguments.faces) {
-    ProgressBar bar("counting faces");
-    report.counts = count_contacts_each(a, b, report.queries, {arguments.threads, bar.callback()});
-  }
-  if (arguments.penetration) {
-    ProgressBar bar("measuring depths");
-    report.penetrations = penetration_each(a, b, report.queries, {arguments.threads, bar.callback()});
-    if (a.has_mesh() && b.has_mesh())
-      report.regions = contact_regions_each(a, b, report.queries, {arguments.threads, {}});
-  }
-  return report;
-}
-
-std::string poses_table(const Scene& scene, const PosesReport& report) {
-  const std::string a = printable(scene.objects[0].name), b = printable(scene.objects[1].name);
+std::string table_of(const CheckInput& input, const PosesReport& report) {
+  const std::vector<SceneObject>& objects = input.loaded.scene.objects;
+  const std::string a = printable(objects[0].name), b = printable(objects[1].name);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.relations.size(); ++i) {
     const Relation& relation = report.relations[i];
@@ -55,21 +31,14 @@ std::string poses_table(const Scene& scene, const PosesReport& report) {
   return text;
 }
 
-std::string text_of(const CheckInput& input, const PosesReport& report, Format format) {
-  if (format == Format::json) return poses_report_json(input.loaded.scene, input.models, report, input.loaded.warnings);
-  return format == Format::csv ? poses_report_csv(report) : poses_table(input.loaded.scene, report);
-}
-
-}  // namespace
-
 int run_check_poses(const CheckArguments& arguments) {
   CheckInput input = read_check_input(arguments);
-  const PosesReport report = answer_queries(input, arguments);
+  const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
+                                    arguments.penetration};
+  const SceneAnswer answer = ask_for(input, question, arguments, "checking");
   warn_of_open_meshes(input);
-  const std::string text = text_of(input, report, arguments.format);
-  print_warnings(input.loaded.warnings);
-  print_answer(text);
-  return contact_count(report) == 0 ? 0 : 1;
+  print_answer(input, answer, arguments.format);
+  return contact_count(std::get<PosesReport>(answer)) == 0 ? 0 : 1;
 }
 
 }  // namespace toccata::command

@@ -76,6 +76,10 @@ int run(const CLI::App& app, Options& options) {
     if (!options.point.empty()) options.nearest.point = parse_point(options.point, "--point");
     return run_nearest(options.nearest);
   }
+  if (app.got_subcommand("replay")) {
+    options.replay.format = format_of(options);
+    return run_replay(options.replay);
+  }
   if (app.got_subcommand("pairs")) return run_pairs({format_of(options)});
   if (app.got_subcommand("inspect")) {
     options.inspect.format = format_of(options);

@@ -83,9 +83,18 @@ void add_threads(CLI::App& app, int& threads, const std::string& made) {
       ->check(CLI::Range(0, 1024));
 }
 
-void add_writing(CLI::App& app, Options& options, int& threads, const std::string& report) {
+void add_save_case(CLI::App& app, std::string& file, const char* what) {
+  app.add_option("--save-case", file, what)
+      ->check([](const std::string& name) { return name.empty() ? "a file must be named" : std::string(); })
+      ->type_name("FILE.json");
+}
+
+void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report) {
   add_formats(app, options, report);
-  add_threads(app, threads, "answer");
+  add_threads(app, arguments.threads, "answer");
+  add_save_case(app, arguments.save_case,
+                "write the shapes, the question and the answer into one file, for a bug report or a test; `replay` "
+                "asks it again (docs/reference/case-file.md)");
 }
 
 CLI::Option* add_solid(CLI::App& app, Options& options) {
@@ -148,7 +157,7 @@ void add_check(CLI::App& app, Options& options) {
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
-  add_writing(*check, options, options.check.threads, "docs/reference/check-report.md");
+  add_writing(*check, options, options.check, "docs/reference/check-report.md");
   check->footer(
       with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.\n\n"
                 "Example:\n"
@@ -188,6 +197,7 @@ void add_view(CLI::App& app, Options& options) {
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
   add_threads(*view, arguments.threads, "page");
+  add_save_case(*view, arguments.save_case, "also write what is shown as a case (docs/reference/case-file.md)");
   view->footer(
       with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
                 "Exit code: 0 written, 2 trouble.\n\nExample:\n"
@@ -204,7 +214,7 @@ void add_distance(CLI::App& app, Options& options) {
             "one file (all pairs of its objects) or two (pairs of one of each): meshes or scenes");
   add_poses(*distance, options, options.distance.poses);
   add_solid(*distance, options);
-  add_writing(*distance, options, options.distance.threads, "docs/reference/distance-report.md");
+  add_writing(*distance, options, options.distance, "docs/reference/distance-report.md");
   distance->footer(
       with_name("Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance a.stl b.obj\n"
                 "  {0} distance shapes.json\n  {0} distance robot.json table.json --poses path.txt --csv"));
@@ -219,7 +229,7 @@ void add_ray(CLI::App& app, Options& options) {
       ->excludes(from)
       ->excludes(to);
   add_solid(*ray, options);
-  add_writing(*ray, options, options.ray.threads, "docs/reference/ray-report.md");
+  add_writing(*ray, options, options.ray, "docs/reference/ray-report.md");
   ray->footer(
       with_name("A solid is met at once by a ray that starts inside; --solid=none asks about surfaces alone.\n\n"
                 "Exit code: 0 nothing is met, 1 something is, 2 trouble.\n\nExample:\n"
@@ -232,7 +242,7 @@ void add_faces(CLI::App& app, Options& options) {
   CLI::Option* box = add_numbers(*faces, "--box", options.box, "the least corner and the greatest, in the world", 6,
                                  "X0 Y0 Z0 X1 Y1 Z1");
   add_numbers(*faces, "--ball", options.ball, "centre and radius", 4, "X Y Z R")->excludes(box);
-  add_writing(*faces, options, options.faces.threads, "docs/reference/faces-report.md");
+  add_writing(*faces, options, options.faces, "docs/reference/faces-report.md");
   faces->footer(
       with_name("Touching counts. Faces are the files' own, from 0.\n\n"
                 "Exit code: 0 there is none, 1 there is one, 2 trouble.\n\nExample:\n"
@@ -301,11 +311,25 @@ void add_nearest(CLI::App& app, Options& options) {
       "--signed", options.nearest.sides,
       "tell on which side of the surface the point is, and inside of which object: exactly of closed meshes "
       "and other solids, by the generalised winding number of an open mesh");
-  add_writing(*nearest, options, options.nearest.threads, "docs/reference/nearest-report.md");
+  add_writing(*nearest, options, options.nearest, "docs/reference/nearest-report.md");
   nearest->footer(
       with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"
                 "  {0} nearest part.stl --point 0 0 5\n"
                 "  {0} nearest part.stl --points points.txt --k 3 --within 0.5 --csv"));
+}
+
+void add_replay(CLI::App& app, Options& options) {
+  ReplayArguments& arguments = options.replay;
+  CLI::App* replay = app.add_subcommand("replay", "ask what a case file asks again, and compare the answer");
+  replay->add_option("file", arguments.file, "a file that --save-case wrote")->required();
+  add_formats(*replay, options, "that of the question");
+  add_threads(*replay, arguments.threads, "answer");
+  add_save_case(*replay, arguments.save_case, "write the case with the answer of now");
+  replay->footer(with_name(
+      "Exit code: 0 the answer is the recorded one to the bit, or none is recorded; 1 it is another; 2 trouble.\n\n"
+      "Example:\n"
+      "  {0} distance a.stl b.obj --save-case case.json\n"
+      "  {0} replay case.json"));
 }
 
 void add_pairs(CLI::App& app, Options& options) {
@@ -388,6 +412,7 @@ void add_subcommands(CLI::App& app, Options& options) {
   add_cost(app, options);
   add_plot(app, options);
   add_nearest(app, options);
+  add_replay(app, options);
   add_pairs(app, options);
   add_inspect(app, options);
   add_tree(app, options);

@@ -18,6 +18,7 @@ struct Options {
   ViewArguments view;
   DistanceArguments distance;
   RayArguments ray;
+  ReplayArguments replay;
   std::vector<std::string> from;
   std::vector<std::string> to;
   FacesArguments faces;

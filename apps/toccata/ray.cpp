@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "check_input.hpp"
-#include "output.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/ray_report.hpp"
 #include "toccata/io/rays_file.hpp"
 #include "words.hpp"
 
@@ -26,30 +25,10 @@ std::vector<RayQuery> rays_asked(const RayArguments& arguments) {
   return {{.origin = *arguments.from, .motion = motion}};
 }
 
-std::vector<RayHit> hits_of(const Posed& target, std::vector<RayQuery> rays, int threads) {
-  for (RayQuery& ray : rays) {
-    ray.pose = target.pose;
-    ray.solid = target.solid;
-  }
-  BatchOptions options;
-  options.threads = threads;
-  return asked_of(target.name, [&] { return cast_ray_each(rays, target.model, options); });
-}
+}  // namespace
 
-/// Of all objects the one that is met first, by (upper, place in the scene).
-std::vector<ReportedRay> first_hits(const CheckInput& input, const std::vector<RayQuery>& rays, int threads) {
-  std::vector<ReportedRay> reported;
-  for (const RayQuery& ray : rays) reported.push_back({ray, {}, 0});
-  for (std::size_t object = 0; object < input.models.size(); ++object) {
-    const std::vector<RayHit> hits = hits_of(input.models[object], rays, threads);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-      if (hits[i].hit && (!reported[i].hit.hit || hits[i].upper < reported[i].hit.upper))
-        reported[i] = {rays[i], hits[i], static_cast<Index>(object)};
-  }
-  return reported;
-}
-
-std::string ray_table(const CheckInput& input, const std::vector<ReportedRay>& rays) {
+std::string table_of(const CheckInput& input, const RayReport& report) {
+  const std::vector<ReportedRay>& rays = report.rays;
   std::vector<std::vector<std::string>> rows;
   std::size_t met = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -67,22 +46,13 @@ std::string ray_table(const CheckInput& input, const std::vector<ReportedRay>& r
          fmt::format("{} of {} met something, decided exactly.\n", grouped(met), counted(rows.size(), "ray"));
 }
 
-std::string text_of(const CheckInput& input, const std::vector<ReportedRay>& rays, Format format) {
-  const LoadedScene& loaded = input.loaded;
-  if (format == Format::json) return ray_report_json(loaded.scene, input.models, rays, loaded.warnings);
-  return format == Format::csv ? ray_report_csv(loaded.scene, rays) : ray_table(input, rays);
-}
-
-}  // namespace
-
 int run_ray(const RayArguments& arguments) {
   const std::vector<RayQuery> rays = rays_asked(arguments);
   const CheckInput input = read_check_input(arguments);
-  const std::vector<ReportedRay> reported = first_hits(input, rays, arguments.threads);
-  const std::string text = text_of(input, reported, arguments.format);
-  print_warnings(input.loaded.warnings);
-  print_answer(text);
-  return std::any_of(reported.begin(), reported.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
+  const SceneAnswer answer = ask_for(input, RayQuestion{rays}, arguments, "following rays");
+  print_answer(input, answer, arguments.format);
+  const std::vector<ReportedRay>& met = std::get<RayReport>(answer).rays;
+  return std::any_of(met.begin(), met.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
 }
 
 }  // namespace toccata::command

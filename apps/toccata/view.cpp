@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ask.hpp"
 #include "look.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
@@ -118,12 +119,8 @@ int run_view(const ViewArguments& arguments) {
   require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
-  const ClearanceQuestion clearances = read_clearances(arguments, input.loaded.scene);
-  CheckArguments with_faces = arguments;
-  with_faces.faces = true;
-  const CheckAnswer answer = answer_with_progress(input.models, with_faces, clearances);
-  const CheckReport report = make_check_report(
-      input.models, answer, {arguments.touching, true, arguments.penetration, clearances.common, clearances.of_pairs});
+  const CheckQuestion question = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
+  const CheckReport report = std::get<CheckReport>(ask_for(input, question, arguments, "checking"));
   print_warnings(input.loaded.warnings);
   write_view(target, input, report);
   print_answer(

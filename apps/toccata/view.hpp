@@ -8,6 +8,7 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "picture.hpp"
+#include "toccata/io/scene_question.hpp"
 #include "toccata/io/view_page.hpp"
 
 namespace toccata::command {
@@ -33,8 +34,7 @@ std::string title_of(const std::vector<std::string>& files);
 /// `report` has faces, where the page shall show them.
 void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report);
 
-/// What `check` asks, while a progress bar tells how far it is.
-CheckAnswer answer_with_progress(const std::vector<Posed>& models, const CheckArguments& arguments,
-                                 const ClearanceQuestion& clearances);
+/// What `check` asks.
+CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances);
 
 }  // namespace toccata::command

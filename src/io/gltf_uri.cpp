@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "io/base64.hpp"
 #include "io/file_error.hpp"
 
 namespace toccata::io {
@@ -12,34 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
 int hexadecimal_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/// RFC 4648.
-std::vector<char> decode_base64(const JsonValue& place, std::string_view text) {
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::vector<char> bytes;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  unsigned bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    const int digit = base64_digit(c);
-    if (digit < 0) place.fail("the data is not base64", "export the file again");
-    bits = (bits << 6 | static_cast<unsigned>(digit)) & 0xffffU;
-    held += 6;
-    if (held >= 8) bytes.push_back(static_cast<char>(bits >> (held -= 8) & 0xffU));
-  }
-  return bytes;
 }
 
 /// RFC 3986, section 2.1.

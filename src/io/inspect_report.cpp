@@ -81,7 +81,7 @@ Json json_of_shape(const Shape& shape) {
   } else if (const auto* compound = std::get_if<Compound>(&shape)) {
     json["parts"] = json_of(*compound);
   } else {
-    json["numbers"] = io::json_of(shape, [](const auto&) { return std::string(); });
+    json["numbers"] = io::json_of(shape, [](const auto&) { return Json(); });
     json["numbers"].erase("type");
     if (const auto* hull = std::get_if<ConvexHull>(&shape)) json["hull"] = json_of(*hull);
   }

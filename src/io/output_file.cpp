@@ -36,6 +36,8 @@ Mark mark_of(OutputKind kind) {
       return {"a GLB file", 20, R"({"asset":{"version":"2.0","generator":"Toccata)"sv};
     case OutputKind::picture:
       return {"a picture", png_mark_place + 4, png_mark};
+    case OutputKind::case_file:
+      return {"a case", 0, "{\n \"comment\": \"Case of Toccata"sv};
     case OutputKind::plot:
       break;
   }

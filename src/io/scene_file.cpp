@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "io/file_bytes.hpp"
+#include "io/file_error.hpp"
 #include "io/json_value.hpp"
+#include "io/number_rows.hpp"
 #include "io/scene_parts.hpp"
 #include "io/scene_shape.hpp"
 #include "toccata/core/error.hpp"
@@ -20,7 +23,9 @@ namespace {
 constexpr const char* format_name = "toccata-scene";
 constexpr std::size_t format_version = 1;
 
+/// "unit" is what a scene is in whose files do not say.
 double unit_of(const JsonValue& value) {
+  if (value.is_string() && value.text() == "unit") return 1;
   if (!value.is_number()) return located(value, [&] { return metres_per_unit(value.text()); });
   if (!(value.number() > 0)) value.fail("a unit must be positive", "write the metres per unit, or \"mm\"");
   return value.number();
@@ -46,9 +51,10 @@ std::vector<Entry> entries_of(const JsonValue& top) {
   for (const char* list : {"frames", "objects"})
     for (const JsonValue& value : top.elements(list)) {
       const bool is_object = std::string_view(list) == "objects";
-      value.expect_keys(is_object ? std::vector<std::string>{"name", "file", "generate", "parameters", "shape",
-                                                             "parent", "pose", "solid", "group", "unit", "comment"}
-                                  : std::vector<std::string>{"name", "parent", "pose", "comment"});
+      value.expect_keys(is_object
+                            ? std::vector<std::string>{"name", "file", "generate", "parameters", "shape", "mesh",
+                                                       "parent", "pose", "solid", "group", "unit", "source", "comment"}
+                            : std::vector<std::string>{"name", "parent", "pose", "comment"});
       Entry entry{value, value.at("name").text(), is_object};
       if (entry.name.empty()) value.at("name").fail("the name is empty", "give it a name");
       if (!taken.emplace(entry.name, true).second)
@@ -120,19 +126,39 @@ class NodeTree {
   std::vector<ScaledPose> world_;
 };
 
-/// Reads every file once and makes every generated mesh once.
+/// A mesh that the file itself holds.
+std::shared_ptr<const TriangleMesh> inline_mesh(const JsonValue& value) {
+  value.expect_keys({"vertices", "triangles", "faces", "comment"});
+  const std::vector<double> numbers = rows_of_numbers(value.at("vertices"), 3, "vertex");
+  const std::vector<std::uint32_t> corners = rows_of_whole_numbers(value.at("triangles"), 3, "triangle");
+  std::vector<Index> faces;
+  if (value.has("faces")) faces = rows_of_whole_numbers(value.at("faces"), 1, "face");
+  std::vector<Vec3> vertices;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) vertices.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  std::vector<std::array<Index, 3>> triangles;
+  for (std::size_t i = 0; i < corners.size(); i += 3) triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  return located(value, [&] {
+    return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles), std::move(faces));
+  });
+}
+
+/// Reads every file and every mesh of the scene file once, and makes every generated mesh once.
 class ShapeSource {
  public:
-  explicit ShapeSource(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  ShapeSource(std::filesystem::path folder, const JsonValue& top) : folder_(std::move(folder)), top_(top) {
+    if (top.has("meshes") && !top.at("meshes").is_object())
+      top.at("meshes").fail("this is not an object", "write {\"<name>\": {\"vertices\": …}, …}");
+  }
 
   const Scene& shapes_of(const JsonValue& object) {
-    if (object.has("file") + object.has("generate") + object.has("shape") != 1)
-      object.fail("an object needs one shape", "write one of \"file\", \"generate\" and \"shape\"");
+    if (object.has("file") + object.has("generate") + object.has("shape") + object.has("mesh") != 1)
+      object.fail("an object needs one shape", "write one of \"file\", \"generate\", \"shape\" and \"mesh\"");
     if (object.has("generate")) return generated(object);
     if (object.has("parameters"))
       object.at("parameters")
           .fail(object.has("file") ? "a file takes no parameters" : "a shape takes no parameters",
                 "remove them, or write \"generate\"");
+    if (object.has("mesh")) return from_scene(object.at("mesh"));
     return object.has("shape") ? written(object.at("shape")) : from_file(object.at("file"));
   }
 
@@ -148,9 +174,26 @@ class ShapeSource {
   const Scene& written(const JsonValue& shape) {
     written_.unit = "unit";
     written_.objects.assign(1, {});
-    written_.objects[0].shape = shape_of(shape, [this](const JsonValue& file) { return mesh_from(file); });
+    written_.objects[0].shape = shape_of(shape, [this](const JsonValue& holder) {
+      return holder.has("mesh") ? from_scene(holder.at("mesh")).objects[0].mesh() : mesh_from(holder.at("file"));
+    });
     written_.objects[0].source = "written: " + type_of(written_.objects[0].shape);
     return written_;
+  }
+
+  /// One of the "meshes".
+  const Scene& from_scene(const JsonValue& mesh) {
+    const std::string name = mesh.text();
+    if (!top_.has("meshes") || !top_.at("meshes").has(name.c_str()))
+      mesh.fail(fmt::format("there is no mesh named {}", io::quoted(name)), "name one of the \"meshes\" of this file");
+    const auto [found, is_new] = in_scene_.try_emplace(name);
+    if (!is_new) return found->second;
+    SceneObject object;
+    object.shape = inline_mesh(top_.at("meshes").at(name));
+    object.source = "written: mesh";
+    found->second.unit = "unit";
+    found->second.objects.push_back(std::move(object));
+    return found->second;
   }
 
   std::shared_ptr<const TriangleMesh> mesh_from(const JsonValue& file) {
@@ -183,8 +226,10 @@ class ShapeSource {
   }
 
   std::filesystem::path folder_;
+  JsonValue top_;
   std::map<std::string, Scene> known_;
-  Scene written_;  ///< the shape that the file itself wrote last
+  std::map<std::string, Scene> in_scene_;  ///< of the scene file's own meshes
+  Scene written_;                          ///< the shape that the file itself wrote last
 };
 
 /// World units per unit of the object's shape.
@@ -219,14 +264,14 @@ void put(SceneObject& object, const SceneObject& part, const Place& place, const
   if (is_collapsed(world, pose))
     entry.value.fail("the scale of its pose times its unit leaves no shape", "change \"pose\" or \"unit\"");
   object.shape = part.shape;
-  object.pose = compose(pose, part.pose);
+  object.pose = is_left_out(part.pose) ? pose : compose(pose, part.pose);  // which would take the sign from a zero
 }
 
 void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common, const Place& place) {
   for (const SceneObject& part : shapes.objects) {
     SceneObject object = common;
     object.name = shapes.objects.size() == 1 ? entry.name : entry.name + "/" + part.name;
-    object.source = part.source;
+    object.source = entry.value.text_or("source", part.source);
     put(object, part, place, entry);
     if (!is_finite(object.pose))
       entry.value.fail(fmt::format("the pose of '{}' is not finite once its parents and unit are applied", object.name),
@@ -236,7 +281,7 @@ void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const Sc
 }
 
 void check_format(const JsonValue& top) {
-  top.expect_keys({"format", "version", "unit", "frames", "objects", "comment"});
+  top.expect_keys({"format", "version", "unit", "frames", "meshes", "objects", "query", "answer", "comment"});
   if (top.at("format").text() != format_name)
     top.at("format").fail("this is not a scene of Toccata", fmt::format("write \"{}\"", format_name));
   if (top.at("version").whole(1000000) != format_version)
@@ -254,12 +299,15 @@ std::string unit_name(const JsonValue& top) {
 
 Scene parse_scene_file(const SceneBytes& bytes) {
   const nlohmann::json document = parse_json(bytes.bytes, bytes.file, RepeatedKeys::refused);
-  const JsonValue top(document, bytes.file);
+  return scene_of(JsonValue(document, bytes.file), bytes.folder);
+}
+
+Scene scene_of(const JsonValue& top, const std::filesystem::path& folder) {
   check_format(top);
   const double metres = top.has("unit") ? unit_of(top.at("unit")) : 1;
   const std::vector<Entry> entries = entries_of(top);
   const NodeTree tree(entries);
-  ShapeSource source(bytes.folder);
+  ShapeSource source(folder, top);
   Scene scene;
   scene.unit = unit_name(top);
   scene.nodes = tree.nodes();

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "io/json_value.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::io {
@@ -21,6 +22,9 @@ struct SceneBytes {
 
 /// A scene file, docs/reference/scene-file.md.
 [[nodiscard]] Scene parse_scene_file(const SceneBytes& source);
+
+/// The same of what is parsed; names in it start from the folder.
+[[nodiscard]] Scene scene_of(const JsonValue& top, const std::filesystem::path& folder);
 
 /// A file that holds shapes but no scene file: a mesh as one object at the identity, or a glTF.
 [[nodiscard]] Scene read_shapes(const std::filesystem::path& path);

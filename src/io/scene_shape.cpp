@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "io/number_rows.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/shapes/scaled_shape.hpp"
@@ -33,7 +36,8 @@ Vec3 vector_or_zero(const JsonValue& value, const char* key) {
 
 std::vector<Vec3> points_of(const JsonValue& list) {
   std::vector<Vec3> points;
-  for (const JsonValue& point : list.elements()) points.push_back(point.vector());
+  const std::vector<double> numbers = rows_of_numbers(list, 3, "point");
+  for (std::size_t i = 0; i < numbers.size(); i += 3) points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   return points;
 }
 
@@ -106,7 +110,7 @@ class ShapeReader {
     if (value.has("points") == value.has("file"))
       value.fail("a hull is of points or of the vertices of a file", "write either \"points\" or \"file\"");
     if (!value.has("file")) return made<ConvexHull>(value, points_of(value.at("points")));
-    return made<ConvexHull>(value, read_mesh_(value.at("file"))->vertices());
+    return made<ConvexHull>(value, read_mesh_(value)->vertices());
   }
   [[nodiscard]] Shape rounded(const JsonValue& value) const {
     value.expect_keys({"type", "core", "radius"});
@@ -124,8 +128,7 @@ class ShapeReader {
     value.expect_keys({"type", "columns", "rows", "spacing", "heights"});
     constexpr std::size_t most = 1U << 20;
     const std::vector<double> spacing = value.at("spacing").numbers(2);
-    std::vector<double> heights;
-    for (const JsonValue& height : value.at("heights").elements()) heights.push_back(height.number());
+    const std::vector<double> heights = rows_of_numbers(value.at("heights"), 1, "height");
     const auto columns = static_cast<Index>(value.at("columns").whole(most)),
                rows = static_cast<Index>(value.at("rows").whole(most));
     return made<HeightField>(value, columns, rows, spacing[0], spacing[1], heights);
@@ -134,10 +137,10 @@ class ShapeReader {
     value.expect_keys({"type", "parts"});
     std::vector<CompoundPart> parts;
     for (const JsonValue& part : value.at("parts").elements()) {
-      part.expect_keys({"shape", "file", "pose"});
-      if (part.has("shape") == part.has("file"))
-        part.fail("a part needs one shape", "write either \"shape\" or \"file\"");
-      Shape shape = part.has("file") ? Shape(read_mesh_(part.at("file"))) : inner(part.at("shape"));
+      part.expect_keys({"shape", "file", "mesh", "pose"});
+      if (part.has("shape") + part.has("file") + part.has("mesh") != 1)
+        part.fail("a part needs one shape", "write one of \"shape\", \"file\" and \"mesh\"");
+      Shape shape = part.has("shape") ? inner(part.at("shape")) : Shape(read_mesh_(part));
       if (!part.has("pose")) {
         parts.push_back({std::move(shape), {}});
         continue;
@@ -206,13 +209,13 @@ class ShapeWriter {
             {"spacing", Json::array({field.spacing_x(), field.spacing_y()})},
             {"heights", std::move(heights)}};
   }
-  Json operator()(const std::shared_ptr<const TriangleMesh>& mesh) const { return {{"file", write_mesh_(mesh)}}; }
+  Json operator()(const std::shared_ptr<const TriangleMesh>& mesh) const { return write_mesh_(mesh); }
   Json operator()(const Compound& compound) const {
     Json parts = Json::array();
     for (const CompoundPart& part : compound.parts()) {
       const Json shape = std::visit(*this, part.shape);
-      Json entry = shape.contains("file") && !shape.contains("type") ? shape : Json{{"shape", shape}};
-      if (!(part.pose == Pose{})) entry["pose"] = part.pose.numbers();
+      Json entry = shape.contains("type") ? Json{{"shape", shape}} : shape;
+      if (!is_left_out(part.pose)) entry["pose"] = part.pose.numbers();
       parts.push_back(std::move(entry));
     }
     return {{"type", "compound"}, {"parts", std::move(parts)}};
@@ -229,6 +232,11 @@ void fail_at(const JsonValue& place, const Error& error) {
   const std::size_t end = message.rfind("; ");
   if (end == std::string::npos) place.fail(message, "correct it");
   place.fail(message.substr(0, end), message.substr(end + 2));
+}
+
+bool is_left_out(const Pose& pose) {
+  using Bits = std::array<std::uint64_t, 12>;
+  return std::bit_cast<Bits>(pose.numbers()) == std::bit_cast<Bits>(Pose{}.numbers());
 }
 
 ScaledPose pose_of(const JsonValue& value) {

@@ -12,11 +12,14 @@
 
 namespace toccata::io {
 
-/// Reads the mesh of a "file" within a shape.
-using MeshReading = std::function<std::shared_ptr<const TriangleMesh>(const JsonValue& file)>;
+/// Reads the mesh that an object, a part or a hull names by its "file" or "mesh".
+using MeshReading = std::function<std::shared_ptr<const TriangleMesh>(const JsonValue& holder)>;
 
-/// Writes a mesh and gives its file name.
-using MeshWriting = std::function<std::string(const std::shared_ptr<const TriangleMesh>& mesh)>;
+/// Keeps a mesh, and gives how an object names it: {"file": …} or {"mesh": …}.
+using MeshWriting = std::function<nlohmann::ordered_json(const std::shared_ptr<const TriangleMesh>& mesh)>;
+
+/// Whether a pose has the bits of the identity: one that is only equal to it, with a −0, is written out.
+[[nodiscard]] bool is_left_out(const Pose& pose);
 
 /// Says an Error of the library at a place of the file; its own advice stays the last words.
 [[noreturn]] void fail_at(const JsonValue& place, const Error& error);
@@ -42,7 +45,7 @@ struct ScaledPose {
 /// The "shape" of an object or of a part of a compound.
 [[nodiscard]] Shape shape_of(const JsonValue& value, const MeshReading& read_mesh);
 
-/// What `shape_of` reads as the same shape; not for a mesh, which is a "file".
+/// What `shape_of` reads as the same shape; of a mesh what `write_mesh` gives, which has no "type".
 [[nodiscard]] nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh);
 
 /// "sphere", "convex-hull" …: the "type" of a shape, and "mesh".

@@ -2,7 +2,8 @@
 
 #include <bit>
 #include <cstring>
-#include <string_view>
+
+#include "io/base64.hpp"
 
 namespace toccata::io {
 
@@ -21,21 +22,6 @@ ViewData::Json ViewData::add(std::span<const std::uint16_t> numbers) { return ad
 ViewData::Json ViewData::add(std::span<const std::uint32_t> numbers) { return add_numbers(numbers); }
 ViewData::Json ViewData::add(std::span<const float> numbers) { return add_numbers(numbers); }
 
-std::string ViewData::base64() const {
-  static constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t whole = bytes_.size() / 3;
-  std::string text((bytes_.size() + 2) / 3 * 4, '=');
-  const auto write = [&](std::size_t i, std::string_view bytes) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? std::uint32_t{static_cast<unsigned char>(bytes[k])} : 0U;
-    };
-    const std::uint32_t bits = byte(0) << 16U | byte(1) << 8U | byte(2);
-    for (std::size_t k = 0; k <= bytes.size(); ++k) text[4 * i + k] = letters[bits >> (18U - 6U * k) & 63U];
-  };
-  const std::string_view all(bytes_);
-  for (std::size_t i = 0; i < whole; ++i) write(i, all.substr(3 * i, 3));
-  if (bytes_.size() % 3 != 0) write(whole, all.substr(3 * whole));
-  return text;
-}
+std::string ViewData::base64() const { return base64_of(bytes_); }
 
 }  // namespace toccata::io

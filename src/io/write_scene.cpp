@@ -8,9 +8,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/file_error.hpp"
-#include "io/scene_parts.hpp"
-#include "io/scene_shape.hpp"
-#include "io/utf8.hpp"
+#include "io/scene_json.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/scene_file.hpp"
@@ -103,55 +101,18 @@ class MeshFiles {
   std::set<std::string> taken_;  ///< in lower case: some file systems do not tell A from a
 };
 
-Json json_of(const SceneObject& object, MeshFiles& files) {
-  Json json = {{"name", object.name}};
-  const Json shape = io::json_of(object.shape, [&](const auto& mesh) { return files.file_of(*mesh, object.name); });
-  if (shape.contains("type"))
-    json["shape"] = shape;
-  else
-    json.update(shape);
-  if (!(object.pose == Pose{})) json["pose"] = object.pose.numbers();
-  if (object.solid != Solid::automatic) json["solid"] = object.solid == Solid::all ? "all" : "none";
-  if (!object.group.empty()) json["group"] = object.group;
-  return json;
-}
-
-bool is_unit(const std::string& name) {
-  try {
-    return metres_per_unit(name) > 0;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-/// JSON can say nothing else.
-void check_texts(const Scene& scene) {
-  for (const SceneObject& object : scene.objects)
-    if (!io::is_utf8(object.name) || !io::is_utf8(object.group))
-      throw Error(fmt::format("the {} of the object '{}' is not UTF-8 ({}); change it",
-                              io::is_utf8(object.name) ? "group" : "name", io::as_utf8(object.name),
-                              io::as_utf8(io::is_utf8(object.name) ? object.group : object.name)));
-}
-
-void check_names(const Scene& scene) {
-  std::set<std::string> names;
-  for (const SceneObject& object : scene.objects)
-    if (object.name.empty() || !names.insert(object.name).second)
-      throw Error(
-          fmt::format("the scene has two objects named '{}' or one without a name; name each apart", object.name));
-}
-
 }  // namespace
 
 void write_scene(const Scene& scene, const fs::path& folder) {
-  check_texts(scene);
-  check_names(scene);
+  io::require_writable(scene);
   FolderInTheMaking making(folder.has_filename() ? folder : folder.parent_path());
   MeshFiles files(making.path());
-  Json json = {{"format", "toccata-scene"}, {"version", 1}};
-  if (is_unit(scene.unit)) json["unit"] = scene.unit;
+  Json json = io::scene_head(scene);
   json["objects"] = Json::array();
-  for (const SceneObject& object : scene.objects) json["objects"].push_back(json_of(object, files));
+  for (const SceneObject& object : scene.objects)
+    json["objects"].push_back(io::json_of(object, [&](const auto& mesh) {
+      return Json{{"file", files.file_of(*mesh, object.name)}};
+    }));
   io::write_file(making.path() / "scene.json", json.dump(1) + "\n");
   making.complete();
 }

@@ -163,6 +163,20 @@ def main():
         assert scenes
         for file in scenes:
             scene.validate(json.loads(file.read_text()))
+        check_cases(scene)
+
+
+def check_cases(scene):
+    """The cases that are kept are scenes; their answers are reports."""
+    files = sorted((REFERENCE.parents[1] / "tests/cases").rglob("*.json"))
+    assert files
+    for file in files:
+        case = json.loads(file.read_text())
+        scene.validate(case)
+        assert not scene.is_valid({**case, "query": {**case["query"], "unknown": 1}}), file
+        kind = case["query"]["question"].split("-")[0]
+        if "error" not in case["answer"]:
+            validator(f"{kind}-report.schema.json").validate(case["answer"])
 
 
 main()

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+
+#include "arguments.hpp"
+#include "ask.hpp"
+#include "check_input.hpp"
+#include "output.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/case_file.hpp"
+#include "toccata/query/scene_models.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+/// The answer of now, as a case has it.
+struct Replayed {
+  CheckInput input;
+  std::optional<SceneAnswer> answer;
+  std::string json;
+};
+
+Replayed asked_again(const Case& content, int threads) {
+  Replayed now{{{content.scene, {0, content.scene.objects.size()}, {}}, {}}, {}, {}};
+  try {
+    now.input.models = scene_models(content.scene, threads);
+    now.answer = ask(now.input.models, *content.question, {threads, {}});
+    now.json = report_json(content.scene, now.input.models, *now.answer);
+  } catch (const Error& error) {
+    now.json = error_json(error.what());
+  }
+  return now;
+}
+
+std::string verdict(const Case& content, const std::string& difference) {
+  const std::string what = fmt::format("the question {} about {}", name_of(*content.question),
+                                       counted(content.scene.objects.size(), "object"));
+  if (content.answer.empty()) return fmt::format("No answer was recorded to {}.\n", what);
+  if (difference.empty()) return fmt::format("The same answer as recorded, bit for bit, to {}.\n", what);
+  return fmt::format("Another answer than recorded to {}, first at\n  {}\n", what, printable(difference));
+}
+
+/// Of an error, which is an answer too, the message.
+void print_replayed(const Replayed& now, const ReplayArguments& arguments) {
+  if (now.answer)
+    print_answer(now.input, *now.answer, arguments.format);
+  else
+    print_answer(now.json + "\n");
+}
+
+}  // namespace
+
+int run_replay(const ReplayArguments& arguments) {
+  Case content = read_case(arguments.file);
+  if (!content.question)
+    throw Error(
+        fmt::format("{}: this scene holds no question to be asked again; `{} check` answers about scenes, and "
+                    "--save-case keeps a question",
+                    arguments.file, called_as()));
+  const Replayed now = asked_again(content, arguments.threads);
+  const std::string difference = content.answer.empty() ? "" : answer_difference(content.answer, now.json);
+  const std::string told = verdict(content, difference);
+  if (!arguments.save_case.empty()) {
+    content.answer = now.json;
+    const UninterruptedWriting writing;
+    write_case(content, arguments.save_case);
+  }
+  print_replayed(now, arguments);
+  if (arguments.format == Format::table)
+    print_answer(told);
+  else
+    fmt::print(stderr, "{}", told);
+  return difference.empty() ? 0 : 1;
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,116 @@
+// `--save-case` keeps what is asked and the answer in one file, and `replay` asks it again.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Words = std::vector<std::string>;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Words with(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void write_inputs(const TemporaryFolder& folder) {
+  folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
+  folder.write("bow.off", "OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n");
+}
+
+const std::vector<Words> questions = {
+    {"check", "gen:box", "bow.off", "--faces"},
+    {"check", "gen:box", "gen:icosphere", "--penetration", "--clearance", "all"},
+    {"check", "gen:box", "gen:icosphere", "--pose-b", "1", "0",      "0",  "0",       "1", "0", "0",
+     "0",     "1",       "0.5",           "-0.0",     "0", "--unit", "mm", "--scale", "3"},
+    {"check", "gen:box", "bow.off", "--poses", "poses.txt", "--solid", "none"},
+    {"check", "bow.off", "--self", "--faces"},
+    {"distance", "gen:box", "bow.off"},
+    {"distance", "gen:box", "gen:icosphere", "--poses", "poses.txt"},
+    {"ray", "gen:box", "bow.off", "--from", "0", "0", "9", "--to", "0", "0", "-9"},
+    {"faces", "gen:box", "--box", "0", "0", "0", "1", "1", "1"},
+    {"nearest", "gen:box", "bow.off", "--point", "0", "0", "9", "--k", "3", "--signed"}};
+
+TEST(ReplayCommand, EveryQuestionIsAnsweredAgainFromTheFileAlone) {
+  for (const Words& question : questions) {
+    SCOPED_TRACE(question[0] + " " + question[1] + " " + question[2]);
+    const TemporaryFolder folder, elsewhere;
+    write_inputs(folder);
+    for (const std::string format : {"", "--csv"}) {
+      const Words told = format.empty() ? Words{} : Words{format};
+      const auto asked = run_command(with(with(question, {"--save-case", "case.json"}), told), folder.path());
+      ASSERT_NE(asked.exit_code, 2) << asked.err;
+      std::filesystem::copy_file(folder.path() / "case.json", elsewhere.path() / "case.json",
+                                 std::filesystem::copy_options::overwrite_existing);
+      const auto again = run_command(with({"replay", "case.json"}, told), elsewhere.path());
+      EXPECT_EQ(again.exit_code, 0) << again.err;
+      EXPECT_TRUE(again.out.starts_with(asked.out)) << asked.out << "\n" << again.out;
+      EXPECT_NE((again.out + again.err).find("The same answer as recorded, bit for bit"), std::string::npos);
+      EXPECT_EQ(again.out == asked.out, !format.empty());
+    }
+  }
+}
+
+TEST(ReplayCommand, TellsAnotherAnswerAndKeepsIt) {
+  const TemporaryFolder folder;
+  const auto asked = run_command(
+      {"faces", "gen:box", "--box", "0", "0", "0", "1", "1", "1", "--save-case", "case.json"}, folder.path());
+  ASSERT_EQ(asked.exit_code, 1) << asked.err;
+  std::string text = text_of(folder.path() / "case.json");
+  const std::string was = "\"face\":5";
+  ASSERT_NE(text.find(was), std::string::npos) << text;
+  folder.write("case.json", text.replace(text.find(was), was.size(), "\"face\":4"));
+  const auto other = run_command({"replay", "case.json", "--save-case", "new.json"}, folder.path());
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.out.find("recorded 4, now 5"), std::string::npos) << other.out;
+  EXPECT_EQ(run_command({"replay", "new.json"}, folder.path()).exit_code, 0);
+}
+
+TEST(ReplayCommand, AnErrorIsKeptAsTheAnswer) {
+  const TemporaryFolder folder;
+  folder.write("ball.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "a", "shape": {"type": "sphere", "radius": 1}, "pose": {"scale": [1, 1, 2]}},
+    {"name": "b", "shape": {"type": "sphere", "radius": 1}}]})");
+  EXPECT_EQ(run_command({"distance", "ball.json", "--save-case", "case.json"}, folder.path()).exit_code, 2);
+  const auto again = run_command({"replay", "case.json"}, folder.path());
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_NE(again.out.find("deforms it"), std::string::npos) << again.out;
+}
+
+TEST(ReplayCommand, ACaseIsASceneToTheOtherSubcommands) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command({"distance", "gen:box", "gen:icosphere", "--save-case", "case.json"}, folder.path()).exit_code,
+            1);
+  EXPECT_NE(run_command({"check", "case.json"}, folder.path()).out.find("1 pair in contact"), std::string::npos);
+  EXPECT_NE(run_command({"inspect", "case.json"}, folder.path()).out.find("icosphere"), std::string::npos);
+}
+
+TEST(ReplayCommand, WhatIsNoCaseIsToldSo) {
+  const TemporaryFolder folder;
+  folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "a", "shape": {"type": "sphere", "radius": 1}}]})");
+  const auto plain = run_command({"replay", "scene.json"}, folder.path());
+  EXPECT_EQ(plain.exit_code, 2);
+  EXPECT_NE(plain.err.find("holds no question"), std::string::npos) << plain.err;
+  EXPECT_EQ(run_command({"replay", "none.json"}, folder.path()).exit_code, 2);
+  folder.write("mesh.obj", "v 0 0 0\n");
+  const auto refused = run_command({"check", "gen:box", "gen:box", "--save-case", "mesh.obj"}, folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("is not a case of Toccata"), std::string::npos) << refused.err;
+}
+
+}  // namespace
+}  // namespace toccata
