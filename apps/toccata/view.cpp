@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "ask.hpp"
 #include "look.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
+#include "toccata/io/case_file.hpp"
 #include "toccata/io/glb_file.hpp"
 #include "toccata/io/output_file.hpp"
 #include "words.hpp"
@@ -61,6 +63,29 @@ ViewTarget target_of(const ViewArguments& arguments) {
   target.picture = PictureTarget{arguments.png, arguments.look};
   if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
   return target;
+}
+
+/// What a case asks about pairs is shown as it asks it, where the options say nothing else.
+void take_question(CheckQuestion& shown, const SceneQuestion& asked, std::size_t objects) {
+  if (const auto* distance = std::get_if<DistanceQuestion>(&asked)) {
+    const bool all_pairs = distance->first_objects == 0 || objects == 2;
+    if (all_pairs && !shown.clearance) shown.clearance = std::numeric_limits<double>::infinity();
+  }
+  const auto* check = std::get_if<CheckQuestion>(&asked);
+  if (check == nullptr) return;
+  shown.penetration = shown.penetration || check->penetration;
+  if (shown.clearance) return;
+  shown.touching = check->touching;
+  shown.clearance = check->clearance;
+  shown.pair_clearances = check->pair_clearances;
+}
+
+CheckQuestion shown_question(const ViewArguments& arguments, const CheckInput& input) {
+  CheckQuestion shown = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
+  const std::vector<std::string>& files = arguments.input.files;
+  if (files.size() != 1 || fs::path(files[0]).extension() != ".json") return shown;
+  if (const auto asked = read_case(files[0]).question) take_question(shown, *asked, input.models.size());
+  return shown;
 }
 
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
@@ -119,7 +144,7 @@ int run_view(const ViewArguments& arguments) {
   require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
-  const CheckQuestion question = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
+  const CheckQuestion question = shown_question(arguments, input);
   const CheckReport report = std::get<CheckReport>(ask_for(input, question, arguments, "checking"));
   print_warnings(input.loaded.warnings);
   write_view(target, input, report);

@@ -98,6 +98,22 @@ TEST(ReplayCommand, ACaseIsASceneToTheOtherSubcommands) {
   EXPECT_NE(run_command({"inspect", "case.json"}, folder.path()).out.find("icosphere"), std::string::npos);
 }
 
+TEST(ReplayCommand, ViewShowsDistancesAndDepthsThatACaseAsksFor) {
+  const TemporaryFolder folder;
+  const Words far = {"distance", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0",
+                     "1",        "0",       "0",       "0",        "1", "9", "0", "0"};
+  ASSERT_EQ(run_command(with(far, {"--save-case", "far.json"}), folder.path()).exit_code, 0);
+  const auto apart = run_command({"view", "far.json", "-o", "far.html"}, folder.path());
+  EXPECT_NE(apart.out.find("2 objects and 1 pair"), std::string::npos) << apart.out << apart.err;
+  EXPECT_NE(text_of(folder.path() / "far.html").find("\"role\":\"distance\""), std::string::npos);
+  ASSERT_EQ(
+      run_command({"check", "gen:box", "gen:icosphere", "--penetration", "--save-case", "deep.json"}, folder.path())
+          .exit_code,
+      1);
+  ASSERT_EQ(run_command({"view", "deep.json", "-o", "deep.html"}, folder.path()).exit_code, 0);
+  EXPECT_NE(text_of(folder.path() / "deep.html").find("\"role\":\"depth\""), std::string::npos);
+}
+
 TEST(ReplayCommand, WhatIsNoCaseIsToldSo) {
   const TemporaryFolder folder;
   folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [
