@@ -7,7 +7,15 @@ target_compile_options(toccata_build_flags INTERFACE -ffp-contract=off -Wall -We
 if(TOCCATA_WARNINGS_AS_ERRORS)
   target_compile_options(toccata_build_flags INTERFACE -Werror)
 endif()
+# Of the folder, thus in front of a target's own options, so that these may take checks back.
 if(TOCCATA_SANITIZE)
-  target_compile_options(toccata_build_flags INTERFACE -fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(toccata_build_flags INTERFACE -fsanitize=${TOCCATA_SANITIZE})
+  add_compile_options(-fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(TOCCATA_NO_SANITIZE)
+    add_compile_options(-fno-sanitize=${TOCCATA_NO_SANITIZE})
+  endif()
+  # What the checks put in between makes g++ doubt values that it knows to be set where it optimises for real.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(toccata_build_flags INTERFACE -Wno-maybe-uninitialized)
+  endif()
+  add_link_options(-fsanitize=${TOCCATA_SANITIZE})
 endif()

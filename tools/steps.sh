@@ -85,18 +85,19 @@ run_tests() {
   install_packages packages packages-test
   lock_build_folder
   say "the tests under the address and undefined-behaviour sanitizers"
-  # Precompiled headers are for machines that begin from nothing; the library is compiled once without them, so that
-  # its missing includes are told, and the builds of --all precompile nothing.
+  # The preset says what this pass leaves to --all. Precompiled headers and united files are for machines that begin from
+  # nothing; the library is compiled once without them, so that its missing includes are told, and the builds of --all
+  # have neither.
   local tests=() all=()
   if ! command -v ccache >/dev/null; then
     tests=(-DTOCCATA_PRECOMPILE_TESTS=ON)
-    all=("${tests[@]}" -DTOCCATA_PRECOMPILE_LIBRARY=ON)
+    all=("${tests[@]}" -DTOCCATA_PRECOMPILE_LIBRARY=ON -DTOCCATA_UNITE_TESTS=ON)
   fi
   configure asan-ubsan "${all[@]}"
   build asan-ubsan
   run_ctest asan-ubsan -E '^oracle/'  # the oracles' own tests need no sanitizer; the next step runs them
   say "all tests, optimised"
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON "${tests[@]}"
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF "${tests[@]}"
   build release
   run_ctest release
 }
@@ -127,5 +128,5 @@ run_bench() {
 build_bench() {
   lock_build_folder
   if [[ $1 == yes ]]; then rm -f "$source_folder/build/release/.configured-with"; fi
-  configure release -DTOCCATA_BUILD_BENCH=ON && build release toccata_bench
+  configure release -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON && build release toccata_bench
 }

@@ -21,6 +21,9 @@ FUZZ_SECONDS = 120
 # What each step runs, in the words of tools/steps.sh.
 STEPS = {
     "test": "run_tests",
+    "asan": "configure asan-ubsan-all; build asan-ubsan-all; run_ctest asan-ubsan-all",
+    "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON; "
+    "build release; run_ctest release -R ^bench/",
     "clang": "configure clang; build clang; run_ctest clang",
     "debug": "configure debug; build debug; run_ctest debug",
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",

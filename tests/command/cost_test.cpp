@@ -17,7 +17,7 @@ using test::run_command;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 
-const std::string rows = "1 0 0 0 1 0 0 0 1 ";
+const std::string straight = "1 0 0 0 1 0 0 0 1 ";
 
 class Cost : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ class Cost : public testing::Test {
         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     folder.write("a.obj", box);
     folder.write("b.obj", box);
-    folder.write("poses.txt", rows + "5 0 0\n" + rows + "0.5 0.5 0.5\n");
+    folder.write("poses.txt", straight + "5 0 0\n" + straight + "0.5 0.5 0.5\n");
   }
 
   test::CommandResult cost(std::vector<std::string> words) {

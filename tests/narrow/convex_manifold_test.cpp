@@ -9,7 +9,7 @@
 namespace toccata {
 namespace {
 
-Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
+Pose pose_at(double x, double y, double z) { return Pose::translation(x, y, z); }
 
 std::vector<Vec3> positions(const Manifold& m) {
   std::vector<Vec3> result;
@@ -19,7 +19,7 @@ std::vector<Vec3> positions(const Manifold& m) {
 }
 
 TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
-  const PosedConvex floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), at(0.25, 0, 1.5));
+  const PosedConvex floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.5));
   const Manifold m = manifold(floor, cube);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.25, -0.5, 1}, {-0.25, 0.5, 1}, {0.75, -0.5, 1}, {0.75, 0.5, 1}}));
@@ -32,12 +32,12 @@ TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
 
 TEST(ConvexManifold, IsEmptyExactlyWhenTheShapesAreApart) {
   const PosedConvex cube(Box({1, 1, 1}));
-  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), at(2, 0, 0))).count, 4);
-  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), at(std::nextafter(2, 3), 0, 0))).count, 0);
+  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), pose_at(2, 0, 0))).count, 4);
+  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), pose_at(std::nextafter(2, 3), 0, 0))).count, 0);
 }
 
 TEST(ConvexManifold, OfCrossedBarsHasThePointsWhereEdgesCross) {
-  const PosedConvex below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), at(0, 0, 0.75));
+  const PosedConvex below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), pose_at(0, 0, 0.75));
   const Manifold m = manifold(below, above);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m),
@@ -73,7 +73,7 @@ TEST(ConvexManifold, OfTwoEdgesIsOnePoint) {
 }
 
 TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
-  const PosedConvex a{Sphere(1)}, b(Sphere(1), at(1.5, 0, 0));
+  const PosedConvex a{Sphere(1)}, b(Sphere(1), pose_at(1.5, 0, 0));
   const Manifold m = manifold(a, b);
   ASSERT_EQ(m.count, 1);
   EXPECT_EQ(m.normal, (Vec3{1, 0, 0}));
@@ -82,7 +82,7 @@ TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
 }
 
 TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
-  const PosedConvex floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), at(0, 0, 1.5));
+  const PosedConvex floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), pose_at(0, 0, 1.5));
   const Manifold m = manifold(floor, capsule);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-1, 0, 1}, {1, 0, 1}}));
@@ -90,7 +90,7 @@ TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
 
 TEST(ConvexManifold, OfParallelCapsulesAreTheEndsOfTheirCommonPart) {
   const Capsule capsule({-1, 0, 0}, {1, 0, 0}, 0.5);
-  const Manifold m = manifold(PosedConvex(capsule), PosedConvex(capsule, at(0.5, 0, 0.75)));
+  const Manifold m = manifold(PosedConvex(capsule), PosedConvex(capsule, pose_at(0.5, 0, 0.75)));
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.5, 0, 0.375}, {1, 0, 0.375}}));
   for (int i = 0; i < m.count; ++i) EXPECT_EQ(m.points[static_cast<std::size_t>(i)].depth, 0.25);
@@ -120,7 +120,7 @@ TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
     points.push_back({std::cos(angle), std::sin(angle), 1});
   }
   const ConvexHull coin(points);
-  const Manifold m = manifold(PosedConvex(Box({4, 4, 1})), PosedConvex(coin, at(0, 0, 1)));
+  const Manifold m = manifold(PosedConvex(Box({4, 4, 1})), PosedConvex(coin, pose_at(0, 0, 1)));
   ASSERT_EQ(m.count, 4);
   const std::vector<Vec3> at_points = positions(m);
   // The two points farthest apart are a diameter, and the others lie on both sides of it.
@@ -129,8 +129,8 @@ TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
 
 TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
   const PosedConvex floor(Box({2, 2, 1}));
-  const Manifold first = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), at(0.25, 0, 1.49)));
-  const Manifold next = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), at(0.2501, 0.0001, 1.4899)));
+  const Manifold first = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.49)));
+  const Manifold next = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), pose_at(0.2501, 0.0001, 1.4899)));
   ASSERT_EQ(first.count, 4);
   ASSERT_EQ(next.count, 4);
   for (const ManifoldPoint& p : first.points)

@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
+Pose standing_at(double x, double y, double z) { return Pose::translation(x, y, z); }
 
 bool contains(const Penetration& p, double depth) { return p.lower <= depth && depth <= p.upper; }
 
@@ -35,7 +35,7 @@ TEST(ConvexPenetration, OfIdenticalCubesIsTheirEdge) {
 
 // danfis/libccd#25: the direction of two stacked cubes is NaN.
 TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
-  const PosedConvex below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), at(0, 0, 1));
+  const PosedConvex below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), standing_at(0, 0, 1));
   expect_depth(below, above, 0);
   EXPECT_EQ(penetration(below, above).direction, (Vec3{0, 0, 1}));
 }
@@ -43,7 +43,7 @@ TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
 // Jolt drops contacts that are 1e-6 deep, and what is tiny in what is huge.
 TEST(ConvexPenetration, OfShallowContactsIsRelativelyRight) {
   for (const double depth : {0x1p-20, 0x1p-30, 0x1p-40, 0x1p-50})
-    expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), at(2 - depth, 0.25, 0.5)), depth);
+    expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), standing_at(2 - depth, 0.25, 0.5)), depth);
 }
 
 TEST(ConvexPenetration, OfATinyShapeDeepInAHugeOneIsTheWayToTheNearestFace) {
@@ -64,7 +64,7 @@ TEST(ConvexPenetration, OfCrossingCapsulesIsAlongTheirCommonNormal) {
 }
 
 TEST(ConvexPenetration, OfASphereWithItsCentreInABoxIsTheWayOutAndTheRadius) {
-  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Sphere(0.5), at(0.75, 0.5, 1)), 0.75);
+  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Sphere(0.5), standing_at(0.75, 0.5, 1)), 0.75);
 }
 
 TEST(ConvexPenetration, OfACapsuleInABoxIsDefinedForItsFlatCore) {
@@ -72,8 +72,8 @@ TEST(ConvexPenetration, OfACapsuleInABoxIsDefinedForItsFlatCore) {
 }
 
 TEST(ConvexPenetration, OfShapesApartIsZero) {
-  expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), at(5, 5, 5)), 0);
-  expect_depth(PosedConvex(Sphere(1)), PosedConvex(Sphere(1), at(5, 5, 5)), 0);
+  expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), standing_at(5, 5, 5)), 0);
+  expect_depth(PosedConvex(Sphere(1)), PosedConvex(Sphere(1), standing_at(5, 5, 5)), 0);
 }
 
 // Apart by less than the least double: of the facets of their difference one has the origin before it, and another,
@@ -92,10 +92,10 @@ TEST(ConvexPenetration, OfShapesApartByLessThanADoubleIsZero) {
 TEST(ConvexPenetration, DoesNotDependOnWhereAndHowLargeTheShapesAre) {
   for (const double scale : {0x1p-20, 0x1p-300, 0x1p300})
     expect_depth(PosedConvex(Box({scale, scale, scale})),
-                 PosedConvex(Box({scale, scale, scale}), at(1.5 * scale, 0, 0)), 0.5 * scale);
+                 PosedConvex(Box({scale, scale, scale}), standing_at(1.5 * scale, 0, 0)), 0.5 * scale);
   const double far = 0x1p30;
-  expect_depth(PosedConvex(Box({1, 1, 1}), at(far, far, far)), PosedConvex(Box({1, 1, 1}), at(far + 1.5, far, far)),
-               0.5);
+  expect_depth(PosedConvex(Box({1, 1, 1}), standing_at(far, far, far)),
+               PosedConvex(Box({1, 1, 1}), standing_at(far + 1.5, far, far)), 0.5);
 }
 
 TEST(ConvexPenetration, OfSurfacesIsAnError) {
@@ -119,7 +119,7 @@ TEST(ConvexPenetration, OfBothMethodsIsTheSame) {
   for (int i = 0; i < 40; ++i) {
     const ConvexHull hull_a = ball_hull(random, 20), hull_b = ball_hull(random, 40);
     const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
-    const PosedConvex a(hull_a), b(hull_b, at(x, y, z));
+    const PosedConvex a(hull_a), b(hull_b, standing_at(x, y, z));
     const Penetration p = penetration_by_expansion(a, b), q = penetration_by_separating_axes(a, b);
     EXPECT_LE(std::max(p.lower, q.lower), std::min(p.upper, q.upper));
     EXPECT_EQ(p.status, Status::exact);
@@ -165,17 +165,17 @@ TEST(ConvexPenetration, OfTwoFacesOverEachOtherHasItsPointsOnBoth) {
 TEST(SeparatingAxes, KeepTheAxisThatSeparatedLast) {
   Random random(8);
   const ConvexHull hull = ball_hull(random, 32);
-  const PosedConvex a(hull), b(hull, at(2.5, 0, 0));
+  const PosedConvex a(hull), b(hull, standing_at(2.5, 0, 0));
   ConvexWorkspace workspace;
   EXPECT_FALSE(overlap_by_separating_axes(a, b, &workspace));
   EXPECT_NE(workspace.direction, Vec3{});
-  EXPECT_FALSE(overlap_by_separating_axes(a, PosedConvex(hull, at(2.51, 0, 0)), &workspace));
+  EXPECT_FALSE(overlap_by_separating_axes(a, PosedConvex(hull, standing_at(2.51, 0, 0)), &workspace));
 }
 
 TEST(SeparatingAxes, OfBoxesTellTouchingFromALastPlace) {
   const PosedConvex cube(Box({1, 1, 1}));
-  EXPECT_TRUE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), at(2, 2, 2))));
-  EXPECT_FALSE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), at(2, 2, std::nextafter(2, 3)))));
+  EXPECT_TRUE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), standing_at(2, 2, 2))));
+  EXPECT_FALSE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), standing_at(2, 2, std::nextafter(2, 3)))));
 }
 
 TEST(SeparatingAxes, OfBoxesNeedTheEdgePairs) {

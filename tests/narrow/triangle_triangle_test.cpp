@@ -31,17 +31,17 @@ std::string to_text(const Meeting& m) {
 }
 
 /// A triangle that meets the right triangle below in a known way.
-struct Case {
+struct KnownCase {
   std::string name;
   Triangle b;
   std::string expected;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const KnownCase& c, std::ostream* out) { *out << c.name; }
 
 const Triangle right_triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
 
-const std::vector<Case> cases{
+const std::vector<KnownCase> known_cases{
     // Nothing.
     {"above", {{{{0, 0, 1}, {4, 0, 1}, {0, 4, 2}}}}, "none"},
     {"parallel", {{{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}}}, "none"},
@@ -108,7 +108,7 @@ const std::vector<Case> cases{
     {"a star", {{{{3, 3, 0}, {-1, 3, 0}, {3, -1, 0}}}}, "polygon coplanar on f/f: e0/e1 e0/e2 e1/e2 e1/e0 e2/e0 e2/e1"},
 };
 
-class TriangleCase : public testing::TestWithParam<Case> {};
+class TriangleCase : public testing::TestWithParam<KnownCase> {};
 
 TEST_P(TriangleCase, IsToldExactlyAndBothWays) {
   const auto& [name, b, expected] = GetParam();
@@ -170,7 +170,7 @@ TEST(TriangleTriangle, ReachesToTheEndsOfTheDoubles) {
   EXPECT_EQ(to_text(meeting(smallest, huge)), "polygon coplanar on f/f: v0/f v1/f v2/f");
 }
 
-INSTANTIATE_TEST_SUITE_P(Known, TriangleCase, testing::ValuesIn(cases));
+INSTANTIATE_TEST_SUITE_P(Known, TriangleCase, testing::ValuesIn(known_cases));
 
 }  // namespace
 }  // namespace toccata

@@ -13,16 +13,16 @@
 namespace toccata {
 namespace {
 
-Posed at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
+Posed placed_at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
 
 std::vector<Posed> playground() {
   const std::array<CompoundPart, 2> parts = {CompoundPart{Sphere{0.5}}, CompoundPart{Box{{0.25, 0.25, 0.25}}}};
-  return {at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                        // 0: the ground, z ≤ 0
-          at(Sphere{1}, 0, 0, 1),                                       // 1: lies on it
-          at(Model(test::box_mesh({-1, -1, -1}, {1, 1, 1})), 5, 0, 0),  // 2: half in it
-          at(Box{{1, 1, 1}}, 7, 0, 2),                                  // 3: touches 2 along an edge, above the ground
-          at(Model(Compound{parts}), 100, 0, 0),                        // 4: half in the ground
-          at(Point{}, 0, 0, 1)};                                        // 5: in the ball
+  return {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                        // 0: the ground, z ≤ 0
+          placed_at(Sphere{1}, 0, 0, 1),                                       // 1: lies on it
+          placed_at(Model(test::box_mesh({-1, -1, -1}, {1, 1, 1})), 5, 0, 0),  // 2: half in it
+          placed_at(Box{{1, 1, 1}}, 7, 0, 2),            // 3: touches 2 along an edge, above the ground
+          placed_at(Model(Compound{parts}), 100, 0, 0),  // 4: half in the ground
+          placed_at(Point{}, 0, 0, 1)};                  // 5: in the ball
 }
 
 TEST(CheckShapes, FindsEveryPairOfShapesThatMeets) {
@@ -64,7 +64,7 @@ TEST(CheckShapes, TellsHowDeepWhereThatIsDefined) {
 TEST(CheckShapes, AFlatHullHasNoDepthAndPointsOfContact) {
   const ConvexHull square(std::vector<Vec3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
   const CheckAnswer answer =
-      check_all(std::vector<Posed>{at(square, 0, 0, 0), at(Sphere{1}, 0, 0, 0.5)}, {.penetration = true});
+      check_all(std::vector<Posed>{placed_at(square, 0, 0, 0), placed_at(Sphere{1}, 0, 0, 0.5)}, {.penetration = true});
   ASSERT_EQ(answer.pairs.size(), 1U);
   EXPECT_FALSE(answer.pairs[0].penetration);
   EXPECT_TRUE(answer.pairs[0].manifold);
@@ -84,7 +84,8 @@ TEST(CheckShapes, ErrorsNameTheModel) {
 }
 
 TEST(CheckShapes, OnlyHalfSpacesHaveNoBoxesAndAreStillCompared) {
-  const std::vector<Posed> two = {at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0), at(HalfSpace{{}, {0, 0, -1}}, 0, 0, 0)};
+  const std::vector<Posed> two = {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
+                                  placed_at(HalfSpace{{}, {0, 0, -1}}, 0, 0, 0)};
   const CheckAnswer answer = check_all(two);
   ASSERT_EQ(answer.pairs.size(), 1U);
   EXPECT_EQ(answer.pairs[0].relation.kind, RelationKind::touching);

@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 double below(double x) { return std::nextafter(x, 0.0); }
 
@@ -146,9 +146,9 @@ TEST(CloserThan, AskedForManyIsTheSame) {
 TEST(CloserThan, RefusesWhatIsNoLength) {
   const Sphere ball(1);
   const PairQuery far{.pose_b = Pose::translation(1e300, 0, 0)};
-  EXPECT_TRUE(closer_than(ball, ball, infinity, far));
-  EXPECT_EQ(distance_within(ball, ball, infinity, far), distance(ball, ball, far));
-  for (const double wrong : {-1.0, -5e-324, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  EXPECT_TRUE(closer_than(ball, ball, unlimited, far));
+  EXPECT_EQ(distance_within(ball, ball, unlimited, far), distance(ball, ball, far));
+  for (const double wrong : {-1.0, -5e-324, -unlimited, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(static_cast<void>(closer_than(ball, ball, wrong)), Error);
     EXPECT_THROW(static_cast<void>(distance_within(ball, ball, wrong)), Error);
   }

@@ -22,7 +22,7 @@
 namespace toccata {
 namespace {
 
-Model model_of(const test::ConvexShape& shape) {
+Model model_of_shape(const test::ConvexShape& shape) {
   return std::visit([](const auto& given) { return Model(given); }, shape);
 }
 
@@ -31,7 +31,7 @@ Shape shape_of(const test::ConvexShape& shape) {
 }
 
 std::string fault_of(const test::ConvexCase& pair, Random& random) {
-  const Model a = model_of(pair.a.shape), b = model_of(pair.b.shape);
+  const Model a = model_of_shape(pair.a.shape), b = model_of_shape(pair.b.shape);
   const PosedConvex posed_a = test::posed(pair.a), posed_b = test::posed(pair.b);
   const PairQuery query{.pose_a = pair.a.pose, .pose_b = pair.b.pose};
   const PairQuery other_way{.pose_a = pair.b.pose, .pose_b = pair.a.pose};
@@ -82,7 +82,7 @@ TEST(ModelsAndHalfSpaces, AreAnsweredAboutAsTheirShapesBothWaysRound) {
     for (const std::string& regime : test::convex_regimes()) {
       const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + kind + ", " + regime + "\n" + to_text(pair));
-      const Model a = model_of(pair.a.shape), b(pair.b.shape);
+      const Model a = model_of_shape(pair.a.shape), b(pair.b.shape);
       const PosedConvex posed_a = test::posed(pair.a);
       const PosedHalfSpace posed_b = test::posed(pair.b);
       const PairQuery query{.pose_a = pair.a.pose, .pose_b = pair.b.pose};

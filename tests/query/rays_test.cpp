@@ -29,11 +29,11 @@ TEST(Ray, AgreesWithTheOracleAtEverySimdLevel) {
   });
 }
 
-const Model ball(generate_mesh("icosphere", {{"subdivisions", 2}}));
+const Model icosphere(generate_mesh("icosphere", {{"subdivisions", 2}}));
 
 TEST(Ray, NoneSlipsThroughAnEdgeOrACorner) {
   // From the middle of a closed surface to its corners and to the middles of its edges.
-  const TriangleMesh& mesh = ball.mesh();
+  const TriangleMesh& mesh = icosphere.mesh();
   const Pose pose{rotation_about({1, 2, 3}, 33), {7, -5, 3}};
   const Vec3 middle = pose.offset + Vec3{0.01, 0.02, 0.03};
   for (const auto& corner : mesh.triangles())
@@ -41,7 +41,7 @@ TEST(Ray, NoneSlipsThroughAnEdgeOrACorner) {
       const Vec3 p = transform(pose, mesh.vertices()[corner[i]]);
       const Vec3 q = transform(pose, mesh.vertices()[corner[(i + 1) % 3]]);
       for (const Vec3& to : {p, 0.5 * (p + q)}) {
-        const RayHit hit = cast_ray(middle, 2.0 * (to - middle), ball, pose, Solid::none);
+        const RayHit hit = cast_ray(middle, 2.0 * (to - middle), icosphere, pose, Solid::none);
         ASSERT_TRUE(hit.hit);
         ASSERT_NEAR(hit.upper, 0.5, 1e-9);
       }
@@ -50,11 +50,11 @@ TEST(Ray, NoneSlipsThroughAnEdgeOrACorner) {
 
 TEST(Ray, ASolidIsMetAtOnceFromItsInside) {
   const Vec3 inside{0.1, 0.2, 0.3};
-  const RayHit as_solid = cast_ray(inside, {5, 0, 0}, ball);
+  const RayHit as_solid = cast_ray(inside, {5, 0, 0}, icosphere);
   EXPECT_TRUE(as_solid.hit);
   EXPECT_EQ(as_solid.upper, 0);
   EXPECT_EQ(as_solid.point, inside);
-  const RayHit as_surface = cast_ray(inside, {5, 0, 0}, ball, {}, Solid::none);
+  const RayHit as_surface = cast_ray(inside, {5, 0, 0}, icosphere, {}, Solid::none);
   EXPECT_TRUE(as_surface.hit);
   EXPECT_GT(as_surface.lower, 0.1);
   EXPECT_LT(as_surface.normal.x, -0.8);  // against the ray
@@ -62,7 +62,7 @@ TEST(Ray, ASolidIsMetAtOnceFromItsInside) {
 
 TEST(Ray, TellsElementAndFaceOfACompound) {
   const std::vector<CompoundPart> parts{{Sphere(1), Pose::translation(-5, 0, 0)},
-                                        {ball.shape(), Pose::translation(5, 0, 0)}};
+                                        {icosphere.shape(), Pose::translation(5, 0, 0)}};
   const Model model((Compound(parts)));
   const RayHit left = cast_ray({-9, 0.1, 0.1}, {30, 0, 0}, model);
   EXPECT_EQ(left.element, 0U);
@@ -71,7 +71,7 @@ TEST(Ray, TellsElementAndFaceOfACompound) {
   EXPECT_GE(right.element, 1U);
   EXPECT_EQ(right.face, right.element);
   EXPECT_NEAR(right.normal.x, 1, 0.1);
-  const RayHit alone = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, ball, Pose::translation(5, 0, 0));
+  const RayHit alone = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, icosphere, Pose::translation(5, 0, 0));
   EXPECT_EQ(alone.element + 1, right.element);
 }
 
@@ -98,12 +98,12 @@ TEST(Ray, BatchIsTheSameAsOneByOne) {
 }
 
 TEST(Ray, BadInputIsRefused) {
-  EXPECT_THROW(static_cast<void>(cast_ray({NAN, 0, 0}, {1, 0, 0}, ball)), Error);
-  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {HUGE_VAL, 0, 0}, ball)), Error);
-  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, ball)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({NAN, 0, 0}, {1, 0, 0}, icosphere)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {HUGE_VAL, 0, 0}, icosphere)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, icosphere)), Error);
   Pose lost;
   lost.offset.x = NAN;
-  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {1, 0, 0}, ball, lost)), Error);
+  EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {1, 0, 0}, icosphere, lost)), Error);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::size_t place_of(const WideBlock& block, std::size_t lane) {
   return static_cast<std::size_t>(place);
 }
 
-Aabb point_box(double x, double y, double z) { return {{x, y, z}, {x, y, z}}; }
+Aabb box_of_point(double x, double y, double z) { return {{x, y, z}, {x, y, z}}; }
 
 std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
   std::vector<Aabb> boxes;
@@ -204,12 +204,12 @@ TEST(WideBuild, HoldsBoxesAroundTheEndsOfDoubles) {
   std::vector<Aabb> boxes;
   for (int i = 0; i < 50; ++i) {
     boxes.push_back({{-huge, -huge, -huge}, {huge, huge, huge}});
-    boxes.push_back(point_box(i % 2 == 0 ? huge : -huge, 0, 0));
-    boxes.push_back(point_box(0, i * tiny, -tiny));
+    boxes.push_back(box_of_point(i % 2 == 0 ? huge : -huge, 0, 0));
+    boxes.push_back(box_of_point(0, i * tiny, -tiny));
   }
   check(boxes);
   boxes.clear();
-  for (int i = 0; i < 50; ++i) boxes.push_back(point_box(0, i * tiny, -0.0));
+  for (int i = 0; i < 50; ++i) boxes.push_back(box_of_point(0, i * tiny, -0.0));
   check(boxes);
 }
 
@@ -218,14 +218,14 @@ TEST(WideBuild, ItemsOverManyOrdersOfMagnitudeStayShallow) {
   for (int exponent = -1074; exponent < 1023; ++exponent) {
     for (int copy = 0; copy < 4; ++copy) {
       const double x = std::ldexp(1.0, exponent);
-      boxes.push_back(copy == 0 ? Aabb{{-x, 0, 0}, {x, x, 0}} : point_box(x, 0, copy == 1 ? -x : 0));
+      boxes.push_back(copy == 0 ? Aabb{{-x, 0, 0}, {x, x, 0}} : box_of_point(x, 0, copy == 1 ? -x : 0));
     }
   }
   EXPECT_LE(check(boxes), 64 + 14);
 }
 
 TEST(WideBuild, CoincidentItemsFillTheirBlocks) {
-  for (const Aabb& box : {point_box(0.1, 0.2, 0.3), Aabb{{0, 0, 0}, {1, 1, 1}}}) {
+  for (const Aabb& box : {box_of_point(0.1, 0.2, 0.3), Aabb{{0, 0, 0}, {1, 1, 1}}}) {
     const std::vector<Aabb> boxes(4096, box);
     EXPECT_EQ(check(boxes), 4);
     EXPECT_EQ(build_wide_tree(boxes).blocks.size(), 512U + 64 + 8 + 1);
@@ -234,9 +234,9 @@ TEST(WideBuild, CoincidentItemsFillTheirBlocks) {
 
 TEST(WideBuild, ItemsOnALineAndInAPlane) {
   std::vector<Aabb> line, grid;
-  for (int i = 0; i < 1000; ++i) line.push_back(point_box(i, 0, 0));
+  for (int i = 0; i < 1000; ++i) line.push_back(box_of_point(i, 0, 0));
   for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x) grid.push_back(point_box(x, y, 0));
+    for (int x = 0; x < 32; ++x) grid.push_back(box_of_point(x, y, 0));
   EXPECT_LE(check(line), 8);
   EXPECT_LE(check(grid), 6);
 }
@@ -272,12 +272,12 @@ TEST(WideBuild, HoldsManyBoxes) {
 TEST(WideBuild, HoldsManyBoxesOfWhichMostAreInACorner) {
   Random random(17);
   auto boxes = random_boxes(random, 40'000, {1e3, 1e3, 1e3}, 1e-3, 1e-5);
-  for (int i = 0; i < 100; ++i) boxes.push_back(point_box(-1e3 * random.unit(), 0, 0));
+  for (int i = 0; i < 100; ++i) boxes.push_back(box_of_point(-1e3 * random.unit(), 0, 0));
   EXPECT_LE(check(boxes), 14);
 }
 
 TEST(WideBuild, HoldsManyBoxesThatCoincide) {
-  const std::vector<Aabb> boxes(40'000, point_box(0.1, 0.2, 0.3));
+  const std::vector<Aabb> boxes(40'000, box_of_point(0.1, 0.2, 0.3));
   EXPECT_LE(check(boxes), 9);
 }
 
@@ -289,7 +289,7 @@ TEST(WideBuild, TheSameTreeOnAnyNumberOfThreads) {
 }
 
 TEST(WideBuild, TooManyItemsAreRefused) {
-  const std::vector<Aabb> boxes(10, point_box(1, 2, 3));
+  const std::vector<Aabb> boxes(10, box_of_point(1, 2, 3));
   EXPECT_NO_THROW((void)build_wide_tree(boxes, {.most_items = 10}));
   try {
     (void)build_wide_tree(boxes, {.most_items = 9});

@@ -12,7 +12,7 @@
 namespace toccata {
 namespace {
 
-std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
+std::vector<Aabb> leaf_boxes_of(const TriangleMesh& mesh) {
   std::vector<Aabb> boxes;
   for (const auto& corners : mesh.triangles()) {
     Aabb& box = boxes.emplace_back();
@@ -35,7 +35,7 @@ Aabb expect_holds(const WideTree& tree, const std::vector<Aabb>& boxes, std::siz
 }
 
 void expect_fits(const WideTree& tree, const TriangleMesh& mesh) {
-  EXPECT_EQ(expect_holds(tree, boxes_of(mesh), 0), tree.box);
+  EXPECT_EQ(expect_holds(tree, leaf_boxes_of(mesh), 0), tree.box);
 }
 
 void expect_same(const WideTree& a, const WideTree& b) {
@@ -60,7 +60,7 @@ TriangleMesh moved(const TriangleMesh& mesh, const Move& move) {
 
 TEST(WideRefit, OfWhatStoodStillIsHardlyLargerThanAsBuilt) {
   const TriangleMesh mesh = generate_mesh("torus-knot");
-  WideTree tree = build_wide_tree(boxes_of(mesh));
+  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
   const Refit still = refit(tree, mesh);
   expect_fits(tree, mesh);
   EXPECT_NEAR(still.growth, 1, 1e-5);
@@ -70,7 +70,7 @@ TEST(WideRefit, OfWhatStoodStillIsHardlyLargerThanAsBuilt) {
 
 TEST(WideRefit, HoldsWhatHasMovedOnAnyNumberOfThreads) {
   const TriangleMesh mesh = generate_mesh("noise-sphere");
-  WideTree tree = build_wide_tree(boxes_of(mesh)), on_threads = tree;
+  WideTree tree = build_wide_tree(leaf_boxes_of(mesh)), on_threads = tree;
   for (const double bend : {0.1, 1.0, 3.0}) {
     const TriangleMesh bent = moved(mesh, [&](const Vec3& v) {
       return Vec3{v.x + bend * v.y * v.y, v.y, v.z + 0.3 * bend * std::sin(5 * v.x)};
@@ -88,7 +88,7 @@ TEST(WideRefit, TinyHugeAndFarMeshesKeepTheirDetail) {
   for (const double scale : {1e-300, 1e-9, 1e9, 1e150, 1e307})
     for (const double shift : {0.0, 1e6}) {
       if (scale > 1e300 && shift > 0) continue;  // beyond the doubles
-      WideTree tree = build_wide_tree(boxes_of(mesh));
+      WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
       const TriangleMesh placed = moved(mesh, [&](const Vec3& v) { return scale * (v + Vec3{shift, 0, -shift}); });
       static_cast<void>(refit(tree, placed));
       expect_fits(tree, placed);
@@ -97,27 +97,27 @@ TEST(WideRefit, TinyHugeAndFarMeshesKeepTheirDetail) {
 
 TEST(WideRefit, TellsWhenToRebuild) {
   const TriangleMesh mesh = generate_mesh("noise-sphere");
-  WideTree tree = build_wide_tree(boxes_of(mesh));
+  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
   Random random(3);
   std::vector<Vec3> shuffled(mesh.vertices().begin(), mesh.vertices().end());
   for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[random.below(i)]);
   EXPECT_TRUE(refit(tree, mesh.with_vertices(shuffled)).should_rebuild());
   EXPECT_FALSE(refit(tree, mesh).should_rebuild()) << "growth is counted from the build";
   const TriangleMesh point = moved(mesh, [](const Vec3&) { return Vec3{1, 2, 3}; });
-  WideTree of_point = build_wide_tree(boxes_of(point));
+  WideTree of_point = build_wide_tree(leaf_boxes_of(point));
   EXPECT_FALSE(refit(of_point, point).should_rebuild());
   EXPECT_TRUE(refit(of_point, mesh).should_rebuild()) << "grown from nothing";
 }
 
 TEST(WideRefit, VerticesWithoutTrianglesDoNotMatter) {
   const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e300, -1e300, 1e9}}, {{0, 1, 2}});
-  WideTree tree = build_wide_tree(boxes_of(mesh));
+  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
   static_cast<void>(refit(tree, mesh));
   expect_fits(tree, mesh);
 }
 
 TEST(WideRefit, ATreeOfAnotherMeshIsRefused) {
-  WideTree tree = build_wide_tree(boxes_of(generate_mesh("torus")));
+  WideTree tree = build_wide_tree(leaf_boxes_of(generate_mesh("torus")));
   EXPECT_THROW(static_cast<void>(refit(tree, generate_mesh("torus-knot"))), Error);
 }
 
