@@ -146,20 +146,31 @@ HWY_INLINE Mask are_allowed(const Shares& at, const Mask& of_face) {
                  hn::Or(hn::Not(of_face), hn::Lt(sum, all(1 - 0x1p-50))));
 }
 
-/// A step of Newton's for the least difference, of the shares that are not at an end.
-HWY_INLINE Shares refined(const Differences& d, const Number& s, const Number& t) {
-  const PreciseVector here = moved(moved(d.start, s, d.along), t, d.other_along);
-  const Number down = dot(here, d.along).high, other_down = dot(here, d.other_along).high;
+/// Two shares on the way to the least difference, and this.
+struct Reached {
+  Shares at;
+  PreciseVector difference;
+};
+
+HWY_INLINE Reached start_of(const Differences& d, const Number& s, const Number& t) {
+  return {{s, t, hn::Zero(Tag()), hn::Zero(Tag())}, moved(moved(d.start, s, d.along), t, d.other_along)};
+}
+
+/// After a step of Newton's, of the shares that are not at an end.
+HWY_INLINE Reached stepped(const Differences& d, const Reached& from) {
+  const Number down = dot(from.difference, d.along).high, other_down = dot(from.difference, d.other_along).high;
   const Vector u = high_parts(d.along), v = high_parts(d.other_along);
   const Number uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), zero = hn::Zero(Tag());
   const Number area = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
-  const Mask free = hn::And(hn::Gt(s, zero), hn::Lt(s, all(1)));
-  const Mask other_free = hn::And(hn::Gt(t, zero), hn::Lt(t, all(1)));
+  const Mask free = hn::And(hn::Gt(from.at.s, zero), hn::Lt(from.at.s, all(1)));
+  const Mask other_free = hn::And(hn::Gt(from.at.t, zero), hn::Lt(from.at.t, all(1)));
   const Number both_s = hn::Div(hn::Sub(hn::Mul(uv, other_down), hn::Mul(vv, down)), area);
   const Number both_t = hn::Div(hn::Sub(hn::Mul(uv, down), hn::Mul(uu, other_down)), area);
   const Number one_s = hn::Div(hn::Neg(down), uu), one_t = hn::Div(hn::Neg(other_down), vv);
-  return {s, t, hn::IfThenElseZero(free, hn::IfThenElse(other_free, both_s, one_s)),
-          hn::IfThenElseZero(other_free, hn::IfThenElse(free, both_t, one_t))};
+  const Number by_s = hn::IfThenElseZero(free, hn::IfThenElse(other_free, both_s, one_s));
+  const Number by_t = hn::IfThenElseZero(other_free, hn::IfThenElse(free, both_t, one_t));
+  return {{from.at.s, from.at.t, hn::Add(from.at.more_s, by_s), hn::Add(from.at.more_t, by_t)},
+          moved(moved(from.difference, by_s, d.along), by_t, d.other_along)};
 }
 
 /// How far apart the triangles are along a difference, times its length.
@@ -183,23 +194,42 @@ HWY_INLINE Number largest_difference(const Corners& a, const Corners& b) {
   return largest;
 }
 
+struct Ends {
+  Number lower, upper;
+
+  /// They tell something, but not enough: the step before did not come near enough to the least difference.
+  HWY_INLINE Mask are_wide() const {
+    return hn::And(hn::Lt(upper, hn::Inf(Tag())), hn::Gt(hn::Sub(upper, lower), hn::Mul(all(0x1p-42), upper)));
+  }
+};
+
 // Bounds: docs/methods/mesh-distance.md.
-HWY_INLINE void refine_lanes(const TrianglePairBlock& block, std::size_t lane, TriangleGaps& gaps) {
-  const Corners a = corners_in(block.a, lane), b = corners_in(block.b, lane);
-  const Differences d = differences(a, b, hn::Load(Tag(), gaps.features.data() + lane));
-  const Shares at =
-      refined(d, hn::Load(Tag(), gaps.share.data() + lane), hn::Load(Tag(), gaps.other_share.data() + lane));
-  PreciseVector least = moved(moved(d.start, at.s, d.along), at.t, d.other_along);
-  least = moved(moved(least, at.more_s, d.along), at.more_t, d.other_along);
+HWY_INLINE Ends ends_of(const Corners& a, const Corners& b, const Mask& of_face, const Reached& reached) {
+  const PreciseVector& least = reached.difference;
   const Number size = largest_difference(a, b), off = hn::Mul(all(0x1p-90), size), zero = hn::Zero(Tag());
   const Number length = hn::Sqrt(dot(least, least).high), lower = hn::Div(height(least, a, b).high, length);
   const Mask plain = hn::And(hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200))),
                              hn::Gt(length, hn::Mul(all(0x1p-60), size)));
-  const Mask known = hn::And(plain, are_allowed(at, d.of_face));
+  const Mask known = hn::And(plain, are_allowed(reached.at, of_face));
   const Number at_least = greater(hn::Sub(hn::Mul(lower, all(1 - 0x1p-49)), off), zero);
   const Number at_most = hn::Add(hn::Mul(length, all(1 + 0x1p-49)), off);
-  hn::Store(hn::IfThenElseZero(known, at_least), Tag(), gaps.lower.data() + lane);
-  hn::Store(hn::IfThenElse(known, at_most, hn::Inf(Tag())), Tag(), gaps.upper.data() + lane);
+  return {hn::IfThenElseZero(known, at_least), hn::IfThenElse(known, at_most, hn::Inf(Tag()))};
+}
+
+HWY_INLINE void refine_lanes(const TrianglePairBlock& block, std::size_t lane, TriangleGaps& gaps) {
+  const Corners a = corners_in(block.a, lane), b = corners_in(block.b, lane);
+  const Differences d = differences(a, b, hn::Load(Tag(), gaps.features.data() + lane));
+  const Number s = hn::Load(Tag(), gaps.share.data() + lane), t = hn::Load(Tag(), gaps.other_share.data() + lane);
+  const Reached once = stepped(d, start_of(d, s, t));
+  Ends ends = ends_of(a, b, d.of_face, once);
+  const Mask wide = ends.are_wide();
+  if (!hn::AllFalse(Tag(), wide)) {
+    // Only in the lanes that need it, so that none depends on its neighbours.
+    const Ends again = ends_of(a, b, d.of_face, stepped(d, once));
+    ends = {hn::IfThenElse(wide, again.lower, ends.lower), hn::IfThenElse(wide, again.upper, ends.upper)};
+  }
+  hn::Store(ends.lower, Tag(), gaps.lower.data() + lane);
+  hn::Store(ends.upper, Tag(), gaps.upper.data() + lane);
 }
 
 }  // namespace

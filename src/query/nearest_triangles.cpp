@@ -47,7 +47,31 @@ FrontGap PairDistances::gap_in(std::size_t lane, const NearCandidate& candidate)
   return {((swapped_[lane] ? -1 : 1) / std::sqrt(dot(seen, seen))) * seen, found.gap};
 }
 
-TriangleGaps::Lanes PairDistances::uppers_of(std::span<const NearCandidate> candidates) {
+/// Of the first lanes of a block that was refined, those that are still too wide: which features are nearest may hang
+/// on digits that doubles do not have, and another direction then tells more. Each lane is left alone once it is
+/// narrow, so that none depends on its neighbours.
+void PairDistances::try_all_features(std::size_t count) {
+  constexpr int feature_count = 15;
+  TriangleGaps best = gaps_;
+  const auto is_wide = [&](std::size_t lane) { return !is_narrow(best.lower[lane], best.upper[lane]); };
+  for (int features = 0; features < feature_count; ++features) {
+    std::size_t wide = 0;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      wide += is_wide(lane) ? 1 : 0;
+      gaps_.set_points(lane, {static_cast<double>(features), 1.0 / 3, 1.0 / 3});
+    }
+    if (wide == 0) break;
+    refine_gaps(block_, gaps_);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if (!is_wide(lane)) continue;
+      best.lower[lane] = std::max(best.lower[lane], gaps_.lower[lane]);
+      best.upper[lane] = std::min(best.upper[lane], gaps_.upper[lane]);
+    }
+  }
+  gaps_ = best;
+}
+
+TriangleGaps::Lanes PairDistances::uppers_of(std::span<const NearCandidate> candidates, Effort effort) {
   TriangleGaps::Lanes uppers{};
   bool all_narrow = true;
   for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
@@ -61,10 +85,13 @@ TriangleGaps::Lanes PairDistances::uppers_of(std::span<const NearCandidate> cand
     gaps_.set_points(lane, candidates[lane].points);
   }
   refine_gaps(block_, gaps_);
+  if (effort == Effort::whole) try_all_features(candidates.size());
   for (std::size_t lane = 0; lane < candidates.size(); ++lane) {
     if (is_narrow(candidates[lane].lower, candidates[lane].upper)) continue;
-    uppers[lane] =
-        is_narrow(gaps_.lower[lane], gaps_.upper[lane]) ? gaps_.upper[lane] : exact(candidates[lane].pair).upper;
+    if (is_narrow(gaps_.lower[lane], gaps_.upper[lane]))
+      uppers[lane] = gaps_.upper[lane];
+    else
+      uppers[lane] = effort == Effort::whole ? exact(candidates[lane].pair).upper : infinity;
   }
   return uppers;
 }
@@ -108,33 +135,42 @@ bool NearestTriangles::keep(NearCandidate candidate) {
   return true;
 }
 
-/// The least of some candidates, of a block's worth at most.
-NearestTriangles::Key NearestTriangles::least_of(std::span<const NearCandidate> candidates) {
-  const TriangleGaps::Lanes uppers = pairs_.uppers_of(candidates);
+/// The least of some candidates, but for those that it adds to `untold`.
+NearestTriangles::Key NearestTriangles::least_of(std::span<const NearCandidate> candidates,
+                                                 PairDistances::Effort effort, std::vector<NearCandidate>& untold) {
   Key least;
-  for (std::size_t i = 0; i < candidates.size(); ++i) least = std::min(least, Key{uppers[i], candidates[i].pair});
-  limit_ = std::min(limit_, limit_from(least.upper));
-  return least;
-}
-
-/// The least of all; those that seem to be nearest come first, so that the limit soon leaves out what it can.
-NearestTriangles::Key NearestTriangles::least() {
-  constexpr std::size_t at_once = TrianglePairBlock::lanes;
-  const auto first = candidates_.begin() + static_cast<std::ptrdiff_t>(std::min(at_once, candidates_.size()));
-  std::nth_element(candidates_.begin(), first, candidates_.end(),
-                   [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
-  Key least;
-  std::array<NearCandidate, at_once> block;
+  std::array<NearCandidate, TrianglePairBlock::lanes> block;
   std::size_t count = 0;
-  for (const NearCandidate& candidate : candidates_) {
+  const auto see_block = [&] {
+    const TriangleGaps::Lanes uppers = pairs_.uppers_of(std::span(block).first(count), effort);
+    for (std::size_t i = 0; i < count; ++i)
+      if (uppers[i] == infinity)
+        untold.push_back(block[i]);
+      else
+        least = std::min(least, Key{uppers[i], block[i].pair});
+    limit_ = std::min(limit_, limit_from(least.upper));
+    count = 0;
+  };
+  for (const NearCandidate& candidate : candidates) {
     if (candidate.lower > limit_) continue;
     pairs_.prefetch_numbers(candidate.pair);
     block[count++] = candidate;
-    if (count < at_once) continue;
-    least = std::min(least, least_of(block));
-    count = 0;
+    if (count == block.size()) see_block();
   }
-  return std::min(least, least_of(std::span(block).first(count)));
+  see_block();
+  return least;
+}
+
+/// The least of all. Those that seem to be nearest come first, so that the limit soon leaves out what it can, and those
+/// that take more come together.
+NearestTriangles::Key NearestTriangles::least() {
+  const auto first =
+      candidates_.begin() + static_cast<std::ptrdiff_t>(std::min(TrianglePairBlock::lanes, candidates_.size()));
+  std::nth_element(candidates_.begin(), first, candidates_.end(),
+                   [](const NearCandidate& x, const NearCandidate& y) { return x.lower < y.lower; });
+  std::vector<NearCandidate> untold, none;
+  const Key least = least_of(candidates_, PairDistances::Effort::first, untold);
+  return untold.empty() ? least : std::min(least, least_of(untold, PairDistances::Effort::whole, none));
 }
 
 Distance NearestTriangles::nearest(ConvexWorkspace* kept) {

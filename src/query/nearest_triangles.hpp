@@ -108,8 +108,11 @@ class PairDistances {
   [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
   [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
 
+  /// A first try, which leaves infinity where more is needed, or all that is.
+  enum class Effort { first, whole };
+
   /// The upper ends of the pairs' own intervals, of a block's worth at most. They do not meet.
-  [[nodiscard]] TriangleGaps::Lanes uppers_of(std::span<const NearCandidate> candidates);
+  [[nodiscard]] TriangleGaps::Lanes uppers_of(std::span<const NearCandidate> candidates, Effort effort);
 
   /// Of the last block that was bounded: how far apart the candidate in that lane is.
   [[nodiscard]] FrontGap gap_in(std::size_t lane, const NearCandidate& candidate) const;
@@ -128,6 +131,7 @@ class PairDistances {
   };
 
   void put(std::size_t lane, const ItemPair& pair);
+  void try_all_features(std::size_t count);
   [[nodiscard]] Ends precise_ends(const NearCandidate& candidate) const;
   void bound_block(std::span<const ItemPair> pairs);
 
@@ -184,7 +188,8 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
 
   bool keep(NearCandidate candidate);
   Key least();
-  Key least_of(std::span<const NearCandidate> candidates);
+  Key least_of(std::span<const NearCandidate> candidates, PairDistances::Effort effort,
+               std::vector<NearCandidate>& untold);
 
   PairDistances pairs_;
   std::vector<NearCandidate>& candidates_;
