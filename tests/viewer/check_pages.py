@@ -398,6 +398,20 @@ def check_empty(checks, browser):
     checks.quiet(browser, "empty")
 
 
+def check_case(checks, browser):
+    """A case that asks for a distance: the page says the number that was recorded."""
+    away = ["--pose-b", *"1 0 0 0 1 0 0 0 1 9 0.25 0".split()]
+    checks.run("distance", "gen:box", "gen:icosphere", *away, "--save-case", "far.json")
+    recorded = json.loads((checks.folder / "far.json").read_text())["answer"]["pairs"][0]["upper"]
+    checks.run("view", "far.json", "-o", "far.html")
+    checks.opened(browser, "far.html", "#pair=0")
+    browser.wait_for("!document.getElementById('found').hidden")
+    facts = browser.value("document.getElementById('facts').textContent")
+    told = re.search(r"([-\d.e]+) apart", facts)
+    checks.expect(told and abs(float(told.group(1)) / recorded - 1) < 1e-5, f"the distance {recorded}: {facts}")
+    checks.quiet(browser, "far")
+
+
 def main():
     if find_chromium() is None:
         print("SKIPPED: no Chromium is installed (apt-get install chromium)")
@@ -406,7 +420,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_empty]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0
