@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -52,15 +50,12 @@ TEST_F(Cost, IsDrawnAtOnceAndFromAReportThatWasKept) {
   const auto measured = cost({"--quick", "--volumes", "aabb,obb", "--json", "--svg", "cost.svg"});
   EXPECT_EQ(measured.exit_code, 0) << measured.err;
   folder.write("cost.json", measured.out);
-  const auto text_of = [&](const char* file) {
-    std::ifstream stream(folder.path() / file);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  };
+  const auto drawing = [&](const char* file) { return test::text_of(folder.path() / file); };
   const auto drawn = run_command({"plot", "cost.json", "-o", "again.svg"}, folder.path());
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   EXPECT_EQ(drawn.out, "again.svg: a plot of cost.json.\n");
-  EXPECT_FALSE(text_of("cost.svg").empty());
-  EXPECT_EQ(text_of("cost.svg"), text_of("again.svg"));
+  EXPECT_FALSE(drawing("cost.svg").empty());
+  EXPECT_EQ(drawing("cost.svg"), drawing("again.svg"));
 }
 
 TEST_F(Cost, PlotsThatCannotBeAreRefused) {

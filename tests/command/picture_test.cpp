@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
@@ -19,12 +18,8 @@ namespace {
 
 using test::run_command;
 using test::TemporaryFolder;
+using test::text_of;
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// What runs here finds this script as Chromium, and its temporary files in a folder with a trying name.
 class StandIn {

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -14,12 +12,8 @@ namespace {
 
 using test::run_command;
 using test::TemporaryFolder;
+using test::text_of;
 using Words = std::vector<std::string>;
-
-std::string written_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Words with(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
@@ -69,7 +63,7 @@ TEST(ReplayCommand, TellsAnotherAnswerAndKeepsIt) {
   const auto asked = run_command(
       {"faces", "gen:box", "--box", "0", "0", "0", "1", "1", "1", "--save-case", "case.json"}, folder.path());
   ASSERT_EQ(asked.exit_code, 1) << asked.err;
-  std::string text = written_text(folder.path() / "case.json");
+  std::string text = text_of(folder.path() / "case.json");
   const std::string was = "\"face\":5";
   ASSERT_NE(text.find(was), std::string::npos) << text;
   folder.write("case.json", text.replace(text.find(was), was.size(), "\"face\":4"));

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -14,18 +12,14 @@ namespace {
 
 using test::run_command;
 using test::TemporaryFolder;
-
-std::string page_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using test::text_of;
 
 TEST(ViewCommand, WritesOnePageAndSaysSo) {
   const TemporaryFolder folder;
   const auto result = run_command({"view", "gen:box", "gen:icosphere", "-o", "page.html"}, folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("page.html: 2 objects and 1 pair"), std::string::npos) << result.out;
-  const std::string page = page_text(folder.path() / "page.html");
+  const std::string page = text_of(folder.path() / "page.html");
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("\"verb\":\"lies inside\""), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
@@ -41,7 +35,7 @@ TEST(ViewCommand, CheckWritesItBesideItsAnswer) {
   const auto both = run_command(with_page, folder.path());
   EXPECT_EQ(both.exit_code, 1) << both.err;
   EXPECT_EQ(both.out, plain.out);
-  EXPECT_NE(page_text(folder.path() / "report.html").find("\"face_pairs\":"), std::string::npos);
+  EXPECT_NE(text_of(folder.path() / "report.html").find("\"face_pairs\":"), std::string::npos);
 }
 
 TEST(ViewCommand, TheSamePageForAnyThreads) {
@@ -52,7 +46,7 @@ TEST(ViewCommand, TheSamePageForAnyThreads) {
                     folder.path())
             .exit_code,
         0);
-    return page_text(folder.path() / "page.html");
+    return text_of(folder.path() / "page.html");
   };
   EXPECT_EQ(page("1"), page("3"));
 }
@@ -64,7 +58,7 @@ TEST(ViewCommand, DrawsWhatThePageShows) {
       folder.path());
   if (result.err.find("no Chromium was found") != std::string::npos) GTEST_SKIP() << "no Chromium is installed";
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(page_text(folder.path() / "torus.png").starts_with("\x89PNG\r\n"));
+  EXPECT_TRUE(text_of(folder.path() / "torus.png").starts_with("\x89PNG\r\n"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
@@ -77,7 +71,7 @@ TEST(ViewCommand, ReplacesOnlyWhatItWrote) {
     return run_command({"view", "gen:box", "-o", file}, folder.path()).exit_code;
   };
   EXPECT_EQ(exit_code_for("theirs.html"), 2);
-  EXPECT_EQ(page_text(folder.path() / "theirs.html"), "<!doctype html>\n<p>theirs</p>");
+  EXPECT_EQ(text_of(folder.path() / "theirs.html"), "<!doctype html>\n<p>theirs</p>");
   EXPECT_EQ(exit_code_for("empty.html"), 0);
   EXPECT_EQ(exit_code_for("empty.html"), 0);
 }
@@ -87,7 +81,7 @@ TEST(ViewCommand, CheckWritesAGlbFileBesideItsAnswer) {
   const auto result =
       run_command({"check", "gen:box", "gen:icosphere", "--penetration", "--glb", "both.glb"}, folder.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_TRUE(page_text(folder.path() / "both.glb").starts_with("glTF"));
+  EXPECT_TRUE(text_of(folder.path() / "both.glb").starts_with("glTF"));
   const auto view = run_command({"view", "gen:torus", "--hierarchy", "obb", "--glb", "tree.glb"}, folder.path());
   EXPECT_EQ(view.exit_code, 0) << view.err;
   EXPECT_NE(view.out.find("tree.glb: 1 object and 0 pairs"), std::string::npos) << view.out;
@@ -137,7 +131,7 @@ TEST(ViewCommand, TroubleWritesNothing) {
           "--glb would write ./a.html, which is that of -o or --html too: give them different names");
   refused({"view", "broken.obj", "-o", "broken.obj"}, "which is a file that is read too");
   refused({"check", "gen:box", "gen:box", "--self", "--glb", "a.glb"}, "excludes");
-  EXPECT_EQ(page_text(folder.path() / "notes.txt"), "mine");
+  EXPECT_EQ(text_of(folder.path() / "notes.txt"), "mine");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
 }
 

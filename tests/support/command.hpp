@@ -33,4 +33,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// All that is in a file; nothing where there is none.
+[[nodiscard]] std::string text_of(const std::filesystem::path& file);
+
 }  // namespace toccata::test
