@@ -36,6 +36,7 @@ void print_answer(const CheckInput& input, const SceneAnswer& answer, Format for
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const std::string& label) {
   if (arguments.save_case.empty()) return asked(input, question, arguments.threads, label);
+  require_distinct({{"--save-case", arguments.save_case}}, arguments.input.files);
   save(input, question, "", arguments.save_case);  // also tells at once where it cannot be written
   try {
     SceneAnswer answer = asked(input, question, arguments.threads, label);

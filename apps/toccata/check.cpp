@@ -32,7 +32,7 @@ int run_check(const CheckArguments& arguments) {
   if (arguments.self) return run_check_self(arguments);
   require_touching_counts(arguments);
   const ViewTarget target = target_of(arguments);
-  require_view(target, arguments.input.files);
+  require_view(target, arguments);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)

@@ -14,6 +14,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "words.hpp"
 
 namespace toccata::command {
 namespace {
@@ -105,9 +106,10 @@ Json json_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
 }
 
 std::string table_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
-  std::string text = fmt::format("{} boxes, {}, {} frames\n{:<20}{:>13}{:>11}{:>11}{:>10}{:>10}{:>9}\n",
-                                 arguments.count, arguments.scene, arguments.frames, "method", "ms per frame", "worst",
-                                 "pairs", "begun", "ended", "B/body");
+  std::string text =
+      fmt::format("{}, {}, {}\n{:<20}{:>13}{:>11}{:>11}{:>10}{:>10}{:>9}\n", counted(arguments.count, "box", "boxes"),
+                  arguments.scene, counted(arguments.frames, "frame"), "method", "ms per frame", "worst", "pairs",
+                  "begun", "ended", "B/body");
   for (const Run& run : runs)
     text += fmt::format("{:<20}{:>13.3f}{:>11.3f}{:>11}{:>10}{:>10}{:>9.0f}\n", name_of(run.method), run.median_ms,
                         run.worst_ms, run.pairs, run.begun, run.ended, run.bytes_per_body);

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
+#include <charconv>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -367,6 +368,17 @@ void add_tree(CLI::App& app, Options& options) {
                 "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
 }
 
+/// That fits in 64 bits; CLI11 takes a negative one for a large one.
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t number = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool is_one = error == std::errc() && end == text.data() + text.size();
+            return is_one ? std::string() : "give a whole number from 0 to 18446744073709551615, not " + text;
+          },
+          "", "whole number"};
+}
+
 void add_crowd(CLI::App& app, Options& options) {
   std::vector<std::string> scenes, methods;
   for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
@@ -385,7 +397,9 @@ void add_crowd(CLI::App& app, Options& options) {
                             ->capture_default_str();
   crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other")
       ->excludes(method);
-  crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")->capture_default_str();
+  crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")
+      ->check(whole_number())
+      ->capture_default_str();
   add_threads(*crowd, options.crowd.threads, "pairs");
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(

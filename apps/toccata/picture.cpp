@@ -106,11 +106,27 @@ std::vector<std::string> words_of(const std::string& browser, const fs::path& fo
   return words;
 }
 
+/// As posix_spawn takes them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// This program's, but that temporary files go to the folder: a browser that is ended leaves some.
+std::vector<std::string> environment_with(const fs::path& temporary) {
+  std::vector<std::string> variables;
+  for (char** one = environ; *one != nullptr; ++one)
+    if (!std::string_view(*one).starts_with("TMPDIR=")) variables.emplace_back(*one);
+  variables.push_back("TMPDIR=" + temporary.string());
+  return variables;
+}
+
 /// The process, silent, in a group of its own: a browser is many.
-pid_t started(std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+pid_t started(std::vector<std::string> words, const fs::path& temporary) {
+  std::vector<std::string> variables = environment_with(temporary);
+  const std::vector<char*> arguments = pointers_to(words), environment = pointers_to(variables);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -120,7 +136,7 @@ pid_t started(std::vector<std::string> words) {
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t process = 0;
-  const int code = posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
+  const int code = posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environment.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
@@ -168,7 +184,7 @@ void write_picture(const std::string& page, const PictureTarget& target) {
   const UninterruptedWriting writing;
   const ScratchFolder folder;
   std::ofstream(folder.path() / "page.html", std::ios::binary) << page;
-  await(started(words_of(browser, folder.path(), target)));
+  await(started(words_of(browser, folder.path(), target), folder.path()));
   if (UninterruptedWriting::is_interrupted()) return;
   const std::string picture = text_of(folder.path() / "picture.png");
   if (picture.empty())

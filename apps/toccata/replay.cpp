@@ -9,6 +9,7 @@
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
+#include "toccata/io/output_file.hpp"
 #include "toccata/query/scene_models.hpp"
 #include "words.hpp"
 
@@ -59,6 +60,7 @@ int run_replay(const ReplayArguments& arguments) {
         fmt::format("{}: this scene holds no question to be asked again; `{} check` answers about scenes, and "
                     "--save-case keeps a question",
                     arguments.file, called_as()));
+  if (!arguments.save_case.empty()) require_output(arguments.save_case, OutputKind::case_file);
   const Replayed now = asked_again(content, arguments.threads);
   const std::string difference = content.answer.empty() ? "" : answer_difference(content.answer, now.json);
   const std::string told = verdict(content, difference);

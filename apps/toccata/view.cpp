@@ -117,10 +117,12 @@ std::string title_of(const std::vector<std::string>& files) {
   return files.size() > most_files ? fmt::format("{} and {} more", title, files.size() - most_files) : title;
 }
 
-void require_view(const ViewTarget& target, const std::vector<std::string>& inputs) {
-  require_distinct(
-      {{"-o or --html", target.path}, {"--glb", target.glb}, {"--png", target.picture ? target.picture->path : ""}},
-      inputs);
+void require_view(const ViewTarget& target, const PosedArguments& arguments) {
+  require_distinct({{"-o or --html", target.path},
+                    {"--glb", target.glb},
+                    {"--png", target.picture ? target.picture->path : ""},
+                    {"--save-case", arguments.save_case}},
+                   arguments.input.files);
   if (!target.path.empty()) require_output(target.path, OutputKind::page);
   if (!target.glb.empty()) require_output(target.glb, OutputKind::glb);
   if (target.picture) require_picture(*target.picture);
@@ -140,7 +142,7 @@ void write_view(const ViewTarget& target, const CheckInput& input, const CheckRe
 
 int run_view(const ViewArguments& arguments) {
   const ViewTarget target = target_of(arguments);
-  require_view(target, arguments.input.files);
+  require_view(target, arguments);
   require_touching_counts(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);

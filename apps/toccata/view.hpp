@@ -23,7 +23,7 @@ struct ViewTarget {
 
 /// Throws Error, before long work, when one cannot be written, two are one file, or one is among the files that are
 /// read.
-void require_view(const ViewTarget& target, const std::vector<std::string>& inputs);
+void require_view(const ViewTarget& target, const PosedArguments& arguments);
 
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
 UpAxis up_of(const std::vector<std::string>& files);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
+#include <string_view>
 
 namespace toccata::command {
 namespace {
@@ -52,14 +54,41 @@ std::string counted(std::size_t number, const std::string& noun, const std::stri
   return fmt::format("{} {}", grouped(number), number == 1 ? noun : plural);
 }
 
+namespace {
+
+/// The signs of Unicode in UTF-8 that turn the direction of what follows, end lines, or control terminals.
+std::optional<std::string_view> unseen_sign(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const bool controls = byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) <= 0x9F;
+  const bool arabic_mark = byte(0) == 0xD8 && byte(1) == 0x9C;
+  if (controls || arabic_mark) return text.substr(0, 2);
+  const unsigned last = byte(2);
+  const bool turns =
+      byte(0) == 0xE2 && byte(1) == 0x80 && ((last >= 0x8E && last <= 0x8F) || (last >= 0xA8 && last <= 0xAE));
+  const bool isolates = byte(0) == 0xE2 && byte(1) == 0x81 && last >= 0xA6 && last <= 0xA9;
+  return turns || isolates ? std::optional(text.substr(0, 3)) : std::nullopt;
+}
+
+unsigned number_of(std::string_view sign) {
+  const auto bits = [&](std::size_t i, unsigned mask) { return static_cast<unsigned char>(sign[i]) & mask; };
+  return sign.size() == 2 ? bits(0, 0x1F) << 6U | bits(1, 0x3F)
+                          : bits(0, 0x0F) << 12U | bits(1, 0x3F) << 6U | bits(2, 0x3F);
+}
+
+}  // namespace
+
 std::string printable(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F)
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (const auto sign = unseen_sign(std::string_view(text).substr(i))) {
+      result += fmt::format("\\u{:04x}", number_of(*sign));
+      i += sign->size() - 1;
+    } else if (byte < 0x20 || byte == 0x7F) {
       result += fmt::format("\\x{:02x}", byte);
-    else
-      result += c;
+    } else {
+      result += text[i];
+    }
   }
   return result;
 }

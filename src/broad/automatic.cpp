@@ -90,8 +90,9 @@ class Automatic final : public PairFinder {
         next = &candidate;
     }
     if (next != nullptr)
-      text += fmt::format("; next best {}, {} {:.3g} ms", name_of(next->method), next->measured ? "took" : "expected",
-                          next->milliseconds);
+      text += next->measured
+                  ? fmt::format("; next best {}, took {:.3g} ms", name_of(next->method), next->milliseconds)
+                  : fmt::format("; next {}, expected {:.3g} ms, not tried", name_of(next->method), next->milliseconds);
     return text;
   }
 

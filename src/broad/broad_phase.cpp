@@ -89,7 +89,7 @@ class BroadPhase::State {
     if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
       throw Error(fmt::format("box {} is to be removed twice", *twice));
     reserve(boxes_.size(), changed_.size() + numbers.size());
-    freed_.reserve(freed_.size() + numbers.size());
+    make_room(freed_, freed_.size() + numbers.size());
     for (const Index number : numbers) {
       place(number, Aabb{});
       marks_[number] = static_cast<std::uint8_t>(marks_[number] & ~used);
@@ -154,14 +154,17 @@ class BroadPhase::State {
     if (!in_use(number)) throw Error(fmt::format("box {} is not in use: it was removed, or never added", number));
   }
 
-  /// So that nothing after it can fail. As vectors grow: to the exact size would copy all with every call.
+  /// As vectors grow: to the exact size would copy all with every call.
+  template <class List>
+  static void make_room(List& list, std::size_t size) {
+    if (size > list.capacity()) list.reserve(std::max(size, list.capacity() + list.capacity() / 2));
+  }
+
+  /// So that nothing after it can fail.
   void reserve(std::size_t boxes, std::size_t changes) {
-    const auto room = [](auto& list, std::size_t size) {
-      if (size > list.capacity()) list.reserve(std::max(size, list.capacity() + list.capacity() / 2));
-    };
-    room(boxes_, boxes);
-    room(marks_, boxes);
-    room(changed_, changes);
+    make_room(boxes_, boxes);
+    make_room(marks_, boxes);
+    make_room(changed_, changes);
   }
 
   void place(Index number, const Aabb& box) {

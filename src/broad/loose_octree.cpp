@@ -57,7 +57,8 @@ class LooseOctree final : public PairFinder {
   /// Level 0 has the smallest cells.
   [[nodiscard]] double cell_side(int level) const { return std::ldexp(1.0, exponent_ + level); }
   [[nodiscard]] std::int64_t cell_of(double coordinate, int level) const {
-    const double cell = std::floor(std::ldexp(coordinate, -(exponent_ + level)));
+    constexpr double most = std::numeric_limits<double>::max();
+    const double cell = std::floor(std::ldexp(std::clamp(coordinate, -most, most), -(exponent_ + level)));
     return static_cast<std::int64_t>(std::clamp(cell, -0x1p50, 0x1p50));
   }
   static std::uint64_t key_of(const CellPlace& place, int level) {
@@ -124,10 +125,10 @@ class LooseOctree final : public PairFinder {
       // A box of the level reaches half a cell from its middle, and that is rounded.
       const double reach = 0.5 * cell_side(level);
       const auto from = [&](double lower) {
-        return cell_of(lower - reach - 0x1p-50 * (std::fabs(lower) + reach), level);
+        return cell_of(lower - reach - (0x1p-50 * std::fabs(lower) + 0x1p-50 * reach), level);
       };
       const auto to = [&](double upper) {
-        return cell_of(upper + reach + 0x1p-50 * (std::fabs(upper) + reach), level);
+        return cell_of(upper + reach + (0x1p-50 * std::fabs(upper) + 0x1p-50 * reach), level);
       };
       const CellPlace low{from(box.lower.x), from(box.lower.y), from(box.lower.z)};
       const CellPlace high{to(box.upper.x), to(box.upper.y), to(box.upper.z)};

@@ -76,6 +76,19 @@ TEST_P(EveryMethod, FindsThePairsOfCrowds) {
     }
 }
 
+TEST_P(EveryMethod, IsNotLedAstrayByTheGreatestDoubles) {
+  constexpr double most = std::numeric_limits<double>::max();
+  std::vector<Aabb> boxes;
+  for (const double size : {0x1p972, 0x1p988, 0x1p989, 0x1p990, 0x1p1000})
+    for (const double end : {-most, most}) {
+      const double from = end < 0 ? end : end - size, to = end < 0 ? end + size : end;
+      boxes.push_back({{from, from, from}, {to, to, to}});
+      boxes.push_back({{from, -size, 0}, {to, size, size}});
+      boxes.push_back({{-0.5 * size, -0.5 * size, from}, {0.5 * size, 0.5 * size, to}});
+    }
+  EXPECT_EQ(overlapping_pairs(boxes, {GetParam()}), overlapping_pairs_by_brute_force(boxes));
+}
+
 TEST_P(EveryMethod, FindsNothingAmongNothing) {
   BroadPhase phase({GetParam(), 1});
   EXPECT_TRUE(phase.update().empty());

@@ -108,6 +108,37 @@ TEST(ReplayCommand, ViewShowsDistancesAndDepthsThatACaseAsksFor) {
   EXPECT_NE(text_of(folder.path() / "deep.html").find("\"role\":\"depth\""), std::string::npos);
 }
 
+TEST(ReplayCommand, NothingThatIsReadOrWrittenIsReplacedByACase) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command({"distance", "gen:box", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 1);
+  const std::string before = text_of(folder.path() / "case.json");
+  for (const Words& words : {Words{"check", "case.json", "--save-case", "case.json"},
+                             {"view", "case.json", "-o", "a.html", "--save-case", "./case.json"},
+                             {"view", "case.json", "-o", "same", "--save-case", "same"},
+                             {"check", "case.json", "--html", "same", "--save-case", "same"}}) {
+    const auto run = run_command(words, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << words[0] << run.out;
+    EXPECT_NE(run.err.find("give them different names"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(text_of(folder.path() / "case.json"), before);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "same"));
+  folder.write("theirs.json", "{}");
+  const auto run = run_command({"replay", "case.json", "--save-case", "theirs.json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(text_of(folder.path() / "theirs.json"), "{}");
+}
+
+TEST(ReplayCommand, NamesThatTurnTheLineAreSpelledOut) {
+  const TemporaryFolder folder;
+  folder.write("scene.json",
+               R"({"format": "toccata-scene", "version": 1, "objects": [)"
+               R"({"generate": "box", "name": "a\u202Eb"}, {"generate": "box", "name": "\u0085\u2066c"}]})");
+  const auto run = run_command({"check", "scene.json"}, folder.path());
+  EXPECT_NE(run.out.find("a\\u202eb"), std::string::npos) << run.out << run.err;
+  EXPECT_NE(run.out.find("\\u0085\\u2066c"), std::string::npos) << run.out;
+}
+
 TEST(ReplayCommand, WhatIsNoCaseIsToldSo) {
   const TemporaryFolder folder;
   folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [

@@ -62,7 +62,8 @@ struct PairChanges {
 /// Boxes have numbers that stay the same until they are removed. They are dense: the numbers of removed boxes are given
 /// out again, the least first, but never before the next `update`, so that no pair of an update means two objects. A
 /// box may have infinite sides; an empty one (`Aabb{}`) overlaps nothing; any other must have lower ≤ upper along every
-/// axis, else Error names it. What throws has changed nothing.
+/// axis, else Error names it. What throws Error has changed nothing; where memory runs out in an update, give the boxes
+/// to another.
 ///
 /// Const functions may be called from many threads at once. A copy has the same boxes, pairs and changes.
 class BroadPhase {
