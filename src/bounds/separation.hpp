@@ -6,7 +6,7 @@
 
 #include "bounds/normals.hpp"
 #include "bounds/upper_sum.hpp"
-#include "narrow/gjk_simplex.hpp"
+#include "narrow/convex/gjk_simplex.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/cube.hpp"
 #include "toccata/bounds/swept_sphere.hpp"

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "query/scenes/task_reporter.hpp"
 #include "query/search_scratch.hpp"
-#include "query/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"

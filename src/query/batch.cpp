@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "query/ask_each.hpp"
-#include "query/nearest_search.hpp"
-#include "query/ray_search.hpp"
+#include "query/nearest/nearest_search.hpp"
+#include "query/rays/ray_search.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"

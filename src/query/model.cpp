@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/build.hpp"

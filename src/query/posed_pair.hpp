@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "query/semantics.hpp"
 #include "toccata/query/pair_query.hpp"
 

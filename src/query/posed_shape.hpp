@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 #include "toccata/query/model.hpp"

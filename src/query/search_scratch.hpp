@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "narrow/triangle_gaps.hpp"
-#include "narrow/triangle_pair_block.hpp"
-#include "query/found_pairs.hpp"
-#include "query/nearest_elements.hpp"
+#include "narrow/triangles/triangle_gaps.hpp"
+#include "narrow/triangles/triangle_pair_block.hpp"
+#include "query/inside/winding_entry.hpp"
+#include "query/meshes/found_pairs.hpp"
+#include "query/nearest/nearest_elements.hpp"
 #include "query/posed_shape.hpp"
-#include "query/winding_entry.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "narrow/ray_triangle.hpp"
+#include "narrow/triangles/ray_triangle.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/mat3.hpp"
 #include "trees/wide_ray.hpp"

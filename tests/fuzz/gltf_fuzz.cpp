@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "io/scene_parts.hpp"
+#include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 
 // Any bytes are a glTF or GLB scene or an Error.

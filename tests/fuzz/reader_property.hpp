@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/mesh_text.hpp"
-#include "io/parse.hpp"
-#include "io/parse_poses.hpp"
-#include "io/scene_parts.hpp"
+#include "io/formats/mesh_text.hpp"
+#include "io/formats/parse.hpp"
+#include "io/formats/parse_poses.hpp"
+#include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata::fuzz {

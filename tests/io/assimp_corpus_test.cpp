@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/file_bytes.hpp"
+#include "io/formats/file_bytes.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/mesh_file.hpp"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "fuzz/reader_property.hpp"
-#include "io/file_bytes.hpp"
+#include "io/formats/file_bytes.hpp"
 
 namespace toccata {
 namespace {

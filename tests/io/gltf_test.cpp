@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/scene_parts.hpp"
+#include "io/scenes/scene_parts.hpp"
 #include "io/text_file.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "io/number.hpp"
+#include "io/formats/number.hpp"
 #include "support/sweep.hpp"
 
 namespace toccata::test {

@@ -1,4 +1,4 @@
-#include "io/number.hpp"
+#include "io/formats/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
-#include "io/file_bytes.hpp"
-#include "io/parse.hpp"
+#include "io/formats/file_bytes.hpp"
+#include "io/formats/parse.hpp"
 #include "support/data.hpp"
 
 namespace toccata {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/parse.hpp"
+#include "io/formats/parse.hpp"
 #include "io/text_file.hpp"
 
 namespace toccata::io {

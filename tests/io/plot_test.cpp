@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "io/plot_axis.hpp"
+#include "io/plots/plot_axis.hpp"
 #include "support/command.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/parse_poses.hpp"
+#include "io/formats/parse_poses.hpp"
 #include "io/text_file.hpp"
 
 namespace toccata {

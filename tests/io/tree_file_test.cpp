@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
+#include "io/formats/tree_bytes.hpp"
 #include "io/text_file.hpp"
-#include "io/tree_bytes.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/trees/walk.hpp"

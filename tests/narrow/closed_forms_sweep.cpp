@@ -1,8 +1,8 @@
-#include "narrow/closed_forms.hpp"
+#include "narrow/primitives/closed_forms.hpp"
 
 #include "narrow/convex_cells.hpp"
 #include "narrow/convex_distance_checks.hpp"
-#include "narrow/pair_distances.hpp"
+#include "narrow/primitives/pair_distances.hpp"
 #include "narrow/typed_forms.hpp"
 
 // The closed formulas of overlap and distance are right or silent, and what is built on them is right, for pairs of

@@ -1,8 +1,8 @@
-#include "narrow/closed_forms.hpp"
+#include "narrow/primitives/closed_forms.hpp"
 
 #include <gtest/gtest.h>
 
-#include "narrow/pair_distances.hpp"
+#include "narrow/primitives/pair_distances.hpp"
 #include "narrow/typed_forms.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"

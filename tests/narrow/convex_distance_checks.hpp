@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "narrow/exact_distance.hpp"
+#include "narrow/exact/exact_distance.hpp"
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/narrow/convex_convex.hpp"

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "narrow/convex_distance_checks.hpp"
-#include "narrow/exact_distance.hpp"
+#include "narrow/exact/exact_distance.hpp"
 #include "support/simd_levels.hpp"
 
 // That distances are right in every regime is swept (convex_distance_sweep.cpp). Here: what else they promise.

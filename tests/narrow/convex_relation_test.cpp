@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "narrow/exact_interior.hpp"
+#include "narrow/exact/exact_interior.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 

@@ -1,4 +1,4 @@
-#include "narrow/edge_walk.hpp"
+#include "narrow/convex/edge_walk.hpp"
 
 #include <gtest/gtest.h>
 

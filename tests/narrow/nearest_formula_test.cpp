@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow/exact_distance.hpp"
-#include "narrow/nearest_formula.hpp"
+#include "narrow/exact/exact_distance.hpp"
+#include "narrow/exact/nearest_formula.hpp"
 #include "support/convex_cases.hpp"
 
 // That distances are right and the same by every way is swept (convex_distance_sweep.cpp). Here: what the formula alone

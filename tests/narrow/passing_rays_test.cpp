@@ -1,4 +1,4 @@
-#include "narrow/passing_rays.hpp"
+#include "narrow/triangles/passing_rays.hpp"
 
 #include <gtest/gtest.h>
 

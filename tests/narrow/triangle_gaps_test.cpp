@@ -1,4 +1,4 @@
-#include "narrow/triangle_gaps.hpp"
+#include "narrow/triangles/triangle_gaps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "narrow/triangle_pair_block.hpp"
+#include "narrow/triangles/triangle_pair_block.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "narrow/triangle_pair_block.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "narrow/triangles/triangle_pair_block.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/core/simd.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "narrow/feature_meeting.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "narrow/triangles/feature_meeting.hpp"
 #include "oracle/triangles.hpp"
 #include "support/sweep.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "narrow/feature_meeting.hpp"
+#include "narrow/triangles/feature_meeting.hpp"
 
 namespace toccata {
 namespace {

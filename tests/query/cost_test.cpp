@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "query/cost_walk.hpp"
+#include "query/cost/cost_walk.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/error.hpp"

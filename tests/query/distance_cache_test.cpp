@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "query/relative_motion.hpp"
+#include "query/distance/relative_motion.hpp"
 #include "support/coherence.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"

@@ -2,7 +2,7 @@
 // is known, and the surfaces are compared with every triangle against every triangle.
 #include <gtest/gtest.h>
 
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"

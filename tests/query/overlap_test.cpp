@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "query/pair_cull.hpp"
+#include "query/meshes/pair_cull.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "query/relation_cells.hpp"
+#include "query/relation/relation_cells.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "narrow/triangle_pair_block.hpp"
+#include "narrow/triangles/triangle_pair_block.hpp"
 #include "oracle/meshes.hpp"
 #include "support/data.hpp"
 #include "support/mesh_soups.hpp"

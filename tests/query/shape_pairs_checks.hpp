@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "oracle/convex.hpp"
-#include "query/hull_mesh.hpp"
+#include "query/relation/hull_mesh.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/flipped.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracle/meshes.hpp"
-#include "query/posed_mesh.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/self_meshes.hpp"
 #include "toccata/generate/parametric_meshes.hpp"

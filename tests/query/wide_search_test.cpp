@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "oracle/rational.hpp"
-#include "query/pair_search.hpp"
-#include "query/wide_cull.hpp"
+#include "query/meshes/pair_search.hpp"
+#include "query/meshes/wide_cull.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow/solid_angle.hpp"
+#include "narrow/triangles/solid_angle.hpp"
 #include "query/winding_checks.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"

@@ -1,4 +1,4 @@
-#include "query/world_search.hpp"
+#include "query/meshes/world_search.hpp"
 
 #include <gtest/gtest.h>
 

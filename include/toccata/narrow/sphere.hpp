@@ -6,7 +6,7 @@
 
 // A sphere against anything is a question about the point nearest to its centre: the squared distance is compared with
 // the squared radius. All answers are exact; touching counts, and so does a centre inside. Formulas in doubles answer
-// nearly always, with a proof (src/narrow/nearness.hpp), in a few nanoseconds; else the general search does.
+// nearly always, with a proof (src/narrow/primitives/nearness.hpp), in a few nanoseconds; else the general search does.
 // After C. Ericson, "Real-Time Collision Detection", 2005, chapter 5. Triangles are in world coordinates.
 namespace toccata {
 

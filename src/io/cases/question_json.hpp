@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/formats/json_value.hpp"
+#include "toccata/io/scene_question.hpp"
+
+namespace toccata::io {
+
+/// The "query" of a case (docs/reference/scene-file.md), and back. Reading throws Error naming the place.
+[[nodiscard]] nlohmann::ordered_json json_of(const SceneQuestion& question);
+[[nodiscard]] SceneQuestion question_of(const JsonValue& value);
+
+/// A length, or "all" for +∞.
+[[nodiscard]] nlohmann::ordered_json json_of_length(double length);
+
+}  // namespace toccata::io

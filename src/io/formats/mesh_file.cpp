@@ -1,0 +1,57 @@
+#include "toccata/io/mesh_file.hpp"
+
+#include <string>
+
+#include "io/formats/file_bytes.hpp"
+#include "io/formats/file_error.hpp"
+#include "io/formats/mesh_text.hpp"
+#include "io/formats/parse.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace io {
+namespace {
+
+constexpr const char* formats_advice = "use an OBJ, STL, PLY or OFF file with its usual extension";
+
+TriangleMesh triangulated(const PolygonMesh& polygons, std::string_view name) {
+  try {
+    return triangulate(polygons);
+  } catch (const Error& error) {
+    throw Error(std::string(name) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+TriangleMesh parse_mesh(std::span<const char> bytes, std::string_view name, std::string_view extension) {
+  if (looks_like_ply(bytes)) return triangulated(parse_ply(bytes, name), name);
+  if (looks_like_off(bytes)) return triangulated(parse_off(bytes, name), name);
+  if (looks_like_stl(bytes)) return parse_stl(bytes, name);
+  if (extension == ".obj") return triangulated(parse_obj(bytes, name), name);
+  if (extension == ".stl") return parse_stl(bytes, name);
+  if (extension == ".ply") return triangulated(parse_ply(bytes, name), name);
+  if (extension == ".off") return triangulated(parse_off(bytes, name), name);
+  if (extension.empty()) fail_in_file(name, {"the format cannot be told without an extension", formats_advice});
+  if (extension == ".gltf" || extension == ".glb" || extension == ".json")
+    fail_in_file(name, {"this is a scene of posed objects, not one mesh", "read it with read_scene"});
+  fail_in_file(name, {"the format " + quoted(extension) + " is not read as a mesh", formats_advice});
+}
+
+}  // namespace io
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+  const io::FileBytes bytes = io::read_file(path);
+  return io::parse_mesh(bytes.span(), path.string(), io::lower_case_extension(path));
+}
+
+void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  const std::string extension = io::lower_case_extension(path);
+  if (extension == ".obj") return io::write_file(path, io::obj_text(mesh));
+  if (extension == ".off") return io::write_file(path, io::off_text(mesh));
+  if (extension == ".ply") return io::write_file(path, io::ply_text(mesh));
+  if (extension == ".stl") return io::write_file(path, io::stl_text(mesh));
+  io::fail_in_file(path.string(), {"the extension names no format that is written", "use .obj, .off, .ply or .stl"});
+}
+
+}  // namespace toccata

@@ -1,0 +1,67 @@
+#include "toccata/io/tree_file.hpp"
+
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/formats/file_bytes.hpp"
+#include "io/formats/file_error.hpp"
+#include "io/formats/tree_bytes.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+namespace fs = std::filesystem;
+
+/// What a tree may be written over: a tree, and nothing else that somebody has.
+void require_tree_or_nothing(const fs::path& path) {
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (status.type() == fs::file_type::not_found) return;
+  if (status.type() == fs::file_type::none)
+    io::fail_in_file(path.string(), {"the file cannot be reached: " + code.message(), "choose another name"});
+  if (!fs::is_regular_file(status))
+    io::fail_in_file(path.string(), {"this exists and is no regular file", "choose another name"});
+  std::string start(8, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (!io::begins_as_tree(start))
+    io::fail_in_file(path.string(), {"the file exists and is no tree file", "choose another name"});
+}
+
+/// Where a link leads, and the links that it leads to; a rename would replace the link.
+fs::path end_of_links(fs::path path) {
+  constexpr int most_links = 40;  // as many as Linux follows
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code code;
+    const fs::path next = fs::read_symlink(path, code);
+    if (code) break;  // no link
+    path = path.parent_path() / next;
+  }
+  return path;
+}
+
+}  // namespace
+
+void save_tree(const Model& model, const std::filesystem::path& path) {
+  if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(model.shape()))
+    throw Error(
+        fmt::format("{}: the tree of a mesh is saved, and the model is a {}", path.string(), name_of(model.shape())));
+  require_tree_or_nothing(path);
+  io::write_file(end_of_links(path), io::tree_bytes(model.wide_tree(), model.mesh()));
+}
+
+Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::filesystem::path& tree) {
+  if (!mesh) throw Error("a model needs a mesh, and the pointer given is null");
+  const io::FileBytes bytes = io::read_file(tree);
+  WideTree parsed = io::parse_tree(bytes.span(), *mesh, tree.string());
+  try {
+    return Model(std::move(mesh), std::move(parsed));
+  } catch (const Error& error) {
+    io::fail_in_file(tree.string(), {"the tree file is damaged", error.what()});
+  }
+}
+
+}  // namespace toccata

@@ -1,0 +1,103 @@
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "io/glb/glb_scene.hpp"
+
+namespace toccata::io {
+namespace {
+
+using Json = GlbWriter::Json;
+
+enum class Role { alone, first, second };
+
+GlbPaint paint_of(Role role) {
+  constexpr double seen_through = 0.5;
+  if (role == Role::alone) return {"object", 0xa9b2bb, 1};
+  return role == Role::first ? GlbPaint{"first of a pair", 0x56b4e9, seen_through}
+                             : GlbPaint{"second of a pair", 0xe69f00, seen_through};
+}
+
+/// As it is in the first of the pairs that name it.
+std::vector<Role> roles_of(std::size_t objects, const CheckReport& report) {
+  std::vector<std::optional<Role>> roles(objects);
+  for (const ReportedPair& pair : report.pairs) {
+    if (!roles[pair.a]) roles[pair.a] = Role::first;
+    if (!roles[pair.b]) roles[pair.b] = Role::second;
+  }
+  std::vector<Role> known;
+  for (const auto& role : roles) known.push_back(role.value_or(Role::alone));
+  return known;
+}
+
+/// A point and a segment have no triangles.
+GlbMode mode_of(const DisplayMesh& mesh) {
+  if (!mesh.triangles.empty()) return GlbMode::triangles;
+  return mesh.vertices.size() == 2 ? GlbMode::lines : GlbMode::points;
+}
+
+/// The meshes of objects: what several show is there once.
+class ObjectMeshes {
+ public:
+  explicit ObjectMeshes(GlbScene& glb) : glb_(glb) {}
+
+  void add(std::size_t object, Role role) {
+    const GlbPlace place = GlbPlace::of(glb_.pose_of(object));
+    const GlbFrame frame = frame_of(glb_.meshes().drawn()[object].mesh, place);
+    nodes_.push_back(
+        glb_.add_node(glb_.name_of(object), place.node, frame, {{"mesh", mesh_number(object, role, place, frame)}}));
+  }
+
+  [[nodiscard]] const std::vector<std::size_t>& nodes() const { return nodes_; }
+
+ private:
+  GlbFrame frame_of(std::size_t number, const GlbPlace& place) {
+    const DisplayMesh& drawn = glb_.meshes().meshes()[number];
+    if (!place.is_plain()) return GlbFrame::around(place.placed(drawn.vertices));
+    const auto [frame, is_new] = frames_.try_emplace(number);
+    if (is_new) frame->second = GlbFrame::around(drawn.vertices);
+    return frame->second;
+  }
+
+  std::size_t mesh_number(std::size_t object, Role role, const GlbPlace& place, const GlbFrame& frame) {
+    if (!place.is_plain()) return new_mesh(object, role, new_part(object, role, place, frame));
+    const std::size_t drawn = glb_.meshes().drawn()[object].mesh;
+    const auto [mesh, is_new] = meshes_.try_emplace({drawn, role});
+    if (!is_new) return mesh->second;
+    const auto [part, is_new_part] = parts_.try_emplace(drawn);
+    if (is_new_part) part->second = new_part(object, role, place, frame);
+    return mesh->second = new_mesh(object, role, part->second);
+  }
+
+  std::size_t new_mesh(std::size_t object, Role role, Json part) {
+    return glb_.add_mesh(glb_.name_of(object), Json::array({glb_.painted(std::move(part), paint_of(role))}));
+  }
+
+  Json new_part(std::size_t object, Role role, const GlbPlace& place, const GlbFrame& frame) {
+    const DisplayMesh& drawn = glb_.meshes().meshes()[glb_.meshes().drawn()[object].mesh];
+    GlbPart part;
+    part.points.reserve(drawn.vertices.size());
+    for (const Vec3& vertex : place.placed(drawn.vertices)) part.points.push_back(frame.counted(vertex));
+    part.corners.reserve(3 * drawn.triangles.size());
+    for (const auto& triangle : drawn.triangles)
+      part.corners.insert(part.corners.end(), triangle.begin(), triangle.end());
+    return glb_.part(part, mode_of(drawn), paint_of(role));
+  }
+
+  GlbScene& glb_;
+  std::map<std::pair<std::size_t, Role>, std::size_t> meshes_;
+  std::map<std::size_t, Json> parts_;  ///< of the drawn meshes
+  std::map<std::size_t, GlbFrame> frames_;
+  std::vector<std::size_t> nodes_;
+};
+
+}  // namespace
+
+void add_objects(GlbScene& glb, const CheckReport& report) {
+  ObjectMeshes meshes(glb);
+  const std::vector<Role> roles = roles_of(glb.models().size(), report);
+  for (std::size_t object = 0; object < roles.size(); ++object) meshes.add(object, roles[object]);
+  glb.add_group("objects", meshes.nodes());
+}
+
+}  // namespace toccata::io

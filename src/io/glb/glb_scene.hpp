@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/glb/glb_frame.hpp"
+#include "io/glb/glb_writer.hpp"
+#include "io/view/view_meshes.hpp"
+#include "toccata/io/report.hpp"
+#include "toccata/io/view_page.hpp"
+
+namespace toccata::io {
+
+/// A colour of M. Okabe and K. Ito ("Color universal design", 2008), and how much it covers.
+struct GlbPaint {
+  std::string name;
+  unsigned colour = 0;
+  double cover = 1;
+};
+
+/// Where a mesh lies: some poses no node can have, and its vertices take them.
+struct GlbPlace {
+  Pose node;
+  Pose vertices;
+
+  static GlbPlace of(const Pose& pose);
+  [[nodiscard]] bool is_plain() const { return vertices == Pose{}; }
+  /// Its vertices as they are in the frame of the node.
+  [[nodiscard]] std::vector<Vec3> placed(std::span<const Vec3> points) const;
+};
+
+/// A GLB file that is being filled with objects and what was found of them: groups of nodes under one that holds the
+/// unit, the axes, and where the scene is.
+class GlbScene {
+ public:
+  using Json = GlbWriter::Json;
+
+  GlbScene(std::span<const Posed> models, const ViewMeshes& meshes) : models_(models), meshes_(meshes) {}
+
+  [[nodiscard]] std::span<const Posed> models() const { return models_; }
+  [[nodiscard]] const ViewMeshes& meshes() const { return meshes_; }
+  [[nodiscard]] std::string name_of(std::size_t object) const;
+  /// From what is drawn of the object to the world.
+  [[nodiscard]] Pose pose_of(std::size_t object) const;
+
+  /// A primitive of these points, or of what `corners` make of them.
+  [[nodiscard]] Json part(const GlbPart& part, GlbMode mode, const GlbPaint& paint);
+  [[nodiscard]] Json painted(Json part, const GlbPaint& paint);
+  std::size_t add_mesh(const std::string& name, Json parts);
+  /// A node at `pose`, of what is counted in `own`; `more` are its other members.
+  std::size_t add_node(const std::string& name, const Pose& pose, const GlbFrame& own, Json more);
+  std::size_t add_parent(const std::string& name, const std::vector<std::size_t>& children);
+  void add_group(const std::string& name, const std::vector<std::size_t>& children);
+
+  [[nodiscard]] std::string file(const ViewOptions& options, const std::string& unit);
+
+ private:
+  std::size_t material(const GlbPaint& paint);
+
+  std::span<const Posed> models_;
+  const ViewMeshes& meshes_;
+  GlbFrame frame_ = GlbFrame::around(meshes_.frame());
+  GlbWriter writer_;
+  std::map<std::string, std::size_t> materials_;
+  std::vector<std::size_t> groups_;
+};
+
+/// Points, each kept once, and their numbers in the order given.
+[[nodiscard]] GlbPart joined_part(std::span<const Vec3> points, const GlbFrame& frame);
+
+/// Every object under its name, those that touch or are near something seen through and in the two colours.
+void add_objects(GlbScene& glb, const CheckReport& report);
+/// Of each pair what was found: faces and curves in which it meets, depth, distance.
+void add_pairs(GlbScene& glb, const CheckReport& report);
+/// Of each mesh the levels of a hierarchy. Throws Error when there are too many meshes to be looked at.
+void add_hierarchies(GlbScene& glb, CostVolume volume);
+
+}  // namespace toccata::io

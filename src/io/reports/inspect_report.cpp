@@ -1,0 +1,150 @@
+#include "toccata/io/inspect_report.hpp"
+
+#include <utility>
+
+#include "io/formats/utf8.hpp"
+#include "io/reports/report_parts.hpp"
+#include "io/scenes/scene_shape.hpp"
+#include "query/posed_shape.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/version.hpp"
+
+namespace toccata {
+namespace {
+
+using io::Json;
+using io::json_of;
+
+Json json_of(const MeshHealth& h) {
+  return {{"vertices", h.vertices},
+          {"distinct_vertices", h.distinct_vertices},
+          {"unused_vertices", h.unused_vertices},
+          {"triangles", h.triangles},
+          {"faces", h.faces},
+          {"components", h.components},
+          {"closed", h.closed},
+          {"unbalanced_edges", h.unbalanced_edges},
+          {"boundary_edges", h.boundary_edges},
+          {"non_manifold_edges", h.non_manifold_edges},
+          {"flipped_edges", h.flipped_edges},
+          {"degenerate_triangles", h.degenerate_triangles},
+          {"duplicate_triangles", h.duplicate_triangles},
+          {"signed_volume", h.signed_volume},
+          {"box", {{"lower", json_of(h.lower)}, {"upper", json_of(h.upper)}}}};
+}
+
+Json json_of(const VolumeCost& cost) {
+  return {{"volume", name_of(cost.volume)},
+          {"arity", cost.arity},
+          {"builder", name_of(cost.method)},
+          {"root_volume", cost.root_volume},
+          {"root_surface", cost.root_surface},
+          {"fill", cost.fill},
+          {"nodes", cost.balance.nodes},
+          {"leaves", cost.balance.leaves},
+          {"least_depth", cost.balance.least_depth},
+          {"greatest_depth", cost.balance.greatest_depth},
+          {"mean_depth", cost.balance.mean_depth},
+          {"best_depth", cost.balance.best_depth},
+          {"bytes", cost.bytes},
+          {"build_ns", cost.build_ns}};
+}
+
+Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
+
+Json json_of(const ConvexHull& hull) {
+  const HullTopology topology = hull.topology();
+  return {{"vertices", hull.vertex_count()},
+          {"edges", topology.origin.size() / 2},
+          {"faces", topology.face_count()},
+          {"dimension", hull.dimension()}};
+}
+
+Json json_of_shape(const Shape& shape);
+
+Json json_of(const Compound& compound) {
+  Json parts = Json::array();
+  for (const CompoundPart& part : compound.parts()) {
+    Json item = json_of_shape(part.shape);
+    item["pose"] = part.pose.numbers();
+    parts.push_back(std::move(item));
+  }
+  return parts;
+}
+
+/// What it is and its numbers, as scene files have them; of meshes how large they are.
+Json json_of_shape(const Shape& shape) {
+  Json json = {{"shape", io::type_of(shape)}};
+  if (const auto mesh = mesh_of(shape)) {
+    json["triangles"] = mesh->triangle_count();
+    json["faces"] = mesh->face_count();
+  } else if (const auto* compound = std::get_if<Compound>(&shape)) {
+    json["parts"] = json_of(*compound);
+  } else {
+    json["numbers"] = io::json_of(shape, [](const auto&) { return Json(); });
+    json["numbers"].erase("type");
+    if (const auto* hull = std::get_if<ConvexHull>(&shape)) json["hull"] = json_of(*hull);
+  }
+  return json;
+}
+
+bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
+
+std::optional<Aabb> box_of(const PosedModel& posed) {
+  const Aabb box = world_box(posed);
+  return is_bounded(box) ? std::optional(box) : std::nullopt;
+}
+
+void add_mesh(const TriangleMesh& mesh, InspectedObject& result) {
+  const SceneObject& object = result.object;
+  result.health = inspect(mesh);
+  const bool may_be_solid = !std::holds_alternative<HeightField>(object.shape);
+  result.solid = may_be_solid && object.solid != Solid::none && result.health->closed;
+  Aabb box;
+  for (const auto& corners : mesh.triangles())
+    for (const Index corner : corners) box = merge(box, transform(object.pose, mesh.vertices()[corner]));
+  result.world_box = box;
+}
+
+void add_shape(InspectedObject& result) {
+  const Model model(result.object.shape);
+  try {
+    const PosedModel posed = pose_model(model, result.object.pose, result.object.solid, "this object");
+    result.solid = posed.solid;
+    result.world_box = box_of(posed);
+  } catch (const Error& error) {
+    result.refusal = error.what();
+  }
+}
+
+}  // namespace
+
+InspectedObject inspect(const SceneObject& object) {
+  InspectedObject result{object, {}, false, {}, {}, {}};
+  if (const auto mesh = object.mesh())
+    add_mesh(*mesh, result);
+  else
+    add_shape(result);
+  return result;
+}
+
+std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
+                                std::span<const std::string> warnings) {
+  Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
+  Json& list = json["objects"] = Json::array();
+  for (const InspectedObject& inspected : objects) {
+    const SceneObject& object = inspected.object;
+    Json item = {{"name", io::as_utf8(object.name)}, {"source", io::as_utf8(object.source)}};
+    item.update(json_of_shape(object.shape));
+    item["pose"] = object.pose.numbers();
+    item["solid"] = inspected.solid;
+    if (inspected.health) item.update(json_of(*inspected.health));
+    item["world_box"] = inspected.world_box ? json_of(*inspected.world_box) : Json();
+    if (!inspected.refusal.empty()) item["refusal"] = io::as_utf8(inspected.refusal);
+    for (const VolumeCost& cost : inspected.volumes) item["volumes"].push_back(json_of(cost));
+    list.push_back(std::move(item));
+  }
+  return io::document(json);
+}
+
+}  // namespace toccata

@@ -1,0 +1,89 @@
+#include "toccata/io/self_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "io/formats/utf8.hpp"
+#include "io/reports/report_parts.hpp"
+
+namespace toccata {
+namespace {
+
+/// Triangles are in the order of the faces in every mesh that a reader makes, but not in every mesh.
+std::vector<Contact> lesser_face_first(std::vector<Contact> contacts) {
+  for (Contact& contact : contacts)
+    if (contact.face_b < contact.face_a)
+      contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.meeting)};
+  return contacts;
+}
+
+std::size_t count_face_pairs(const std::vector<Contact>& contacts) {
+  std::vector<std::pair<Index, Index>> pairs;
+  for (const Contact& contact : contacts) pairs.emplace_back(contact.face_a, contact.face_b);
+  std::sort(pairs.begin(), pairs.end());
+  return static_cast<std::size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+}
+
+std::string utf8_name(const SceneObject& object) { return io::as_utf8(object.name); }
+
+std::string csv_of_faces(const Scene& scene, const SelfReport& report) {
+  std::string csv = "object,face_a,face_b,crossing\n";
+  for (std::size_t i = 0; i < report.objects.size(); ++i)
+    for (const ReportedFacePair& pair : report.objects[i].faces)
+      csv += fmt::format("{},{},{},{}\n", io::csv_field(utf8_name(scene.objects[i])), pair.face_a, pair.face_b,
+                         pair.crossing);
+  return csv;
+}
+
+}  // namespace
+
+SelfReport make_self_report(std::span<const Posed> models, std::span<const std::vector<Contact>> contacts, bool faces) {
+  SelfReport report;
+  report.has_faces = faces;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::vector<Contact> ordered = lesser_face_first(contacts[i]);
+    ReportedSelf& object = report.objects.emplace_back();
+    object.triangle_pairs = ordered.size();
+    object.face_pairs = count_face_pairs(ordered);
+    if (faces) object.faces = io::reported_face_pairs(models[i], models[i], ordered);
+  }
+  return report;
+}
+
+std::size_t self_meeting_count(const SelfReport& report) {
+  return static_cast<std::size_t>(std::count_if(report.objects.begin(), report.objects.end(),
+                                                [](const ReportedSelf& object) { return object.triangle_pairs > 0; }));
+}
+
+std::string self_report_json(const Scene& scene, std::span<const Posed> models, const SelfReport& report,
+                             std::span<const std::string> warnings) {
+  io::Json json = io::report_head("toccata/check-self/1", scene, models, warnings);
+  json["meeting_themselves"] = self_meeting_count(report);
+  io::Json& list = json["self_contacts"] = io::Json::array();
+  for (std::size_t i = 0; i < report.objects.size(); ++i) {
+    const ReportedSelf& object = report.objects[i];
+    io::Json item = {{"object", utf8_name(scene.objects[i])},
+                     {"object_index", i},
+                     {"triangle_pairs", object.triangle_pairs},
+                     {"face_pairs", object.face_pairs}};
+    if (report.has_faces) {
+      io::Json& faces = item["faces"] = io::Json::array();
+      for (const ReportedFacePair& pair : object.faces) faces.push_back(io::json_of(pair));
+    }
+    list.push_back(std::move(item));
+  }
+  return io::document(json);
+}
+
+std::string self_report_csv(const Scene& scene, const SelfReport& report) {
+  if (report.has_faces) return csv_of_faces(scene, report);
+  std::string csv = "object,triangle_pairs,face_pairs\n";
+  for (std::size_t i = 0; i < report.objects.size(); ++i)
+    csv += fmt::format("{},{},{}\n", io::csv_field(utf8_name(scene.objects[i])), report.objects[i].triangle_pairs,
+                       report.objects[i].face_pairs);
+  return csv;
+}
+
+}  // namespace toccata

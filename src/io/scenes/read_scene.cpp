@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "io/formats/file_bytes.hpp"
+#include "io/formats/number.hpp"
+#include "io/formats/utf8.hpp"
+#include "io/scenes/scene_parts.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/suggestion.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/scene_file.hpp"
+
+namespace toccata {
+namespace io {
+namespace {
+
+/// The largest magnitude among the nine numbers that are no translation.
+double largest_linear(const Pose& pose) {
+  const std::array<double, 12> numbers = pose.numbers();
+  double largest = 0;
+  for (std::size_t i = 0; i < 9; ++i) largest = std::max(largest, std::abs(numbers[i]));
+  return largest;
+}
+
+}  // namespace
+
+bool is_gltf(const std::filesystem::path& path) {
+  const std::string extension = lower_case_extension(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+bool is_scale(double factor) { return factor > 0 && std::isnormal(factor); }
+
+bool is_collapsed(const Pose& before, const Pose& after) {
+  const double size = largest_linear(before);
+  return size > 0 && largest_linear(after) < std::min(size, std::numeric_limits<double>::min());
+}
+
+std::string UniqueNames::make(const std::string& name) {
+  std::string unique = name;
+  int& uses = uses_[name];
+  // A name with a number may itself be one that the file gives.
+  for (++uses; uses > 1; ++uses) {
+    unique = fmt::format("{} #{}", name, uses);
+    if (uses_.emplace(unique, 1).second) break;
+  }
+  return unique;
+}
+
+Scene read_shapes(const std::filesystem::path& path) {
+  if (is_gltf(path)) {
+    const FileBytes bytes = read_file(path);
+    return parse_gltf({bytes.span(), path.string(), path.parent_path()});
+  }
+  Scene scene;
+  scene.unit = "unit";
+  SceneObject object;
+  object.name = as_utf8(path.stem().string());
+  object.shape = std::make_shared<const TriangleMesh>(read_mesh(path));
+  object.source = path.string();
+  scene.objects.push_back(std::move(object));
+  return scene;
+}
+
+}  // namespace io
+
+namespace {
+
+Scene read_scene_file(const std::filesystem::path& path) {
+  const io::FileBytes bytes = io::read_file(path);
+  return io::parse_scene_file({bytes.span(), path.string(), path.parent_path()});
+}
+
+Scene generated_scene(const std::string& text) {
+  const GeneratorSpecification specification = parse_generator(text);
+  Scene scene;
+  scene.unit = "unit";
+  SceneObject object;
+  object.name = specification.name;
+  object.shape = std::make_shared<const TriangleMesh>(generate_mesh(specification.name, specification.parameters));
+  object.source = "generated: " + text;
+  scene.objects.push_back(std::move(object));
+  return scene;
+}
+
+void check_options(const ReadOptions& options) {
+  for (const double factor : {options.scale, options.metres_per_unit.value_or(1)})
+    if (!(factor > 0) || !std::isfinite(factor))
+      throw Error(fmt::format("a scale or unit must be positive and finite, and is {}", factor));
+}
+
+/// The unit times the scale.
+double factor_of(const std::filesystem::path& path, const ReadOptions& options) {
+  const double metres = options.metres_per_unit.value_or(1), factor = metres * options.scale;
+  if (!io::is_scale(factor))
+    throw Error(
+        fmt::format("{}: the unit {} times the scale {} is {}, which leaves no shape; change the options unit "
+                    "or scale so that their product is between 1e-307 and 1e308",
+                    path.string(), metres, options.scale, factor));
+  return factor;
+}
+
+void scale_scene(Scene& scene, double factor) {
+  if (factor == 1) return;
+  const Pose larger = scaled(Pose{}, factor);
+  for (SceneNode& node : scene.nodes)
+    if (!node.parent) node.pose = compose(larger, node.pose);
+  for (SceneObject& object : scene.objects) {
+    const Pose before = object.pose;
+    object.pose = compose(larger, before);
+    if (keeps_its_form(object.shape)) {
+      object.shape = scaled_in_itself(object.shape, factor);
+      object.pose.linear = before.linear;
+    }
+    if (io::is_collapsed(before, object.pose))
+      throw Error(
+          fmt::format("{}: the object '{}' shrinks to nothing when it is scaled by {}; use a larger unit or scale",
+                      object.source, object.name, factor));
+    if (!is_finite(object.pose))
+      throw Error(fmt::format("{}: the object '{}' grows beyond the doubles when it is scaled by {}", object.source,
+                              object.name, factor));
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  check_options(options);
+  const bool is_scene_file = io::lower_case_extension(path) == ".json";
+  if (is_scene_file && options.metres_per_unit)
+    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path.string()));
+  const double factor = factor_of(path, options);
+  Scene scene = is_generator_specification(path.string()) ? generated_scene(path.string())
+                : is_scene_file                           ? read_scene_file(path)
+                                                          : io::read_shapes(path);
+  scale_scene(scene, factor);
+  if (options.metres_per_unit) scene.unit = "m";
+  return scene;
+}
+
+double metres_per_unit(std::string_view unit) {
+  static const std::map<std::string, double, std::less<>> known = {{"mm", 0.001}, {"cm", 0.01},   {"m", 1},
+                                                                   {"km", 1000},  {"in", 0.0254}, {"ft", 0.3048}};
+  if (const auto found = known.find(unit); found != known.end()) return found->second;
+  const io::ParsedNumber number = io::parse_number(unit.data(), unit.data() + unit.size());
+  if (number.fault != io::NumberFault::none || number.end != unit.data() + unit.size() || !(number.value > 0))
+    throw Error(fmt::format("'{}' is not a unit; write mm, cm, m, km, in, ft, or a positive number of metres", unit));
+  return number.value;
+}
+
+}  // namespace toccata

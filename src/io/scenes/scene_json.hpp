@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/scenes/scene_shape.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata::io {
+
+// What scene files are written of.
+
+/// Throws Error naming the object when a name or group is not UTF-8, a name is empty, or two are alike.
+void require_writable(const Scene& scene);
+
+/// The members in front of the objects.
+[[nodiscard]] nlohmann::ordered_json scene_head(const Scene& scene);
+
+/// An object without its source and node; its mesh is what `write_mesh` gives.
+[[nodiscard]] nlohmann::ordered_json json_of(const SceneObject& object, const MeshWriting& write_mesh);
+
+}  // namespace toccata::io

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/view/display_frame.hpp"
+#include "io/view/display_mesh.hpp"
+#include "io/view/view_data.hpp"
+#include "toccata/query/check_all.hpp"
+
+namespace toccata::io {
+
+/// What is drawn of each object: a mesh that objects may share, and for spheres and boxes how the unit shape becomes
+/// theirs.
+class ViewMeshes {
+ public:
+  struct Drawn {
+    std::size_t mesh = 0;
+    std::optional<Pose> fit;  ///< from the mesh to the shape's own frame
+  };
+
+  explicit ViewMeshes(std::span<const Posed> models);
+
+  [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
+  [[nodiscard]] const std::vector<DisplayMesh>& meshes() const { return meshes_; }
+  [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }  ///< of each model
+
+  /// The triangles that are drawn for these faces of a model; `faces` ascend. None when all of it is one face, as
+  /// shapes other than meshes are.
+  [[nodiscard]] std::vector<Index> triangles_of(std::size_t model, std::span<const Index> faces) const;
+
+  /// The members "meshes" and "objects" of the header.
+  void write(nlohmann::ordered_json& header, ViewData& data) const;
+
+ private:
+  Drawn drawn_of(const Posed& posed);
+  std::size_t mesh_number(const std::string& key, const Model& model);
+  [[nodiscard]] DisplayMesh mesh_for(const std::string& key, const Model& model) const;
+
+  std::vector<DisplayMesh> meshes_;
+  std::map<std::string, std::size_t> number_of_;
+  std::vector<Drawn> drawn_;
+  int circles_ = most_circles;  ///< of latitude, of round shapes
+  DisplayFrame frame_;
+};
+
+}  // namespace toccata::io

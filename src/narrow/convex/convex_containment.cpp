@@ -1,0 +1,180 @@
+#include "narrow/convex/convex_containment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "math/filter.hpp"
+#include "math/wide_integer.hpp"
+#include "narrow/convex/core_distance.hpp"
+#include "shapes/hull_walk.hpp"
+
+// Of A grown by r and B grown by s, a common part of the radii may be taken off both (cancellation law of Minkowski
+// sums of compact convex sets). With r ≤ s, A lies in B grown by s − r: every vertex of A is that near to B, whose
+// growth is convex. With r > s, A grown by r − s lies in B: no facet's plane is nearer to a vertex of A than that.
+namespace toccata {
+namespace {
+
+/// The hull in the world: there rounding may have bent the shape's own faces.
+ConvexHull world_hull(const PosedConvex& shape) {
+  std::vector<Vec3> vertices(shape.vertex_count());
+  for (Index i = 0; i < shape.vertex_count(); ++i) vertices[i] = shape.vertex(i);
+  return ConvexHull(vertices);
+}
+
+struct Bounds {
+  Vec3 lower;
+  Vec3 upper;
+};
+
+Bounds bounds_of(const PosedConvex& shape) {
+  Bounds bounds{shape.vertex(0), shape.vertex(0)};
+  for (Index i = 1; i < shape.vertex_count(); ++i) {
+    const Vec3 v = shape.vertex(i);
+    for (int axis = 0; axis < 3; ++axis) {
+      bounds.lower[axis] = std::min(bounds.lower[axis], v[axis]);
+      bounds.upper[axis] = std::max(bounds.upper[axis], v[axis]);
+    }
+  }
+  return bounds;
+}
+
+/// A shape with what both directions of the question need of it.
+class Side {
+ public:
+  explicit Side(const PosedConvex& shape) : shape_(&shape), bounds_(bounds_of(shape)) {}
+
+  [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
+  [[nodiscard]] double radius() const { return shape_->radius(); }
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
+  [[nodiscard]] const ConvexHull& core() {
+    if (!core_) core_ = world_hull(*shape_);
+    return *core_;
+  }
+
+ private:
+  const PosedConvex* shape_;
+  Bounds bounds_;
+  std::optional<ConvexHull> core_;
+};
+
+/// A reaches beyond B along an axis. Rounding is monotone, so of two rounded sums the greater is that of greater sums.
+bool certainly_sticks_out(const Side& a, const Side& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.bounds().upper[axis] + a.radius() > b.bounds().upper[axis] + b.radius()) return true;
+    if (a.bounds().lower[axis] - a.radius() < b.bounds().lower[axis] - b.radius()) return true;
+  }
+  return false;
+}
+
+struct Decided {
+  bool yes = false;
+  bool by_exact = false;
+};
+
+using PlanePoints = std::array<Vec3, 3>;
+
+/// The sign of (distance of the point from the plane) − (x − y), where x > y; exactly.
+Sign exact_depth_order(const PlanePoints& plane, const Vec3& point, double x, double y) {
+  const std::array<Vec3, 6> all{plane[0], plane[1], plane[2], point, Vec3{x, 0, 0}, Vec3{y, 0, 0}};
+  const int exponent = common_exponent(all);
+  const IntegerVector origin = scaled_wide(plane[0], exponent);
+  const IntegerVector normal =
+      cross(scaled_wide(plane[1], exponent) - origin, scaled_wide(plane[2], exponent) - origin);
+  const WideInteger height = dot(normal, scaled_wide(point, exponent) - origin);
+  const WideInteger depth = scaled_wide(x, exponent) - scaled_wide(y, exponent);
+  const int order = WideInteger(height * height).compare(depth * depth * dot(normal, normal));
+  return static_cast<Sign>(order < 0 ? -1 : order > 0 ? 1 : 0);
+}
+
+/// The point is at least x − y away from the plane. In doubles first: the height is off by at most its filter's bound,
+/// each part of the normal likewise, and the few operations after that by less than 2^-48 of their values.
+Decided is_that_deep(const PlanePoints& plane, const Vec3& point, double x, double y) {
+  const FilteredCross normal = filtered_cross(plane[1] - plane[0], plane[2] - plane[0]);
+  const Filtered height = filtered_triple_product(normal, point - plane[0]);
+  const double length = std::sqrt(dot(normal.value, normal.value));
+  const double off = 0x1p-49 * ((normal.magnitude.x + normal.magnitude.y) + normal.magnitude.z);
+  const double least = (x - y) * (length - off), most = (x - y) * (length + off);
+  if (least > 0x1p-900 && std::isfinite(most)) {
+    if (std::fabs(height.value) - height.error > (1 + 0x1p-48) * most) return {true, false};
+    if (std::fabs(height.value) + height.error < (1 - 0x1p-48) * least) return {false, false};
+  }
+  return {exact_depth_order(plane, point, x, y) != Sign::negative, true};
+}
+
+enum class Boundary { allowed, excluded };
+
+/// For every facet of B: the vertex of A that is highest above it lies behind it, and if r > s by at least r − s.
+Decided is_behind_facets(Side& a, Side& b, Boundary boundary) {
+  const ConvexHull &hull_a = a.core(), &hull_b = b.core();
+  const HullTopology t = hull_b.topology();
+  std::vector<Index> highest(t.face_count(), 0);
+  bool by_exact = false;
+  for (const FaceVisit& visit : faces_by_neighbours(t)) {
+    const auto corner = [&](Index i) { return hull_b.vertex(t.origin[t.face_start[visit.face] + i]); };
+    const PlanePoints plane{corner(0), corner(1), corner(2)};
+    const Index vertex = highest_vertex(hull_a, plane[0], plane[1], plane[2], highest[visit.before]);
+    highest[visit.face] = vertex;
+    const Sign side = orient3d(plane[0], plane[1], plane[2], hull_a.vertex(vertex));
+    if (side == Sign::positive || (side == Sign::zero && boundary == Boundary::excluded)) return {false, by_exact};
+    if (!(a.radius() > b.radius())) continue;
+    const Decided deep = is_that_deep(plane, hull_a.vertex(vertex), a.radius(), b.radius());
+    by_exact = by_exact || deep.by_exact;
+    if (!deep.yes) return {false, by_exact};
+  }
+  return {true, by_exact};
+}
+
+/// Every vertex of A has at most the distance s − r ≥ 0 from the core of B, or less.
+Decided is_near_core(const Side& a, const Side& b, Boundary boundary) {
+  VertexPairs start;
+  bool by_exact = false;
+  for (Index i = 0; i < a.shape().vertex_count(); ++i) {
+    const PosedConvex vertex{Point(a.shape().vertex(i))};
+    start.a = {};  // the point's only vertex; those of B are where the last search ended
+    const CoreDistanceOrder order = compare_core_distance(vertex, b.shape(), b.radius(), -a.radius(), start);
+    start = order.simplex;
+    by_exact = by_exact || order.by_exact;
+    if (order.sign == Sign::positive || (order.sign == Sign::zero && boundary == Boundary::excluded))
+      return {false, by_exact};
+  }
+  return {true, by_exact};
+}
+
+Decided is_within(Side& a, Side& b, Boundary boundary) {
+  if (certainly_sticks_out(a, b)) return {};
+  if (a.radius() < b.radius()) return is_near_core(a, b, boundary);
+  if (b.core().dimension() == 3) return is_behind_facets(a, b, boundary);
+  return a.radius() == b.radius() ? is_near_core(a, b, boundary) : Decided{};
+}
+
+}  // namespace
+
+ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex& b) {
+  Side side_a(a), side_b(b);
+  const Decided a_in_b = is_within(side_a, side_b, Boundary::allowed);
+  const Decided b_in_a = is_within(side_b, side_a, Boundary::allowed);
+  const bool by_exact = a_in_b.by_exact || b_in_a.by_exact;
+  if (a_in_b.yes) return {b_in_a.yes ? Containment::equal : Containment::a_in_b, by_exact};
+  return {b_in_a.yes ? Containment::b_in_a : Containment::none, by_exact};
+}
+
+ContainmentAnswer containment_in_interior(const PosedConvex& a, const PosedConvex& b) {
+  Side side_a(a), side_b(b);
+  const Decided within = is_within(side_a, side_b, Boundary::excluded);
+  return {within.yes ? Containment::a_in_b : Containment::none, within.by_exact};
+}
+
+bool has_interior(const PosedConvex& shape) {
+  if (shape.radius() > 0) return true;
+  if (shape.vertex_count() < 4) return false;
+  // Of a box the corners 0, 1, 2 and 4; of a hull any four, which nearly always are enough.
+  const Vec3 a = shape.vertex(0), b = shape.vertex(1), c = shape.vertex(2), d = shape.vertex(shape.vertex_count() / 2);
+  const Filtered volume = filtered_orient3d(a, b, c, d);
+  return volume.is_positive() || volume.is_negative() || world_hull(shape).dimension() == 3;
+}
+
+}  // namespace toccata

@@ -1,0 +1,249 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "narrow/boxes/aligned_boxes.hpp"
+#include "narrow/convex/gjk.hpp"
+#include "narrow/convex/kept_simplex.hpp"
+#include "narrow/exact/exact_distance.hpp"
+#include "narrow/exact/exact_nearest.hpp"
+#include "narrow/exact/meeting_certificate.hpp"
+#include "narrow/exact/nearest_certificate.hpp"
+#include "narrow/exact/nearest_formula.hpp"
+#include "narrow/primitives/closed_forms.hpp"
+#include "narrow/primitives/pair_distances.hpp"
+#include "toccata/narrow/gjk.hpp"
+
+namespace toccata {
+namespace {
+
+void keep(ConvexWorkspace& workspace, const VertexPairs& simplex, const Vec3& difference) {
+  workspace.vertex_a = simplex.a;
+  workspace.vertex_b = simplex.b;
+  workspace.simplex_size = static_cast<int>(simplex.size);
+  workspace.direction = -difference;
+}
+
+/// What `grown_meet` knows for certain: positive is apart.
+std::optional<bool> certain_meeting(const BoundedNumber& gap) {
+  if (gap.is_positive()) return false;
+  if (gap.is_negative()) return true;
+  return {};
+}
+
+std::optional<Distance> rounded(const BoundedNumber& gap, const BoundedVector& on_a, const BoundedVector& on_b) {
+  const auto neighbours = bracket(gap);
+  const auto point_a = nearest_doubles(on_a), point_b = nearest_doubles(on_b);
+  if (!neighbours || !point_a || !point_b) return {};
+  return Distance{neighbours->lower, neighbours->upper, *point_a, *point_b, Status::exact};
+}
+
+std::optional<Distance> at_common_point(const BoundedVector& point) {
+  const auto common = nearest_doubles(point);
+  if (!common) return {};
+  return Distance{0, 0, *common, *common, Status::exact};
+}
+
+/// One question about two shapes.
+class PairQuestion {
+ public:
+  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {})
+      : kernels_(support_kernels()),
+        options_(options),
+        a_(a, kernels_, options.support),
+        b_(b, kernels_, options.support),
+        reach_(exactly(a.radius()) + exactly(b.radius())),
+        workspace_(workspace) {
+    a_.begin_at(workspace.vertex_a[0]);
+    b_.begin_at(workspace.vertex_b[0]);
+  }
+  PairQuestion(const PairQuestion&) = delete;
+  PairQuestion& operator=(const PairQuestion&) = delete;
+  ~PairQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
+
+  bool overlap() {
+    // What parted the shapes last time mostly does so again.
+    if (!(workspace_.direction == Vec3{}) && certainly_farther(a_, b_, -workspace_.direction, upper_reach()))
+      return certified(false);
+    const GjkEnd end =
+        search(kept_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
+    const bool stopped_early = !(end.separating == Vec3{});
+    const Vec3& direction = stopped_early ? end.separating : end.nearest;
+    if (!end.inside && certainly_farther(a_, b_, direction, upper_reach())) return certified(false);
+    if (end.inside && contains_origin(a_.shape(), b_.shape(), end.simplex.pairs)) return certified(true);
+    if (reach_.value.high > 0 && !end.inside)
+      if (const auto found = certain_nearest(a_, b_, end.simplex.pairs))
+        if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
+    ++workspace_.counts.exact;
+    return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+  }
+
+  /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
+  /// there the search starts anew.
+  Distance distance() {
+    const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
+    if (kept.size > 0) {
+      // Shapes that moved little often have the same nearest features.
+      if (const auto distance = distance_by_formula(kept)) return *distance;
+      if (const auto distance = distance_by(search(kept, to_the_end()), Cores::apart)) return *distance;
+    }
+    if (options_.acceleration != GjkAcceleration::none)
+      if (const auto distance = distance_by(search({}, to_the_end()), Cores::apart)) return *distance;
+    const GjkEnd end = search({}, {no_goal});
+    const bool is_plain = end.size <= largest_of_plain;
+    if (is_plain)
+      if (const auto distance = distance_by(end, Cores::any)) return *distance;
+    const ExactNearest nearest = exact(is_plain ? end.simplex.pairs : first_vertices());
+    if (!nearest.meet)
+      if (const auto distance = distance_by_formula(nearest.simplex)) return *distance;
+    ++workspace_.counts.exact;
+    return rounded_distance(nearest, a_.shape().radius(), b_.shape().radius());
+  }
+
+ private:
+  /// Products overflow beyond, and then it depends on how many vertices are compared at a time where the search ends.
+  static constexpr double largest_of_plain = 0x1p500;
+  static constexpr double no_goal = std::numeric_limits<double>::quiet_NaN();
+
+  /// Which answers are taken.
+  enum class Cores { apart, any };
+
+  [[nodiscard]] GjkGoal to_the_end() const { return {no_goal, options_.acceleration}; }
+
+  GjkEnd search(const VertexPairs& start, const GjkGoal& goal) {
+    const GjkEnd end = search_nearest(a_, b_, start, goal);
+    workspace_.counts.steps += end.steps;
+    workspace_.counts.support_points += end.support_points;
+    keep(workspace_, end.simplex.pairs, end.nearest);
+    return end;
+  }
+
+  template <class Answer>
+  Answer certified(const Answer& answer) {
+    ++workspace_.counts.certificates;
+    return answer;
+  }
+
+  [[nodiscard]] double upper_reach() const {
+    return std::nextafter(reach_.value.high, std::numeric_limits<double>::infinity());
+  }
+
+  std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
+    const VertexPairs& simplex = end.simplex.pairs;
+    if (!end.inside) {
+      std::optional<Distance> distance = distance_by_formula(simplex);
+      if (!distance) distance = distance_from(certain_nearest(a_, b_, simplex));
+      return distance ? distance : distance_from(certain_nearest_along(a_, b_, end.nearest));
+    }
+    if (cores != Cores::any || !contains_origin(a_.shape(), b_.shape(), simplex)) return {};
+    const std::optional<Distance> distance = at_common_point(common_point(a_.shape(), b_.shape(), simplex));
+    return distance ? certified(distance) : distance;
+  }
+
+  /// Every way that ends at nearest features asks this of them before it answers with more digits: so the answer does
+  /// not tell which way it was.
+  std::optional<Distance> distance_by_formula(const VertexPairs& simplex) {
+    const std::optional<NearestFeatures> features = canonical_features(simplex);
+    if (!features || (asked_ && *features == *asked_)) return {};
+    asked_ = features;
+    NearestFormula formula(a_, b_, *features);
+    if (formula.prove()) return distance_by(formula);
+    if (!formula.before()) return {};
+    for (std::size_t i = 0; i < features->count_a + features->count_b; ++i) {
+      const std::optional<NearestFeatures> others = exchanged(*features, i, *formula.before());
+      if (!others) continue;
+      NearestFormula other(a_, b_, *others);
+      if (other.prove()) return distance_by(other);
+    }
+    return {};
+  }
+
+  std::optional<Distance> distance_by(const NearestFormula& formula) {
+    const std::optional<Distance> distance = formula.distance();
+    if (!distance) return {};
+    keep(workspace_, pairs_of(formula.features()), formula.nearest().difference);
+    return certified(distance);
+  }
+
+  std::optional<Distance> distance_from(const std::optional<CertainNearest>& found) {
+    if (!found) return {};
+    keep(workspace_, found->pairs, high_parts(found->difference));
+    if (!found->unique()) return exact_on_faces(*found);
+    if (const std::optional<Distance> distance = distance_by_formula(found->pairs)) return distance;
+    const std::optional<Distance> distance = grown_distance(*found);
+    return distance ? certified(distance) : distance;
+  }
+
+  [[nodiscard]] std::optional<Distance> grown_distance(const CertainNearest& found) const {
+    if (reach_.value.high == 0) return rounded(found.distance, found.on_a, found.on_b);
+    const BoundedNumber gap = found.distance - reach_;
+    const BoundedNumber radius_a = exactly(a_.shape().radius()), radius_b = exactly(b_.shape().radius());
+    const auto meet = certain_meeting(gap);
+    if (!meet) return {};
+    if (*meet) return at_common_point(found.on_a - (radius_a / reach_) * found.difference);
+    return rounded(gap, found.on_a - (radius_a / found.distance) * found.difference,
+                   found.on_b + (radius_b / found.distance) * found.difference);
+  }
+
+  /// Which of the nearest points of two faces is meant is a matter of exact arithmetic.
+  Distance exact_on_faces(const CertainNearest& found) {
+    ++workspace_.counts.exact;
+    const std::span<const Index> face_a(found.face_a.vertex.data(), found.face_a.count);
+    const std::span<const Index> face_b(found.face_b.vertex.data(), found.face_b.count);
+    return rounded_distance(exact_nearest_of_faces(a_.shape(), b_.shape(), found.pairs, face_a, face_b),
+                            a_.shape().radius(), b_.shape().radius());
+  }
+
+  ExactNearest exact(const VertexPairs& start) {
+    ExactNearest nearest = exact_nearest(a_.shape(), b_.shape(), start);
+    keep(workspace_, nearest.simplex, nearest.meet ? Vec3{} : rounded_direction(nearest.direction));
+    return nearest;
+  }
+
+  SupportKernels kernels_;
+  GjkOptions options_;
+  SupportSearch a_, b_;
+  BoundedNumber reach_;                   // the sum of the radii
+  std::optional<NearestFeatures> asked_;  // of the formula, in vain
+  ConvexWorkspace& workspace_;
+};
+
+}  // namespace
+
+bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (const Nearness nearness = nearness_by_formula(a, b); nearness != Nearness::unknown) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return nearness == Nearness::meet;
+  }
+  if (const std::optional<bool> meet = aligned_boxes_meet(a, b)) {  // those that touch
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return *meet;
+  }
+  return overlap_by_gjk(a, b, {}, workspace);
+}
+
+Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  Distance distance = distance_of_primitives(a, b);
+  if (is_known(distance)) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return distance;
+  }
+  if (const auto aligned = aligned_box_distance(a, b)) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return *aligned;
+  }
+  return distance_by_gjk(a, b, {}, workspace);
+}
+
+bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options, ConvexWorkspace* workspace) {
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
+}
+
+Distance distance_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options,
+                         ConvexWorkspace* workspace) {
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).distance();
+}
+
+}  // namespace toccata

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "narrow/boxes/box_axes.hpp"
+#include "narrow/boxes/box_manifold.hpp"
+#include "narrow/convex/canonical_order.hpp"
+#include "narrow/convex/convex_parting.hpp"
+#include "narrow/convex/face_clipping.hpp"
+#include "narrow/convex/plain_scale.hpp"
+
+// Where shapes meet with a face, the contact is a region: the incident face as far as it lies over the reference face.
+// The reference face is the one that turns most to the other shape, at most about two degrees beside the direction in
+// which the shapes are parted; the incident one is the other shape's. Everything else is a single point.
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double cosine_of_face_contact = 0.9995;
+
+/// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
+constexpr double gap_of_resting = 0x1p-10;
+
+/// Of two boxes, an edge pair has to be this much less deep than the best face: faces give more points.
+constexpr double edge_share = 0.98;
+
+using Points = std::pmr::vector<ManifoldPoint>;
+
+/// A point on each face's plane, as near to the contact as one is known: a plane is as rough as its normal far from it.
+struct Anchors {
+  Vec3 on_a;
+  Vec3 on_b;
+};
+
+/// The two faces, and which of them is the reference.
+struct FacePair {
+  ContactFace a;
+  ContactFace b;
+  Anchors anchors;
+  bool b_is_reference;
+  [[nodiscard]] const ContactFace& reference() const { return b_is_reference ? b : a; }
+  [[nodiscard]] const ContactFace& incident() const { return b_is_reference ? a : b; }
+};
+
+Index farthest_corner(const PosedConvex& box, const Vec3& direction) {
+  Index corner = 0;
+  for (const Index bit : {1U, 2U, 4U})
+    if (dot(box.vertex(bit) - box.vertex(0), direction) > 0) corner |= bit;
+  return corner;
+}
+
+bool is_segment(const ContactFace& face) { return face.face != ContactFace::none && face.last() - face.first() == 2; }
+
+Vec3 unit_along(const ContactFace& segment) {
+  const HullTopology topology = segment.shape->topology();
+  const Vec3 along =
+      segment.shape->vertex(topology.target(segment.first())) - segment.shape->vertex(topology.origin[segment.first()]);
+  return (1 / std::sqrt(dot(along, along))) * along;
+}
+
+/// Two cores that are parallel segments, as those of two lying capsules: the normal takes the place of a face's.
+void make_face_of_parallel_segments(FacePair& faces, const Vec3& normal) {
+  if (!is_segment(faces.a) || !is_segment(faces.b)) return;
+  const Vec3 along_a = unit_along(faces.a), along_b = unit_along(faces.b);
+  if (!(std::fabs(dot(along_a, along_b)) >= cosine_of_face_contact)) return;
+  if (!(std::fabs(dot(along_a, normal)) <= 0.01)) return;
+  faces.a.normal = normal;
+  faces.a.facing = 1;
+}
+
+ManifoldPoint single_point(const PosedConvex& a, const PosedConvex& b, const ConvexParting& parting) {
+  const Penetration& p = parting.penetration;
+  return {p.on_a + 0.5 * (p.on_b - p.on_a), dot(p.on_a - p.on_b, p.direction),
+          feature_of(a, parting.pairs.a, parting.pairs.size), feature_of(b, parting.pairs.b, parting.pairs.size)};
+}
+
+/// The features of a polygon's corner, between the side that comes in and the one that leaves.
+struct CornerFeatures {
+  ConvexFeature on_reference;
+  ConvexFeature on_incident;
+};
+
+CornerFeatures features_of(const FacePair& faces, const PolygonSide& in, const PolygonSide& out) {
+  using Kind = ConvexFeature::Kind;
+  const HullTopology reference = faces.reference().shape->topology(), incident = faces.incident().shape->topology();
+  if (faces.incident().face == ContactFace::none)
+    return {{Kind::face, faces.reference().face}, {Kind::vertex, faces.incident().vertex}};
+  if (!in.of_reference && !out.of_reference)
+    return {{Kind::face, faces.reference().face}, {Kind::vertex, incident.origin[out.half_edge]}};
+  if (in.of_reference && out.of_reference) {
+    const bool follows = reference.next(in.half_edge) == out.half_edge;
+    return {{Kind::vertex, reference.origin[follows ? out.half_edge : in.half_edge]},
+            {Kind::face, faces.incident().face}};
+  }
+  const PolygonSide &side = in.of_reference ? in : out, &edge = in.of_reference ? out : in;
+  return {{Kind::edge, edge_number(reference, side.half_edge)}, {Kind::edge, edge_number(incident, edge.half_edge)}};
+}
+
+/// A point of the incident face, seen along the normal against the reference face.
+ManifoldPoint point_over_face(const FacePair& faces, const Vec3& normal, const Vec3& position) {
+  const ContactFace& reference = faces.reference();
+  const Vec3& origin = faces.b_is_reference ? faces.anchors.on_b : faces.anchors.on_a;
+  const double gap = dot(reference.normal, position - origin) / std::fabs(dot(reference.normal, normal));
+  const double radius_a = faces.a.shape->radius(), radius_b = faces.b.shape->radius();
+  // Half way from the reference surface to the incident one, along the normal.
+  const double back = faces.b_is_reference ? 0.5 * ((gap + radius_a) - radius_b) : 0.5 * ((radius_a - radius_b) - gap);
+  return {position + back * normal, (radius_a + radius_b) - gap, {}, {}};
+}
+
+bool are_the_same(const ManifoldPoint& p, const ManifoldPoint& q) {
+  return p.position == q.position || (p.on_a == q.on_a && p.on_b == q.on_b);
+}
+
+/// In place of the one that is the same, if there is one.
+void put(Points& points, const ManifoldPoint& point) {
+  const auto same =
+      std::find_if(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); });
+  if (same == points.end())
+    points.push_back(point);
+  else
+    *same = point;
+}
+
+Points face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_resource& memory) {
+  const Vec3 outwards = faces.b_is_reference ? -normal : normal;
+  const ContactPolygon polygon = clipped_incident(faces.reference(), faces.incident(), outwards, memory);
+  Points points(&memory);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PolygonSide& in = polygon[(i + polygon.size() - 1) % polygon.size()].side;
+    const CornerFeatures features = features_of(faces, in, polygon[i].side);
+    ManifoldPoint point = point_over_face(faces, normal, polygon[i].position);
+    point.on_a = faces.b_is_reference ? features.on_incident : features.on_reference;
+    point.on_b = faces.b_is_reference ? features.on_reference : features.on_incident;
+    if (std::none_of(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); }))
+      points.push_back(point);
+  }
+  return points;
+}
+
+double greatest_span_squared(const Points& points) {
+  double span = 0;
+  for (const ManifoldPoint& p : points) {
+    const Vec3 way = p.position - points.front().position;
+    span = std::max(span, dot(way, way));
+  }
+  return span;
+}
+
+void drop_gaps(Points& points) {
+  if (points.empty()) return;
+  const double gap = gap_of_resting * std::sqrt(greatest_span_squared(points));
+  std::erase_if(points, [&](const ManifoldPoint& p) { return p.depth < -gap; });
+}
+
+/// The deepest, the farthest from it, and the farthest to both sides of the line through these.
+void take_four(Manifold& result, Points& points) {
+  const auto take_greatest = [&](const auto& measure) {
+    const auto less = [&](const ManifoldPoint& p, const ManifoldPoint& q) { return measure(p) < measure(q); };
+    const auto best = std::max_element(points.begin(), points.end(), less);
+    result.points[static_cast<std::size_t>(result.count++)] = *best;
+    points.erase(best);
+  };
+  take_greatest([](const ManifoldPoint& p) { return p.depth; });
+  if (points.empty()) return;
+  const Vec3 origin = result.points[0].position;
+  take_greatest([&](const ManifoldPoint& p) { return dot(p.position - origin, p.position - origin); });
+  if (points.empty()) return;
+  const Vec3 aside = cross(result.normal, result.points[1].position - origin);
+  take_greatest([&](const ManifoldPoint& p) { return dot(aside, p.position - origin); });
+  if (points.empty()) return;
+  const double third = dot(aside, result.points[2].position - origin);
+  // To the other side of the line, or beyond the third.
+  take_greatest([&](const ManifoldPoint& p) { return (third > 0 ? -1 : 1) * dot(aside, p.position - origin); });
+}
+
+/// The points of the contact of two faces; none when the normal is not that of a face. Along it the shapes overlap by
+/// no more than `most`, whatever the rough plane of a needle's face makes of it.
+Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal, double most,
+                       const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
+  FacePair faces{facing_face(a, normal), facing_face(b, -normal), {}, false};
+  faces.anchors = anchors ? *anchors : Anchors{a.vertex(faces.a.vertex), b.vertex(faces.b.vertex)};
+  make_face_of_parallel_segments(faces, normal);
+  faces.b_is_reference = faces.b.facing > faces.a.facing;
+  if (faces.reference().facing < cosine_of_face_contact) return Points(&memory);
+  Points points = face_points(faces, normal, memory);
+  for (ManifoldPoint& point : points) point.depth = std::min(point.depth, most);
+  drop_gaps(points);
+  return points;
+}
+
+/// Of the edges between two box corners each that are nearest along a direction.
+ManifoldPoint point_of_edges(const PosedConvex& a, const PosedConvex& b, const BoxAxis& axis) {
+  const Index low_a = farthest_corner(a, axis.direction) & ~(1U << axis.edge_a), high_a = low_a | 1U << axis.edge_a;
+  const Index low_b = farthest_corner(b, -axis.direction) & ~(1U << axis.edge_b), high_b = low_b | 1U << axis.edge_b;
+  const Vec3 p = a.vertex(low_a), u = a.vertex(high_a) - p, q = b.vertex(low_b), v = b.vertex(high_b) - q, w = q - p;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+  const double determinant = uu * vv - uv * uv;
+  const double s = determinant > 0 ? std::clamp((vv * uw - uv * vw) / determinant, 0.0, 1.0) : 0.5;
+  const Vec3 on_a = p + s * u;
+  const Vec3 on_b = q + std::clamp(dot(v, on_a - q) / vv, 0.0, 1.0) * v;
+  return {on_a + 0.5 * (on_b - on_a), axis.depth, feature_of(a, {low_a, high_a}, 2), feature_of(b, {low_b, high_b}, 2)};
+}
+
+Manifold made_of(const Vec3& normal, Points& points) {
+  Manifold result;
+  result.normal = normal;
+  take_four(result, points);
+  return result;
+}
+
+Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axes) {
+  std::array<std::byte, 4096> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const BoxAxis axis = axes.least(edge_share);
+  Points points = points_of_faces(a, b, axis.direction, infinity, {}, memory);
+  if (points.empty() && axis.edge_a < 3 && axis.edge_b < 3) points.push_back(point_of_edges(a, b, axis));
+  if (points.empty()) points.push_back(single_point(a, b, part_by_expansion(a, b)));
+  return made_of(axis.direction, points);
+}
+
+Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
+  std::array<std::byte, 8192> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const ConvexParting parting = part_by_expansion(a, b);
+  const Penetration& p = parting.penetration;
+  const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
+  Points points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
+  // The deepest point may lie beside the reference face.
+  double deepest = -infinity;
+  for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
+  if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, parting));
+  return made_of(p.direction, points);
+}
+
+/// Of shapes that meet, of any size.
+Manifold of_any_size(const PosedConvex& a, const PosedConvex& b) {
+  const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
+  return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
+}
+
+bool are_boxes(const PosedConvex& a, const PosedConvex& b) {
+  return is_box(a) && is_box(b) && a.radius() == 0 && b.radius() == 0;
+}
+
+Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  const auto any = [&] { return overlap(a, b, workspace) ? of_any_size(a, b) : Manifold{}; };
+  if (!are_boxes(a, b)) return any();
+  const BoxAxes axes(a, b);
+  if (!axes.is_of_plain_size()) return any();
+  const std::optional<bool> meet = axes.meet();
+  return (meet.has_value() ? *meet : overlap(a, b, workspace)) ? of_boxes(a, b, axes) : Manifold{};
+}
+
+/// Of two boxes; nothing where their formula finds no points.
+std::optional<Manifold> of_rigid_boxes(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
+  const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));
+  const bool is_first = by_centre ? *by_centre : is_canonical_order(a, b);
+  const BoxView first = view_of(is_first ? a : b), second = view_of(is_first ? b : a);
+  RigidBoxAxes axes;
+  const Nearness nearness = nearness_of_rigid_boxes(first, second, axes);
+  if (nearness == Nearness::apart) return Manifold{};
+  const RigidBoxContact contact(first, second, axes);
+  if (!contact.has_points()) return {};
+  if (nearness == Nearness::unknown && !overlap(a, b, workspace)) return Manifold{};
+  return contact.manifold(!is_first);
+}
+
+}  // namespace
+
+Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (are_boxes(a, b))
+    if (const std::optional<Manifold> found = of_rigid_boxes(a, b, workspace)) return *found;
+  if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);
+  return flipped(in_canonical_order(b, a, workspace));
+}
+
+}  // namespace toccata

@@ -1,0 +1,54 @@
+#include "toccata/narrow/convex_penetration.hpp"
+
+#include <optional>
+#include <string>
+
+#include "narrow/boxes/box_parting.hpp"
+#include "narrow/convex/canonical_order.hpp"
+#include "narrow/convex/convex_containment.hpp"
+#include "narrow/convex/convex_parting.hpp"
+#include "narrow/convex/solid_check.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+void require_solid(const PosedConvex& shape, const char* which) {
+  if (shape.solid()) return;
+  throw Error(std::string("penetration: the ") + which +
+              " shape is a surface (a point, a segment, a triangle or a flat hull), which has no interior that another "
+              "could leave; give it a radius, or ask for the distance or the manifold");
+}
+
+}  // namespace
+
+void require_solids(const PosedConvex& a, const PosedConvex& b) {
+  require_solid(a, "first");
+  require_solid(b, "second");
+}
+
+Penetration without_depth(const PosedConvex& a, const PosedConvex& b) {
+  if (!is_canonical_order(a, b)) return flipped(without_depth(b, a));
+  const Penetration parting = part_by_expansion(a, b).penetration;
+  const Distance common = distance(a, b);
+  return {0, 0, parting.direction, common.on_a, common.on_b, parting.status};
+}
+
+Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b) {
+  require_solids(a, b);
+  if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
+  if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
+  return flipped(part_by_expansion(b, a).penetration);
+}
+
+Penetration penetration(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+  if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
+  if (const std::optional<Penetration> of_boxes = penetration_of_boxes(a, b)) {
+    if (workspace != nullptr) ++workspace->counts.closed_forms;
+    return *of_boxes;
+  }
+  if (workspace != nullptr) ++workspace->counts.certificates;
+  return penetration_by_expansion(a, b);
+}
+
+}  // namespace toccata

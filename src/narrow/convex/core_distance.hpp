@@ -1,0 +1,24 @@
+#pragma once
+
+#include "narrow/exact/vertex_pairs.hpp"
+#include "toccata/math/predicates.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+
+namespace toccata {
+
+/// How the distance of two cores, the hulls of the world vertices without the radii, compares with a length.
+struct CoreDistanceOrder {
+  Sign sign = Sign::zero;  ///< of distance − length
+  bool by_exact = false;   ///< exact arithmetic was needed
+  VertexPairs simplex;     ///< where the search ended
+};
+
+/// With the length x + y, which is not negative; exactly. Searches from `start`, which may be empty.
+[[nodiscard]] CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex& b, double x, double y,
+                                                      const VertexPairs& start);
+
+/// The same, but without a search in doubles: `simplex` is where one has ended.
+[[nodiscard]] CoreDistanceOrder compare_core_distance_at(const PosedConvex& a, const PosedConvex& b, double x, double y,
+                                                         const VertexPairs& simplex);
+
+}  // namespace toccata

@@ -1,0 +1,409 @@
+// Compiled once for every SIMD level; Highway includes this file into itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "narrow/convex/quick_expansion.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "narrow/convex/quick_expansion.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, 8>;
+using Number = hn::Vec<Tag>;
+constexpr Tag tag;
+constexpr Index lanes = static_cast<Index>(hn::MaxLanes(tag));
+
+/// The lanes of a mask, one bit each.
+template <class Mask>
+HWY_INLINE std::uint64_t bits_of(const Mask& mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
+  return bits[0];
+}
+
+/// A start of twelve directions: those to the corners of an icosahedron, turned so that none lies in a plane of
+/// symmetry of a shape along the axes. Six, and the six across.
+constexpr std::array<Vec3, 6> axes{{{-0.3396, -0.4877, 0.8042},
+                                    {0.6635, -0.5593, 0.497},
+                                    {-0.6895, 0.4707, 0.5504},
+                                    {-0.9334, -0.3549, -0.0533},
+                                    {0.2974, 0.3444, 0.8905},
+                                    {0.0972, 0.9915, 0.0863}}};
+constexpr std::uint8_t icosahedron_faces[20][3] = {{0, 1, 4}, {0, 2, 3},  {0, 3, 11},  {0, 4, 2},  {0, 11, 1},
+                                                   {1, 8, 9}, {1, 9, 4},  {1, 11, 8},  {2, 4, 5},  {2, 5, 7},
+                                                   {2, 7, 3}, {3, 7, 10}, {3, 10, 11}, {4, 9, 5},  {5, 6, 7},
+                                                   {5, 9, 6}, {6, 8, 10}, {6, 9, 8},   {6, 10, 7}, {8, 11, 10}};
+
+constexpr std::array<std::uint16_t, 80> twins_of_icosahedron() {
+  std::array<std::uint16_t, 80> twins{};
+  for (std::uint16_t e = 0; e < 80; ++e)
+    for (std::uint16_t f = 0; f < 80; ++f)
+      if (e % 4 < 3 && f % 4 < 3 && icosahedron_faces[e / 4][e % 4] == icosahedron_faces[f / 4][(f % 4 + 1) % 3] &&
+          icosahedron_faces[f / 4][f % 4] == icosahedron_faces[e / 4][(e % 4 + 1) % 3])
+        twins[e] = f;
+  return twins;
+}
+constexpr std::array<std::uint16_t, 80> icosahedron_twins = twins_of_icosahedron();
+
+/// A number whose last bits are exchanged for an index: the greatest of many then tells its own, and which of nearly
+/// equal ones it is does not depend on the order in which they are looked at.
+constexpr std::uint64_t chunk = 64;
+constexpr std::uint64_t facet_bits = 511;
+static_assert(QuickSurface::most_facets <= facet_bits);
+
+/// One of the shapes, to be searched in its own frame.
+class Side {
+ public:
+  explicit Side(const PosedConvex& posed) : shape_(posed) {
+    const Mat3& m = posed.pose().linear;
+    if (!posed.in_world()) world_in_local_ = {{m.column(0), m.column(1), m.column(2)}};
+  }
+
+  /// In the world; the formula of docs/truth.md.
+  [[nodiscard]] HWY_INLINE Vec3 vertex(Index i) const {
+    const Vec3 v{shape_.along(0)[i], shape_.along(1)[i], shape_.along(2)[i]};
+    const Pose& pose = shape_.pose();
+    if (shape_.in_world()) return v;
+    return {dot(pose.linear[0], v) + pose.offset.x, dot(pose.linear[1], v) + pose.offset.y,
+            dot(pose.linear[2], v) + pose.offset.z};
+  }
+
+  /// The vertex of the greatest height along a world direction, up to 2^-46 of the greatest magnitude of a height.
+  [[nodiscard]] HWY_INLINE Index farthest(const Vec3& along) const {
+    const Vec3 n = in_local(along);
+    double best = -HUGE_VAL;
+    Index start = 0;
+    for (Index first = 0; first < shape_.padded_count(); first += chunk) {
+      const double greatest = hn::GetLane(hn::MaxOfLanes(tag, range(n, first).greatest));
+      if (greatest > best) best = greatest, start = first;
+    }
+    return clamped(start, best);
+  }
+
+  struct Ends {
+    Index highest, lowest;
+  };
+
+  /// The same both ways.
+  [[nodiscard]] HWY_INLINE Ends ends(const Vec3& along) const {
+    const Vec3 n = in_local(along);
+    double high = -HUGE_VAL, low = HUGE_VAL;
+    Index start_high = 0, start_low = 0;
+    for (Index first = 0; first < shape_.padded_count(); first += chunk) {
+      const Range here = range(n, first);
+      const double greatest = hn::GetLane(hn::MaxOfLanes(tag, here.greatest)),
+                   least = hn::GetLane(hn::MinOfLanes(tag, here.least));
+      if (greatest > high) high = greatest, start_high = first;
+      if (least < low) low = least, start_low = first;
+    }
+    return {clamped(start_high, high), clamped(start_low, low)};
+  }
+
+ private:
+  struct Range {
+    Number least, greatest;
+  };
+
+  [[nodiscard]] HWY_INLINE Vec3 in_local(const Vec3& along) const {
+    return {dot(world_in_local_[0], along), dot(world_in_local_[1], along), dot(world_in_local_[2], along)};
+  }
+
+  /// The last vertex may be there several times.
+  [[nodiscard]] HWY_INLINE Index clamped(Index start, double height) const {
+    const auto in_chunk = static_cast<Index>(std::bit_cast<std::uint64_t>(height) & (chunk - 1));
+    return std::min(start + in_chunk, shape_.vertex_count() - 1);
+  }
+
+  /// Of up to a chunk of vertices; the heights hold which of them it is.
+  [[nodiscard]] HWY_INLINE Range range(const Vec3& n, Index first) const {
+    const hn::RebindToUnsigned<Tag> bits;
+    const Index count = std::min(static_cast<Index>(chunk), shape_.padded_count() - first);
+    const double *x = shape_.along(0) + first, *y = shape_.along(1) + first, *z = shape_.along(2) + first;
+    const Number nx = hn::Set(tag, n.x), ny = hn::Set(tag, n.y), nz = hn::Set(tag, n.z);
+    const auto kept = hn::Set(bits, ~(chunk - 1)), step = hn::Set(bits, std::uint64_t{lanes});
+    auto which = hn::Iota(bits, 0);
+    Range range{hn::Set(tag, HUGE_VAL), hn::Set(tag, -HUGE_VAL)};
+    for (Index i = 0; i < count; i += lanes) {
+      const Number height = hn::Add(hn::Add(hn::Mul(nx, hn::LoadU(tag, x + i)), hn::Mul(ny, hn::LoadU(tag, y + i))),
+                                    hn::Mul(nz, hn::LoadU(tag, z + i)));
+      const Number here = hn::BitCast(tag, hn::Or(hn::And(hn::BitCast(bits, height), kept), which));
+      which = hn::Add(which, step);
+      range = {hn::Min(range.least, here), hn::Max(range.greatest, here)};
+    }
+    return range;
+  }
+
+  const PosedConvex& shape_;
+  Mat3 world_in_local_;
+};
+
+struct Point {
+  Vec3 value;
+  Index on_a, on_b;
+};
+
+double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+class Expansion {
+ public:
+  Expansion(const PosedConvex& a, const PosedConvex& b, QuickSurface& surface)
+      : a_(a), b_(b), between_(b.pose().offset - a.pose().offset), s_(surface) {}
+
+  enum class Start { tetrahedron, icosahedron };
+
+  bool run(Start start) {
+    s_.points = s_.slots = 0;
+    if (!(start == Start::icosahedron ? start_icosahedron() : start_tetrahedron())) return false;
+    while (s_.points < QuickSurface::most_points) {
+      const Index f = nearest();
+      const Point p = support(s_.normal(f));
+      const double height = dot(s_.normal(f), p.value);
+      if (!(height > 0)) return false;  // apart, or touching
+      s_.nearest = f;
+      if (height - s_.offset[f] <= 0x1p-43 * height) return true;
+      if (!add(p, f)) return false;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Point point(Index i, Index j) const { return {a_.vertex(i) - b_.vertex(j), i, j}; }
+  [[nodiscard]] HWY_INLINE Point support(const Vec3& n) const { return point(a_.farthest(n), b_.farthest(-n)); }
+
+  Index append(const Point& p) {
+    const Index i = s_.points++;
+    s_.x[i] = p.value.x;
+    s_.y[i] = p.value.y;
+    s_.z[i] = p.value.z;
+    s_.on_a[i] = p.on_a;
+    s_.on_b[i] = p.on_b;
+    return i;
+  }
+
+  /// In a slot, with the edges that lead from the third corner to the others. False when it has hardly an area.
+  HWY_INLINE bool place(Index f, const std::array<Index, 3>& corners, const Vec3& corner, const Vec3& to_first,
+                        const Vec3& to_second) {
+    const Vec3 n = cross(to_first, to_second);
+    const double squared = dot(n, n), offset = dot(n, corner);
+    const double order = offset * std::fabs(offset) / squared;
+    s_.normal_x[f] = n.x;
+    s_.normal_y[f] = n.y;
+    s_.normal_z[f] = n.z;
+    s_.offset[f] = offset;
+    s_.order[f] = std::bit_cast<double>((std::bit_cast<std::uint64_t>(order) & ~facet_bits) | f);
+    for (std::size_t k = 0; k < 3; ++k) s_.corner[4 * f + k] = static_cast<std::uint8_t>(corners[k]);
+    return squared > least_squared_;
+  }
+
+  bool place(Index f, Index p, Index q, Index r) {
+    const Vec3 corner = s_.point(r);
+    return place(f, {p, q, r}, corner, s_.point(p) - corner, s_.point(q) - corner);
+  }
+
+  void clear(Index f) {
+    s_.normal_x[f] = s_.normal_y[f] = s_.normal_z[f] = s_.offset[f] = 0;
+    s_.order[f] = HUGE_VAL;
+  }
+
+  void join(std::size_t edge, std::size_t other) {
+    s_.twin[edge] = static_cast<std::uint16_t>(other);
+    s_.twin[other] = static_cast<std::uint16_t>(edge);
+  }
+
+  bool is_in_range(double extent) {
+    least_squared_ = 0x1p-72 * extent * extent * extent * extent;
+    return extent > 0x1p-100 && extent < 0x1p100;
+  }
+
+  bool start_icosahedron() {
+    double extent = 0;
+    std::array<Point, 12> p;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const Side::Ends i = a_.ends(axes[k]), j = b_.ends(axes[k]);
+      p[k] = point(i.highest, j.lowest);
+      p[k + 6] = point(i.lowest, j.highest);
+    }
+    for (const Point& here : p) {
+      append(here);
+      extent = std::max(extent, largest(here.value));
+    }
+    if (!is_in_range(extent)) return false;
+    bool has_area = true;
+    for (Index f = 0; f < 20; ++f)
+      has_area &= place(f, icosahedron_faces[f][0], icosahedron_faces[f][1], icosahedron_faces[f][2]);
+    std::copy(icosahedron_twins.begin(), icosahedron_twins.end(), s_.twin.begin());
+    s_.slots = 20;
+    for (Index f = 20; f < 24; ++f) clear(f);
+    return has_area;
+  }
+
+  /// Of far points, the first towards the origin's nearest side.
+  bool start_tetrahedron() {
+    const Vec3 along = dot(between_, between_) > 0 ? between_ : Vec3{1, 0, 0};
+    std::array<Point, 4> p{support(along), support(-along), {}, {}};
+    const Vec3 axis = p[1].value - p[0].value;
+    const double x = std::fabs(axis.x), y = std::fabs(axis.y), z = std::fabs(axis.z);
+    const Vec3 aside = x <= y && x <= z ? Vec3{0, -axis.z, axis.y}
+                       : y <= z         ? Vec3{axis.z, 0, -axis.x}
+                                        : Vec3{-axis.y, axis.x, 0};
+    p[2] = support(aside);
+    Vec3 normal = cross(axis, p[2].value - p[0].value);
+    if (dot(normal, p[0].value) > 0) normal = -normal;  // towards the origin
+    p[3] = support(normal);
+    return make_tetrahedron(p);
+  }
+
+  bool make_tetrahedron(const std::array<Point, 4>& p) {
+    double extent = 0;
+    for (const Point& here : p) {
+      append(here);
+      extent = std::max(extent, largest(here.value));
+    }
+    const Vec3 u = p[1].value - p[0].value, v = p[2].value - p[0].value, w = p[3].value - p[0].value;
+    const double volume = dot(cross(u, v), w);
+    if (!is_in_range(extent) || !(std::fabs(volume) > 0x1p-30 * extent * extent * extent)) return false;
+    // Corner 3 lies behind the face 0, i, j.
+    const Index i = volume < 0 ? 1 : 2, j = 3 - i;
+    bool has_area = place(0, 0, i, j);
+    has_area &= place(1, 0, 3, i);
+    has_area &= place(2, i, 3, j);
+    has_area &= place(3, j, 3, 0);
+    join(0, 6), join(1, 10), join(2, 14), join(4, 13), join(5, 8), join(9, 12);
+    s_.slots = 4;
+    for (Index f = 4; f < 8; ++f) clear(f);
+    return has_area;
+  }
+
+  [[nodiscard]] Index padded_slots() const { return (s_.slots + 7) / 8 * 8; }
+
+  [[nodiscard]] HWY_INLINE Index nearest() const {
+    const Index count = padded_slots();
+    Number least = hn::Load(tag, s_.order.data());
+    for (Index i = lanes; i < count; i += lanes) least = hn::Min(least, hn::Load(tag, s_.order.data() + i));
+    const double order = hn::GetLane(hn::MinOfLanes(tag, least));
+    return static_cast<Index>(std::bit_cast<std::uint64_t>(order) & facet_bits);
+  }
+
+  static constexpr std::size_t words = QuickSurface::most_facets / 64;
+
+  /// One bit a slot: the facets that see the point, by more than rounding.
+  HWY_INLINE void find_seen(const Vec3& p, std::array<std::uint64_t, words>& seen) const {
+    const Number x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
+    const Number rounding = hn::Set(tag, 1 + 0x1p-44);
+    const Index count = padded_slots();
+    for (Index i = 0; i < count; i += 64) seen[i / 64] = 0;
+    for (Index i = 0; i < count; i += lanes) {
+      const Number height = hn::Add(
+          hn::Add(hn::Mul(x, hn::Load(tag, s_.normal_x.data() + i)), hn::Mul(y, hn::Load(tag, s_.normal_y.data() + i))),
+          hn::Mul(z, hn::Load(tag, s_.normal_z.data() + i)));
+      const Number offset = hn::Load(tag, s_.offset.data() + i);
+      seen[i / 64] |= bits_of(hn::Gt(height, hn::Mul(rounding, offset))) << (i % 64);
+    }
+  }
+
+  [[nodiscard]] Index new_slot() {
+    if (s_.slots % 8 == 0)
+      for (Index f = s_.slots; f < s_.slots + 8; ++f) clear(f);
+    return s_.slots++;
+  }
+
+  /// An edge on the horizon, from the corner under whose number it is kept.
+  struct Edge {
+    std::uint16_t twin;
+    std::uint8_t to;
+  };
+
+  /// Facets that see the point go, as far as they hang together, and a fan from their horizon to the point comes.
+  bool add(const Point& point, Index above) {
+    std::array<std::uint64_t, words> seen;
+    find_seen(point.value, seen);
+    std::array<Edge, QuickSurface::most_points> leaving;
+    std::array<Index, QuickSurface::most_facets> gone;
+    gone[0] = above;
+    Index gone_count = 1, edges = 0, start = 0;
+    std::array<std::uint64_t, words> new_ones = seen;
+    new_ones[above / 64] &= ~(std::uint64_t{1} << (above % 64));
+    for (Index g = 0; g < gone_count; ++g)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t edge = 4 * gone[g] + k, twin = s_.twin[edge], other = twin / 4;
+        const std::uint64_t bit = std::uint64_t{1} << (other % 64);
+        if ((seen[other / 64] & bit) == 0) {
+          start = s_.corner[edge];
+          leaving[start] = {static_cast<std::uint16_t>(twin), s_.corner[4 * gone[g] + (k + 1) % 3]};
+          ++edges;
+        } else if ((new_ones[other / 64] & bit) != 0) {
+          new_ones[other / 64] &= ~bit;
+          gone[gone_count++] = static_cast<Index>(other);
+        }
+      }
+    if (edges < 3 || s_.slots + edges > QuickSurface::most_facets + gone_count) return false;
+    for (Index k = edges; k < gone_count; ++k) clear(gone[k]);
+    return make_fan(point, leaving, start, edges, {gone.data(), gone_count});
+  }
+
+  /// False when the horizon is not one loop, or a facet has hardly an area.
+  bool make_fan(const Point& point, const std::array<Edge, QuickSurface::most_points>& leaving, Index start,
+                Index edges, std::span<const Index> free) {
+    const Index apex = append(point);
+    bool has_area = true;
+    Index from = start, first = 0, previous = 0;
+    Vec3 to_from = s_.point(from) - point.value;
+    for (Index k = 0; k < edges; ++k) {
+      const Edge edge = leaving[from];
+      const Vec3 to_next = s_.point(edge.to) - point.value;
+      const Index f = k < free.size() ? free[k] : new_slot();
+      has_area &= place(f, {from, edge.to, apex}, point.value, to_from, to_next);
+      join(4 * f, edge.twin);
+      if (k == 0)
+        first = f;
+      else
+        join(4 * previous + 1, 4 * f + 2);
+      previous = f;
+      from = edge.to;
+      to_from = to_next;
+      if (from == start && k + 1 < edges) return false;
+    }
+    join(4 * previous + 1, 4 * first + 2);
+    return has_area && from == start;
+  }
+
+  Side a_, b_;
+  Vec3 between_;
+  QuickSurface& s_;
+  double least_squared_ = 0;
+};
+
+}  // namespace
+
+bool expand_at_this_level(const PosedConvex& a, const PosedConvex& b, QuickSurface& surface) {
+  Expansion search(a, b, surface);
+  // Of few vertices the twelve points are not different ones.
+  const bool many = a.vertex_count() >= 16 && b.vertex_count() >= 16;
+  if (many && search.run(Expansion::Start::icosahedron)) return true;
+  return search.run(Expansion::Start::tetrahedron);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace toccata
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace toccata {
+
+HWY_EXPORT(expand_at_this_level);
+
+bool expand_quickly(const PosedConvex& a, const PosedConvex& b, QuickSurface& surface) {
+  return HWY_DYNAMIC_DISPATCH(expand_at_this_level)(a, b, surface);
+}
+
+}  // namespace toccata
+#endif

@@ -1,0 +1,74 @@
+#include "narrow/convex/rounded_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/double_search.hpp"
+
+namespace toccata {
+namespace {
+
+/// The sign of the depth less (x + y) / 2.
+class DepthComparison {
+ public:
+  DepthComparison(const ExactNearest& nearest, double radius_a, double radius_b)
+      : nearest_(nearest), radius_a_(radius_a), radius_b_(radius_b) {}
+
+  [[nodiscard]] Sign operator()(double x, double y) const {
+    const int exponent = std::min(common_exponent({radius_a_, radius_b_, x, y}), nearest_.exponent);
+    const auto whole = [&](double value) { return scaled_wide(value, exponent); };
+    // Twice what the cores' distance would have to be.
+    const WideInteger twice = 2 * whole(radius_a_) + 2 * whole(radius_b_) - whole(x) - whole(y);
+    if (twice < 0) return Sign::negative;
+    if (nearest_.meet) return sign_of(twice);
+    const auto shift = static_cast<unsigned>(2 * (nearest_.exponent - exponent) + 2);
+    const WideInteger core = nearest_.squared_numerator << shift;
+    return sign_of(WideInteger(nearest_.squared_denominator * twice * twice - core));
+  }
+
+ private:
+  const ExactNearest& nearest_;
+  double radius_a_;
+  double radius_b_;
+};
+
+double likely_distance(const ExactNearest& nearest) {
+  if (nearest.meet) return 0;
+  return std::sqrt(nearest_double(nearest.squared_numerator, nearest.squared_denominator, 2 * nearest.exponent));
+}
+
+/// A direction that is rounded is a unit vector up to 2^-50, and may point as far beside.
+double enough_along(const Vec3& direction, double depth) {
+  const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  if (most == 1 && dot(direction, direction) == 1) return depth;
+  return std::nextafter(depth + 0x1p-50 * depth, std::numeric_limits<double>::infinity());
+}
+
+Vec3 rounded_point(const HomogeneousVector& p, int exponent) {
+  const auto along = [&](std::size_t axis) { return nearest_double(p.numerator[axis], p.denominator, exponent); };
+  return {along(0), along(1), along(2)};
+}
+
+}  // namespace
+
+Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
+                          const Vec3& direction_when_touching) {
+  Penetration result;
+  result.direction = direction_when_touching;
+  if (!nearest.meet) {
+    const Vec3 from_b = rounded_direction(nearest.direction);
+    result.direction = (-1 / std::sqrt(dot(from_b, from_b))) * from_b;
+  }
+  const DepthComparison depth(nearest, radius_a, radius_b);
+  result.on_a = rounded_point(nearest.on_a, nearest.exponent) + radius_a * result.direction;
+  result.on_b = rounded_point(nearest.on_b, nearest.exponent) - radius_b * result.direction;
+  if (depth(0, 0) != Sign::positive) return result;
+  result.lower = greatest_double_below(depth, (radius_a + radius_b) - likely_distance(nearest));
+  const bool is_exact = depth(result.lower, result.lower) == Sign::zero;
+  result.upper = is_exact ? result.lower : std::nextafter(result.lower, std::numeric_limits<double>::infinity());
+  result.upper = enough_along(result.direction, result.upper);
+  return result;
+}
+
+}  // namespace toccata

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "narrow/exact/exact_nearest.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+
+namespace toccata {
+
+/// The penetration of two grown cores that do not overlap themselves: the sum of the radii less the distance of the
+/// cores, each bound the neighbouring double or the number itself. The direction and the points are those of the cores'
+/// nearest points; where the cores touch, `direction` has to be given: one along which they do not overlap.
+[[nodiscard]] Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
+                                        const Vec3& direction_when_touching);
+
+}  // namespace toccata

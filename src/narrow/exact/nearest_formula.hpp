@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "narrow/convex/gjk.hpp"
+#include "narrow/exact/feature_pair.hpp"
+
+// The nearest points of two features by a formula in doubles, with a proof that they are those of the shapes.
+namespace toccata {
+
+/// The features of a simplex, vertices ascending: of a pair that a formula can be asked for. The same features come in
+/// the same order, however they were found.
+[[nodiscard]] std::optional<NearestFeatures> canonical_features(const VertexPairs& simplex);
+
+struct VertexBefore {
+  bool of_a = false;
+  Index vertex = 0;
+};
+
+/// The features with another vertex in place of their own number i, those of A counted first; nothing where one shape
+/// would be left without a vertex, or with more than three.
+[[nodiscard]] std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::size_t i,
+                                                       const VertexBefore& before);
+
+/// The nearest points of two cores, the radii left aside. Errors are lengths.
+struct FormulaNearest {
+  Vec3 on_a;
+  Vec3 on_b;
+  double point_error = 0;  ///< of either point, less 2^-48 of the greatest coordinate of the shapes
+  Vec3 difference;         ///< on_a − on_b
+  double difference_error = 0;
+  double distance = 0;
+  double distance_error = 0;
+};
+
+/// The formula of two features. Edges start at the first vertex of each shape, those of B turned round, so that
+/// exchanging the shapes turns the first difference and all edges round, exactly.
+class NearestFormula {
+ public:
+  /// The features are canonical.
+  NearestFormula(const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features);
+
+  /// No where rounding leaves any doubt that the two features are the only nearest ones. Whether they are proved to be,
+  /// and every bit of the numbers, depends on the shapes and the features alone; exchanging the shapes exchanges the
+  /// points and turns the difference round.
+  [[nodiscard]] bool prove();
+
+  /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
+  /// rounding has bent: which.
+  [[nodiscard]] const std::optional<VertexBefore>& before() const { return before_; }
+
+  [[nodiscard]] const NearestFeatures& features() const { return features_; }
+
+  /// After a proof.
+  [[nodiscard]] const FormulaNearest& nearest() const { return nearest_; }
+
+  /// After a proof: the answer of `distance`, if the numbers are good enough for what is promised of it.
+  [[nodiscard]] std::optional<Distance> distance() const;
+
+ private:
+  [[nodiscard]] Vec3 along(std::size_t i) const { return edge_[i].head - edge_[i].tail; }
+  [[nodiscard]] bool at_vertices();
+  [[nodiscard]] bool on_edge();
+  [[nodiscard]] bool on_plane();
+  [[nodiscard]] bool others_beyond();
+  [[nodiscard]] Sign height_sign(const Difference& vector) const;
+
+  const SupportSearch& a_;
+  const SupportSearch& b_;
+  const NearestFeatures& features_;
+  Vec3 first_a_, first_b_, first_;
+  std::array<Difference, 2> edge_;
+  std::size_t edges_;
+  FormulaNearest nearest_;
+  // A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its
+  // normal, or the opposite.
+  Vec3 across_;
+  double slack_ = 0;
+  Sign side_ = Sign::positive;
+  std::optional<VertexBefore> before_;
+};
+
+}  // namespace toccata

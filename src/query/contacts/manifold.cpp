@@ -1,0 +1,36 @@
+#include "toccata/query/manifold.hpp"
+
+#include "query/ask.hpp"
+#include "query/contacts/part_contacts.hpp"
+
+namespace toccata {
+namespace {
+
+struct AskManifold {
+  static constexpr ShapeQuestion question = ShapeQuestion::manifold;
+
+  Manifold operator()(const PosedConvex& a, const PosedConvex& b) const { return manifold(a, b, &scratch.convex); }
+  Manifold operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return manifold(a, b); }
+
+  SearchScratch& scratch;
+};
+
+}  // namespace
+
+Manifold manifold(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return manifold(a, b, query, workspace);
+}
+
+Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  return ask_single<AskManifold>(a, b, query, workspace.scratch());
+}
+
+Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query) {
+  SearchScratch scratch;
+  const PosedModels models(a, b, query, scratch);
+  return ask(AskManifold{scratch}, posed_element(models.a, contact.triangle_a),
+             posed_element(models.b, contact.triangle_b));
+}
+
+}  // namespace toccata

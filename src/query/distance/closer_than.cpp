@@ -1,0 +1,113 @@
+#include "toccata/query/closer_than.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "narrow/exact/within.hpp"
+#include "query/ask.hpp"
+#include "query/distance/mesh_distance.hpp"
+#include "query/keep_least.hpp"
+#include "query/nearest/nearest_triangles.hpp"
+#include "query/numbered.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+struct AskWithin {
+  static constexpr ShapeQuestion question = ShapeQuestion::distance;
+
+  bool operator()(const PosedConvex& a, const PosedConvex& b) const {
+    return is_within(a, b, tolerance, &scratch.convex);
+  }
+  bool operator()(const PosedConvex& a, const PosedHalfSpace& b) const {
+    return is_within(distance(a, b), a, b, tolerance);
+  }
+  bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const {
+    return is_within(distance(a, b), a, b, tolerance);
+  }
+  template <class Other>
+  bool operator()(const PosedTriangles& a, const Other& b) const {
+    return is_within(a, b, tolerance, scratch);
+  }
+
+  double tolerance;
+  SearchScratch& scratch;
+};
+
+struct AskNearby {
+  static constexpr ShapeQuestion question = ShapeQuestion::distance;
+  using Answer = std::optional<Nearby>;
+
+  Answer operator()(const PosedConvex& a, const PosedConvex& b) const {
+    return judged(distance(a, b, &scratch.convex), a, b);
+  }
+  Answer operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return judged(distance(a, b), a, b); }
+  Answer operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return judged(distance(a, b), a, b); }
+  template <class Other>
+  Answer operator()(const PosedTriangles& a, const Other& b) const {
+    return nearby(a, b, cutoff, scratch);
+  }
+
+  template <class A, class B>
+  Answer judged(const Distance& found, const A& a, const B& b) const {
+    if (found.lower > limit_from(cutoff)) return {};
+    return Nearby{found, is_within(found, a, b, cutoff)};
+  }
+
+  double cutoff;
+  SearchScratch& scratch;
+};
+
+/// −0 is 0.
+double checked(double tolerance, const char* name) {
+  if (!(tolerance >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, tolerance));
+  return tolerance + 0.0;
+}
+
+}  // namespace
+
+bool closer_than(const Model& a, const Model& b, double tolerance, const PairQuery& query) {
+  Workspace workspace;
+  return closer_than(a, b, tolerance, query, workspace);
+}
+
+bool closer_than(const Model& a, const Model& b, double tolerance, const PairQuery& query, Workspace& workspace) {
+  const AskWithin question{checked(tolerance, "tolerance"), workspace.scratch()};
+  workspace.scratch().counts = {};
+  const PosedModels models(a, b, query, workspace.scratch());
+  bool found = false;
+  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+    require_answered(ShapeQuestion::distance, part_a.kind, part_b.kind);
+    found = std::isinf(tolerance) || ask(question, part_a, part_b);
+    return !found;
+  });
+  return found;
+}
+
+std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query) {
+  Workspace workspace;
+  return distance_within(a, b, limit, query, workspace);
+}
+
+std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query,
+                                        Workspace& workspace) {
+  const AskNearby question{checked(limit, "limit"), workspace.scratch()};
+  workspace.scratch().counts = {};
+  const PosedModels models(a, b, query, workspace.scratch());
+  std::optional<Distance> least;
+  bool within = false;
+  // As in `distance`: parts that are farther by less than their intervals are wide count as well.
+  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+    const std::optional<Nearby> found = ask(question, part_a, part_b);
+    if (!found) return true;
+    within = within || found->is_within;
+    keep_least(least, numbered(found->distance, part_a, part_b));
+    return least->upper > 0;
+  });
+  return within ? least : std::nullopt;
+}
+
+}  // namespace toccata

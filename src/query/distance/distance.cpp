@@ -1,0 +1,45 @@
+#include "toccata/query/distance.hpp"
+
+#include <optional>
+
+#include "query/ask.hpp"
+#include "query/distance/mesh_distance.hpp"
+#include "query/keep_least.hpp"
+#include "query/numbered.hpp"
+#include "query/search_scratch.hpp"
+
+namespace toccata {
+namespace {
+
+struct AskDistance {
+  static constexpr ShapeQuestion question = ShapeQuestion::distance;
+
+  Distance operator()(const PosedConvex& a, const PosedConvex& b) const { return distance(a, b, &scratch.convex); }
+  Distance operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  template <class Other>
+  Distance operator()(const PosedTriangles& a, const Other& b) const {
+    return distance(a, b, scratch);
+  }
+
+  SearchScratch& scratch;
+};
+
+}  // namespace
+
+Distance distance(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return distance(a, b, query, workspace);
+}
+
+Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  const PosedModels models(a, b, query, workspace.scratch());
+  std::optional<Distance> least;
+  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+    keep_least(least, numbered(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b));
+    return least->upper > 0;
+  });
+  return *least;
+}
+
+}  // namespace toccata

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "query/meshes/posed_mesh.hpp"
+
+namespace toccata {
+
+// What the culling tests share. The proof is docs/design/culling.md, and the names are its.
+
+/// u, half the distance from 1 to the next double, and η, the smallest positive double.
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double smallest_double = std::numeric_limits<double>::denorm_min();
+
+struct Range {
+  double low;
+  double high;
+};
+
+/// The least and the greatest value of form · x over the box: ((f0·x0 + f1·x1) + f2·x2), each product and sum rounded.
+inline Range range_of(const Vec3& form, const Aabb& box) {
+  const double x0 = form.x * box.lower.x, x1 = form.x * box.upper.x;
+  const double y0 = form.y * box.lower.y, y1 = form.y * box.upper.y;
+  const double z0 = form.z * box.lower.z, z1 = form.z * box.upper.z;
+  return {(std::min(x0, x1) + std::min(y0, y1)) + std::min(z0, z1),
+          (std::max(x0, x1) + std::max(y0, y1)) + std::max(z0, z1)};
+}
+
+/// A gap that rounding cannot have made. Not for a gap that overflowed, nor for NaN: both comparisons are written so
+/// that what is not a number fails them, and nothing is culled.
+inline bool is_certain(double gap, double pad) { return gap > pad && gap <= std::numeric_limits<double>::max(); }
+
+/// ρ: the largest magnitude of each coordinate in a box.
+[[nodiscard]] Vec3 largest_coordinates(const Aabb& box);
+
+/// S_i = Σ_j |R_ij| ρ_j + |t_i|: the size of the sum that rounds to a world coordinate, for local points in a box.
+[[nodiscard]] Vec3 world_sizes(const Pose& pose, const Aabb& local);
+
+/// The same for the triangles of a mesh.
+[[nodiscard]] Vec3 largest_coordinates(const PosedMesh& mesh);
+[[nodiscard]] Vec3 world_sizes(const PosedMesh& mesh);
+
+}  // namespace toccata

@@ -1,0 +1,115 @@
+#include "query/meshes/triangles_shape.hpp"
+
+#include <algorithm>
+
+#include "query/meshes/world_search.hpp"
+#include "query/relation/hull_mesh.hpp"
+#include "query/relation/relation_convex.hpp"
+#include "query/relation/relation_locality.hpp"
+
+namespace toccata {
+namespace {
+
+/// Calls `see(number, the triangle as a convex shape)` for all triangles that may meet the shape, until it returns
+/// false.
+template <class See>
+void visit_near(const PosedMesh& mesh, const PosedConvex& shape, const See& see) {
+  visit_triangles_near(mesh, world_box(shape), [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
+}
+
+template <class See>
+void visit_near(const PosedMesh& mesh, const PosedHalfSpace& shape, const See& see) {
+  visit_triangles_near(mesh, shape, [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
+}
+
+template <class Shape>
+bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
+  bool met = false;
+  visit_near(mesh, shape, [&](Index, const PosedConvex& triangle) { return !(met = overlap(triangle, shape)); });
+  return met;
+}
+
+/// Ascending; they lie in `found`.
+template <class Shape>
+std::span<const Index> all_that_meet(const PosedMesh& mesh, const Shape& shape, std::vector<Index>& found) {
+  found.clear();
+  visit_near(mesh, shape, [&](Index i, const PosedConvex& triangle) {
+    if (overlap(triangle, shape)) found.push_back(i);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Of a mesh taken as surface: what its triangles say.
+template <class Shape>
+Relation relation_by_triangles(const PosedMesh& mesh, const Shape& shape) {
+  Relation result;
+  Index inside = 0;
+  bool all_inside = true;
+  visit_near(mesh, shape, [&](Index, const PosedConvex& triangle) {
+    const Relation found = relation(triangle, shape);
+    if (found.kind == RelationKind::crossing) result.kind = RelationKind::crossing;
+    if (found.kind == RelationKind::touching && result.kind == RelationKind::apart) result.kind = found.kind;
+    all_inside &= found.containment == Containment::a_in_b;
+    ++inside;
+    return all_inside || result.kind != RelationKind::crossing;
+  });
+  if (all_inside && inside == mesh.model().mesh().triangle_count()) result.containment = Containment::a_in_b;
+  return result;
+}
+
+/// A convex shape that none of the solid's triangles meets, so that it lies inside as a whole or outside.
+Relation relation_off_the_faces(const PosedMesh& solid, const PosedConvex& shape) {
+  Relation result;
+  if (!is_interior(shape.vertex(0), solid)) return result;
+  const bool has_interior = shape.radius() > 0 || (shape.solid() && hull_mesh(shape).dimension == 3);
+  result.kind = has_interior    ? RelationKind::overlapping
+                : shape.solid() ? RelationKind::touching
+                                : RelationKind::crossing;
+  if (result.kind != RelationKind::touching) result.containment = Containment::b_in_a;
+  return result;
+}
+
+Relation relation_of_solid(const PosedMesh& solid, const PosedConvex& shape) {
+  std::vector<Index> memory;
+  const auto contacts = all_that_meet(solid, shape, memory);
+  if (contacts.empty()) return relation_off_the_faces(solid, shape);
+  return shape.radius() > 0 ? relation_of_solid_and_round(solid, shape, contacts)
+                            : relation_of_solid_and_polytope(solid, shape);
+}
+
+Relation relation_of_solid(const PosedMesh& solid, const PosedHalfSpace& shape) {
+  std::vector<Index> memory;
+  const auto contacts = all_that_meet(solid, shape, memory);
+  return contacts.empty() ? Relation{} : relation_of_solid_and_round(solid, shape, contacts);
+}
+
+template <class Shape>
+Relation relation_as_taken(const PosedTriangles& a, const Shape& b, bool b_solid) {
+  Relation result = a.solid ? relation_of_solid(a.mesh, b) : relation_by_triangles(a.mesh, b);
+  result.a_solid = a.solid;
+  result.b_solid = b_solid;
+  result.side_unresolved = !a.solid && !b_solid && result.kind == RelationKind::touching;
+  return result;
+}
+
+}  // namespace
+
+bool overlap(const PosedTriangles& a, const PosedConvex& b) {
+  return some_triangle_meets(a.mesh, b) || (a.solid && is_interior(b.vertex(0), a.mesh));
+}
+
+bool overlap(const PosedTriangles& a, const PosedHalfSpace& b) { return some_triangle_meets(a.mesh, b); }
+
+std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
+  return all_that_meet(a, b, scratch.triangles);
+}
+std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedHalfSpace& b, SearchScratch& scratch) {
+  return all_that_meet(a, b, scratch.triangles);
+}
+
+Relation relation(const PosedTriangles& a, const PosedConvex& b) { return relation_as_taken(a, b, b.solid()); }
+Relation relation(const PosedTriangles& a, const PosedHalfSpace& b) { return relation_as_taken(a, b, true); }
+
+}  // namespace toccata

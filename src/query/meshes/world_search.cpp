@@ -1,0 +1,131 @@
+#include "query/meshes/world_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "query/meshes/cull_bounds.hpp"
+#include "query/meshes/wide_cull.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_usable(const RegionDirection& d) {
+  return is_finite(d.on_mesh) && std::isfinite(d.offset) && std::isfinite(d.region.low) &&
+         std::isfinite(d.region.high) && std::isfinite(d.pad);
+}
+
+/// The rows of R are the forms, so nothing but the evaluation and the world vertices themselves is rounded.
+RegionDirection along_axis(const PosedMesh& mesh, const Aabb& region, int axis) {
+  return {mesh.pose().linear[axis],
+          mesh.pose().offset[axis],
+          {region.lower[axis], region.upper[axis]},
+          16 * unit_roundoff * world_sizes(mesh)[axis] + 8 * smallest_double};
+}
+
+/// The direction at right angles to a ray along `axis` and to an edge of the mesh's posed boxes: turned boxes that lie
+/// beside the ray are told by it, while their world boxes meet the ray. As for two meshes, the ray being the second.
+RegionDirection beside_ray(const PosedMesh& mesh, const Aabb& ray, int axis, const Vec3& edge) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const double size = std::max(std::abs(edge[i]), std::abs(edge[j]));
+  Vec3 direction;
+  direction[i] = -edge[j] / size;
+  direction[j] = edge[i] / size;
+
+  const Mat3& linear = mesh.pose().linear;
+  const Vec3 sizes = world_sizes(mesh), largest = largest_coordinates(mesh);
+  RegionDirection result;
+  result.on_mesh = {dot(direction, linear.column(0)), dot(direction, linear.column(1)),
+                    dot(direction, linear.column(2))};
+  result.offset = dot(direction, mesh.pose().offset);
+  double rounded = 0, underflowed = 1 + ((largest.x + largest.y) + largest.z);
+  for (const int k : {i, j}) {
+    const double p = direction[k] * ray.lower[k], q = direction[k] * ray.upper[k];
+    const double reach = std::max(std::abs(ray.lower[k]), std::abs(ray.upper[k]));
+    result.region.low += std::min(p, q);
+    result.region.high += std::max(p, q);
+    rounded += std::abs(direction[k]) * (sizes[k] + reach);
+    underflowed += std::abs(direction[k]) + reach;
+  }
+  result.pad = 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  return result;
+}
+
+/// What of a region lies in a box that it meets: a region may be infinite.
+Aabb within(const Aabb& region, const Aabb& box) {
+  Aabb part;
+  for (int axis = 0; axis < 3; ++axis) {
+    part.lower[axis] = std::max(region.lower[axis], box.lower[axis]);
+    part.upper[axis] = std::min(region.upper[axis], box.upper[axis]);
+  }
+  return part;
+}
+
+void add_directions_beside(const PosedMesh& mesh, const Aabb& ray, int axis, WideProbe& probe) {
+  for (int j = 0; j < 3; ++j) {
+    const Vec3 edge = mesh.pose().linear.column(j);
+    const bool gives_an_axis = edge[(axis + 1) % 3] == 0 || edge[(axis + 2) % 3] == 0;
+    if (gives_an_axis) continue;  // it is there already, or nothing
+    const RegionDirection direction = beside_ray(mesh, ray, axis, edge);
+    if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
+  }
+}
+
+/// Boxes of the local frame are compared with the region along the three world axes and, when it is a ray, along
+/// directions beside it (docs/design/culling.md).
+WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
+  const Aabb part = within(region, mesh.box());
+  WideProbe probe;
+  for (int axis = 0; axis < 3; ++axis) add_axis(along_axis(mesh, part, axis), mesh.model().wide_tree(), probe);
+  for (int axis = 0; axis < 3; ++axis)
+    if (region.upper[axis] == infinity) add_directions_beside(mesh, part, axis, probe);
+  return probe;
+}
+
+/// Of length near 1: by a power of two, so nothing is rounded but what underflows.
+Vec3 near_unit(const Vec3& normal) {
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  const int exponent = -std::ilogb(largest);
+  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
+}
+
+/// Everything below the plane, as far down as the mesh may reach. What is rounded is less than in `beside_ray`: the
+/// normal is not.
+RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
+  const Vec3 normal = near_unit(half_space.normal), sizes = world_sizes(mesh), local = largest_coordinates(mesh);
+  const Mat3& linear = mesh.pose().linear;
+  RegionDirection result;
+  result.on_mesh = {dot(normal, linear.column(0)), dot(normal, linear.column(1)), dot(normal, linear.column(2))};
+  result.offset = dot(normal, mesh.pose().offset);
+  double size = 0, rounded = 0, underflowed = 4 + ((local.x + local.y) + local.z);
+  for (int k = 0; k < 3; ++k) {
+    const double point = std::abs(half_space.point[k]);
+    size += std::abs(normal[k]) * sizes[k];
+    rounded += std::abs(normal[k]) * (sizes[k] + point);
+    underflowed += sizes[k] + point;
+  }
+  result.region.high = dot(normal, half_space.point);
+  result.region.low = std::min(-2 * size, result.region.high);
+  result.pad = 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  return result;
+}
+
+}  // namespace
+
+void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
+  WideProbe probe;
+  const RegionDirection direction = below(mesh, half_space);
+  if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
+  walk_probe(mesh.model().wide_tree(), probe, visit);
+}
+
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit) {
+  if (!overlap(mesh.box(), region)) return;
+  walk_probe(mesh.model().wide_tree(), probe_of(mesh, region),
+             [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
+}
+
+}  // namespace toccata

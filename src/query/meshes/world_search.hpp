@@ -1,0 +1,18 @@
+#pragma once
+
+#include "query/meshes/posed_mesh.hpp"
+#include "toccata/core/function_ref.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+
+namespace toccata {
+
+/// Calls `visit(triangle)` for all triangles that meet `region`, a closed world box, and only for such whose world
+/// boxes meet it, in no particular but always the same order; ends early when `visit` returns false. The upper side of
+/// the region may be infinite along one axis: the ray from p along +x is {p, {∞, p.y, p.z}}.
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit);
+
+/// Calls `visit(triangle)` for all triangles that meet the half-space, and for such as the tree cannot tell from these,
+/// in the same sense.
+void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit);
+
+}  // namespace toccata

@@ -1,0 +1,70 @@
+#include "query/nearest/nearest_search.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <variant>
+
+#include "query/search_scratch.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+void require_distance(double max_distance) {
+  if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
+}
+
+SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
+  found.element = part.first_element;
+  found.face = part.first_face;
+  return found;
+}
+
+}  // namespace
+
+NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, std::size_t points,
+                             std::vector<PosedPart> memory)
+    : posed_(pose_model(surface, query.pose, Solid::none, "the surface", std::move(memory))),
+      max_distance_(query.max_distance) {
+  require_distance(max_distance_);
+  for (const PosedPart& part : posed_.parts) {
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
+      meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
+    if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
+      convexes_.push_back(std::make_unique<ConvexBoundary>(*convex));
+  }
+}
+
+std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
+  if (!is_finite(point)) throw Error("the point is not finite");
+  scratch.counts = {};
+  NearestElements nearest(k, max_distance_, scratch.surface_points);
+  auto convex = convexes_.begin();
+  for (const PosedPart& part : posed_.parts) {
+    if (std::holds_alternative<PosedConvex>(part.shape))
+      nearest.see(numbered((*convex++)->nearest(point, scratch), part));
+    if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
+      nearest.see(numbered(nearest_of_boundary(point, *half_space), part));
+  }
+  for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch);
+  return nearest.in_order();
+}
+
+SurfacePoint NearestSearch::nearest(const Vec3& point, SearchScratch& scratch) const {
+  const std::span<const SurfacePoint> found = search(point, 1, scratch);
+  return found.empty() ? SurfacePoint{} : found.front();
+}
+
+void NearestSearch::nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const {
+  if (posed_.parts.size() == 1 && meshes_.size() == 1 && meshes_[0].has_leaves())
+    return meshes_[0].find_nearest(points, max_distance_, found, scratch);
+  for (std::size_t i = 0; i < points.size(); ++i) found[i] = nearest(points[i], scratch);
+}
+
+std::vector<SurfacePoint> NearestSearch::nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
+  const std::span<const SurfacePoint> found = search(point, k, scratch);
+  return {found.begin(), found.end()};
+}
+
+}  // namespace toccata

@@ -1,0 +1,225 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "math/world_vertex.hpp"
+#include "narrow/triangles/triangle_gaps.hpp"
+#include "query/meshes/posed_mesh.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "trees/near_front.hpp"
+#include "trees/near_walk.hpp"
+
+// Which triangles of two posed meshes are nearest, or near enough (docs/methods/mesh-distance.md).
+namespace toccata {
+
+/// A distance that lies in the interval of a pair and is less than `upper`, or has an interval with a lesser upper end,
+/// is not above this.
+[[nodiscard]] double limit_from(double upper);
+
+/// No walk is given a lesser limit: it divides by it.
+inline constexpr double least_limit = 1e-200;
+
+/// World triangles for a loop over many.
+class WorldTriangles {
+ public:
+  explicit WorldTriangles(const PosedMesh& mesh)
+      : pose_(mesh.pose()), vertices_(mesh.model().mesh().vertices()), triangles_(mesh.model().mesh().triangles()) {
+    numbers_.fill(std::numeric_limits<Index>::max());
+  }
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+
+  // Of the memory of a triangle: its corners' numbers, and when these have come, the corners.
+  void prefetch_numbers(Index number) const { __builtin_prefetch(&triangles_[number]); }
+  void prefetch_corners(Index number) const {
+    for (const Index corner : triangles_[number]) {
+      const auto* bytes = reinterpret_cast<const char*>(&vertices_[corner]);
+      __builtin_prefetch(bytes);
+      __builtin_prefetch(bytes + sizeof(Vec3) - 1);
+    }
+  }
+
+  Triangle operator[](Index number) const {
+    const auto& corner = triangles_[number];
+    return {{world_vertex(pose_, vertices_[corner[0]]), world_vertex(pose_, vertices_[corner[1]]),
+             world_vertex(pose_, vertices_[corner[2]])}};
+  }
+
+  /// The same for one that is likely to have been asked for lately; valid until the next one is.
+  const Triangle& kept(Index number) {
+    // Neighbours' numbers often differ by a power of two.
+    const std::size_t place = (number * 0x9E3779B1U) >> (32 - log2_kept);
+    if (numbers_[place] != number) {
+      numbers_[place] = number;
+      kept_[place] = (*this)[number];
+    }
+    return kept_[place];
+  }
+
+ private:
+  static constexpr unsigned log2_kept = 6;
+  static constexpr std::size_t kept_count = std::size_t{1} << log2_kept;
+
+  Pose pose_;
+  std::span<const Vec3> vertices_;
+  std::span<const std::array<Index, 3>> triangles_;
+  std::array<Index, kept_count> numbers_;
+  std::array<Triangle, kept_count> kept_;
+};
+
+/// The distances of pairs of triangles of two posed meshes: what is said of a pair depends on its two alone.
+class PairDistances {
+ public:
+  PairDistances(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
+      : a_(a), b_(b), block_(scratch.main.blocks[0]) {}
+
+  /// Calls `see(candidate)` for all of the pairs, in their order, until it returns false.
+  template <class See>
+  void bound(std::span<const ItemPair> pairs, const See& see) {
+    for (const ItemPair& pair : pairs) prefetch_numbers(pair);
+    for (const ItemPair& pair : first_of(pairs)) prefetch_corners(pair);
+    while (!pairs.empty()) {
+      const auto block = first_of(pairs);
+      pairs = pairs.subspan(block.size());
+      for (const ItemPair& pair : first_of(pairs)) prefetch_corners(pair);
+      bound_block(block);
+      for (std::size_t lane = 0; lane < block.size(); ++lane)
+        if (!see(NearCandidate{gaps_.lower[lane], gaps_.upper[lane], block[lane], gaps_.points(lane)})) return;
+    }
+  }
+
+  // Asks for the memory of two triangles before their turn comes: first for what tells their corners, then for these.
+  void prefetch_numbers(const ItemPair& pair) const {
+    a_.prefetch_numbers(pair.first);
+    b_.prefetch_numbers(pair.second);
+  }
+  void prefetch_corners(const ItemPair& pair) const {
+    a_.prefetch_corners(pair.first);
+    b_.prefetch_corners(pair.second);
+  }
+
+  [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
+  [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
+
+  /// A first try, which leaves infinity where more is needed, or all that is.
+  enum class Effort { first, whole };
+
+  /// The upper ends of the pairs' own intervals, of a block's worth at most. They do not meet.
+  [[nodiscard]] TriangleGaps::Lanes uppers_of(std::span<const NearCandidate> candidates, Effort effort);
+
+  /// Of the last block that was bounded: how far apart the candidate in that lane is.
+  [[nodiscard]] FrontGap gap_in(std::size_t lane, const NearCandidate& candidate) const;
+
+  /// Its exact distance is at most that.
+  [[nodiscard]] bool is_within(const NearCandidate& candidate, double tolerance) const;
+
+ private:
+  static std::span<const ItemPair> first_of(std::span<const ItemPair> pairs) {
+    return pairs.first(std::min(TrianglePairBlock::lanes, pairs.size()));
+  }
+  /// Ends of a pair's interval.
+  struct Ends {
+    double lower;
+    double upper;
+  };
+
+  void put(std::size_t lane, const ItemPair& pair);
+  void try_all_features(std::size_t count);
+  [[nodiscard]] Ends precise_ends(const NearCandidate& candidate) const;
+  void bound_block(std::span<const ItemPair> pairs);
+
+  WorldTriangles a_;
+  WorldTriangles b_;
+  TrianglePairBlock& block_;
+  TriangleGaps gaps_{};
+  std::array<bool, TrianglePairBlock::lanes> swapped_{};  ///< the block's first triangle is of b
+};
+
+/// Keeps the pairs of triangles that may be the nearest; ends when two meet. Pairs farther than `limit_from(cutoff)`
+/// are not wanted.
+class NearestTriangles final : public NearQuestion, public FrontQuestion {
+ public:
+  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
+                   double cutoff = std::numeric_limits<double>::infinity())
+      : pairs_(a, b, scratch), candidates_(scratch.candidates), limit_(limit_from(cutoff)) {
+    candidates_.clear();
+  }
+
+  [[nodiscard]] double limit() const override { return found_meeting() ? -1 : std::max(limit_, least_limit); }
+  void visit(std::span<const ItemPair> pairs) override {
+    if (limit_ >= 0) pairs_.bound(pairs, [&](const NearCandidate& candidate) { return keep(candidate); });
+  }
+
+  void visit(std::span<const ItemPair> pairs, std::span<FrontGap> gaps) override {
+    std::size_t seen = 0;
+    pairs_.bound(pairs, [&](const NearCandidate& candidate) {
+      if (candidate.lower > 0) gaps[seen] = pairs_.gap_in(seen % TrianglePairBlock::lanes, candidate);
+      ++seen;
+      return keep(candidate);
+    });
+  }
+
+  [[nodiscard]] bool found_meeting() const { return limit_ < 0; }
+
+  /// There is a pair within the cutoff, but for what intervals leave open.
+  [[nodiscard]] bool found_any() const { return found_meeting() || !candidates_.empty(); }
+
+  /// Of all pairs that were seen and wanted; none of them meet, and there is one. What is kept of the nearest two saves
+  /// time and changes nothing.
+  [[nodiscard]] Distance nearest(ConvexWorkspace* kept = nullptr);
+
+  /// Of the same: one is at most that far.
+  [[nodiscard]] bool any_within(double tolerance) const;
+
+ private:
+  /// The upper end of a pair's own interval, and the pair.
+  struct Key {
+    double upper = std::numeric_limits<double>::infinity();
+    ItemPair pair{};
+    bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
+  };
+
+  bool keep(NearCandidate candidate);
+  Key least();
+  Key least_of(std::span<const NearCandidate> candidates, PairDistances::Effort effort,
+               std::vector<NearCandidate>& untold);
+
+  PairDistances pairs_;
+  std::vector<NearCandidate>& candidates_;
+  double limit_;
+};
+
+/// Ends when two triangles are found that are at most `tolerance` apart.
+class CloseTriangles final : public NearQuestion {
+ public:
+  CloseTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, double tolerance)
+      : pairs_(a, b, scratch), tolerance_(tolerance) {}
+
+  [[nodiscard]] double limit() const override { return found_ ? -1 : std::max(tolerance_, least_limit); }
+  void visit(std::span<const ItemPair> pairs) override {
+    if (!found_)
+      pairs_.bound(pairs, [&](const NearCandidate& candidate) {
+        if (candidate.lower <= tolerance_ && pairs_.is_within(candidate, tolerance_)) found_ = true;
+        if (found_) pair_ = candidate.pair;
+        return !found_;
+      });
+  }
+
+  [[nodiscard]] bool found() const { return found_; }
+  [[nodiscard]] const ItemPair& pair() const { return pair_; }
+
+ private:
+  PairDistances pairs_;
+  double tolerance_;
+  bool found_ = false;
+  ItemPair pair_{};
+};
+
+}  // namespace toccata

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "query/meshes/posed_mesh.hpp"
+#include "toccata/shapes/convex_hull.hpp"
+
+namespace toccata {
+
+/// Which plane cuts a triangle off: the one across the way to its nearest point, or its own, which of a convex solid
+/// leaves all.
+enum class CutBy { nearest_point, own_plane };
+
+/// A convex polytope around `point` that no triangle enters, within the cube of half-edge `reach` around it: of the
+/// triangles that are not cut off yet, the nearest to the point is, until none is left (after R. Deits, R. Tedrake,
+/// "Computing large convex regions of obstacle-free space through semidefinite programming", 2014, with balls for their
+/// ellipsoids). Rounded: whoever needs to know that it lies inside has to prove it. Empty where the point is too near
+/// to a triangle.
+[[nodiscard]] std::optional<ConvexHull> grow_convex(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut);
+
+}  // namespace toccata

@@ -1,0 +1,125 @@
+#include "query/penetration/parting_seeds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "query/meshes/world_search.hpp"
+
+namespace toccata {
+namespace {
+
+double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+Vec3 normal_of(const Triangle& t) {
+  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  const double size = length(normal);
+  return size > 0 ? (1 / size) * normal : Vec3{};
+}
+
+class SeedSearch {
+ public:
+  explicit SeedSearch(const MovedPair& pair) : pair_(pair) {
+    common_ = {};
+    const Aabb &a = pair.a.box(), &b = pair.b.box();
+    for (int axis = 0; axis < 3; ++axis) {
+      common_.lower[axis] = std::max(a.lower[axis], b.lower[axis] + pair.move[axis]);
+      common_.upper[axis] = std::min(a.upper[axis], b.upper[axis] + pair.move[axis]);
+    }
+    size_ = length(common_.upper - common_.lower);
+  }
+
+  /// From where the surfaces meet, to all four sides.
+  void look_between(const SurfaceMeeting& meeting) {
+    for (const Vec3& towards : {-meeting.normal_a - meeting.normal_b, meeting.normal_a + meeting.normal_b,
+                                meeting.normal_a - meeting.normal_b, meeting.normal_b - meeting.normal_a})
+      look_along(meeting.point, towards);
+  }
+
+  /// From points on the surface of `own` inside the other: inwards.
+  void look_below_surface(const SolidBody& own, const Vec3& moved) {
+    for (const PosedPart& part : own.parts())
+      if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
+        look_into(*convex, moved);
+      else
+        look_below(std::get<PosedTriangles>(part.shape).mesh, moved);
+  }
+
+  [[nodiscard]] std::vector<PartingSeed> deepest(std::size_t most) {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const PartingSeed& s, const PartingSeed& t) { return s.depth > t.depth; });
+    std::vector<PartingSeed> chosen;
+    for (const PartingSeed& seed : found_) {
+      const bool far = std::all_of(chosen.begin(), chosen.end(), [&](const PartingSeed& other) {
+        return length(other.point - seed.point) >= seed.depth;
+      });
+      if (far) chosen.push_back(seed);
+      if (chosen.size() == most) break;
+    }
+    return chosen;
+  }
+
+ private:
+  [[nodiscard]] bool in_both(const Vec3& point) const {
+    return overlap(common_, Aabb{point, point}) && pair_.a.contains(point) && pair_.b.contains(point - pair_.move);
+  }
+
+  void look_along(const Vec3& from, const Vec3& towards) {
+    constexpr int most_halvings = 24;
+    const double size = length(towards);
+    if (!(size > 0x1p-20)) return;
+    double step = size_ / 2;
+    for (int i = 0; i < most_halvings; ++i, step /= 2) {
+      const Vec3 point = from + (step / size) * towards;
+      if (!in_both(point)) continue;
+      found_.push_back({point, step});
+      return;
+    }
+  }
+
+  void look_into(const PosedConvex& convex, const Vec3& moved) {
+    Vec3 middle;
+    for (Index i = 0; i < convex.vertex_count(); ++i) middle = middle + convex.vertex(i);
+    middle = (1.0 / convex.vertex_count()) * middle + moved;
+    if (in_both(middle)) found_.push_back({middle, size_ / 2});
+    for (Index i = 0; i < convex.vertex_count(); i += 1 + convex.vertex_count() / 16)
+      look_along(convex.vertex(i) + moved, middle - convex.vertex(i) - moved);
+  }
+
+  void look_below(const PosedMesh& mesh, const Vec3& moved) {
+    constexpr std::size_t most_samples = 24;
+    std::vector<Index> near;
+    visit_triangles_near(mesh, {common_.lower - moved, common_.upper - moved}, [&](Index i) {
+      near.push_back(i);
+      return true;
+    });
+    std::sort(near.begin(), near.end());
+    const std::size_t stride = 1 + near.size() / most_samples;
+    for (std::size_t i = 0; i < near.size(); i += stride) {
+      const Triangle t = mesh.triangle(near[i]);
+      const Vec3 normal = normal_of(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]) + moved;
+      for (const Vec3& from : {middle, t[0] + moved + 0x1p-10 * (middle - t[0] - moved)}) {
+        look_along(from, -normal);
+        look_along(from, normal);
+      }
+    }
+  }
+
+  const MovedPair& pair_;
+  Aabb common_;
+  double size_ = 0;
+  std::vector<PartingSeed> found_;
+};
+
+}  // namespace
+
+std::vector<PartingSeed> find_seeds(const MovedPair& pair, const std::vector<SurfaceMeeting>& meetings,
+                                    std::size_t most) {
+  SeedSearch search(pair);
+  for (const SurfaceMeeting& meeting : meetings) search.look_between(meeting);
+  search.look_below_surface(pair.a, {});
+  search.look_below_surface(pair.b, pair.move);
+  return search.deepest(most);
+}
+
+}  // namespace toccata

@@ -1,0 +1,143 @@
+#include "query/penetration/solid_body.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "math/vec3_measures.hpp"
+#include "query/meshes/triangles_shape.hpp"
+#include "query/relation/relation_locality.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+/// Of meshes with more vertices it is not tried in every case whether they are convex.
+constexpr std::size_t many_vertices = 10'000;
+
+std::vector<Vec3> corners_of(const Aabb& box) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
+                       (i & 4) != 0 ? box.upper.z : box.lower.z});
+  return corners;
+}
+
+Vec3 offset_of(const PosedShape& shape) {
+  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->pose().offset;
+  if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.pose().offset;
+  return {};
+}
+
+Vec3 mean_vertex(const ConvexHull& hull) {
+  Vec3 sum;
+  for (Index i = 0; i < hull.vertex_count(); ++i) sum = sum + hull.vertex(i);
+  return (1.0 / hull.vertex_count()) * sum;
+}
+
+ConvexHull shrunk(const ConvexHull& hull, const Vec3& towards, double by) {
+  std::vector<Vec3> points;
+  for (Index i = 0; i < hull.vertex_count(); ++i) {
+    const Vec3 vertex = hull.vertex(i);
+    points.push_back(vertex + by * (towards - vertex));
+  }
+  return ConvexHull{points};
+}
+
+/// Proved: no triangle meets it, and one of its points is inside.
+bool lies_within(const PosedConvex& shape, const PosedMesh& mesh) {
+  return !overlap(PosedTriangles{mesh, false}, shape) && is_interior(shape.vertex(0), mesh);
+}
+
+/// The hull of a solid mesh at its place, where that is the solid.
+bool is_convex_solid(const PosedMesh& mesh) {
+  const auto triangles = mesh.model().mesh().triangles();
+  try {
+    static_cast<void>(hull_of_convex_mesh({mesh.vertices(), {triangles.begin(), triangles.end()}}));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
+  std::vector<char> used(mesh.model().mesh().vertices().size());
+  for (const auto& triangle : mesh.model().mesh().triangles())
+    for (const Index i : triangle) used[i] = 1;
+  std::vector<Vec3> vertices;
+  for (Index i = 0; i < used.size(); ++i)
+    if (used[i] != 0) vertices.push_back(mesh.vertex(i));
+  return vertices;
+}
+
+}  // namespace
+
+SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
+  for (const PosedPart& part : posed.parts) {
+    box_ = merge(box_, world_box(part.shape));
+    extent_ = std::max(extent_, largest_magnitude(offset_of(part.shape)));
+  }
+  extent_ += largest_magnitude(box_.lower) + largest_magnitude(box_.upper);
+  find_whole();
+}
+
+void SolidBody::find_whole() {
+  if (posed_.parts.size() > 1) {
+    outer_.emplace(ConvexHull{corners_of(box_)});
+    return;
+  }
+  if (const auto* convex = std::get_if<PosedConvex>(&posed_.parts[0].shape)) {
+    outer_.emplace(*convex);
+    exactly_convex_ = true;
+  } else {
+    const PosedMesh& mesh = std::get<PosedTriangles>(posed_.parts[0].shape).mesh;
+    const std::vector<Vec3> vertices = used_vertices(mesh);
+    const ConvexHull hull{vertices};
+    outer_.emplace(hull);
+    const bool is_large = vertices.size() > many_vertices;
+    exactly_convex_ = (!is_large || 2 * std::size_t{hull.vertex_count()} >= vertices.size()) && is_convex_solid(mesh);
+    if (!exactly_convex_ && !is_large && hull.dimension() == 3)
+      whole_ = keep(mesh, hull, mean_vertex(hull), 1 - 0x1p-36);
+  }
+  if (exactly_convex_) whole_ = &*outer_;
+}
+
+bool SolidBody::contains(const Vec3& point) const {
+  return std::any_of(posed_.parts.begin(), posed_.parts.end(), [&](const PosedPart& part) {
+    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) return overlap(*convex, PosedConvex(Point(point)));
+    return is_interior(point, std::get<PosedTriangles>(part.shape).mesh);
+  });
+}
+
+const InnerPart* SolidBody::keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share) {
+  for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
+    if (1 - less < least_share) break;
+    const ConvexHull smaller = shrunk(hull, point, less);
+    if (smaller.dimension() == 3 && lies_within(PosedConvex(smaller), mesh)) return &kept_.emplace_back(smaller);
+  }
+  return nullptr;
+}
+
+std::vector<const InnerPart*> SolidBody::convex_parts() {
+  if (whole_ != nullptr) return {whole_};
+  std::vector<const InnerPart*> found;
+  for (const PosedPart& part : posed_.parts)
+    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) found.push_back(&kept_.emplace_back(*convex));
+  return found;
+}
+
+const InnerPart* SolidBody::grow(const Vec3& point, double reach, CutBy cut) {
+  if (whole_ != nullptr) return whole_;
+  for (const PosedPart& part : posed_.parts) {
+    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) {
+      if (overlap(*convex, PosedConvex(Point(point)))) return &kept_.emplace_back(*convex);
+      continue;
+    }
+    const PosedMesh& mesh = std::get<PosedTriangles>(part.shape).mesh;
+    if (!is_interior(point, mesh)) continue;
+    const std::optional<ConvexHull> grown = grow_convex(mesh, point, reach, cut);
+    if (const InnerPart* kept = grown ? keep(mesh, *grown, point, 0) : nullptr) return kept;
+  }
+  return nullptr;
+}
+
+}  // namespace toccata

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "query/penetration/convex_growth.hpp"
+#include "query/posed_shape.hpp"
+
+namespace toccata {
+
+/// A convex body that is proved to lie within a solid, and a box around it.
+struct InnerPart {
+  explicit InnerPart(const PosedConvex& within) : shape(within), box(world_box(within)) {}
+  explicit InnerPart(const ConvexHull& within) : hull(within), shape(*hull), box(world_box(shape)) {}
+  InnerPart(const InnerPart&) = delete;  // the shape refers to the hull
+  InnerPart& operator=(const InnerPart&) = delete;
+
+  std::optional<ConvexHull> hull;
+  PosedConvex shape;
+  Aabb box;
+};
+
+/// A bounded solid as the union of posed parts, seen by convex bodies: one around it and as many within as were asked
+/// for. It refers to the posed model, which has to outlive it.
+class SolidBody {
+ public:
+  explicit SolidBody(const PosedModel& posed);
+  SolidBody(const SolidBody&) = delete;
+  SolidBody& operator=(const SolidBody&) = delete;
+
+  [[nodiscard]] const std::vector<PosedPart>& parts() const { return posed_.parts; }
+  [[nodiscard]] const Aabb& box() const { return box_; }
+
+  /// Contains the solid.
+  [[nodiscard]] const PosedConvex& outer() const { return outer_->shape; }
+
+  /// The solid as a whole, or all but a share of 2^-40 of it, where it is convex; else nothing.
+  [[nodiscard]] const InnerPart* whole() const { return whole_; }
+  /// It is convex, and `outer` is the solid.
+  [[nodiscard]] bool exactly_convex() const { return exactly_convex_; }
+
+  /// Within some part of it.
+  [[nodiscard]] bool contains(const Vec3& point) const;
+
+  /// Of its parts those that are convex shapes, as they are, or all of it where it is convex.
+  [[nodiscard]] std::vector<const InnerPart*> convex_parts();
+
+  /// A convex body around a point that it contains, grown as told; none where none could be proved to lie within. It
+  /// stays as long as the solid.
+  [[nodiscard]] const InnerPart* grow(const Vec3& point, double reach, CutBy cut);
+
+  /// Greater than any coordinate that was added up on the way to a world vertex.
+  [[nodiscard]] double extent() const { return extent_; }
+
+ private:
+  const InnerPart* keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share);
+  void find_whole();
+
+  const PosedModel& posed_;
+  Aabb box_;
+  double extent_ = 0;
+  std::deque<InnerPart> kept_;  // a shape refers to its hull, so none may move
+  std::optional<InnerPart> outer_;
+  const InnerPart* whole_ = nullptr;
+  bool exactly_convex_ = false;
+};
+
+}  // namespace toccata

@@ -1,0 +1,190 @@
+#include "query/penetration/solid_penetration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <string_view>
+
+#include "math/vec3_measures.hpp"
+#include "query/penetration/parting_search.hpp"
+#include "query/penetration/solid_body.hpp"
+#include "query/relation/relation_posed.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
+#include "toccata/query/relation.hpp"
+#include "toccata/shapes/mesh_health.hpp"
+
+namespace toccata {
+namespace {
+
+bool has_open_mesh(const Model& model) {
+  if (model.has_mesh()) return !model.closed();
+  return std::any_of(model.parts().begin(), model.parts().end(), has_open_mesh);
+}
+
+void require_solid(const Model& model, const PosedModel& posed, std::string_view who) {
+  if (posed.solid) return;
+  if (has_open_mesh(model))
+    throw Error(
+        fmt::format("penetration: {} is an open mesh, which encloses nothing that another could leave; close it "
+                    "(`inspect` names the open edges), take its convex hull instead, or ask for the contacts",
+                    who));
+  throw Error(
+      fmt::format("penetration: {} is taken as a surface, which has no interior that another could leave; take "
+                  "it as a solid (solid = auto), or ask for the contacts",
+                  who));
+}
+
+bool is_half_space(const PosedModel& model) {
+  return model.parts.size() == 1 && std::holds_alternative<PosedHalfSpace>(model.parts[0].shape);
+}
+
+bool has_parts_without_end(const PosedModel& posed) {
+  return !is_half_space(posed) && std::any_of(posed.parts.begin(), posed.parts.end(), [](const PosedPart& part) {
+    return std::holds_alternative<PosedHalfSpace>(part.shape);
+  });
+}
+
+bool is_before(const Vec3& p, const Vec3& q) { return lexicographically_less(p, q); }
+
+/// Of its triangles, or of its core; none of a half-space.
+std::vector<Vec3> vertices_of(const PosedShape& shape) {
+  std::vector<Vec3> vertices;
+  if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) {
+    for (Index t = 0; t < triangles->mesh.model().element_count(); ++t)
+      for (const Vec3& corner : triangles->mesh.triangle(t).vertex) vertices.push_back(corner);
+  } else if (const auto* convex = std::get_if<PosedConvex>(&shape)) {
+    for (Index i = 0; i < convex->vertex_count(); ++i) vertices.push_back(convex->vertex(i));
+  }
+  return vertices;
+}
+
+/// An order that is the same whichever of the two comes first in the question.
+bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
+  if (a.parts.size() != b.parts.size()) return a.parts.size() > b.parts.size();
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    if (a.parts[i].kind != b.parts[i].kind) return a.parts[i].kind > b.parts[i].kind;
+    const Aabb s = world_box(a.parts[i].shape), t = world_box(b.parts[i].shape);
+    if (s.lower != t.lower) return is_before(s.lower, t.lower);
+    if (s.upper != t.upper) return is_before(s.upper, t.upper);
+    const std::vector<Vec3> p = vertices_of(a.parts[i].shape), q = vertices_of(b.parts[i].shape);
+    if (p.size() != q.size()) return p.size() > q.size();
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (p[k] != q[k]) return is_before(p[k], q[k]);
+  }
+  return true;
+}
+
+PairQuery moved(PairQuery query, const Vec3& move) {
+  query.pose_b.offset = query.pose_b.offset + move;
+  return query;
+}
+
+Vec3 normal_at(const Model& model, const Pose& pose, Index element) {
+  const Triangle t = world_triangle(model, pose, element);
+  return unit_or_zero(cross(t[1] - t[0], t[2] - t[0]));
+}
+
+/// The points of some contacts of meshes, spread over all of them.
+std::vector<SurfaceMeeting> some_meetings(const Model& a, const Model& b, const PairQuery& query,
+                                          Workspace& workspace) {
+  constexpr std::size_t most = 12;
+  std::vector<SurfaceMeeting> meetings;
+  if (!a.has_mesh() || !b.has_mesh()) return meetings;
+  const auto found = contacts(a, b, query, workspace);
+  const std::size_t stride = 1 + found.size() / most;
+  for (std::size_t i = stride / 2; i < found.size(); i += stride) {
+    const Contact& contact = found[i];
+    const MeetingCoordinates points = coordinates(contact.meeting, world_triangle(a, query.pose_a, contact.triangle_a),
+                                                  world_triangle(b, query.pose_b, contact.triangle_b));
+    Vec3 middle;
+    for (std::size_t k = 0; k < points.count; ++k) middle = middle + points.points[k];
+    meetings.push_back({(1.0 / points.count) * middle, normal_at(a, query.pose_a, contact.triangle_a),
+                        normal_at(b, query.pose_b, contact.triangle_b)});
+  }
+  return meetings;
+}
+
+Penetration of_half_space(const PosedModel& a, const PosedHalfSpace& b) {
+  Penetration deepest;
+  for (const PosedPart& part : a.parts) {
+    const PosedModel alone{{part}, true};
+    const SolidBody body(alone);
+    const Penetration depth = penetration(body.outer(), b);
+    if (deepest.direction == Vec3{} || depth.upper > deepest.upper) deepest = depth;
+  }
+  return deepest;
+}
+
+/// The bounds of two convex meshes are those of exact arithmetic: a little more, where the moved vertices are rounded
+/// to an overlap.
+void part_in_doubles(Penetration& depth, const SolidBody& body_a, const SolidBody& body_b,
+                     const std::function<bool(const Vec3& move)>& overlapping) {
+  for (double more = 0x1p-48 * (body_a.extent() + body_b.extent()) + least_step;
+       overlapping(depth.upper * depth.direction); more *= 2)
+    depth.upper += more;
+}
+
+/// Where they come apart: the points that are the nearest to each other then, moved back.
+void add_points(Penetration& depth, const Distance& after) {
+  depth.on_a = after.on_a;
+  depth.on_b = after.on_b - depth.upper * depth.direction;
+}
+
+Penetration without_overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  const Distance between = distance(a, b, query, workspace);
+  const Vec3 across = unit_or_zero(between.on_b - between.on_a);
+  return {0, 0, across == Vec3{} ? Vec3{0, 0, 1} : across, between.on_a, between.on_b, Status::exact};
+}
+
+Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+                      Workspace& workspace) {
+  SolidBody body_a(models.a), body_b(models.b);
+  if (body_a.exactly_convex() && body_b.exactly_convex()) {
+    Penetration depth = penetration(body_a.outer(), body_b.outer());
+    part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
+      return relation(a, b, moved(query, move), workspace).kind == RelationKind::overlapping;
+    });
+    return depth;
+  }
+  PartingSearch search(body_a, body_b,
+                       {[&](const Vec3& move) { return distance(a, b, moved(query, move), workspace).lower; },
+                        [&](const Vec3& move) { return some_meetings(a, b, moved(query, move), workspace); }});
+  Penetration depth = search.answer();
+  add_points(depth, distance(a, b, moved(query, depth.upper * depth.direction), workspace));
+  return depth;
+}
+
+Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+                     Workspace& workspace) {
+  if (relation_of(models.a, models.b, workspace.scratch()).kind != RelationKind::overlapping)
+    return without_overlap(a, b, query, workspace);
+  if (is_half_space(models.b)) return of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape));
+  if (is_half_space(models.a))
+    return flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)));
+  return of_bodies(a, b, query, models, workspace);
+}
+
+}  // namespace
+
+bool may_be_parted(const PosedModel& a, const PosedModel& b) {
+  return !has_parts_without_end(a) && !has_parts_without_end(b) && !(is_half_space(a) && is_half_space(b));
+}
+
+Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+                                  Workspace& workspace) {
+  require_solid(a, models.a, "model a");
+  require_solid(b, models.b, "model b");
+  if (!may_be_parted(models.a, models.b))
+    throw Error(
+        "penetration: a compound has a half-space among its parts, which has no end, so that no translation parts it "
+        "from another for sure; ask about its parts");
+  if (is_canonical_order(models.a, models.b)) return in_order(a, b, query, models, workspace);
+  const PairQuery other{query.pose_b, query.pose_a, query.solid_b, query.solid_a, query.threads};
+  const PosedModels exchanged(b, a, other, workspace.scratch());
+  return flipped(in_order(b, a, other, exchanged, workspace));
+}
+
+}  // namespace toccata

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "narrow/triangles/ray_triangle.hpp"
+#include "query/meshes/posed_mesh.hpp"
+#include "trees/rays_into_tree.hpp"
+
+namespace toccata {
+
+/// The first triangle that a ray meets: least by (upper end, number).
+struct TriangleHit {
+  RayTime time;  ///< of this triangle
+  Index triangle = 0;
+  double lower = 0;            ///< of all triangles: the exact first time lies in [lower, time.upper]
+  std::optional<Cast> cast{};  ///< ray_hit of it, where that is known already
+};
+
+/// A posed mesh that rays are cast at, and what is the same for all of them (docs/design/rays.md). The mesh must
+/// outlive it.
+class RayTarget {
+ public:
+  explicit RayTarget(const PosedMesh& mesh);
+
+  /// Of a ray at the surface. That there is none is proved.
+  [[nodiscard]] TriangleHit first_hit(const PreparedRay& ray) const;
+  /// The same of many, which are walked side by side.
+  void first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
+
+  [[nodiscard]] Triangle world_triangle(Index number) const;
+
+ private:
+  /// So many rays are searched for with the memory of one search, which stays near.
+  static constexpr std::size_t together = 256;
+  void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
+  struct Together;
+  void take_passing(Together& all, std::span<TriangleHit> hits) const;
+  /// Tells the search of a triangle that may be met.
+  template <class Search>
+  void consider(const RayCandidate& candidate, Search& search) const;
+  [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
+
+  const PosedMesh& posed_;
+  const TriangleMesh& mesh_;
+  const WideTree& tree_;
+  RayFrame frame_;
+  bool usable_;  ///< the frame is; else the world is searched
+  bool stands_;  ///< the pose changes nothing but the sign of a zero
+};
+
+}  // namespace toccata

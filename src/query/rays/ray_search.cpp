@@ -1,0 +1,115 @@
+#include "query/rays/ray_search.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "query/keep_least.hpp"
+#include "query/relation/relation_locality.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::string_view name_of_target = "the target";
+
+RayHit numbered(const Cast& cast, Index element = 0, Index face = 0) {
+  RayHit hit{cast};
+  hit.element = element;
+  hit.face = face;
+  return hit;
+}
+
+bool starts_inside(const PosedTriangles& target, const Vec3& origin) {
+  const Aabb point{origin, origin};
+  return target.solid && overlap(target.mesh.box(), point) && is_interior(origin, target.mesh);
+}
+
+RayHit hit_at_start(const PreparedRay& ray) {
+  RayHit hit;
+  hit.hit = true;
+  hit.point = ray.origin;
+  return hit;
+}
+
+RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray,
+                      const TriangleHit& found) {
+  if (!found.time.hit) return {};
+  const Index face = target.mesh.model().mesh().face_of(found.triangle);
+  const Cast cast = found.cast ? *found.cast : ray_hit(ray, search.world_triangle(found.triangle), found.time);
+  RayHit hit = numbered(cast, found.triangle, face);
+  hit.lower = found.lower;
+  return hit;
+}
+
+RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
+  return starts_inside(target, ray.origin) ? hit_at_start(ray)
+                                           : hit_of_surface(target, search, ray, search.first_hit(ray));
+}
+
+/// Of many rays at one mesh.
+void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<const PreparedRay> rays,
+             std::span<RayHit> hits) {
+  std::vector<TriangleHit> found(rays.size());
+  search.first_hits(rays, found);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = starts_inside(target, rays[i].origin) ? hit_at_start(rays[i])
+                                                    : hit_of_surface(target, search, rays[i], found[i]);
+}
+
+void require_answered(ShapeKind target) {
+  const PairCell cell = pair_cell(ShapeQuestion::cast_ray, ShapeKind::point, target);
+  if (cell.state != PairState::defined)
+    throw Error(fmt::format("cast-ray at a {} is not answered: {}", name_of(target), cell.text));
+}
+
+}  // namespace
+
+RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
+    : posed_(pose_model(target, pose, solid, name_of_target)) {
+  for (const PosedPart& part : posed_.parts) {
+    require_answered(part.kind);
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) meshes_.emplace_back(triangles->mesh);
+  }
+}
+
+RayHit RaySearch::first_hit(const PreparedRay& ray) const {
+  if (posed_.parts.size() == 1) return hit_of_part(posed_.parts[0], 0, ray);
+  std::optional<RayHit> earliest;
+  std::size_t mesh = 0;
+  for (const PosedPart& part : posed_.parts) {
+    RayHit found = hit_of_part(part, mesh, ray);
+    if (std::holds_alternative<PosedTriangles>(part.shape)) ++mesh;
+    if (!found.hit) continue;
+    found.element += part.first_element;
+    found.face += part.first_face;
+    keep_least(earliest, found);
+  }
+  return earliest.value_or(RayHit{});
+}
+
+void RaySearch::first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const {
+  const auto* triangles = std::get_if<PosedTriangles>(&posed_.parts[0].shape);
+  if (posed_.parts.size() == 1 && triangles != nullptr) return hits_of(*triangles, meshes_[0], rays, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(rays[i]);
+}
+
+RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const {
+  if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) return hit_of(*triangles, meshes_[mesh], ray);
+  if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
+    return numbered(cast_ray(ray.origin, ray.motion, *half_space));
+  return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedConvex>(part.shape)));
+}
+
+RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
+  if (!target.has_mesh()) return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
+  // The same without lists of one.
+  const PosedShape posed = pose_shape(target, pose, solid, name_of_target);
+  require_answered(kind_of(target.shape()));
+  const auto& triangles = std::get<PosedTriangles>(posed);
+  return hit_of(triangles, RayTarget(triangles.mesh), PreparedRay(origin, motion));
+}
+
+}  // namespace toccata

@@ -1,0 +1,98 @@
+#include "toccata/query/relation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "query/ask.hpp"
+#include "query/meshes/pair_search.hpp"
+#include "query/meshes/triangles_shape.hpp"
+#include "query/posed_pair.hpp"
+#include "query/relation/relation_posed.hpp"
+#include "query/relation/relation_solids.hpp"
+#include "query/relation/relation_unions.hpp"
+#include "toccata/query/flipped.hpp"
+
+namespace toccata {
+namespace {
+
+Relation relation_of_surfaces(VisitContacts visit) {
+  Relation result;
+  visit([&](const Contact& contact) {
+    result.kind = contact.meeting.crossing ? RelationKind::crossing : RelationKind::touching;
+    return !contact.meeting.crossing;
+  });
+  result.side_unresolved = result.kind == RelationKind::touching;
+  return result;
+}
+
+Relation relation_as_taken(const TakenMesh& a, const TakenMesh& b, VisitContacts visit) {
+  if (a.solid && b.solid) return relation_of_solids(a.mesh, b.mesh, visit);
+  if (a.solid) return relation_of_solid_and_surface(a.mesh, b.mesh, visit);
+  if (!b.solid) return relation_of_surfaces(visit);
+  Relation result = relation_of_solid_and_surface(
+      b.mesh, a.mesh, [&](SeeContact see) { visit([&](const Contact& contact) { return see(flipped(contact)); }); });
+  result.containment = flipped(result.containment);
+  return result;
+}
+
+Relation relation_with(const TakenMesh& a, const TakenMesh& b, VisitContacts visit) {
+  Relation result = relation_as_taken(a, b, visit);
+  result.a_solid = a.solid;
+  result.b_solid = b.solid;
+  return result;
+}
+
+}  // namespace
+
+Relation relation_of(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch) {
+  return relation_with(a, b, [&](SeeContact see) { visit_surface_contacts(a.mesh, b.mesh, scratch, see); });
+}
+
+Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts) {
+  return relation_with(a, b,
+                       [&](SeeContact see) { static_cast<void>(std::all_of(contacts.begin(), contacts.end(), see)); });
+}
+
+namespace {
+
+struct AskRelation {
+  static constexpr ShapeQuestion question = ShapeQuestion::relation;
+
+  Relation operator()(const PosedConvex& a, const PosedConvex& b) const { return relation(a, b, &scratch.convex); }
+  Relation operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedConvex& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedTriangles& b) const {
+    return relation_of({a.mesh, a.solid}, {b.mesh, b.solid}, scratch);
+  }
+
+  SearchScratch& scratch;
+};
+
+}  // namespace
+
+Relation relation_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
+  if (a.parts.size() == 1 && b.parts.size() == 1) return ask(AskRelation{scratch}, a.parts[0], b.parts[0]);
+  RelationOfUnions all(a, b);
+  for (const PosedPart& part_a : a.parts)
+    for (const PosedPart& part_b : b.parts) all.add(ask(AskRelation{scratch}, part_a, part_b));
+  return all.relation();
+}
+
+Relation relation(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return relation(a, b, query, workspace);
+}
+
+Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  SearchScratch& scratch = workspace.scratch();
+  if (a.has_mesh() && b.has_mesh()) {
+    const PosedPair pair(a, b, query);
+    return relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid}, scratch);
+  }
+  const PosedModels models(a, b, query, scratch);
+  return relation_of(models.a, models.b, scratch);
+}
+
+}  // namespace toccata

@@ -1,0 +1,154 @@
+#include "toccata/query/scene_nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "bounds/upper_sum.hpp"
+#include "query/ask_each.hpp"
+#include "query/inside/side_search.hpp"
+#include "query/nearest/nearest_search.hpp"
+#include "query/scenes/posed_name.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+/// What `make` makes of each model, at its place.
+template <class Part, class Make>
+std::vector<std::unique_ptr<const Part>> made_of_each(std::span<const Posed> models, const Make& make) {
+  std::vector<std::unique_ptr<const Part>> parts;
+  parts.reserve(models.size());
+  for (std::size_t i = 0; i < models.size(); ++i) try {
+      parts.push_back(make(i));
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", name_for_messages(models[i], i), error.what()));
+    }
+  return parts;
+}
+
+/// No point of the box is nearer. 0 where the box has no end.
+double gap_to(const Aabb& box, const Vec3& point) {
+  const auto beside = [&](int axis) {
+    return std::max({0.0, box.lower[axis] - point[axis], point[axis] - box.upper[axis]});
+  };
+  return rounded_down(std::hypot(beside(0), beside(1), beside(2)));
+}
+
+bool holds(const Aabb& box, const Vec3& point) { return contains(box, Aabb{point, point}); }
+
+bool comes_before(const ScenePoint& a, const ScenePoint& b) {
+  return std::tie(a.nearest.upper, a.object, a.nearest.element) <
+         std::tie(b.nearest.upper, b.object, b.nearest.element);
+}
+
+/// Many models at their places, and how near points are to them.
+class SceneSearch {
+ public:
+  SceneSearch(std::span<const Posed> models, double max_distance, std::size_t points)
+      : searches_(made_of_each<NearestSearch>(
+            models,
+            [&](std::size_t i) {
+              return std::make_unique<const NearestSearch>(
+                  models[i].model, NearestQuery{.pose = models[i].pose, .max_distance = max_distance}, points);
+            })),
+        max_distance_(max_distance) {
+    for (const auto& search : searches_) boxes_.push_back(world_box(search->posed()));
+  }
+
+  [[nodiscard]] const NearestSearch& operator[](std::size_t object) const { return *searches_[object]; }
+  [[nodiscard]] const Aabb& box(std::size_t object) const { return boxes_[object]; }
+
+  [[nodiscard]] std::vector<ScenePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
+    if (!is_finite(point)) throw Error("the point is not finite");
+    std::vector<ScenePoint> best;
+    if (k == 0) return best;
+    std::vector<std::pair<double, Index>> waiting = by_gap(point);
+    for (auto end = waiting.end(); end != waiting.begin(); --end) {
+      std::pop_heap(waiting.begin(), end, std::greater<>());
+      const auto [gap, object] = *(end - 1);
+      if (gap > max_distance_ || (best.size() == k && gap > best.back().nearest.upper)) break;
+      for (const SurfacePoint& one : searches_[object]->nearest(point, k, scratch)) best.push_back({one, object});
+      std::sort(best.begin(), best.end(), comes_before);
+      best.resize(std::min(best.size(), k));
+    }
+    return best;
+  }
+
+ private:
+  /// A heap, the nearest box on top.
+  [[nodiscard]] std::vector<std::pair<double, Index>> by_gap(const Vec3& point) const {
+    std::vector<std::pair<double, Index>> gaps(boxes_.size());
+    for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = {gap_to(boxes_[i], point), static_cast<Index>(i)};
+    std::make_heap(gaps.begin(), gaps.end(), std::greater<>());
+    return gaps;
+  }
+
+  std::vector<std::unique_ptr<const NearestSearch>> searches_;
+  std::vector<Aabb> boxes_;
+  double max_distance_;
+};
+
+/// The same, and on which side of them points are.
+class SceneSides {
+ public:
+  SceneSides(std::span<const Posed> models, SignBy sign_by, std::size_t points)
+      : search_(models, std::numeric_limits<double>::infinity(), points),
+        sides_(made_of_each<SideSearch>(
+            models, [&](std::size_t i) { return std::make_unique<const SideSearch>(search_[i].posed(), sign_by); })) {}
+
+  [[nodiscard]] SceneSignedDistance from(const Vec3& point, SearchScratch& scratch) const {
+    const ScenePoint found = search_.nearest(point, 1, scratch).front();
+    SceneSignedDistance result{{}, found.object, {}};
+    if (found.nearest.upper == 0) {
+      result.distance = with_side(found.nearest, sides_[found.object]->on_surface());
+      return result;
+    }
+    FoundSide best;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (sides_[i]->is_certain() && !holds(search_.box(i), point)) continue;
+      const FoundSide side = sides_[i]->side_of(point, scratch);
+      if (weight_of(side) <= weight_of(best)) continue;
+      best = side;
+      if (side.side == Side::inside) result.inside_of = static_cast<Index>(i);
+    }
+    result.distance = with_side(found.nearest, best);
+    return result;
+  }
+
+ private:
+  /// Of several models the side of the greatest counts: as it does of the parts of a compound.
+  static int weight_of(const FoundSide& found) {
+    const bool exact = found.sign_by == SignBy::winding_number;
+    if (found.side != Side::inside) return exact ? 0 : 1;
+    return found.status == Status::undecided ? 2 : exact ? 4 : 3;
+  }
+
+  SceneSearch search_;
+  std::vector<std::unique_ptr<const SideSearch>> sides_;
+};
+
+}  // namespace
+
+std::vector<std::vector<ScenePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
+                                                         std::span<const Posed> models, double max_distance,
+                                                         const BatchOptions& options) {
+  const SceneSearch search(models, max_distance, points.size());
+  return ask_each<std::vector<ScenePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+    return search.nearest(point, k, workspace.scratch());
+  });
+}
+
+std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points, std::span<const Posed> models,
+                                                      SignBy sign_by, const BatchOptions& options) {
+  if (models.empty()) throw Error("there is no model whose surface could be near");
+  const SceneSides sides(models, sign_by, points.size());
+  return ask_each<SceneSignedDistance>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+    return sides.from(point, workspace.scratch());
+  });
+}
+
+}  // namespace toccata
