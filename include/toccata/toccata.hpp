@@ -128,3 +128,5 @@
 #include "toccata/trees/tree.hpp"
 #include "toccata/trees/walk.hpp"
 #include "toccata/trees/wide_tree.hpp"
+#include "toccata/world/body.hpp"
+#include "toccata/world/world.hpp"

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+#include "toccata/core/index.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/shapes/scene.hpp"
+
+namespace toccata {
+
+/// Names a body of a World for as long as it is there. Indices are dense and are given out again; with another
+/// generation, so that the id of a body that was removed never names another.
+struct BodyId {
+  Index index = 0;
+  std::uint32_t generation = 0;
+  friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+
+/// Which pairs are of interest. Any body may be given another pose at any time.
+enum class Motion : std::uint8_t {
+  fixed,      ///< part of the surroundings: two fixed bodies never make a pair
+  kinematic,  ///< goes where its owner says, whatever it meets
+  moving,     ///< reacts to what it meets
+};
+
+/// A shape at its place and what is to be told of it. The model and what it refers to are shared, so a body is small.
+struct Body {
+  Model model;
+  Pose pose{};
+  Motion motion = Motion::moving;
+  Solid solid = Solid::automatic;
+  /// Groups that it is in, and groups that it is to be compared with, a bit each: two bodies make a pair only if each
+  /// is in a group of the other's mask.
+  std::uint64_t group = 1;
+  std::uint64_t mask = ~std::uint64_t{0};
+  /// In world units, 0 or more, also +∞: two bodies are a pair when their exact distance is at most the sum of their
+  /// margins (as rounded to nearest), or what a PairRule says. 0 and 0: when they have a point in common.
+  double margin = 0;
+  std::uint64_t user_data = 0;  ///< for the owner; the World does not look at it
+  std::string name{};           ///< for messages
+};
+
+}  // namespace toccata

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
+#include "toccata/query/manifold.hpp"
+#include "toccata/query/penetration.hpp"
+#include "toccata/query/relation.hpp"
+#include "toccata/world/body.hpp"
+
+namespace toccata {
+
+/// What is told of every pair, besides that it is one. Each costs what the question of that name costs.
+struct WorldOptions {
+  bool relation = false;
+  bool distance = false;
+  bool contacts = false;  ///< of pairs in contact: their elements that meet
+  bool manifold = false;  ///< of pairs in contact, where it is defined (pairs.hpp): of two convex shapes or one and a
+                          ///< half-space
+  bool penetration = false;  ///< of two solids in contact, where it is defined
+  /// Whether two kinematic bodies, and a kinematic and a fixed one, make pairs.
+  bool kinematic_pairs = true;
+  BroadPhaseMethod broad_phase = BroadPhaseMethod::automatic;
+  int threads = 1;  ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+};
+
+/// What was asked for in WorldOptions, of one pair; each as the question of that name answers it for (a, b).
+struct PairDetails {
+  std::optional<Relation> relation{};
+  std::optional<Distance> distance{};
+  std::vector<Contact> contacts{};
+  std::optional<Manifold> manifold{};
+  std::optional<Penetration> penetration{};
+};
+
+/// Two bodies that are in contact or as near as their margin.
+struct PairReport {
+  BodyId a;  ///< a.index < b.index
+  BodyId b;
+  bool in_contact = false;                       ///< they have a point in common; else they are only near
+  std::shared_ptr<const PairDetails> details{};  ///< none where nothing was asked for
+};
+
+/// What a step found. Each list is ascending by (a, b).
+struct WorldStep {
+  std::vector<PairReport> begun;  ///< not there at the step before
+  std::vector<PairReport> kept;   ///< there at both; told as it is now
+  std::vector<PairReport> ended;  ///< there at the step before only; told as it was then. Bodies removed since are
+                                  ///< named by the ids that they had
+  std::size_t candidates = 0;  ///< pairs to be decided: boxes overlap, and no rule leaves them out
+  std::size_t asked = 0;       ///< of them, those that could not be taken over from the step before
+};
+
+/// What is said about two bodies in particular, in either order.
+struct PairRule {
+  BodyId a;
+  BodyId b;
+  bool excluded = false;           ///< they never make a pair
+  std::optional<double> margin{};  ///< instead of the sum of theirs; 0 or more, also +∞
+};
+
+/// Bodies that move, and the pairs of them that are in contact or near.
+///
+/// Which two bodies are a pair is decided exactly, as docs/truth.md defines contact and distance: never by their boxes,
+/// by a tolerance, or by what was known before. A body without any point (a mesh without triangles) is in no pair. A
+/// step gives the same bits on any number of threads, at every SIMD level, and whatever happened before; what it keeps
+/// from step to step saves time only.
+///
+/// A World is a value: a copy is a snapshot, with the same bodies, ids, rules and pairs, and gives from there the same
+/// bits as the original. To restore, assign it back. Models are shared, not copied. (The ids that the original gave out
+/// after the snapshot mean nothing to the copy, which gives out its own.)
+///
+/// Whatever throws Error has changed nothing; the message names the body. Const functions may be called from many
+/// threads at once.
+class World {
+ public:
+  explicit World(const WorldOptions& options = {});
+  World(const World& other);
+  World(World&&) noexcept;
+  World& operator=(World other) noexcept;
+  ~World();
+
+  /// The ids given to the bodies, in their order. Throws Error naming the first of them that has a margin which is no
+  /// length, a pose that is not finite or that its shape may not have, or a `solid` that its shape is not.
+  std::vector<BodyId> add(std::span<const Body> bodies);
+  BodyId add(const Body& body);
+
+  /// With their rules. Throws Error naming an id that is of no body here, or given twice.
+  void remove(std::span<const BodyId> ids);
+  void remove(BodyId id);
+
+  /// Gives body ids[i] the pose poses[i], however far it is; of several for one body the last counts. Throws Error as
+  /// `add` does, for an id of no body here, and where the spans differ in length.
+  void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  void move(BodyId id, const Pose& pose);
+
+  /// Makes body ids[i] into bodies[i], all of it: another shape, other margins or groups. Ids, rules, and pairs that
+  /// are still pairs stay. Throws Error as `move` does.
+  void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
+  void replace(BodyId id, const Body& body);
+
+  /// Each takes the place of an earlier rule for the same two bodies; one that says nothing ends it. Throws Error for
+  /// an id of no body here, a body with itself, and a margin that is no length.
+  void set_rules(std::span<const PairRule> rules);
+  void set_rule(const PairRule& rule);
+
+  /// Finds the pairs of the bodies as they are now.
+  const WorldStep& step();
+
+  /// What the last step found.
+  [[nodiscard]] const WorldStep& last_step() const;
+  /// All pairs of the last step, begun and kept, ascending.
+  [[nodiscard]] std::span<const PairReport> pairs() const;
+
+  /// How many bodies there are.
+  [[nodiscard]] std::size_t size() const;
+  /// All of them, ascending.
+  [[nodiscard]] std::vector<BodyId> bodies() const;
+  [[nodiscard]] bool contains(BodyId id) const;
+  /// As it was given last. Throws Error naming the id when it is of no body here.
+  [[nodiscard]] const Body& body(BodyId id) const;
+  /// Contains the body where it is now, without its margin; a half-space's has infinite sides. Throws Error like
+  /// `body`.
+  [[nodiscard]] const Aabb& box(BodyId id) const;
+
+  /// By index: the boxes of all bodies where they are now. Empty where no body has that index.
+  [[nodiscard]] std::span<const Aabb> boxes() const;
+  /// The body that has this index now, if any.
+  [[nodiscard]] std::optional<BodyId> body_at(Index index) const;
+  /// Counts the changes to the bodies: where it is the same for the same World, so are its bodies. For indices over
+  /// them.
+  [[nodiscard]] std::uint64_t revision() const;
+
+  [[nodiscard]] const WorldOptions& options() const;
+  /// The broad phase of the last step: which method, and why (BroadPhase).
+  [[nodiscard]] const BroadPhase& broad_phase() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace toccata

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "query/workspace_pool.hpp"
+#include "toccata/broad/box_pairs.hpp"
+#include "toccata/world/world.hpp"
+
+namespace toccata {
+
+enum class Nearness : std::uint8_t { apart, near, contact };
+
+/// Two bodies whose boxes overlap, and what was found out about them.
+struct DecidedPair {
+  IndexPair pair;
+  Nearness nearness = Nearness::apart;
+  std::shared_ptr<const PairDetails> details{};
+};
+
+/// A pair to be decided, and how near counts.
+struct UndecidedPair {
+  std::size_t number = 0;  ///< in the list of pairs
+  double margin = 0;
+};
+
+/// Decides pairs of bodies. What it keeps is memory to work in.
+class NarrowPhase {
+ public:
+  explicit NarrowPhase(const WorldOptions& options) : options_(options) {}
+  NarrowPhase(const NarrowPhase& other) : options_(other.options_) {}
+  NarrowPhase& operator=(const NarrowPhase&) = delete;
+  ~NarrowPhase() = default;
+
+  /// Fills in pairs[undecided.number] for each of them. Bodies are by index.
+  void decide(std::span<const Body> bodies, std::span<const UndecidedPair> undecided, std::span<DecidedPair> pairs);
+
+ private:
+  void decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const;
+  [[nodiscard]] PairDetails details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const;
+
+  const WorldOptions options_;
+  WorkspacePool workspaces_;
+};
+
+}  // namespace toccata

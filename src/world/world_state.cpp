@@ -1,0 +1,218 @@
+#include "world/world_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
+#include "world/body_box.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most = std::numeric_limits<double>::max();
+
+std::string quoted(const std::string& name) { return name.empty() ? "" : fmt::format(" (\"{}\")", name); }
+
+std::string name_of_id(const BodyId& id) { return fmt::format("body {} (generation {})", id.index, id.generation); }
+
+void require_length(double margin, const FunctionRef<std::string()>& who) {
+  if (!(margin >= 0))
+    throw Error(fmt::format("{}: its margin is {}; it has to be a length of 0 or more", who(), margin));
+}
+
+void require_as_many(std::size_t ids, std::size_t others, const char* noun) {
+  if (ids != others)
+    throw Error(fmt::format("{} bodies are named and {} {} given; give one for each", ids, others, noun));
+}
+
+/// Two boxes grown by this each overlap wherever the bodies are as near as the sum of two such margins, rounded.
+double reach_of_margin(double margin) {
+  if (margin >= 0.5 * most) return infinity;  // with another as large the sum is
+  return margin > 0 ? std::nextafter(margin, infinity) : 0;
+}
+
+/// Rounded up.
+double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
+
+/// Calls `make(i)` for each box in turn, on several threads.
+std::vector<Aabb> boxes_by(std::size_t count, int threads, FunctionRef<Aabb(std::size_t)> make) {
+  std::vector<Aabb> boxes(count);
+  constexpr std::size_t at_once = 64;
+  parallel_for((count + at_once - 1) / at_once, threads, [&](std::size_t row) {
+    const std::size_t end = std::min(count, (row + 1) * at_once);
+    for (std::size_t i = row * at_once; i < end; ++i) boxes[i] = make(i);
+  });
+  return boxes;
+}
+
+}  // namespace
+
+std::string World::State::name_of_body(Index index) const {
+  return name_of_id(id_of(index)) + quoted(bodies_[index].name);
+}
+
+Index World::State::require(BodyId id) const {
+  if (contains(id)) return id.index;
+  const bool was_there = id.index < slots_.size() && (id.generation < slots_[id.index].generation);
+  throw Error(fmt::format("{} {}", name_of_id(id),
+                          was_there ? "was removed: its id names no body any more"
+                                    : "is not in this World: its id was not given out by it"));
+}
+
+std::vector<Index> World::State::required(std::span<const BodyId> ids) const {
+  std::vector<Index> indices;
+  indices.reserve(ids.size());
+  for (const BodyId id : ids) indices.push_back(require(id));
+  return indices;
+}
+
+double World::State::reach(Index index, double margin) const {
+  const double own = reach_of_margin(margin);
+  return slots_[index].has_rules ? std::max(own, half_of(rules_.largest_margin(index))) : own;
+}
+
+std::vector<Aabb> World::State::reached(std::span<const Index> indices) const {
+  std::vector<Aabb> boxes;
+  boxes.reserve(indices.size());
+  for (const Index index : indices) {
+    const double by = reach(index, slots_[index].margin);
+    boxes.push_back(by > 0 ? grown(boxes_[index], by) : boxes_[index]);
+  }
+  return boxes;
+}
+
+void World::State::mark_changed(Index index) {
+  if (!std::exchange(slots_[index].has_changed, true)) changed_.push_back(index);
+}
+
+void World::State::put(Index index, Body&& body, const Aabb& box) {
+  Slot& slot = slots_[index];
+  slot.group = body.group;
+  slot.mask = body.mask;
+  slot.margin = body.margin;
+  slot.motion = body.motion;
+  slot.is_used = true;
+  boxes_[index] = box;
+  bodies_[index] = std::move(body);
+  mark_changed(index);
+}
+
+std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
+  const std::vector<Aabb> boxes = boxes_by(bodies.size(), options_.threads, [&](std::size_t i) {
+    const auto who = [&] {
+      return fmt::format("body {} of the {} to add{}", i, bodies.size(), quoted(bodies[i].name));
+    };
+    require_length(bodies[i].margin, who);
+    return body_box(bodies[i], bodies[i].pose, who);
+  });
+  std::vector<Body> copies(bodies.begin(), bodies.end());
+  std::vector<Aabb> grown_boxes = boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (const double by = reach_of_margin(bodies[i].margin); by > 0) grown_boxes[i] = grown(boxes[i], by);
+  const std::vector<Index> indices = phase_.add(grown_boxes);
+  bodies_.resize(phase_.size(), Body{Point{}});
+  slots_.resize(phase_.size());
+  boxes_.resize(phase_.size());
+  std::vector<BodyId> ids;
+  ids.reserve(indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    put(indices[i], std::move(copies[i]), boxes[i]);
+    ids.push_back(id_of(indices[i]));
+  }
+  count_ += ids.size();
+  ++revision_;
+  return ids;
+}
+
+void World::State::remove(std::span<const BodyId> ids) {
+  const std::vector<Index> indices = required(ids);
+  std::vector<Index> sorted = indices;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    throw Error(fmt::format("{} is to be removed twice", name_of_body(*twice)));
+  // An index whose generations are used up is never given out again.
+  constexpr std::uint32_t last_generation = std::numeric_limits<std::uint32_t>::max();
+  const auto end = std::stable_partition(sorted.begin(), sorted.end(),
+                                         [&](Index index) { return slots_[index].generation != last_generation; });
+  phase_.move({end, sorted.end()}, std::vector<Aabb>(static_cast<std::size_t>(sorted.end() - end)));
+  phase_.remove({sorted.begin(), end});
+  std::vector<Index> partners;
+  for (const Index index : indices) {
+    if (slots_[index].has_rules) rules_.forget(index, [&](Index partner) { partners.push_back(partner); });
+    const std::uint32_t generation = slots_[index].generation;
+    const bool has_changed = slots_[index].has_changed;
+    slots_[index] = {};
+    slots_[index].generation = generation + (generation != last_generation ? 1 : 0);
+    slots_[index].has_changed = has_changed;
+    bodies_[index] = Body{Point{}};
+    boxes_[index] = {};
+    mark_changed(index);
+  }
+  std::erase_if(partners, [&](Index partner) { return !is_used(partner); });
+  for (const Index partner : partners) slots_[partner].has_rules = rules_.has_any(partner);
+  phase_.move(partners, reached(partners));
+  count_ -= ids.size();
+  ++revision_;
+}
+
+void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  require_as_many(ids.size(), poses.size(), "poses");
+  const std::vector<Index> indices = required(ids);
+  const std::vector<Aabb> boxes = boxes_by(ids.size(), options_.threads, [&](std::size_t i) {
+    return body_box(bodies_[indices[i]], poses[i], [&] { return name_of_body(indices[i]); });
+  });
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Index index = indices[i];
+    boxes_[index] = boxes[i];
+    if (bodies_[index].pose == poses[i]) continue;
+    bodies_[index].pose = poses[i];
+    mark_changed(index);
+  }
+  phase_.move(indices, reached(indices));
+  ++revision_;
+}
+
+void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bodies) {
+  require_as_many(ids.size(), bodies.size(), "bodies");
+  const std::vector<Index> indices = required(ids);
+  const std::vector<Aabb> boxes = boxes_by(ids.size(), options_.threads, [&](std::size_t i) {
+    const auto who = [&] { return name_of_id(ids[i]) + quoted(bodies[i].name); };
+    require_length(bodies[i].margin, who);
+    return body_box(bodies[i], bodies[i].pose, who);
+  });
+  std::vector<Body> copies(bodies.begin(), bodies.end());
+  for (std::size_t i = 0; i < ids.size(); ++i) put(indices[i], std::move(copies[i]), boxes[i]);
+  phase_.move(indices, reached(indices));
+  ++revision_;
+}
+
+void World::State::apply(const PairRule& rule) {
+  const Index a = rule.a.index, b = rule.b.index;
+  rules_.set(a, b, {rule.excluded, rule.margin});
+  for (const Index index : {a, b}) {
+    slots_[index].has_rules = rules_.has_any(index);
+    mark_changed(index);
+  }
+}
+
+void World::State::set_rules(std::span<const PairRule> rules) {
+  std::vector<Index> indices;
+  for (const PairRule& rule : rules) {
+    indices.push_back(require(rule.a));
+    indices.push_back(require(rule.b));
+    if (rule.a == rule.b) throw Error(fmt::format("a rule is given for {} with itself", name_of_body(rule.a.index)));
+    require_length(rule.margin.value_or(0),
+                   [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); });
+  }
+  for (const PairRule& rule : rules) apply(rule);
+  phase_.move(indices, reached(indices));
+  ++revision_;
+}
+
+}  // namespace toccata

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toccata/world/world.hpp"
+#include "world/narrow_phase.hpp"
+#include "world/pair_rules.hpp"
+
+namespace toccata {
+
+class World::State {
+ public:
+  explicit State(const WorldOptions& options)
+      : options_(options), phase_({options.broad_phase, options.threads}), narrow_(options) {}
+
+  std::vector<BodyId> add(std::span<const Body> bodies);
+  void remove(std::span<const BodyId> ids);
+  void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
+  void set_rules(std::span<const PairRule> rules);
+  const WorldStep& step();
+
+  [[nodiscard]] bool contains(BodyId id) const {
+    return id.index < slots_.size() && slots_[id.index].is_used && slots_[id.index].generation == id.generation;
+  }
+  /// Throws Error naming the id when it is of no body.
+  [[nodiscard]] Index require(BodyId id) const;
+
+  [[nodiscard]] const WorldOptions& options() const { return options_; }
+  [[nodiscard]] const BroadPhase& broad_phase() const { return phase_; }
+  [[nodiscard]] const WorldStep& last_step() const { return last_; }
+  [[nodiscard]] std::span<const PairReport> pairs() const { return pairs_; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::size_t index_count() const { return slots_.size(); }
+  [[nodiscard]] bool is_used(Index index) const { return index < slots_.size() && slots_[index].is_used; }
+  [[nodiscard]] BodyId id_of(Index index) const { return {index, slots_[index].generation}; }
+  [[nodiscard]] const Body& body(Index index) const { return bodies_[index]; }
+  [[nodiscard]] std::span<const Aabb> boxes() const { return boxes_; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+ private:
+  /// What decides about pairs before any shape is looked at.
+  struct Slot {
+    std::uint64_t group = 0;
+    std::uint64_t mask = 0;
+    double margin = 0;
+    std::uint32_t generation = 0;
+    Motion motion = Motion::moving;
+    bool is_used = false;
+    bool has_rules = false;
+    bool has_changed = false;  ///< it is among those that did
+  };
+
+  /// What messages call the body.
+  [[nodiscard]] std::string name_of_body(Index index) const;
+  [[nodiscard]] std::vector<Index> required(std::span<const BodyId> ids) const;
+  /// How far around its own box another body's may be for the two to be a pair.
+  [[nodiscard]] double reach(Index index, double margin) const;
+  /// As the broad phase sees the bodies.
+  [[nodiscard]] std::vector<Aabb> reached(std::span<const Index> indices) const;
+  void put(Index index, Body&& body, const Aabb& box);
+  void mark_changed(Index index);
+  void apply(const PairRule& rule);
+
+  [[nodiscard]] bool may_meet(const Slot& a, const Slot& b) const;
+  /// How near the two have to be; none where they are not compared.
+  [[nodiscard]] std::optional<double> margin_of(const IndexPair& pair) const;
+  [[nodiscard]] std::vector<DecidedPair> candidates(std::vector<UndecidedPair>& undecided);
+  [[nodiscard]] std::vector<PairReport> reports() const;
+  void tell(std::vector<PairReport> now);
+
+  WorldOptions options_;
+  std::vector<Body> bodies_;
+  std::vector<Slot> slots_;
+  std::vector<Aabb> boxes_;
+  std::vector<Index> changed_;  ///< since the last step
+  PairRules rules_;
+  BroadPhase phase_;
+  NarrowPhase narrow_;
+  std::vector<DecidedPair> decided_;  ///< by the last step, ascending
+  std::vector<PairReport> pairs_;
+  WorldStep last_;
+  std::size_t count_ = 0;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace toccata

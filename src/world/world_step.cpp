@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "world/world_state.hpp"
+
+namespace toccata {
+namespace {
+
+bool is_before(const DecidedPair& decided, const IndexPair& pair) { return decided.pair < pair; }
+
+std::pair<BodyId, BodyId> key_of(const PairReport& report) { return {report.a, report.b}; }
+
+}  // namespace
+
+bool World::State::may_meet(const Slot& a, const Slot& b) const {
+  if (a.motion != Motion::moving && b.motion != Motion::moving) {
+    const bool both_fixed = a.motion == Motion::fixed && b.motion == Motion::fixed;
+    if (both_fixed || !options_.kinematic_pairs) return false;
+  }
+  return (a.group & b.mask) != 0 && (b.group & a.mask) != 0;
+}
+
+std::optional<double> World::State::margin_of(const IndexPair& pair) const {
+  const Slot &a = slots_[pair.first], &b = slots_[pair.second];
+  if (!may_meet(a, b)) return std::nullopt;
+  double margin = a.margin + b.margin;
+  if (!a.has_rules || !b.has_rules) return margin;
+  if (const PairRules::Rule* rule = rules_.find(pair.first, pair.second)) {
+    if (rule->excluded) return std::nullopt;
+    margin = rule->margin.value_or(margin);
+  }
+  return margin;
+}
+
+/// The pairs to be decided, of which what is known already is filled in.
+std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& undecided) {
+  std::vector<DecidedPair> found;
+  auto known = decided_.begin();
+  for (const IndexPair& pair : phase_.pairs()) {
+    const std::optional<double> margin = margin_of(pair);
+    if (!margin) continue;
+    // Other pairs of the two may have larger margins.
+    const Aabb &a = boxes_[pair.first], &b = boxes_[pair.second];
+    if (!overlap(a, b) && (*margin == 0 || !overlap(grown(a, *margin), b))) continue;
+    while (known != decided_.end() && is_before(*known, pair)) ++known;
+    const bool is_known = known != decided_.end() && known->pair == pair && !slots_[pair.first].has_changed &&
+                          !slots_[pair.second].has_changed;
+    if (!is_known) undecided.push_back({found.size(), *margin});
+    found.push_back(is_known ? *known : DecidedPair{pair});
+  }
+  return found;
+}
+
+std::vector<PairReport> World::State::reports() const {
+  std::vector<PairReport> now;
+  for (const DecidedPair& decided : decided_)
+    if (decided.nearness != Nearness::apart)
+      now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == Nearness::contact,
+                     decided.details});
+  return now;
+}
+
+void World::State::tell(std::vector<PairReport> now) {
+  last_.begun.clear();
+  last_.kept.clear();
+  last_.ended.clear();
+  auto before = pairs_.begin();
+  for (const PairReport& report : now) {
+    for (; before != pairs_.end() && key_of(*before) < key_of(report); ++before) last_.ended.push_back(*before);
+    const bool is_kept = before != pairs_.end() && key_of(*before) == key_of(report);
+    (is_kept ? last_.kept : last_.begun).push_back(report);
+    if (is_kept) ++before;
+  }
+  last_.ended.insert(last_.ended.end(), before, pairs_.end());
+  pairs_ = std::move(now);
+}
+
+const WorldStep& World::State::step() {
+  phase_.update();
+  std::vector<UndecidedPair> undecided;
+  std::vector<DecidedPair> found = candidates(undecided);
+  narrow_.decide(bodies_, undecided, found);
+  decided_ = std::move(found);
+  for (const Index index : changed_) slots_[index].has_changed = false;
+  changed_.clear();
+  last_.candidates = decided_.size();
+  last_.asked = undecided.size();
+  tell(reports());
+  return last_;
+}
+
+}  // namespace toccata
