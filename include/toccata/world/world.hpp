@@ -55,8 +55,8 @@ struct WorldStep {
   std::vector<PairReport> kept;   ///< there at both; told as it is now
   std::vector<PairReport> ended;  ///< there at the step before only; told as it was then. Bodies removed since are
                                   ///< named by the ids that they had
-  std::size_t candidates = 0;  ///< pairs to be decided: boxes overlap, and no rule leaves them out
-  std::size_t asked = 0;       ///< of them, those that could not be taken over from the step before
+  std::size_t candidates = 0;     ///< pairs to be decided: boxes overlap, and no rule leaves them out
+  std::size_t asked = 0;          ///< of them, those that could not be taken over from the step before
 };
 
 /// What is said about two bodies in particular, in either order.
