@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "math/exact.hpp"
+#include "query/inside/enclose.hpp"
 #include "query/meshes/posed_mesh.hpp"
 
 namespace toccata {
@@ -61,11 +63,12 @@ Interval enclose(const Rational& value) {
   return {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)};
 }
 
-ExactPoint::ExactPoint(const Vec3& point) : rational_(to_rational(point)), box_{point, point} {}
+ExactPoint::ExactPoint(const Vec3& point)
+    : rational_(std::make_shared<const RationalPoint>(to_rational(point))), box_{point, point} {}
 
-ExactPoint::ExactPoint(RationalPoint point) : rational_(std::move(point)) {
+ExactPoint::ExactPoint(RationalPoint point) : rational_(std::make_shared<const RationalPoint>(std::move(point))) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Interval enclosure = enclose(rational_[axis]);
+    const Interval enclosure = enclose((*rational_)[axis]);
     box_.lower[axis] = enclosure.lower;
     box_.upper[axis] = enclosure.upper;
   }

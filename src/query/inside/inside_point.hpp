@@ -1,6 +1,7 @@
 #pragma once
 
-#include "math/exact.hpp"
+#include <memory>
+
 #include "query/inside/inside_interval.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/predicates.hpp"
@@ -8,8 +9,7 @@
 
 namespace toccata {
 
-/// Doubles on both sides of `value`, or twice the same one that equals it. Precondition: within the range of doubles.
-[[nodiscard]] Interval enclose(const Rational& value);
+struct RationalPoint;
 
 /// A world point with rational coordinates, and the doubles around it, by which most questions about it are settled.
 class ExactPoint {
@@ -17,7 +17,7 @@ class ExactPoint {
   explicit ExactPoint(const Vec3& point);
   explicit ExactPoint(RationalPoint point);
 
-  [[nodiscard]] const RationalPoint& rational() const { return rational_; }
+  [[nodiscard]] const RationalPoint& rational() const { return *rational_; }
 
   /// Contains the point; without extent along every axis where the coordinate is a double.
   [[nodiscard]] const Aabb& box() const { return box_; }
@@ -26,7 +26,7 @@ class ExactPoint {
   [[nodiscard]] bool is_double(int axis) const { return box_.lower[axis] == box_.upper[axis]; }
 
  private:
-  RationalPoint rational_;
+  std::shared_ptr<const RationalPoint> rational_;  ///< apart, so that this header is a light one
   Aabb box_;
 };
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "query/inside/enclose.hpp"
 #include "query/inside/inside_point.hpp"
 
 namespace toccata {

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "math/exact.hpp"
 #include "query/inside/inside_winding.hpp"
 #include "query/relation/relation_cells.hpp"
 #include "query/relation/relation_locality.hpp"
