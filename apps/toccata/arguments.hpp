@@ -20,7 +20,8 @@ enum class Format { table, json, csv };
 /// Files to read and what their numbers mean.
 struct InputArguments {
   std::vector<std::string> files;
-  std::string unit;  ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
+  std::string folder;  ///< where relative names begin; empty: the current one
+  std::string unit;    ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;
   std::string wanted;  ///< what the subcommand takes, for the error when there are none
 };

@@ -2,6 +2,7 @@
 
 #include "output.hpp"
 #include "progress_bar.hpp"
+#include "saved.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
 
@@ -29,6 +30,14 @@ std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format f
 
 void print_answer(const CheckInput& input, const SceneAnswer& answer, Format format) {
   const std::string text = text_of(input, answer, format);
+  print_warnings(input.loaded.warnings);
+  print_answer(text);
+}
+
+void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
+                  const PosedArguments& arguments) {
+  if (arguments.format != Format::json) return print_answer(input, answer, arguments.format);
+  const std::string text = with_asked(text_of(input, answer, Format::json), asked_of(input, arguments, question));
   print_warnings(input.loaded.warnings);
   print_answer(text);
 }

@@ -13,8 +13,10 @@ namespace toccata::command {
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const std::string& label);
 
-/// Prints the warnings of the input, and then the answer in that format.
+/// Prints the warnings of the input, and then the answer in that format; JSON as it is, or with what was asked.
 void print_answer(const CheckInput& input, const SceneAnswer& answer, Format format);
+void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
+                  const PosedArguments& arguments);
 
 // What people read of each answer.
 std::string table_of(const CheckInput& input, const CheckReport& report);

@@ -42,13 +42,13 @@ int run_check(const CheckArguments& arguments) {
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
   const bool is_drawn = !target.path.empty() || !target.glb.empty();  // with the faces, whether they are listed or not
-  const CheckQuestion question =
+  CheckQuestion question =
       check_question(arguments, arguments.faces || is_drawn, read_clearances(arguments, loaded.scene));
   SceneAnswer answer = ask_for(input, question, arguments, "checking");
   CheckReport& report = std::get<CheckReport>(answer);
   if (is_drawn) write_view(target, input, report);
-  report.has_faces = arguments.faces;
-  print_answer(input, answer, arguments.format);
+  question.faces = report.has_faces = arguments.faces;
+  print_answer(input, question, answer, arguments);
   return report.pairs.empty() ? 0 : 1;
 }
 

@@ -37,7 +37,7 @@ int run_check_poses(const CheckArguments& arguments) {
                                     arguments.penetration};
   const SceneAnswer answer = ask_for(input, question, arguments, "checking");
   warn_of_open_meshes(input);
-  print_answer(input, answer, arguments.format);
+  print_answer(input, question, answer, arguments);
   return contact_count(std::get<PosesReport>(answer)) == 0 ? 0 : 1;
 }
 

@@ -33,8 +33,9 @@ std::string table_of(const CheckInput& input, const SelfReport& report) {
 
 int run_check_self(const CheckArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer = ask_for(input, SelfQuestion{arguments.faces}, arguments, "checking");
-  print_answer(input, answer, arguments.format);
+  const SelfQuestion question{arguments.faces};
+  const SceneAnswer answer = ask_for(input, question, arguments, "checking");
+  print_answer(input, question, answer, arguments);
   return self_meeting_count(std::get<SelfReport>(answer)) == 0 ? 0 : 1;
 }
 

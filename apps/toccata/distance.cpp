@@ -28,7 +28,7 @@ int run_distance(const DistanceArguments& arguments) {
   const std::vector<std::size_t>& first_object = loaded.first_object;
   const DistanceQuestion question{first_object.size() == 3 ? first_object[1] : 0};
   const SceneAnswer answer = ask_for(input, question, arguments, "measuring");
-  print_answer(input, answer, arguments.format);
+  print_answer(input, question, answer, arguments);
   const std::vector<ReportedDistance>& distances = std::get<DistanceReport>(answer).pairs;
   return std::any_of(distances.begin(), distances.end(),
                      [](const ReportedDistance& pair) { return pair.distance.upper == 0; })

@@ -20,9 +20,9 @@ std::string table_of(const CheckInput& input, const DistancePosesReport& report)
 
 int run_distance_poses(const DistanceArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer =
-      ask_for(input, DistancePosesQuestion{read_queries(input, arguments)}, arguments, "measuring");
-  print_answer(input, answer, arguments.format);
+  const DistancePosesQuestion question{read_queries(input, arguments)};
+  const SceneAnswer answer = ask_for(input, question, arguments, "measuring");
+  print_answer(input, question, answer, arguments);
   return meeting_count(std::get<DistancePosesReport>(answer)) == 0 ? 0 : 1;
 }
 

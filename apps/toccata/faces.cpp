@@ -31,8 +31,9 @@ int run_faces(const FacesArguments& arguments) {
   if (!arguments.region)
     throw Error("no region is given: --box X0 Y0 Z0 X1 Y1 Z1, the least corner and the greatest, or --ball X Y Z R");
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer = ask_for(input, FacesQuestion{*arguments.region}, arguments, "looking");
-  print_answer(input, answer, arguments.format);
+  const FacesQuestion question{*arguments.region};
+  const SceneAnswer answer = ask_for(input, question, arguments, "looking");
+  print_answer(input, question, answer, arguments);
   return std::get<FacesReport>(answer).found.empty() ? 0 : 1;
 }
 

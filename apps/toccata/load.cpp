@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -13,6 +14,8 @@
 
 namespace toccata::command {
 namespace {
+
+namespace fs = std::filesystem;
 
 double parse_double(const std::string& word, const std::string& option) {
   const bool plain = word.find_first_not_of("+-.0123456789eE") == std::string::npos;
@@ -28,6 +31,10 @@ ReadOptions read_options(const InputArguments& input) {
   if (!input.unit.empty()) options.metres_per_unit = metres_per_unit(input.unit);
   options.scale = input.scale;
   return options;
+}
+
+fs::path path_of(const std::string& file, const std::string& folder) {
+  return folder.empty() || is_generator_specification(file) ? fs::path(file) : fs::path(folder) / file;
 }
 
 std::string unit_text(const std::string& file, const Scene& scene) {
@@ -81,7 +88,7 @@ LoadedScene load(const InputArguments& input) {
   const ReadOptions options = read_options(input);
   for (const std::string& file : input.files) {
     const bool file_is_new = !read.contains(file);
-    if (file_is_new) read.emplace(file, read_scene(file, options));
+    if (file_is_new) read.emplace(file, read_scene(path_of(file, input.folder), options));
     loaded.first_object.push_back(loaded.scene.objects.size());
     const Scene& scene = read.at(file);
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;

@@ -66,7 +66,8 @@ int run_nearest(const NearestArguments& arguments) {
   question.sides = arguments.sides;
   const CheckInput input = read_check_input(arguments);
   if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
-  print_answer(input, ask_for(input, question, arguments, "looking"), arguments.format);
+  const SceneAnswer answer = ask_for(input, question, arguments, "looking");
+  print_answer(input, question, answer, arguments);
   return 0;
 }
 

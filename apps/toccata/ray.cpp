@@ -47,10 +47,10 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
 }
 
 int run_ray(const RayArguments& arguments) {
-  const std::vector<RayQuery> rays = rays_asked(arguments);
+  const RayQuestion question{rays_asked(arguments)};
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer = ask_for(input, RayQuestion{rays}, arguments, "following rays");
-  print_answer(input, answer, arguments.format);
+  const SceneAnswer answer = ask_for(input, question, arguments, "following rays");
+  print_answer(input, question, answer, arguments);
   const std::vector<ReportedRay>& met = std::get<RayReport>(answer).rays;
   return std::any_of(met.begin(), met.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
 }

@@ -50,6 +50,7 @@
 #include "toccata/io/rays_file.hpp"
 #include "toccata/io/relation_words.hpp"
 #include "toccata/io/report.hpp"
+#include "toccata/io/saved_report.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/io/scene_question.hpp"
 #include "toccata/io/self_report.hpp"

@@ -157,6 +157,7 @@ def main():
             schema = validator(f"{kind}-report.schema.json")
             for report in made(folder):
                 schema.validate(report)
+                check_asked(kind, report)
                 assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scene = validator("scene.schema.json")
         scenes = list(folder.rglob("scene.json"))
@@ -164,6 +165,16 @@ def main():
         for file in scenes:
             scene.validate(json.loads(file.read_text()))
         check_cases(scene)
+
+
+def check_asked(kind, report):
+    """A report of a question says what was asked."""
+    if kind in ("cost", "inspect", "hierarchy"):
+        assert "asked" not in report, report
+        return
+    validator("asked.schema.json").validate(report["asked"])
+    scene = json.loads((REFERENCE / "scene.schema.json").read_text())
+    jsonschema.Draft202012Validator({"$ref": "#/$defs/query", "$defs": scene["$defs"]}).validate(report["asked"]["query"])
 
 
 def check_cases(scene):

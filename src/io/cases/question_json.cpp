@@ -8,6 +8,7 @@
 #include <map>
 
 #include "io/formats/number_rows.hpp"
+#include "io/scenes/solid_words.hpp"
 #include "toccata/core/suggestion.hpp"
 
 namespace toccata::io {
@@ -31,9 +32,7 @@ Json json_of_queries(const std::vector<PairQuery>& queries) {
   return json_of_rows(numbers, 24);
 }
 
-const char* word_of(Touching touching) { return touching == Touching::ignore ? "ignore" : "count"; }
-
-const char* word_of(Solid solid) { return solid == Solid::automatic ? "auto" : solid == Solid::all ? "all" : "none"; }
+const char* touching_word(Touching touching) { return touching == Touching::ignore ? "ignore" : "count"; }
 
 /// What the two objects are taken for is the same in all queries.
 void add_queries(Json& json, const std::vector<PairQuery>& queries) {
@@ -47,7 +46,7 @@ void add_queries(Json& json, const std::vector<PairQuery>& queries) {
 
 struct Writer {
   Json operator()(const CheckQuestion& q) const {
-    Json json = {{"touching", word_of(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
+    Json json = {{"touching", touching_word(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
     if (q.clearance) json["clearance"] = json_of_length(*q.clearance);
     for (const PairClearance& pair : q.pair_clearances)
       json["pair_clearances"].push_back(
@@ -55,7 +54,7 @@ struct Writer {
     return json;
   }
   Json operator()(const CheckPosesQuestion& q) const {
-    Json json = {{"touching", word_of(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
+    Json json = {{"touching", touching_word(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
     add_queries(json, q.queries);
     return json;
   }
@@ -129,8 +128,7 @@ std::vector<PairQuery> queries_of(const JsonValue& value) {
   if (value.has("solid")) {
     const std::vector<JsonValue> words = value.at("solid").elements();
     if (words.size() != 2) value.at("solid").fail("these are not two words", "write one of A and one of B");
-    for (std::size_t i = 0; i < 2; ++i)
-      solids[i] = one_of<Solid>(words[i], {{"auto", Solid::automatic}, {"all", Solid::all}, {"none", Solid::none}});
+    for (std::size_t i = 0; i < 2; ++i) solids[i] = solid_of(words[i]);
   }
   const std::vector<double> numbers = rows_of_numbers(value.at("poses"), 24, "pair of poses");
   std::vector<PairQuery> queries;

@@ -12,6 +12,7 @@
 #include "io/formats/number_rows.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "io/scenes/scene_shape.hpp"
+#include "io/scenes/solid_words.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -29,13 +30,6 @@ double unit_of(const JsonValue& value) {
   if (!value.is_number()) return located(value, [&] { return metres_per_unit(value.text()); });
   if (!(value.number() > 0)) value.fail("a unit must be positive", "write the metres per unit, or \"mm\"");
   return value.number();
-}
-
-Solid solid_of(const JsonValue& value) {
-  const std::map<std::string, Solid> known = {{"auto", Solid::automatic}, {"all", Solid::all}, {"none", Solid::none}};
-  const auto found = known.find(value.text());
-  if (found == known.end()) value.fail("this is not a way to take a mesh", "write \"auto\", \"all\" or \"none\"");
-  return found->second;
 }
 
 /// An entry of "frames" or "objects": what both have.

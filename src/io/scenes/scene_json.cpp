@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "io/formats/utf8.hpp"
+#include "io/scenes/solid_words.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
 
@@ -75,7 +76,7 @@ Json json_of(const SceneObject& object, const MeshWriting& write_mesh) {
   else
     json.update(shape);
   if (!is_left_out(object.pose)) json["pose"] = object.pose.numbers();
-  if (object.solid != Solid::automatic) json["solid"] = object.solid == Solid::all ? "all" : "none";
+  if (object.solid != Solid::automatic) json["solid"] = word_of(object.solid);
   if (!object.group.empty()) json["group"] = object.group;
   return json;
 }

@@ -1,0 +1,107 @@
+#include "saved.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
+
+namespace toccata::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the objects of each file, as they are asked about.
+std::vector<AskedFile> files_of(const LoadedScene& loaded, const std::vector<std::string>& names) {
+  const std::span<const SceneObject> objects = loaded.scene.objects;
+  std::vector<AskedFile> files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t first = loaded.first_object[i], end = loaded.first_object[i + 1];
+    files.push_back({names[i], content_digest(objects.subspan(first, end - first))});
+  }
+  return files;
+}
+
+PosedArguments arguments_of(const Asked& asked, const fs::path& folder, int threads) {
+  PosedArguments arguments;
+  for (const AskedFile& file : asked.files) arguments.input.files.push_back(file.name);
+  arguments.input.folder = folder.string();
+  arguments.input.unit = asked.unit;
+  arguments.input.scale = asked.scale;
+  arguments.pose_a = asked.pose_a;
+  arguments.pose_b = asked.pose_b;
+  arguments.solid = asked.solid;
+  arguments.threads = threads;
+  return arguments;
+}
+
+/// The first of the files that is not there.
+std::optional<fs::path> missing_file(const Asked& asked, const fs::path& folder) {
+  for (const AskedFile& file : asked.files)
+    if (!is_generator_specification(file.name) && !fs::exists(folder / file.name)) return folder / file.name;
+  return std::nullopt;
+}
+
+/// The first of the files that holds something else now.
+std::optional<std::string> changed_file(const Asked& asked, const CheckInput& input,
+                                        const std::vector<std::string>& names) {
+  const std::vector<AskedFile> files = files_of(input.loaded, names);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (files[i].digest != asked.files[i].digest) return files[i].name;
+  return std::nullopt;
+}
+
+/// What came of one folder: the input, or what is wrong there.
+struct Attempt {
+  std::optional<CheckInput> input;
+  std::string trouble;
+};
+
+Attempt attempt_in(const fs::path& folder, const Asked& asked, int threads) {
+  if (const auto missing = missing_file(asked, folder))
+    return {{}, fmt::format("{} is gone; put it back, or ask again", missing->string())};
+  const PosedArguments arguments = arguments_of(asked, folder, threads);
+  CheckInput input = read_check_input(arguments);
+  if (const auto changed = changed_file(asked, input, arguments.input.files))
+    return {{},
+            fmt::format("{} holds something else than when it was asked about (its digest is another); put the old "
+                        "file back, or ask again",
+                        (folder / *changed).string())};
+  return {std::move(input), {}};
+}
+
+std::vector<fs::path> folders_of(const Asked& asked, const std::string& report) {
+  const fs::path beside = fs::absolute(report).parent_path().lexically_normal();
+  if (asked.folder == beside) return {beside};
+  return {beside, asked.folder};
+}
+
+}  // namespace
+
+Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const SceneQuestion& question) {
+  return {fs::current_path().string(),
+          files_of(input.loaded, arguments.input.files),
+          arguments.input.unit,
+          arguments.input.scale,
+          arguments.pose_a,
+          arguments.pose_b,
+          arguments.solid,
+          question};
+}
+
+CheckInput read_again(const SavedReport& saved, const std::string& report, int threads) {
+  std::string trouble;
+  for (const fs::path& folder : folders_of(saved.asked, report)) {
+    Attempt attempt = attempt_in(folder, saved.asked, threads);
+    trouble = attempt.trouble;
+    if (!attempt.input) continue;
+    std::vector<SceneObject>& objects = attempt.input->loaded.scene.objects;
+    for (std::size_t i = 0; i < objects.size() && i < saved.sources.size(); ++i) objects[i].source = saved.sources[i];
+    return std::move(*attempt.input);
+  }
+  throw Error(fmt::format("{}: {}", report, trouble));
+}
+
+}  // namespace toccata::command

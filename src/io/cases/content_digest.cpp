@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "io/formats/tree_bytes.hpp"
+#include "io/scenes/scene_json.hpp"
+#include "toccata/io/saved_report.hpp"
+
+namespace toccata {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Meshes may have the same triangles and other faces of the file.
+std::string digest_of_mesh(const TriangleMesh& mesh) {
+  std::vector<Index> faces;
+  for (Index i = 0; i < mesh.triangle_count(); ++i) faces.push_back(mesh.face_of(i));
+  const auto* bytes = reinterpret_cast<const char*>(faces.data());
+  return fmt::format("{:016x} {:016x}", io::digest_of(mesh), io::checksum_of({bytes, faces.size() * sizeof(Index)}));
+}
+
+}  // namespace
+
+std::string content_digest(std::span<const SceneObject> objects) {
+  std::map<const TriangleMesh*, std::string> known;
+  const auto write_mesh = [&](const std::shared_ptr<const TriangleMesh>& mesh) {
+    const auto [found, is_new] = known.try_emplace(mesh.get());
+    if (is_new) found->second = digest_of_mesh(*mesh);
+    return Json{{"mesh", found->second}};
+  };
+  std::string text;
+  for (const SceneObject& object : objects)
+    text += io::json_of(object, write_mesh).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return fmt::format("{:016x}", io::checksum_of(text));
+}
+
+}  // namespace toccata
