@@ -1,0 +1,210 @@
+#include "query/scenes/object_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "query/posed_shape.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/closer_than.hpp"
+#include "toccata/query/overlap.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata {
+namespace {
+
+/// Wider than the interval of any cast, as part of the way.
+constexpr double widest_cast = 0x1p-38;
+
+/// Keeps the first by (upper, object), and widens it so that the least of all exact numbers lies in it.
+template <class Found>
+void keep_first(std::optional<Found>& first, const Found& found) {
+  const double lower = first ? std::min(first->lower, found.lower) : found.lower;
+  if (!first || std::tie(found.upper, found.object) < std::tie(first->upper, first->object)) first = found;
+  first->lower = lower;
+}
+
+/// Whose interval begins later than that is of no interest: neither can it be the first, nor does it widen that.
+double last_time(const std::optional<ObjectRayHit>& first) { return first ? first->upper + widest_cast : 1; }
+double last_time(const std::optional<ObjectCast>& first) { return first ? first->upper + widest_cast : 1; }
+
+/// The same of distances, whose intervals are as wide as 10⁻¹² of them, or as two doubles are apart.
+double last_distance(const std::optional<ObjectDistance>& nearest, double max_distance) {
+  if (!nearest || nearest->upper == 0) return nearest ? 0 : max_distance;
+  const double next = std::nextafter(nearest->upper * (1 + 0x1p-38), std::numeric_limits<double>::infinity());
+  return std::min(next, max_distance);
+}
+
+/// Where something is met at the start nothing is earlier: only one of lesser number could take its place.
+template <class Found>
+bool is_settled(const std::optional<Found>& first, Index other) {
+  return first && first->upper == 0 && first->object < other;
+}
+
+template <class Ask>
+auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
+  try {
+    return ask(objects.at(object));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", objects.name_of(object), error.what()));
+  }
+}
+
+/// A shape that is asked about: where it is, and what is wrong with it, is found out once.
+class AskedShape {
+ public:
+  AskedShape(const PlacedModel& shape, const SearchedObjects& objects, Workspace& workspace)
+      : shape_(shape), objects_(objects), workspace_(workspace) {
+    std::vector<PosedPart>& memory = workspace.scratch().posed[0];
+    PosedModel posed = pose_model(shape.model, shape.pose, shape.solid, "the shape", std::move(memory));
+    box_ = world_box(posed);
+    posed.parts.clear();
+    memory = std::move(posed.parts);
+  }
+
+  [[nodiscard]] const Aabb& box() const { return box_; }
+
+  /// `ask(model a, model b, query, workspace)` of the shape and an object.
+  template <class Ask>
+  auto with(Index object, const Ask& ask) const {
+    workspace_.scratch().convex = {};  // it was another pair's
+    return ask_about(object, objects_, [&](const PlacedModel& at) {
+      const PairQuery query{shape_.pose, at.pose, shape_.solid, at.solid};
+      return ask(shape_.model, at.model, query, workspace_);
+    });
+  }
+
+ private:
+  const PlacedModel& shape_;
+  const SearchedObjects& objects_;
+  Workspace& workspace_;
+  Aabb box_;
+};
+
+void require_ray(const Ray& ray) {
+  if (!is_finite(ray.origin)) throw Error("a ray: its origin has a coordinate that is not finite");
+  if (!is_finite(ray.motion)) throw Error("a ray: its motion has a coordinate that is not finite");
+  if (ray.motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
+}
+
+ObjectRayHit hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
+  return ask_about(object, objects, [&](const PlacedModel& at) {
+    return ObjectRayHit{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
+  });
+}
+
+void require_length(double length, const char* name) {
+  if (!(length >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, length));
+}
+
+}  // namespace
+
+std::optional<ObjectRayHit> first_ray_hit(const SearchedObjects& objects, const Ray& ray) {
+  require_ray(ray);
+  std::optional<ObjectRayHit> first;
+  objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
+    if (objects.accepts(object) && !is_settled(first, object))
+      if (const ObjectRayHit found = hit_of(objects, object, ray); found.hit) keep_first(first, found);
+    return last_time(first);
+  });
+  return first;
+}
+
+std::vector<ObjectRayHit> all_ray_hits(const SearchedObjects& objects, const Ray& ray) {
+  require_ray(ray);
+  std::vector<ObjectRayHit> all;
+  objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
+    if (objects.accepts(object))
+      if (const ObjectRayHit found = hit_of(objects, object, ray); found.hit) all.push_back(found);
+    return 1.0;
+  });
+  std::sort(all.begin(), all.end(), [](const ObjectRayHit& a, const ObjectRayHit& b) {
+    return std::tie(a.upper, a.object) < std::tie(b.upper, b.object);
+  });
+  return all;
+}
+
+std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const PlacedModel& shape, const Vec3& motion,
+                                     Workspace& workspace) {
+  if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
+  const AskedShape asked(shape, objects, workspace);
+  std::optional<ObjectCast> first;
+  if (is_empty(asked.box())) return first;
+  objects.tree.visit_along(asked.box(), motion, 1, [&](Index object) {
+    if (!objects.accepts(object) || is_settled(first, object)) return last_time(first);
+    const Cast found = asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query,
+                                              Workspace& memory) { return cast_shape(a, motion, b, query, memory); });
+    if (found.hit) keep_first(first, ObjectCast{found, object});
+    return last_time(first);
+  });
+  return first;
+}
+
+std::vector<Index> overlapping_objects(const SearchedObjects& objects, const PlacedModel& shape, Workspace& workspace) {
+  const AskedShape asked(shape, objects, workspace);
+  std::vector<Index> found;
+  objects.tree.visit_overlapping(asked.box(), [&](Index object) {
+    const auto meets = [](auto&... question) { return overlap(question...); };
+    if (objects.accepts(object) && asked.with(object, meets)) found.push_back(object);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const PlacedModel& shape,
+                                            Workspace& workspace) {
+  const AskedShape asked(shape, objects, workspace);
+  std::vector<ObjectRelation> found;
+  objects.tree.visit_overlapping(asked.box(), [&](Index object) {
+    if (!objects.accepts(object)) return true;
+    const Relation how = asked.with(object, [](auto&... question) { return relation(question...); });
+    if (how.kind != RelationKind::apart) found.push_back({object, how});
+    return true;
+  });
+  std::sort(found.begin(), found.end(),
+            [](const ObjectRelation& a, const ObjectRelation& b) { return a.object < b.object; });
+  return found;
+}
+
+std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const PlacedModel& shape,
+                                             double max_distance, Workspace& workspace) {
+  require_length(max_distance, "the greatest distance");
+  const AskedShape asked(shape, objects, workspace);
+  std::optional<ObjectDistance> nearest;
+  if (is_empty(asked.box())) return nearest;
+  objects.tree.visit_nearest(asked.box(), max_distance, [&](Index object) {
+    const double limit = last_distance(nearest, max_distance);
+    if (!objects.accepts(object) || is_settled(nearest, object)) return limit;
+    const auto found =
+        asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
+          return distance_within(a, b, limit, query, memory);
+        });
+    if (found) keep_first(nearest, ObjectDistance{*found, object});
+    return last_distance(nearest, max_distance);
+  });
+  return nearest;
+}
+
+std::vector<Index> objects_within(const SearchedObjects& objects, const PlacedModel& shape, double distance,
+                                  Workspace& workspace) {
+  require_length(distance, "the distance");
+  const AskedShape asked(shape, objects, workspace);
+  std::vector<Index> found;
+  if (is_empty(asked.box())) return found;
+  objects.tree.visit_nearest(asked.box(), distance, [&](Index object) {
+    const auto is_near = [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
+      return closer_than(a, b, distance, query, memory);
+    };
+    if (objects.accepts(object) && asked.with(object, is_near)) found.push_back(object);
+    return distance;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace toccata

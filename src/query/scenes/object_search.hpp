@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toccata/broad/box_tree.hpp"
+#include "toccata/core/function_ref.hpp"
+#include "toccata/query/scene_index.hpp"
+#include "toccata/query/workspace.hpp"
+
+// The questions of SceneIndex about models that somebody keeps, numbered as their boxes are in a tree. An error about
+// one of them begins with its name.
+namespace toccata {
+
+/// A model at its place.
+struct PlacedModel {
+  const Model& model;
+  const Pose& pose;
+  Solid solid;
+};
+
+struct SearchedObjects {
+  const BoxTree& tree;
+  FunctionRef<PlacedModel(Index)> at;
+  FunctionRef<std::string(Index)> name_of;
+  FunctionRef<bool(Index)> accepts;
+};
+
+[[nodiscard]] std::optional<ObjectRayHit> first_ray_hit(const SearchedObjects& objects, const Ray& ray);
+[[nodiscard]] std::vector<ObjectRayHit> all_ray_hits(const SearchedObjects& objects, const Ray& ray);
+
+[[nodiscard]] std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const PlacedModel& shape,
+                                                   const Vec3& motion, Workspace& workspace);
+
+[[nodiscard]] std::vector<Index> overlapping_objects(const SearchedObjects& objects, const PlacedModel& shape,
+                                                     Workspace& workspace);
+[[nodiscard]] std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const PlacedModel& shape,
+                                                          Workspace& workspace);
+
+[[nodiscard]] std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const PlacedModel& shape,
+                                                           double max_distance, Workspace& workspace);
+[[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const PlacedModel& shape,
+                                                double distance, Workspace& workspace);
+
+}  // namespace toccata
