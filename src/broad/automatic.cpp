@@ -19,8 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 struct Candidate {
   BroadPhaseMethod method;
-  double milliseconds;  ///< expected, or measured
-  bool measured;
+  double expected;                 ///< milliseconds, on a machine that is not this one
+  std::optional<double> measured;  ///< milliseconds
 };
 
 /// What a method can be expected to take, in milliseconds, on a machine of about 2024. Only their order matters, and
@@ -60,7 +60,7 @@ class Expectation {
 };
 
 /// Expects from a sample of the boxes what each method will take, uses the best, and measures it. Now and then the next
-/// best, when it cannot be much worse, is tried for two updates; if it takes four fifths or less, it stays.
+/// best, when it cannot be much worse, is tried for three updates; if it takes four fifths or less, it stays.
 class Automatic final : public PairFinder {
  public:
   PairList find(const BoxesNow& now, PairList storage) override {
@@ -83,16 +83,11 @@ class Automatic final : public PairFinder {
     if (candidates_.empty()) return {};
     std::string text = fmt::format("{} boxes, {}, {:.3g} % move{}: {}", count_, sizes_, 100 * moving_,
                                    is_heaped_ ? ", in heaps" : "", name_of(method_));
-    const Candidate* next = nullptr;
-    for (const Candidate& candidate : candidates_) {
-      if (candidate.method == method_ && candidate.measured) text += fmt::format(", {:.3g} ms", candidate.milliseconds);
-      if (candidate.method != method_ && (next == nullptr || candidate.milliseconds < next->milliseconds))
-        next = &candidate;
-    }
-    if (next != nullptr)
-      text += next->measured
-                  ? fmt::format("; next best {}, took {:.3g} ms", name_of(next->method), next->milliseconds)
-                  : fmt::format("; next {}, expected {:.3g} ms, not tried", name_of(next->method), next->milliseconds);
+    if (const auto& measured = candidate(method_).measured) text += fmt::format(", {:.3g} ms", *measured);
+    if (const Candidate* next = next_best())
+      text += next->measured ? fmt::format("; next best {}, took {:.3g} ms", name_of(next->method), *next->measured)
+                             : fmt::format("; next {}, expected to take {:.2g} times as long, not tried",
+                                           name_of(next->method), next->expected / candidate(method_).expected);
     return text;
   }
 
@@ -101,10 +96,12 @@ class Automatic final : public PairFinder {
                                          BroadPhaseMethod::uniform_grid, BroadPhaseMethod::kd_tiles,
                                          BroadPhaseMethod::layers};
   static constexpr double clearly_better = 0.8;
-  static constexpr double most_worse = 1.8;  ///< than the present: what is expected to be worse is not tried
+  static constexpr double most_worse = 1.5;           ///< than the present: what is expected to be worse is not tried
+  static constexpr std::size_t updates_of_trial = 3;  ///< the first of which has to make all its memory
 
   /// Whether the boxes are no longer what they were when a method was chosen.
   [[nodiscard]] bool is_due(const BoxesNow& now) const {
+    if (tried_finder_) return false;
     if (!finder_ || updates_ - looked_at_ >= 256) return true;
     const auto count = static_cast<double>(now.boxes.size());
     const double moving = static_cast<double>(now.changed.size()) / count;
@@ -119,20 +116,47 @@ class Automatic final : public PairFinder {
     moving_ = count_ == 0 ? 0 : static_cast<double>(now.changed.size()) / static_cast<double>(count_);
     is_heaped_ = expectation.is_heaped();
     sizes_ = words_of_sizes(sample);
-    // Where the motion goes back and forth, it is not followed each time.
-    patience_ = finder_ && updates_ - looked_at_ < 32 ? std::min<std::size_t>(2 * patience_, 128) : 2;
+    // Where the motion goes back and forth, it is not followed each time. That boxes come first is no motion.
+    patience_ = !finder_ ? 1 : updates_ - looked_at_ < 32 ? std::min<std::size_t>(2 * patience_, 128) : 2;
     looked_at_ = updates_;
-    candidates_.clear();
+    const std::vector<Candidate> known = std::exchange(candidates_, {});
     for (const BroadPhaseMethod method : considered)
-      if (const auto expected = expectation.of(method)) candidates_.push_back({method, *expected, false});
+      if (const auto expected = expectation.of(method))
+        candidates_.push_back(with_measured({method, *expected, {}}, known));
     tried_finder_.reset();
     next_trial_ = updates_ + 6;
     trial_pause_ = 16;
-    const Candidate best = *std::min_element(candidates_.begin(), candidates_.end(), is_quicker);
+    const Candidate& best =
+        *std::min_element(candidates_.begin(), candidates_.end(),
+                          [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
     if (!finder_ || best.method != method_) use(best.method, make_pair_finder(best.method));
   }
 
-  static bool is_quicker(const Candidate& a, const Candidate& b) { return a.milliseconds < b.milliseconds; }
+  /// What was measured still holds where about the same is expected.
+  static Candidate with_measured(Candidate candidate, std::span<const Candidate> known) {
+    for (const Candidate& one : known)
+      if (one.method == candidate.method &&
+          std::max(one.expected, candidate.expected) < 1.5 * std::min(one.expected, candidate.expected))
+        candidate.measured = one.measured;
+    return candidate;
+  }
+
+  /// In milliseconds of this machine, as far as any are known.
+  [[nodiscard]] double cost(const Candidate& one) const {
+    if (one.measured) return *one.measured;
+    const Candidate* known = nullptr;
+    for (const Candidate& other : candidates_)
+      if (other.measured && (known == nullptr || other.method == method_)) known = &other;
+    return known == nullptr ? one.expected : one.expected * *known->measured / known->expected;
+  }
+  /// None where there is no other.
+  [[nodiscard]] const Candidate* next_best() const {
+    const Candidate* next = nullptr;
+    for (const Candidate& one : candidates_)
+      if (one.method != method_ && (next == nullptr || cost(one) < cost(*next))) next = &one;
+    return next;
+  }
+
   static std::string words_of_sizes(const BoxSample& sample) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -148,25 +172,28 @@ class Automatic final : public PairFinder {
     finder_ = std::move(finder);
     is_warm_ = false;
   }
-  [[nodiscard]] Candidate& candidate(BroadPhaseMethod method) {
+  [[nodiscard]] const Candidate& candidate(BroadPhaseMethod method) const {
     return *std::find_if(candidates_.begin(), candidates_.end(),
                          [&](const Candidate& one) { return one.method == method; });
+  }
+  void measure(BroadPhaseMethod method, double milliseconds) {
+    for (Candidate& one : candidates_)
+      if (one.method == method) one.measured = milliseconds;
   }
 
   void begin_trial() {
     if (tried_finder_ || updates_ < next_trial_ || !candidate(method_).measured) return;
-    const Candidate* next = nullptr;
-    for (const Candidate& one : candidates_)
-      if (one.method != method_ && (next == nullptr || is_quicker(one, *next))) next = &one;
+    const Candidate* next = next_best();
     next_trial_ = updates_ + trial_pause_;
     trial_pause_ = std::min<std::size_t>(4 * trial_pause_, 1024);
-    if (next == nullptr || next->milliseconds > most_worse * candidate(method_).milliseconds) return;
+    if (next == nullptr || cost(*next) > most_worse * cost(candidate(method_))) return;
     tried_ = next->method;
     tried_finder_ = make_pair_finder(tried_);
+    // Two at once would be twice the memory, and it will not have seen what moved meanwhile.
+    finder_.reset();
     tried_updates_ = 0;
   }
 
-  /// The one on trial has seen all updates since it was made; the other one begins anew after it.
   [[nodiscard]] PairFinder& finder_of_update() { return tried_finder_ ? *tried_finder_ : *finder_; }
 
   /// What other programs take from a single update does not show.
@@ -176,19 +203,21 @@ class Automatic final : public PairFinder {
 
   void note(double milliseconds) {
     if (!tried_finder_) {
-      Candidate& used = candidate(method_);
+      const std::optional<double> before = candidate(method_).measured;
       // The first time all memory is new.
-      if (is_warm_) used = {method_, used.measured ? 0.8 * used.milliseconds + 0.2 * milliseconds : milliseconds, true};
+      if (is_warm_) measure(method_, before ? smoothed(*before, milliseconds) : milliseconds);
       is_warm_ = true;
       return;
     }
-    if (++tried_updates_ < 2) return;
-    candidate(tried_) = {tried_, milliseconds, true};
-    if (milliseconds < clearly_better * candidate(method_).milliseconds) {
+    if (++tried_updates_ == 1) return;
+    trial_ = tried_updates_ == 2 ? milliseconds : std::min(trial_, milliseconds);
+    if (tried_updates_ < updates_of_trial) return;
+    measure(tried_, trial_);
+    if (trial_ < clearly_better * cost(candidate(method_))) {
       use(tried_, std::move(tried_finder_));
       is_warm_ = true;
-    } else if (method_ == BroadPhaseMethod::layers) {
-      finder_ = make_pair_finder(method_);  // it has not seen what moved meanwhile
+    } else {
+      use(method_, make_pair_finder(method_));
     }
     tried_finder_.reset();
   }
@@ -198,6 +227,7 @@ class Automatic final : public PairFinder {
   std::vector<Candidate> candidates_;
   bool is_warm_ = false;
   std::size_t tried_updates_ = 0;
+  double trial_ = 0;  ///< the best milliseconds of it
   std::size_t updates_ = 0, looked_at_ = 0, patience_ = 2, next_trial_ = 0, trial_pause_ = 16;
   std::size_t count_ = 0;
   double moving_ = 0;

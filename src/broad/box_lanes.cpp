@@ -24,10 +24,10 @@ struct PairWriter {
 
   void refill(std::size_t more) {
     flush();
-    room = std::max<std::size_t>({more, 1024, pairs.size() / 2});
-    const PairBuffer::Place place = pairs.room_for(room);
+    const PairBuffer::Place place = pairs.room_for(more);
     ones = place.ones;
     others = place.others;
+    room = place.room;
   }
   void flush() {
     pairs.added(count);
@@ -235,9 +235,9 @@ void in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std:
   out.flush();
 }
 
-void with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs) {
+void with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) {
   PairWriter out{pairs};
-  put_from_tree(tree, {tree.levels[0], boxes}, everywhere(box), box.number, 0, out);
+  for (const FlatBox& box : boxes) put_from_tree(tree, {tree.levels[0], all}, everywhere(box), box.number, 0, out);
   out.flush();
 }
 
@@ -274,8 +274,9 @@ void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_
                           PairBuffer& pairs) {
   HWY_DYNAMIC_DISPATCH(in_tree)(tree, boxes, begin, end, pairs);
 }
-void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs) {
-  HWY_DYNAMIC_DISPATCH(with_tree)(tree, boxes, box, pairs);
+void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes,
+                            PairBuffer& pairs) {
+  HWY_DYNAMIC_DISPATCH(with_tree)(tree, all, boxes, pairs);
 }
 
 }  // namespace toccata

@@ -56,7 +56,8 @@ struct TreeColumns {
 void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
                           PairBuffer& pairs);
 
-/// The pairs of a box, which is not among them.
-void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* boxes, const FlatBox& box, PairBuffer& pairs);
+/// The pairs of boxes that are not in the tree with those that are. `all` are the boxes by number.
+void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes,
+                            PairBuffer& pairs);
 
 }  // namespace toccata

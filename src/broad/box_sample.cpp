@@ -47,8 +47,11 @@ BoxSample::BoxSample(std::span<const Aabb> boxes) {
 
 namespace {
 
+/// So many that their pairs are about as many as there are boxes: then as many of them are near each other, however
+/// many there are, and looking at them takes as long as a look at all boxes.
 std::vector<Aabb> few_of(std::span<const Aabb> boxes) {
-  constexpr std::size_t wanted = 384;
+  const auto wanted =
+      static_cast<std::size_t>(std::clamp(1.25 * std::sqrt(static_cast<double>(boxes.size())), 64.0, 1024.0));
   std::vector<Aabb> few;
   for (std::size_t i = 0, step = std::max<std::size_t>(1, boxes.size() / wanted); i < boxes.size(); i += step)
     if (!is_empty(boxes[i])) few.push_back(boxes[i]);

@@ -18,9 +18,13 @@ namespace {
 
 constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// What is wrong with a box; empty when nothing is.
+/// Empty, or lower ≤ upper along every axis, which what is no number is not.
+bool is_sound(const Aabb& box) {
+  return (box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z) || box == Aabb{};
+}
+
+/// What is wrong with a box that is not sound.
 std::string complaint_about(const Aabb& box) {
-  if (box == Aabb{}) return {};
   for (int axis = 0; axis < 3; ++axis) {
     const double lower = box.lower.*coordinates[axis], upper = box.upper.*coordinates[axis];
     if (std::isnan(lower) || std::isnan(upper)) return fmt::format("its {} is not a number", "xyz"[axis]);
@@ -70,8 +74,8 @@ class BroadPhase::State {
 
   std::vector<Index> add(std::span<const Aabb> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (const std::string complaint = complaint_about(boxes[i]); !complaint.empty())
-        throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint));
+      if (!is_sound(boxes[i]))
+        throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint_about(boxes[i])));
     const std::size_t reused = std::min(boxes.size(), free_.size());
     if (boxes_.size() + (boxes.size() - reused) > std::numeric_limits<Index>::max())
       throw Error("more boxes than 2^32 - 1");
@@ -102,8 +106,7 @@ class BroadPhase::State {
       throw Error(fmt::format("{} numbers with {} boxes to move to", numbers.size(), boxes.size()));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       check_in_use(numbers[i]);
-      if (const std::string complaint = complaint_about(boxes[i]); !complaint.empty())
-        throw Error(fmt::format("box {}: {}", numbers[i], complaint));
+      if (!is_sound(boxes[i])) throw Error(fmt::format("box {}: {}", numbers[i], complaint_about(boxes[i])));
     }
     reserve(boxes_.size(), std::min(changed_.size() + numbers.size(), boxes_.size()));
     for (std::size_t i = 0; i < numbers.size(); ++i)

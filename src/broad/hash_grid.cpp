@@ -187,7 +187,7 @@ class HashGrid final : public PairFinder {
     sweep_.lay_out(large_, sweep_axis(large_));
     sweep_.add_pairs(boxes, 0, large_.size(), found_.front());
     tree_.build(ordinary_, PackingOrder::morton);
-    for (const FlatBox& box : large_) tree_.add_pairs_with(boxes.data(), box, found_.front());
+    tree_.add_pairs_with(boxes.data(), large_, found_.front());
   }
 
   Sizes sizes_;

@@ -127,7 +127,7 @@ class TileWalker {
     // Where most boxes are in most slabs, cutting does not help.
     if (sum > boxes.size() + boxes.size() / 2) return tile_.add_pairs(boxes, corner, all, pairs_);
     std::vector<FlatBox>& parts = levels_[level];
-    if (parts.size() < sum) parts.resize(sum);
+    if (parts.size() < sum) resize_for_overwrite(parts, sum);
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t slab = slabs_[i][0]; slab <= slabs_[i][1]; ++slab) parts[ends[slab]++] = boxes[i];
     for (std::size_t slab = 0, begin = 0; slab < split.slabs(); begin = ends[slab++]) {
@@ -222,7 +222,7 @@ class KdTiles final : public PairFinder {
       top_ = TileSplit({}, count, tile_size, nowhere);
       sum = find_slabs(now);
     }
-    if (parts_.size() < sum) parts_.resize(sum);
+    if (parts_.size() < sum) resize_for_overwrite(parts_, sum);
     const Chunks chunks(count, chunks_at_top);
     parallel_for(chunks_at_top, now.threads, [&](std::size_t chunk) {
       auto& places = places_[chunk];

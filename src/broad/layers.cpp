@@ -17,13 +17,15 @@ namespace {
 class Layers final : public PairFinder {
  public:
   PairList find(const BoxesNow& now, PairList storage) override {
-    std::size_t most_movers = now.boxes.size() / 8;
+    const std::size_t most_movers = now.boxes.size() / 8;
     if (now.changed.size() > most_movers) {
-      is_made_ = false;
+      if (!everything_) everything_ = make_kd_tiles();
       return everything_->find(now, std::move(storage));
     }
-    if (is_made_) take_movers(now);
-    if (!is_made_ || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now);
+    const bool is_made = !everything_ && !roles_.empty();
+    everything_.reset();
+    if (is_made) take_movers(now);
+    if (!is_made || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now);
     wasted_ += movers_.size() - now.changed.size();
     find_new(now);
     // Those of movers are found anew.
@@ -33,10 +35,9 @@ class Layers final : public PairFinder {
   }
 
   [[nodiscard]] std::size_t bytes() const override {
-    std::size_t sum = everything_->bytes() + resting_.bytes() + sweep_.bytes() + roles_.capacity() +
+    std::size_t sum = (everything_ ? everything_->bytes() : 0) + resting_.bytes() + sweep_.bytes() + roles_.capacity() +
                       (places_.capacity() + movers_.capacity()) * sizeof(Index) +
-                      (flat_.capacity() + flat_movers_.capacity()) * sizeof(FlatBox) +
-                      new_pairs_.capacity() * sizeof(IndexPair);
+                      flat_movers_.capacity() * sizeof(FlatBox) + new_pairs_.capacity() * sizeof(IndexPair);
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
   }
@@ -57,21 +58,23 @@ class Layers final : public PairFinder {
   }
 
   void make(const BoxesNow& now) {
-    is_made_ = true;
     wasted_ = 0;
     roles_.assign(now.boxes.size(), Role::none);
     places_.resize(now.boxes.size());
     movers_.assign(now.changed.begin(), now.changed.end());
     for (const Index number : movers_) roles_[number] = Role::mover;
     frame_ = FloatFrame(finite_bounds(now.boxes));
-    flat_.clear();
+    std::vector<FlatBox> resting;
+    resting.reserve(now.boxes.size() - movers_.size());
     for (Index number = 0; number < now.boxes.size(); ++number) {
       if (roles_[number] == Role::mover || is_empty(now.boxes[number])) continue;
       roles_[number] = Role::resting;
-      flat_.push_back(flat(frame_, now.boxes[number], number));
+      resting.push_back(flat(frame_, now.boxes[number], number));
     }
-    resting_.build(flat_, PackingOrder::morton);
-    for (std::size_t place = 0; place < flat_.size(); ++place) places_[flat_[place].number] = static_cast<Index>(place);
+    resting_.build(resting, PackingOrder::morton);
+    resting_.drop_scratch();
+    for (std::size_t place = 0; place < resting.size(); ++place)
+      places_[resting[place].number] = static_cast<Index>(place);
   }
 
   /// All pairs of movers, with each other and with what rests.
@@ -84,21 +87,21 @@ class Layers final : public PairFinder {
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear();
       sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
-      for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
-        resting_.add_pairs_with(now.boxes.data(), flat_movers_[i], found_[part]);
+      const std::span<const FlatBox> movers =
+          std::span(flat_movers_).subspan(chunks.begin(part), chunks.end(part) - chunks.begin(part));
+      resting_.add_pairs_with(now.boxes.data(), movers, found_[part]);
     });
     new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
   }
 
-  std::unique_ptr<PairFinder> everything_ = make_kd_tiles();
-  bool is_made_ = false;
-  std::size_t wasted_ = 0;  ///< how often a mover was looked for that had not moved
+  std::unique_ptr<PairFinder> everything_;  ///< while too many move: then the layers are out of date
+  std::size_t wasted_ = 0;                  ///< how often a mover was looked for that had not moved
   FloatFrame frame_;
   PackedTree resting_;
   std::vector<Role> roles_;    ///< by number
   std::vector<Index> places_;  ///< in the tree, by number
   std::vector<Index> movers_;
-  std::vector<FlatBox> flat_, flat_movers_;
+  std::vector<FlatBox> flat_movers_;
   BoxSweep sweep_;
   std::vector<PairBuffer> found_{parts};
   PairList new_pairs_;

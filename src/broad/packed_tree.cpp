@@ -80,14 +80,30 @@ void sort_and_tile(std::span<FlatBox> boxes) {
 
 }  // namespace
 
+void PackedTree::sort_by_curve(std::span<const FlatBox> boxes) {
+  const MortonOrder morton(boxes);
+  keyed_.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    keyed_[i] = {static_cast<std::uint32_t>(morton.key(boxes[i]) >> 31), static_cast<std::uint32_t>(i)};
+  sort_by_key(keyed_, sorted_);
+  // The lower bits matter only where boxes lie close together in a wide world.
+  std::vector<Keyed<std::uint64_t>> equal;
+  for (std::size_t first = 0, last; first < keyed_.size(); first = last) {
+    for (last = first + 1; last < keyed_.size() && keyed_[last].key == keyed_[first].key; ++last) {
+    }
+    if (last - first <= width) continue;
+    equal.clear();
+    for (std::size_t i = first; i < last; ++i) equal.push_back({morton.key(boxes[keyed_[i].place]), keyed_[i].place});
+    std::sort(equal.begin(), equal.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+    for (std::size_t i = first; i < last; ++i) keyed_[i].place = equal[i - first].place;
+  }
+}
+
 void PackedTree::build(std::vector<FlatBox>& boxes, PackingOrder order) {
   if (order == PackingOrder::sort_and_tile) {
     sort_and_tile(boxes);
   } else {
-    const MortonOrder morton(boxes);
-    keyed_.resize(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) keyed_[i] = {morton.key(boxes[i]), static_cast<std::uint32_t>(i)};
-    sort_by_key(keyed_, sorted_);
+    sort_by_curve(boxes);
     ordered_.resize(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) ordered_[i] = boxes[keyed_[i].place];
     std::swap(boxes, ordered_);
@@ -135,11 +151,17 @@ void PackedTree::add_pairs(const Aabb* all, std::size_t begin, std::size_t end, 
   if (begin < end) add_overlaps_in_tree(columns(), all, begin, end, pairs);
 }
 
-void PackedTree::add_pairs_with(const Aabb* all, const FlatBox& box, PairBuffer& pairs) const {
-  if (size() > 0) add_overlaps_with_tree(columns(), all, box, pairs);
+void PackedTree::add_pairs_with(const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) const {
+  if (size() > 0) add_overlaps_with_tree(columns(), all, boxes, pairs);
 }
 
 void PackedTree::forget(std::size_t place) { levels_.front().store.put(place, nothing); }
+
+void PackedTree::drop_scratch() {
+  keyed_ = std::vector<Keyed<std::uint32_t>>();
+  sorted_ = std::vector<Keyed<std::uint32_t>>();
+  ordered_ = std::vector<FlatBox>();
+}
 
 std::size_t PackedTree::bytes() const {
   std::size_t sum =

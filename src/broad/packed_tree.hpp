@@ -26,11 +26,13 @@ class PackedTree {
 
   /// The pairs of boxes in places from `begin` to `end` with those behind them. `all` are the boxes by number.
   void add_pairs(const Aabb* all, std::size_t begin, std::size_t end, PairBuffer& pairs) const;
-  /// The pairs of a box that is not in the tree.
-  void add_pairs_with(const Aabb* all, const FlatBox& box, PairBuffer& pairs) const;
+  /// The pairs of boxes that are not in the tree with those that are.
+  void add_pairs_with(const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) const;
 
   /// Makes a box, by the place it had been put in, one that overlaps nothing.
   void forget(std::size_t place);
+  /// Gives back the memory that only building needs.
+  void drop_scratch();
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -38,11 +40,13 @@ class PackedTree {
     ColumnStore store;
     std::size_t size = 0;
   };
+  /// Where each is to come from is left in `keyed_`.
+  void sort_by_curve(std::span<const FlatBox> boxes);
   [[nodiscard]] TreeColumns columns() const;
 
   std::vector<Level> levels_;
   std::size_t depth_ = 0;  ///< of the levels, those in use
-  std::vector<Keyed<std::uint64_t>> keyed_, sorted_;
+  std::vector<Keyed<std::uint32_t>> keyed_, sorted_;
   std::vector<FlatBox> ordered_;
 };
 

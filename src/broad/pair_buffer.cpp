@@ -17,7 +17,7 @@ class PairSort {
 
   PairList sort(PairList storage) {
     count_ranges();
-    storage.resize(place_ranges());
+    resize_for_overwrite(storage, place_ranges());
     parallel_for(buffers_.size(), threads_, [&](std::size_t part) { scatter(part, storage); });
     parallel_for(ranges_, threads_, [&](std::size_t range) { sort_range(range, storage); });
     return storage;
@@ -44,9 +44,9 @@ class PairSort {
   void count_ranges() {
     places_.assign(buffers_.size() * ranges_, 0);
     parallel_for(buffers_.size(), threads_, [&](std::size_t part) {
-      const PairBuffer& buffer = *buffers_[part];
       std::size_t* counts = places_.data() + part * ranges_;
-      for (std::size_t i = 0; i < buffer.size(); ++i) ++counts[range_of(buffer.ones()[i], buffer.others()[i])];
+      for (const PairBuffer::Block& block : buffers_[part]->blocks())
+        for (std::size_t i = 0; i < block.size; ++i) ++counts[range_of(block.ones()[i], block.others()[i])];
     });
   }
   std::size_t place_ranges() {
@@ -60,39 +60,44 @@ class PairSort {
     return sum;
   }
   void scatter(std::size_t part, PairList& sorted) {
-    const PairBuffer& buffer = *buffers_[part];
     std::size_t* places = places_.data() + part * ranges_;
-    for (std::size_t i = 0; i < buffer.size(); ++i) {
-      const Index one = buffer.ones()[i], other = buffer.others()[i];
-      sorted[places[range_of(one, other)]++] = {std::min(one, other), std::max(one, other)};
-    }
+    for (const PairBuffer::Block& block : buffers_[part]->blocks())
+      for (std::size_t i = 0; i < block.size; ++i) {
+        const Index one = block.ones()[i], other = block.others()[i];
+        sorted[places[range_of(one, other)]++] = {std::min(one, other), std::max(one, other)};
+      }
   }
 
-  /// By lesser numbers by counting, and few are equal, so that insertion does the rest.
+  /// By the upper bits of the lesser numbers by counting, so that few are in one bucket, and insertion does the rest.
   void sort_range(std::size_t range, PairList& sorted) const {
     const std::span<IndexPair> pairs = std::span(sorted).subspan(starts_[range], starts_[range + 1] - starts_[range]);
-    const std::size_t numbers = std::size_t{1} << shift_;
-    if (pairs.size() < 32 || pairs.size() * 4 < numbers || pairs.size() > 16 * numbers)
-      return std::sort(pairs.begin(), pairs.end());
-    std::vector<std::uint32_t> place(numbers + 1, 0);
-    for (const IndexPair& pair : pairs) ++place[(pair.first & (numbers - 1)) + 1];
-    for (std::size_t i = 0; i < numbers; ++i) place[i + 1] += place[i];
-    std::vector<IndexPair> copy(pairs.begin(), pairs.end());
-    for (const IndexPair& pair : copy) pairs[place[pair.first & (numbers - 1)]++] = pair;
-    // Each place is now the end of its number's pairs.
-    for (std::size_t i = 0, begin = 0; i < numbers; begin = place[i++])
+    if (pairs.size() <= few) return sort_few(pairs);
+    const auto wanted = static_cast<int>(std::bit_width(pairs.size() / 2));
+    const int bits = std::min(wanted, shift_), drop = shift_ - bits;
+    const auto bucket_of = [&](const IndexPair& pair) { return (pair.first >> drop) & ((std::size_t{1} << bits) - 1); };
+    std::vector<std::uint32_t> place((std::size_t{1} << bits) + 1, 0);
+    for (const IndexPair& pair : pairs) ++place[bucket_of(pair) + 1];
+    for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
+    const std::vector<IndexPair> copy(pairs.begin(), pairs.end());
+    for (const IndexPair& pair : copy) pairs[place[bucket_of(pair)]++] = pair;
+    // Each place is now the end of its bucket.
+    for (std::size_t i = 0, begin = 0; i + 1 < place.size(); begin = place[i++])
       sort_few(pairs.subspan(begin, place[i] - begin));
   }
   static void sort_few(std::span<IndexPair> pairs) {
-    if (pairs.size() > 24) return std::sort(pairs.begin(), pairs.end());
+    const auto key = [](const IndexPair& pair) { return std::uint64_t{pair.first} << 32 | pair.second; };
+    if (pairs.size() > few)
+      return std::sort(pairs.begin(), pairs.end(),
+                       [&](const IndexPair& a, const IndexPair& b) { return key(a) < key(b); });
     for (std::size_t i = 1; i < pairs.size(); ++i) {
       const IndexPair pair = pairs[i];
       std::size_t at = i;
-      for (; at > 0 && pair.second < pairs[at - 1].second; --at) pairs[at] = pairs[at - 1];
+      for (; at > 0 && key(pair) < key(pairs[at - 1]); --at) pairs[at] = pairs[at - 1];
       pairs[at] = pair;
     }
   }
 
+  static constexpr std::size_t few = 24;
   std::span<const PairBuffer* const> buffers_;
   int threads_;
   int shift_;

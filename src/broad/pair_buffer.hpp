@@ -10,48 +10,81 @@
 
 namespace toccata {
 
-/// Pairs as they are found: in no order, and either number first. Memory stays until the buffer goes.
+/// Pairs as they are found: in no order, and either number first. They lie in blocks, so that nothing is copied when
+/// there are more of them than ever. Blocks that were not used once go.
 class PairBuffer {
  public:
-  void clear() { size_ = 0; }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::size_t bytes() const { return 2 * capacity_ * sizeof(Index); }
-  [[nodiscard]] const Index* ones() const { return ones_.get(); }
-  [[nodiscard]] const Index* others() const { return others_.get(); }
+  struct Block {
+    std::unique_ptr<Index[]> numbers;  ///< `room` of either
+    std::size_t room;
+    std::size_t size = 0;
+    [[nodiscard]] Index* ones() const { return numbers.get(); }
+    [[nodiscard]] Index* others() const { return numbers.get() + room; }
+  };
 
-  /// Where the next `more` pairs may be written; `added` tells how many were.
+  void clear() {
+    blocks_.resize(used_);
+    used_ = 0;
+  }
+  [[nodiscard]] std::size_t size() const {
+    std::size_t sum = 0;
+    for (const Block& block : blocks()) sum += block.size;
+    return sum;
+  }
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = blocks_.capacity() * sizeof(Block);
+    for (const Block& block : blocks_) sum += 2 * block.room * sizeof(Index);
+    return sum;
+  }
+  [[nodiscard]] std::span<const Block> blocks() const { return std::span(blocks_).first(used_); }
+
+  /// Where at least the next `more` pairs may be written, at most `least_room`; `added` tells how many were.
   struct Place {
     Index* ones;
     Index* others;
+    std::size_t room;
   };
   [[nodiscard]] Place room_for(std::size_t more) {
-    if (size_ + more > capacity_) grow(size_ + more);
-    return {ones_.get() + size_, others_.get() + size_};
+    if (used_ == 0 || blocks_[used_ - 1].size + more > blocks_[used_ - 1].room) open_block();
+    const Block& block = blocks_[used_ - 1];
+    return {block.ones() + block.size, block.others() + block.size, block.room - block.size};
   }
-  void added(std::size_t count) { size_ += count; }
+  void added(std::size_t count) {
+    if (count > 0) blocks_[used_ - 1].size += count;
+  }
 
   void add(Index one, Index other) {
     const Place place = room_for(1);
     *place.ones = one;
     *place.others = other;
-    ++size_;
+    added(1);
   }
 
  private:
-  void grow(std::size_t needed) {
-    const std::size_t capacity = std::max({needed, 2 * capacity_, std::size_t{256}});
-    auto ones = std::make_unique_for_overwrite<Index[]>(capacity);
-    auto others = std::make_unique_for_overwrite<Index[]>(capacity);
-    std::copy_n(ones_.get(), size_, ones.get());
-    std::copy_n(others_.get(), size_, others.get());
-    ones_ = std::move(ones);
-    others_ = std::move(others);
-    capacity_ = capacity;
+  static constexpr std::size_t least_room = 128, most_room = 4096;
+
+  void open_block() {
+    if (used_ == blocks_.size()) {
+      const std::size_t room = std::min(least_room << std::min<std::size_t>(used_, 16), most_room);
+      blocks_.push_back({std::make_unique_for_overwrite<Index[]>(2 * room), room});
+    }
+    blocks_[used_++].size = 0;
   }
 
-  std::unique_ptr<Index[]> ones_, others_;
-  std::size_t size_ = 0, capacity_ = 0;
+  std::vector<Block> blocks_;
+  std::size_t used_ = 0;
 };
+
+/// What was in the list is lost where it has no room. It grows by little more than is asked, not by halves: many such
+/// lists are as long as there are boxes.
+template <class Item>
+void resize_for_overwrite(std::vector<Item>& list, std::size_t size) {
+  if (size > list.capacity()) {
+    list.clear();
+    list.reserve(size + size / 16);
+  }
+  list.resize(size);
+}
 
 /// All pairs of the buffers, ascending and the lesser number first, in the memory of `storage`. Each pair is in one
 /// buffer, once. All numbers are below `count`.
@@ -66,7 +99,7 @@ class PairBuffer {
 template <class Stays>
 [[nodiscard]] PairList with_new_pairs(std::span<const IndexPair> before, std::span<const IndexPair> added,
                                       PairList storage, const Stays& stays) {
-  storage.resize(before.size() + added.size());
+  resize_for_overwrite(storage, before.size() + added.size());
   IndexPair* out = storage.data();
   auto next = added.begin();
   for (const IndexPair& pair : before) {

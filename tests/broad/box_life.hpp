@@ -38,6 +38,17 @@ class BoxLife {
     return wrong + update();
   }
 
+  /// One frame of a life in which about as many come as go, whose pairs nobody looks at.
+  void live_on(int frame, Random& random) {
+    move(some(random, frame % 3 == 0 ? 1 : 0.1), frame % 5 == 0, random);
+    const std::vector<Index> gone = some(random, frame % 50 == 0 ? 0.9 : 0.05);
+    remove(gone);
+    add(gone.size(), random);
+    phase_.update();
+  }
+  [[nodiscard]] std::size_t bytes() const { return phase_.bytes(); }
+  [[nodiscard]] std::size_t numbers() const { return phase_.size(); }
+
  private:
   using Pairs = std::vector<IndexPair>;
 
