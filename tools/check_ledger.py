@@ -39,7 +39,7 @@ def is_test(reference):
         return False
     suite, dot, case = test.partition(".")
     if dot:
-        return re.search(rf"\bTEST(_F|_P)?\(\s*{re.escape(suite)}\s*,\s*{re.escape(case)}\s*\)", path.read_text()) is not None
+        return re.search(rf"\b(TYPED_)?TEST(_F|_P)?\(\s*{re.escape(suite)}\s*,\s*{re.escape(case)}\s*\)", path.read_text()) is not None
     return f'"{test}"' in path.read_text()
 
 

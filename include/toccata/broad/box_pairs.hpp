@@ -6,16 +6,10 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/core/index_pair.hpp"
 #include "toccata/trees/tree.hpp"
 
 namespace toccata {
-
-/// Two different objects, first < second.
-struct IndexPair {
-  Index first;
-  Index second;
-  friend constexpr auto operator<=>(const IndexPair&, const IndexPair&) = default;
-};
 
 /// Boxes in a tree over them, asked one by one for what they overlap: so all pairs can be gone through in order without
 /// being held at once.
