@@ -6,6 +6,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,6 +33,12 @@ std::string complaint_about(const Aabb& box) {
       return fmt::format("its lower {0} {1} is above its upper {0} {2}", "xyz"[axis], lower, upper);
   }
   return {};
+}
+
+void require_boxes(std::span<const Aabb> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!is_sound(boxes[i]))
+      throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint_about(boxes[i])));
 }
 
 /// The rest of `a` without `b`, both ascending.
@@ -73,9 +80,7 @@ class BroadPhase::State {
         finder_(make_pair_finder(options_.method)) {}
 
   std::vector<Index> add(std::span<const Aabb> boxes) {
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (!is_sound(boxes[i]))
-        throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint_about(boxes[i])));
+    require_boxes(boxes);
     const std::size_t reused = std::min(boxes.size(), free_.size());
     if (boxes_.size() + (boxes.size() - reused) > std::numeric_limits<Index>::max())
       throw Error("more boxes than 2^32 - 1");
@@ -224,11 +229,28 @@ BroadPhaseMethod BroadPhase::method() const { return state_->method(); }
 std::string BroadPhase::reason() const { return state_->reason(); }
 std::size_t BroadPhase::bytes() const { return state_->bytes(); }
 
+namespace {
+
+std::vector<IndexPair> pairs_of(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
+                                const PairFilter* wanted) {
+  require_boxes(boxes);
+  if (boxes.size() > std::numeric_limits<Index>::max()) throw Error("more boxes than 2^32 - 1");
+  std::vector<Index> all(boxes.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return make_pair_finder(options.method)->find({boxes, all, {}, options.threads, wanted}, {});
+}
+
+}  // namespace
+
 std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options) {
-  BroadPhase phase(options);
-  phase.add(boxes);
-  const std::span<const IndexPair> pairs = phase.update();
-  return {pairs.begin(), pairs.end()};
+  return pairs_of(boxes, options, nullptr);
+}
+
+std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
+                                         const PairFilter& wanted) {
+  std::vector<IndexPair> pairs = pairs_of(boxes, options, &wanted);
+  std::erase_if(pairs, [&](const IndexPair& pair) { return !wanted(pair); });
+  return pairs;
 }
 
 }  // namespace toccata

@@ -18,7 +18,7 @@ class BruteForce final : public PairFinder {
     ends_.assign(count, static_cast<std::uint32_t>(count));
     const Chunks chunks(count, parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       const std::size_t begin = chunks.begin(part);
       add_overlaps_behind(laid, begin, chunks.end(part), ends_.data() + begin, found_[part]);
     });

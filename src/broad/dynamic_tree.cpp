@@ -205,7 +205,7 @@ class DynamicTree final : public PairFinder {
   void find_new(const BoxesNow& now) {
     const Chunks chunks(now.changed.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       std::vector<Index> waiting;
       for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i) {
         const Index number = now.changed[i];

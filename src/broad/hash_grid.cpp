@@ -73,7 +73,7 @@ class HashGrid final : public PairFinder {
     sort_by_key(entries_, sorted_);
     const Chunks chunks(entries_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       compare_equal_keys(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
     });
     compare_large(now.boxes);

@@ -100,7 +100,7 @@ class TileWalker {
   void add_pairs(std::span<const FlatBox> boxes, const Corner& corner, const Aabb* all) {
     descend(boxes, corner, all, 0);
   }
-  void clear() { pairs_.clear(); }
+  void clear(const PairFilter* wanted) { pairs_.clear(wanted); }
   [[nodiscard]] PairBuffer& pairs() { return pairs_; }
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = pairs_.bytes() + tile_.bytes() + slabs_.capacity() * sizeof(std::array<std::uint8_t, 2>);
@@ -147,11 +147,17 @@ class TileWalker {
 /// Walkers that are lent out, so that there are no more than threads. Which walker found a pair does not show.
 class WalkerPool {
  public:
+  /// Of all walkers, those to come included.
+  void clear(const PairFilter* wanted) {
+    wanted_ = wanted;
+    for (const auto& walker : walkers_) walker->clear(wanted);
+  }
   [[nodiscard]] std::size_t take() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) {
       free_.push_back(walkers_.size());
       walkers_.push_back(std::make_unique<TileWalker>());
+      walkers_.back()->clear(wanted_);
     }
     const std::size_t index = free_.back();
     free_.pop_back();
@@ -171,6 +177,7 @@ class WalkerPool {
   std::mutex mutex_;
   std::vector<std::unique_ptr<TileWalker>> walkers_;
   std::vector<std::size_t> free_;
+  const PairFilter* wanted_ = nullptr;
 };
 
 /// Space is cut along one axis after the other into slabs of as many boxes, until a tile is left with a few hundred,
@@ -181,7 +188,7 @@ class KdTiles final : public PairFinder {
  public:
   PairList find(const BoxesNow& now, PairList storage) override {
     split_at_top(now);
-    for (const auto& walker : pool_.all()) walker->clear();
+    pool_.clear(now.wanted);
     parallel_for(top_.slabs(), now.threads, [&](std::size_t slab) {
       Corner from = nowhere;
       if (slab > 0) from[top_.axis()] = top_.begin_of(slab);

@@ -85,7 +85,7 @@ class Layers final : public PairFinder {
     sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
     const Chunks chunks(flat_movers_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
       const std::span<const FlatBox> movers =
           std::span(flat_movers_).subspan(chunks.begin(part), chunks.end(part) - chunks.begin(part));

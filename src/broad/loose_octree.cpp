@@ -27,7 +27,7 @@ class LooseOctree final : public PairFinder {
     place_all(now.boxes);
     const Chunks chunks(entries_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
         look_around(now.boxes, entries_[i].place, found_[part]);
     });

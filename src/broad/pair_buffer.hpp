@@ -22,9 +22,12 @@ class PairBuffer {
     [[nodiscard]] Index* others() const { return numbers.get() + room; }
   };
 
-  void clear() {
+  /// With `wanted`, other pairs that are added go when their block is full, so that memory follows those that are
+  /// wanted.
+  void clear(const PairFilter* wanted) {
     blocks_.resize(used_);
     used_ = 0;
+    wanted_ = wanted;
   }
   [[nodiscard]] std::size_t size() const {
     std::size_t sum = 0;
@@ -45,7 +48,7 @@ class PairBuffer {
     std::size_t room;
   };
   [[nodiscard]] Place room_for(std::size_t more) {
-    if (used_ == 0 || blocks_[used_ - 1].size + more > blocks_[used_ - 1].room) open_block();
+    if (used_ == 0 || blocks_[used_ - 1].size + more > blocks_[used_ - 1].room) make_room(more);
     const Block& block = blocks_[used_ - 1];
     return {block.ones() + block.size, block.others() + block.size, block.room - block.size};
   }
@@ -63,6 +66,25 @@ class PairBuffer {
  private:
   static constexpr std::size_t least_room = 128, most_room = 4096;
 
+  void make_room(std::size_t more) {
+    if (wanted_ == nullptr || used_ == 0) return open_block();
+    Block& block = blocks_[used_ - 1];
+    drop_unwanted(block);
+    // Half is left free: the pairs are not gone through again for a few more.
+    if (block.size > block.room / 2 || block.size + more > block.room) open_block();
+  }
+
+  void drop_unwanted(Block& block) const {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < block.size; ++i) {
+      const Index one = block.ones()[i], other = block.others()[i];
+      block.ones()[kept] = one;
+      block.others()[kept] = other;
+      kept += (*wanted_)({std::min(one, other), std::max(one, other)}) ? 1 : 0;
+    }
+    block.size = kept;
+  }
+
   void open_block() {
     if (used_ == blocks_.size()) {
       const std::size_t room = std::min(least_room << std::min<std::size_t>(used_, 16), most_room);
@@ -73,6 +95,7 @@ class PairBuffer {
 
   std::vector<Block> blocks_;
   std::size_t used_ = 0;
+  const PairFilter* wanted_ = nullptr;
 };
 
 /// What was in the list is lost where it has no room. It grows by little more than is asked, not by halves: many such

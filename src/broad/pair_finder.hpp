@@ -19,6 +19,8 @@ struct BoxesNow {
       changed;  ///< the numbers whose boxes are not those of the last update, in any order, each once
   std::span<const IndexPair> before;  ///< the pairs of the last update
   int threads = 1;
+  /// What is not wanted may be left out of the pairs. Only of those that are shown one set of boxes.
+  const PairFilter* wanted = nullptr;
 };
 
 /// One way to find all pairs of boxes that overlap. It is shown every update of one set of boxes, in order, from the

@@ -21,7 +21,7 @@ class RebuiltTree final : public PairFinder {
     tree_.build(flat_, order_);
     const Chunks chunks(tree_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       tree_.add_pairs(now.boxes.data(), chunks.begin(part), chunks.end(part), found_[part]);
     });
     return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));

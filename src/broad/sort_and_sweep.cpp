@@ -20,7 +20,7 @@ class SortAndSweep final : public PairFinder {
     sweep_.lay_out(flat_, sweep_axis(flat_));
     const Chunks chunks(sweep_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
     });
     return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));

@@ -207,7 +207,7 @@ class UniformGrid final : public PairFinder {
                        starts_.begin());
     };
     parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear();
+      found_[part].clear(now.wanted);
       const std::size_t begin = cell_at(chunks.begin(part));
       const std::size_t end = part + 1 == parts ? cells : cell_at(chunks.end(part));
       add_overlaps_of_cells(rows, begin, end, found_[part]);

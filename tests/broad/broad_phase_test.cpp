@@ -1,6 +1,7 @@
 #include "toccata/broad/broad_phase.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -11,6 +12,7 @@
 
 #include "broad/box_families.hpp"
 #include "broad/box_life.hpp"
+#include "broad/pair_buffer.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/crowds.hpp"
@@ -76,6 +78,28 @@ TEST_P(EveryMethod, FindsThePairsOfCrowds) {
     }
 }
 
+TEST_P(EveryMethod, FindsOnlyWhatIsWanted) {
+  const auto wanted = [](const IndexPair& pair) { return pair.first % 3 != pair.second % 3; };
+  for (const std::string_view family : test::box_families) {
+    SCOPED_TRACE(family);
+    Random random(3);
+    const std::vector<Aabb> boxes = test::random_boxes(family, 300, random);
+    Pairs expected = overlapping_pairs_by_brute_force(boxes);
+    std::vector<std::atomic<int>> refused(boxes.size() * boxes.size());
+    const auto counted = [&](const IndexPair& pair) {
+      if (!wanted(pair)) ++refused[pair.first * boxes.size() + pair.second];
+      return wanted(pair);
+    };
+    EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 2}, counted).size(),
+              static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), wanted)));
+    EXPECT_TRUE(std::all_of(expected.begin(), expected.end(), [&](const IndexPair& pair) {
+      return refused[pair.first * boxes.size() + pair.second] == (wanted(pair) ? 0 : 1);
+    }));
+    std::erase_if(expected, [&](const IndexPair& pair) { return !wanted(pair); });
+    EXPECT_EQ(overlapping_pairs(boxes, {GetParam(), 1}, wanted), expected);
+  }
+}
+
 TEST_P(EveryMethod, IsNotLedAstrayByTheGreatestDoubles) {
   constexpr double most = std::numeric_limits<double>::max();
   std::vector<Aabb> boxes;
@@ -114,6 +138,25 @@ TEST(KdTiles, TellEachPairOnceWhereABoxReachesOverSeveralCuts) {
   crowd.step();
   EXPECT_EQ(overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::kd_tiles, 1}),
             overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::sort_and_sweep, 1}));
+}
+
+TEST(PairBuffer, HoldsNoMoreThanWhatIsWanted) {
+  const PairFilter wanted = [](const IndexPair& pair) { return pair.first % 1000 == 7; };
+  PairBuffer all, some;
+  all.clear(nullptr);
+  some.clear(&wanted);
+  for (Index one = 0; one < 1500; ++one)
+    for (Index other = 0; other < one; ++other) {
+      all.add(one, other);
+      some.add(one, other);
+    }
+  EXPECT_GE(all.bytes(), 2U * sizeof(Index) * 1500 * 1499 / 2);
+  EXPECT_LE(some.bytes(), 8U * sizeof(Index) * 2 * 1500);
+  PairList left = sorted_pairs(std::span(&some, 1), 1500, 1, {});
+  std::erase_if(left, [&](const IndexPair& pair) { return !wanted(pair); });
+  PairList expected = sorted_pairs(std::span(&all, 1), 1500, 1, {});
+  std::erase_if(expected, [&](const IndexPair& pair) { return !wanted(pair); });
+  EXPECT_EQ(left, expected);
 }
 
 std::string message_of(const std::function<void()>& call) {

@@ -1,15 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
+#include "query/scenes/candidate_pairs.hpp"
 #include "support/fewer_cases.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/closer_than.hpp"
 
 namespace toccata {
 namespace {
@@ -107,6 +112,69 @@ TEST(CheckMany, AllInOnePlace) {
   EXPECT_EQ(answer.candidate_pairs, 4950U);
   ASSERT_EQ(answer.pairs.size(), 4950U);
   for (const PairAnswer& pair : answer.pairs) EXPECT_EQ(pair.relation.containment, Containment::equal);
+}
+
+/// Two million pairs of the group overlap and are not asked about, nor kept.
+TEST(CheckMany, OneGroupInOnePlaceWithOneThatIsNotOfIt) {
+  const Model part(test::tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  std::vector<Posed> models(2000, Posed{part, Pose{}, Solid::automatic, "", "one"});
+  models[1234].group.clear();
+  const CheckAnswer answer = check_all(models, {.threads = 2});
+  EXPECT_EQ(answer.candidate_pairs, 1999U);
+  ASSERT_EQ(answer.pairs.size(), 1999U);
+  for (Index i = 0; i < 1999; ++i) {
+    EXPECT_EQ(answer.pairs[i].a, std::min(i, Index{1234}));
+    EXPECT_EQ(answer.pairs[i].b, i < 1234 ? 1234 : i + 1);
+  }
+}
+
+TEST(CheckMany, CandidatesComeInRunsAscendingWithTheOthersBetween) {
+  Random random(4);
+  std::vector<Aabb> boxes(400);
+  for (Aabb& box : boxes) {
+    const Vec3 lower = random_place(random, 8);
+    box = {lower, lower + Vec3{2, 2, 2}};
+  }
+  boxes[17] = {{0, 0, 0}, {9, 9, 9}};
+  const PairFilter wanted = [](const IndexPair& pair) { return pair.second % 4 != 0; };
+  const std::vector<IndexPair> others{{0, 4}, {17, 20}, {17, 396}, {397, 399}};
+  std::vector<IndexPair> expected = overlapping_pairs_by_brute_force(boxes);
+  std::erase_if(expected, [&](const IndexPair& pair) { return !wanted(pair); });
+  expected.insert(expected.end(), others.begin(), others.end());
+  std::sort(expected.begin(), expected.end());
+  for (const std::size_t pairs_in_run : {1, 50, 1'000'000}) {
+    CandidatePairs candidates(boxes, wanted, others, 2, pairs_in_run);
+    EXPECT_EQ(candidates.count(), expected.size());
+    std::vector<IndexPair> found;
+    std::size_t runs = 0;
+    for (auto run = candidates.next(); !run.empty(); run = candidates.next(), ++runs)
+      found.insert(found.end(), run.begin(), run.end());
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(runs > 1, pairs_in_run < expected.size());
+  }
+}
+
+/// Some pairs have lengths of their own: also infinite ones, and lesser ones than all others.
+TEST(CheckMany, ClearancesOfPairsAsByBruteForce) {
+  std::vector<Posed> models = instances(300, 14, 5);
+  Random random(6);
+  CheckOptions options{.clearance = 0.25, .threads = 2};
+  std::vector<std::vector<double>> lengths(models.size(), std::vector<double>(models.size(), 0.25));
+  for (int i = 0; i < 200; ++i) {
+    const auto a = static_cast<Index>(random.below(300)), b = static_cast<Index>(random.below(300));
+    if (a == b || (a % 7 == 0 && b % 7 == 0) || lengths[a][b] != 0.25) continue;
+    const double length = std::array{0.0, 3.0, std::numeric_limits<double>::infinity()}[random.below(3)];
+    lengths[a][b] = lengths[b][a] = length;
+    options.pair_clearances.push_back({a, b, length});
+  }
+  std::vector<IndexPair> expected, found;
+  for (Index a = 0; a < models.size(); ++a)
+    for (Index b = a + 1; b < models.size(); ++b)
+      if ((a % 7 != 0 || b % 7 != 0) &&
+          closer_than(models[a].model, models[b].model, lengths[a][b], query_of(models[a], models[b])))
+        expected.push_back({a, b});
+  for (const PairAnswer& pair : check_all(models, options).pairs) found.push_back({pair.a, pair.b});
+  EXPECT_EQ(found, expected);
 }
 
 }  // namespace

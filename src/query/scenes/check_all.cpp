@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,10 +14,10 @@
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "query/relation/relation_posed.hpp"
+#include "query/scenes/candidate_pairs.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "query/scenes/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
-#include "toccata/broad/box_pairs.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/closer_than.hpp"
@@ -29,8 +27,6 @@ namespace {
 
 // Pairs are looked at so many at once: memory follows the objects and the answer, not the pairs whose boxes overlap.
 constexpr std::size_t pairs_at_once = 4096;
-
-bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
 void require_length(double clearance) {
   if (!(clearance >= 0)) throw Error(fmt::format("a clearance is {}; it has to be a length of 0 or more", clearance));
@@ -43,9 +39,7 @@ double half_of(double length) { return std::max(0.5 * length, length - 0.5 * len
 class Clearances {
  public:
   Clearances(std::span<const Posed> models, const CheckOptions& options)
-      : is_asked_(options.clearance || !options.pair_clearances.empty()),
-        common_(options.clearance.value_or(0)),
-        largest_(models.size(), common_) {
+      : is_asked_(options.clearance || !options.pair_clearances.empty()), common_(options.clearance.value_or(0)) {
     require_length(common_);
     for (const PairClearance& pair : options.pair_clearances) {
       require_length(pair.clearance);
@@ -54,23 +48,22 @@ class Clearances {
       if (!is_new && place->second != pair.clearance)
         throw Error(fmt::format("for {} two clearances are asked, {} and {}; a pair has one", names_of(models, pair),
                                 place->second, pair.clearance));
-      for (const Index i : {pair.a, pair.b}) largest_[i] = std::max(largest_[i], pair.clearance);
     }
   }
 
   [[nodiscard]] bool is_asked() const { return is_asked_; }
 
-  /// Whether all pairs have the same.
-  [[nodiscard]] bool are_equal() const { return of_pair_.empty(); }
+  /// Of all pairs that have none of their own.
+  [[nodiscard]] double common() const { return common_; }
+
+  /// Of those that have, by pairs in ascending order.
+  [[nodiscard]] const std::map<std::pair<Index, Index>, double>& of_pairs() const { return of_pair_; }
 
   /// Of a pair in ascending order.
   [[nodiscard]] double of(const IndexPair& pair) const {
     const auto found = of_pair_.find({pair.first, pair.second});
     return found == of_pair_.end() ? common_ : found->second;
   }
-
-  /// Not less than that of any pair of this model.
-  [[nodiscard]] double largest_of(std::size_t model) const { return largest_[model]; }
 
  private:
   static std::string names_of(std::span<const Posed> models, const PairClearance& pair) {
@@ -92,7 +85,6 @@ class Clearances {
 
   bool is_asked_;
   double common_;
-  std::vector<double> largest_;
   std::map<std::pair<Index, Index>, double> of_pair_;
 };
 
@@ -103,21 +95,23 @@ class Check {
         options_(options),
         clearances_(models, options),
         posed_(posed_models()),
-        groups_(group_numbers()),
-        world_boxes_(world_boxes()),
-        boxes_(grown_boxes()) {}
+        groups_(group_numbers()) {}
 
   CheckAnswer answer() {
-    const std::vector<std::size_t> counts = candidate_counts();
+    const std::vector<Aabb> boxes = world_boxes();
+    const std::vector<IndexPair> others = near_pairs_with_own_clearance(boxes);
+    const std::vector<Aabb> grown_boxes = grown_by_half(boxes, clearances_.common());
+    CandidatePairs candidates(
+        grown_boxes, [&](const IndexPair& pair) { return is_wanted(pair); }, others, options_.threads);
     CheckAnswer answer;
-    answer.candidate_pairs = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    answer.candidate_pairs = candidates.count();
     TaskReporter reporter(options_.progress, answer.candidate_pairs);
-    for (std::size_t first = 0, last = 0; first < counts.size(); first = last) {
-      std::size_t pairs = counts[last++];
-      while (last < counts.size() && pairs + counts[last] <= pairs_at_once) pairs += counts[last++];
-      for (std::optional<PairAnswer>& pair : answers_of(candidates_of(first, last), reporter))
-        if (pair) answer.pairs.push_back(std::move(*pair));
-    }
+    for (std::vector<IndexPair> run = candidates.next(); !run.empty(); run = candidates.next())
+      for (std::size_t first = 0; first < run.size(); first += pairs_at_once) {
+        const std::size_t count = std::min(pairs_at_once, run.size() - first);
+        for (std::optional<PairAnswer>& pair : answers_of(std::span(run).subspan(first, count), reporter))
+          if (pair) answer.pairs.push_back(std::move(*pair));
+      }
     return answer;
   }
 
@@ -149,49 +143,26 @@ class Check {
     return boxes;
   }
 
-  /// Half-spaces have no end; what of one lies where the others are is all that matters.
-  [[nodiscard]] BoxIndex grown_boxes() const {
-    std::vector<Aabb> boxes;
-    boxes.reserve(posed_.size());
-    for (std::size_t i = 0; i < posed_.size(); ++i)
-      boxes.push_back(grown(world_boxes_[i], half_of(clearances_.largest_of(i))));
-    Aabb all{{0, 0, 0}, {0, 0, 0}};
-    for (const Aabb& box : boxes)
-      if (is_bounded(box)) all = merge(all, box);
-    for (Aabb& box : boxes)
-      if (!is_bounded(box)) box = all;
-    return BoxIndex(boxes);
+  static std::vector<Aabb> grown_by_half(std::vector<Aabb> boxes, double clearance) {
+    for (Aabb& box : boxes) box = grown(box, half_of(clearance));
+    return boxes;
   }
 
-  /// Whether the boxes of the two, i < j, are as near as the clearance of that pair; those of their other pairs may be
-  /// larger.
-  [[nodiscard]] bool are_boxes_near(std::size_t i, Index j) const {
-    const double half = half_of(clearances_.of({static_cast<Index>(i), j}));
-    return overlap(grown(world_boxes_[i], half), grown(world_boxes_[j], half));
-  }
-
-  /// The models after `i` that it may meet.
-  [[nodiscard]] std::vector<Index> partners_after(std::size_t i) const {
-    std::vector<Index> partners = boxes_.overlapping_after(static_cast<Index>(i));
-    if (groups_[i] != 0) std::erase_if(partners, [&](Index j) { return groups_[j] == groups_[i]; });
-    if (!clearances_.are_equal()) std::erase_if(partners, [&](Index j) { return !are_boxes_near(i, j); });
-    return partners;
-  }
-
-  [[nodiscard]] std::vector<std::size_t> candidate_counts() const {
-    std::vector<std::size_t> counts(models_.size());
-    parallel_for(counts.size(), options_.threads, [&](std::size_t i) { counts[i] = partners_after(i).size(); });
-    return counts;
-  }
-
-  /// The pairs of the models [first, last) with later ones, ascending.
-  [[nodiscard]] std::vector<IndexPair> candidates_of(std::size_t first, std::size_t last) const {
-    std::vector<std::vector<Index>> partners(last - first);
-    parallel_for(partners.size(), options_.threads, [&](std::size_t i) { partners[i] = partners_after(first + i); });
+  /// The pairs that are near by a clearance of their own, ascending: no other pair's boxes grow by it.
+  [[nodiscard]] std::vector<IndexPair> near_pairs_with_own_clearance(std::span<const Aabb> boxes) const {
     std::vector<IndexPair> pairs;
-    for (std::size_t i = 0; i < partners.size(); ++i)
-      for (const Index j : partners[i]) pairs.push_back({static_cast<Index>(first + i), j});
+    for (const auto& [pair, clearance] : clearances_.of_pairs()) {
+      const double half = half_of(clearance);
+      if (overlap(grown(boxes[pair.first], half), grown(boxes[pair.second], half)))
+        pairs.push_back({pair.first, pair.second});
+    }
     return pairs;
+  }
+
+  /// By the clearance of all.
+  [[nodiscard]] bool is_wanted(const IndexPair& pair) const {
+    const bool share_group = groups_[pair.first] != 0 && groups_[pair.first] == groups_[pair.second];
+    return !share_group && !clearances_.of_pairs().contains({pair.first, pair.second});
   }
 
   [[nodiscard]] std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs,
@@ -272,8 +243,6 @@ class Check {
   Clearances clearances_;
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
-  std::vector<Aabb> world_boxes_;
-  BoxIndex boxes_;  ///< each grown by half the largest clearance of its model
   mutable WorkspacePool workspaces_;
 };
 
