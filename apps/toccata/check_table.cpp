@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "table_names.hpp"
 #include "toccata/io/relation_words.hpp"
 #include "toccata/query/pairs.hpp"
 #include "words.hpp"
@@ -19,10 +20,9 @@ std::string points_text(const ReportedMeeting& meeting) {
   return text;
 }
 
-std::vector<std::string> row_of(const Scene& scene, const ReportedPair& pair) {
+std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  return {printable(scene.objects[pair.a].name), is_near ? "is near" : verb_of(pair.relation),
-          printable(scene.objects[pair.b].name),
+  return {names[pair.a], is_near ? "is near" : verb_of(pair.relation), names[pair.b],
           is_near ? distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) : remark_on(pair.relation)};
 }
 
@@ -63,8 +63,9 @@ std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
 }
 
 std::string pair_lines(const Scene& scene, const CheckReport& report) {
+  const std::vector<std::string> names = table_names(scene.objects);
   std::vector<std::vector<std::string>> rows;
-  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(scene, pair));
+  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair));
   if (!report.has_faces && !report.has_penetration) return columns(rows, 2);
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {

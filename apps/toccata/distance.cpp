@@ -5,16 +5,16 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 std::string table_of(const CheckInput& input, const DistanceReport& report) {
-  const std::vector<SceneObject>& objects = input.loaded.scene.objects;
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (const ReportedDistance& pair : report.pairs)
-    rows.push_back({printable(objects[pair.a].name), printable(objects[pair.b].name), distance_text(pair.distance),
-                    nearest_text(pair.distance)});
+    rows.push_back({names[pair.a], names[pair.b], distance_text(pair.distance), nearest_text(pair.distance)});
   return columns(rows, 2);
 }
 

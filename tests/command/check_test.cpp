@@ -151,6 +151,18 @@ TEST_F(Check, SameFileTwiceIsTwoObjects) {
   EXPECT_EQ(json["pairs"][0]["containment"], "equal");
 }
 
+TEST_F(Check, TheTableLeavesOutTheMiddleOfLongNamesAndTellsThemApart) {
+  const std::string many(60, 'o'), umlauts = "ä" + many + "ü";
+  const std::string left = "l" + many + "1" + many + "s", right = "l" + many + "2" + many + "s";
+  for (const std::string& name : {umlauts, left, right}) folder.write(name + ".obj", box_obj(0));
+  const auto run = check({umlauts + ".obj", left + ".obj", right + ".obj"});
+  const std::string cut = "ä" + std::string(18, 'o') + "…" + std::string(19, 'o') + "ü";
+  EXPECT_NE(run.out.find("  " + cut + "  "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find(umlauts), std::string::npos) << run.out;
+  for (const std::string& name : {left, right}) EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
+  EXPECT_EQ(report({umlauts + ".obj", left + ".obj"})["pairs"][0]["a"], umlauts);
+}
+
 TEST_F(Check, NamesThatAreNotUtf8AreToldApart) {
   folder.write("a\xff.obj", box_obj(0));
   folder.write("a\xfe.obj", box_obj(0));
