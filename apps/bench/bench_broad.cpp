@@ -5,9 +5,9 @@
 
 #include "arguments.hpp"
 #include "broad.hpp"
+#include "crowd_frames.hpp"
 #include "report.hpp"
 #include "toccata/broad/broad_phase.hpp"
-#include "toccata/core/random.hpp"
 #include "toccata/generate/crowds.hpp"
 
 namespace toccata::bench {
@@ -25,23 +25,6 @@ struct Row {
   std::size_t missing = 0;  ///< frames in which a pair is missing, or, of Toccata, one is too many
   std::string reason;
 };
-
-/// Pairs of boxes that overlap, in one number; it does not depend on their order.
-struct Digest {
-  std::size_t count = 0;
-  std::uint64_t sum = 0;
-  friend bool operator==(const Digest&, const Digest&) = default;
-};
-
-Digest digest_of(std::span<const IndexPair> pairs) {
-  Digest digest;
-  for (const IndexPair& pair : pairs) {
-    Random mix(std::uint64_t{pair.first} << 32 | pair.second);
-    digest.sum += mix.bits();
-    ++digest.count;
-  }
-  return digest;
-}
 
 /// Many peers let boxes nearly touch: what they found is cleaned as their users would.
 std::vector<IndexPair> cleaned(std::vector<IndexPair> pairs, std::span<const Aabb> boxes) {
@@ -73,39 +56,38 @@ class PlainCrowd {
 };
 
 /// Of each frame, by a method that looks at all pairs while they are few enough.
-std::vector<Digest> truth_of(const BroadArguments& arguments) {
+std::vector<PairDigest> truth_of(const BroadArguments& arguments) {
   const auto method = arguments.count <= 20'000 ? BroadPhaseMethod::brute_force : BroadPhaseMethod::morton_tree;
   PlainCrowd crowd(arguments);
-  std::vector<Digest> truth;
-  for (int frame = 0; frame < arguments.frames; ++frame) {
-    crowd.step();
-    truth.push_back(digest_of(overlapping_pairs(crowd.boxes(), {method, 0})));
-  }
-  return truth;
+  const auto not_measured = [](std::span<const Index>) { return 0.0; };
+  return run_frames(crowd, static_cast<std::size_t>(arguments.frames), not_measured,
+                    [&] {
+                      return digest_of(overlapping_pairs(crowd.boxes(), {method, 0}));
+                    })
+      .pairs;
 }
 
-Row measured(BroadLibrary& library, const BroadArguments& arguments, const std::vector<Digest>& truth) {
+Row measured(BroadLibrary& library, const BroadArguments& arguments, const std::vector<PairDigest>& truth) {
   PlainCrowd crowd(arguments);
   library.add(crowd.boxes());
   // All memory is new the first time; nothing moves.
   library.step({}, crowd.boxes());
   Row row;
   row.who = library.description();
+  const bool is_peer = row.who.library != "toccata";
   // Peers use one thread.
-  const Clock clock = arguments.threads == 1 || row.who.library != "toccata" ? Clock::thread : Clock::wall;
-  std::vector<double> times;
-  for (int frame = 0; frame < arguments.frames; ++frame) {
-    const std::span<const Index> moved = crowd.step();
-    times.push_back(1e3 * seconds_of([&] { library.step(moved, crowd.boxes()); }, clock));
-    std::vector<IndexPair> pairs = library.pairs();
-    if (row.who.library != "toccata") pairs = cleaned(std::move(pairs), crowd.boxes());
-    const Digest digest = digest_of(pairs);
-    if (digest != truth[static_cast<std::size_t>(frame)]) ++row.missing;
-    row.pairs = digest.count;
-  }
-  std::sort(times.begin(), times.end());
-  row.median_ms = times[times.size() / 2];
-  row.worst_ms = times.back();
+  const Clock clock = arguments.threads == 1 || is_peer ? Clock::thread : Clock::wall;
+  const CrowdFrames run = run_frames(
+      crowd, truth.size(),
+      [&](std::span<const Index> moved) {
+        return 1e3 * seconds_of([&] { library.step(moved, crowd.boxes()); }, clock);
+      },
+      [&] { return digest_of(is_peer ? cleaned(library.pairs(), crowd.boxes()) : library.pairs()); });
+  for (std::size_t frame = 0; frame < truth.size(); ++frame)
+    if (run.pairs[frame] != truth[frame]) ++row.missing;
+  row.pairs = run.pairs.back().count;
+  row.median_ms = run.median_ms();
+  row.worst_ms = run.worst_ms();
   row.bytes_per_body = static_cast<double>(library.bytes()) / static_cast<double>(arguments.count);
   row.reason = library.reason();
   return row;
@@ -155,7 +137,7 @@ void print_table(const std::vector<Row>& rows) {
 }  // namespace
 
 int run_broad(const BroadArguments& arguments) {
-  const std::vector<Digest> truth = truth_of(arguments);
+  const std::vector<PairDigest> truth = truth_of(arguments);
   BroadLibraries libraries = libraries_asked(arguments);
   std::vector<Row> rows;
   for (auto& library : libraries) {

@@ -9,6 +9,7 @@
 #include "narrow/triangle_pairs.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "whole_number.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -59,7 +60,7 @@ void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "write J
 /// What the benchmarks of many queries have in common.
 template <class Arguments>
 void add_common(CLI::App& app, Arguments& arguments) {
-  app.add_option("--seed", arguments.seed, "another seed, other queries")->capture_default_str();
+  app.add_option("--seed", arguments.seed, "another seed, other queries")->check(whole_number())->capture_default_str();
   add_number(app, "--rounds", arguments.rounds, "how often each query is asked; the fastest counts");
   app.add_flag("--verify", arguments.verify, "compare every answer with brute force in rational arithmetic: slow");
   add_json(app, arguments.json);
@@ -159,6 +160,7 @@ void add_refit(CLI::App& app, RefitArguments& arguments) {
   CLI::App* refit = app.add_subcommand("refit", "putting the tree of a mesh around vertices that have moved");
   add_mesh_file(*refit, "--mesh", arguments.mesh)->required();
   refit->add_option("--seed", arguments.seed, "another seed, other questions to compare answers by")
+      ->check(whole_number())
       ->capture_default_str();
   add_number(*refit, "--rounds", arguments.rounds, "how often three frames are gone through; the median counts");
   add_number(*refit, "--threads", arguments.threads, "use so many, where the library does (FCL uses one)");
@@ -211,7 +213,9 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_peers(*broad, arguments.peers, {"bullet", "cgal", "fcl", "ode"});
-  broad->add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
+  broad->add_option("--seed", arguments.seed, "another seed, another crowd")
+      ->check(whole_number())
+      ->capture_default_str();
   broad->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
   broad->footer(
       "Example:\n  ./toccata bench broad --scene clustered --count 10000 --method auto,grid --peer bullet,fcl");

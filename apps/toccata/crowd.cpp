@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "crowd_frames.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/broad/broad_phase.hpp"
@@ -24,47 +25,46 @@ using Json = nlohmann::ordered_json;
 /// A method's way through all frames.
 struct Run {
   BroadPhaseMethod method{};
-  double median_ms = 0;
-  double worst_ms = 0;
-  std::size_t pairs = 0;  ///< in the last frame
+  CrowdFrames frames;
   std::size_t begun = 0;  ///< in all frames together
   std::size_t ended = 0;
   double bytes_per_body = 0;
   std::string reason;
-  std::vector<IndexPair> last;
+
+  [[nodiscard]] std::size_t pairs() const { return frames.pairs.back().count; }  ///< in the last frame
 };
+
+/// Takes over what moved and finds all pairs. Gives the milliseconds.
+double timed_update(BroadPhase& phase, std::span<const Index> moved, const std::vector<Aabb>& boxes) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Aabb> to;
+  to.reserve(moved.size());
+  for (const Index number : moved) to.push_back(boxes[number]);
+  const auto start = Clock::now();
+  phase.move(moved, to);
+  phase.update();
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 Run run_method(BroadPhaseMethod method, const CrowdArguments& arguments, const Progress& progress, std::size_t done,
                std::size_t total) {
-  using Clock = std::chrono::steady_clock;
   Crowd crowd(arguments.scene, arguments.count, arguments.seed);
   BroadPhase phase({method, arguments.threads});
   phase.add(crowd.boxes());
   phase.update();
   Run run;
   run.method = method;
-  std::vector<double> times;
-  std::vector<Aabb> to;
-  for (std::size_t frame = 0; frame < arguments.frames; ++frame) {
-    const std::span<const Index> moved = crowd.step();
-    to.clear();
-    for (const Index number : moved) to.push_back(crowd.boxes()[number]);
-    const auto start = Clock::now();
-    phase.move(moved, to);
-    phase.update();
-    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    const PairChanges changes = phase.changes();
-    run.begun += changes.begun.size();
-    run.ended += changes.ended.size();
-    if (progress) progress(done + frame + 1, total);
-  }
-  std::sort(times.begin(), times.end());
-  run.median_ms = times[times.size() / 2];
-  run.worst_ms = times.back();
-  run.pairs = phase.pairs().size();
+  run.frames = run_frames(
+      crowd, arguments.frames, [&](std::span<const Index> moved) { return timed_update(phase, moved, crowd.boxes()); },
+      [&] {
+        const PairChanges changes = phase.changes();
+        run.begun += changes.begun.size();
+        run.ended += changes.ended.size();
+        if (progress) progress(++done, total);
+        return digest_of(phase.pairs());
+      });
   run.bytes_per_body = static_cast<double>(phase.bytes()) / static_cast<double>(arguments.count);
   run.reason = phase.reason();
-  run.last.assign(phase.pairs().begin(), phase.pairs().end());
   return run;
 }
 
@@ -81,12 +81,18 @@ std::vector<BroadPhaseMethod> methods_for(std::size_t count) {
   return methods;
 }
 
-/// The methods check each other.
+/// The methods check each other, frame by frame.
 void require_same(const std::vector<Run>& runs) {
-  for (const Run& run : runs)
-    if (run.last != runs.front().last || run.begun != runs.front().begun || run.ended != runs.front().ended)
-      throw Error(fmt::format("{} and {} found different pairs: this is a defect of Toccata", name_of(run.method),
-                              name_of(runs.front().method)));
+  const Run& first = runs.front();
+  for (const Run& run : runs) {
+    const auto differ = std::mismatch(run.frames.pairs.begin(), run.frames.pairs.end(), first.frames.pairs.begin());
+    if (differ.first != run.frames.pairs.end())
+      throw Error(fmt::format("{} and {} found different pairs in frame {}: this is a defect of Toccata",
+                              name_of(run.method), name_of(first.method), differ.first - run.frames.pairs.begin() + 1));
+    if (run.begun != first.begun || run.ended != first.ended)
+      throw Error(fmt::format("of {} and {} other pairs began or ended: this is a defect of Toccata",
+                              name_of(run.method), name_of(first.method)));
+  }
 }
 
 Json json_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
@@ -95,9 +101,9 @@ Json json_of(const CrowdArguments& arguments, const std::vector<Run>& runs) {
                {"threads", arguments.threads}, {"methods", Json::array()}};
   for (const Run& run : runs)
     json["methods"].push_back({{"method", name_of(run.method)},
-                               {"median_ms", run.median_ms},
-                               {"worst_ms", run.worst_ms},
-                               {"pairs", run.pairs},
+                               {"median_ms", run.frames.median_ms()},
+                               {"worst_ms", run.frames.worst_ms()},
+                               {"pairs", run.pairs()},
                                {"begun", run.begun},
                                {"ended", run.ended},
                                {"bytes_per_body", run.bytes_per_body},
@@ -111,8 +117,9 @@ std::string table_of(const CrowdArguments& arguments, const std::vector<Run>& ru
                   arguments.scene, counted(arguments.frames, "frame"), "method", "ms per frame", "worst", "pairs",
                   "begun", "ended", "B/body");
   for (const Run& run : runs)
-    text += fmt::format("{:<20}{:>13.3f}{:>11.3f}{:>11}{:>10}{:>10}{:>9.0f}\n", name_of(run.method), run.median_ms,
-                        run.worst_ms, run.pairs, run.begun, run.ended, run.bytes_per_body);
+    text +=
+        fmt::format("{:<20}{:>13.3f}{:>11.3f}{:>11}{:>10}{:>10}{:>9.0f}\n", name_of(run.method), run.frames.median_ms(),
+                    run.frames.worst_ms(), run.pairs(), run.begun, run.ended, run.bytes_per_body);
   for (const Run& run : runs)
     if (!run.reason.empty()) text += fmt::format("{}: {}\n", name_of(run.method), run.reason);
   return text;

@@ -1,13 +1,13 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
-#include <charconv>
 
 #include <CLI/CLI.hpp>
 #include <array>
 
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "whole_number.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -366,17 +366,6 @@ void add_tree(CLI::App& app, Options& options) {
       with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
                 "Exit code: 0 saved, or right; 2 trouble: damaged, or of another mesh.\n\n"
                 "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
-}
-
-/// That fits in 64 bits; CLI11 takes a negative one for a large one.
-CLI::Validator whole_number() {
-  return {[](const std::string& text) {
-            std::uint64_t number = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-            const bool is_one = error == std::errc() && end == text.data() + text.size();
-            return is_one ? std::string() : "give a whole number from 0 to 18446744073709551615, not " + text;
-          },
-          "", "whole number"};
 }
 
 void add_crowd(CLI::App& app, Options& options) {

@@ -136,6 +136,14 @@ def hierarchies(folder):
     yield asked(folder, "inspect", "shapes.json", "--hierarchy")
 
 
+def crowds(folder):
+    """Moving boxes, by the method chosen and by all."""
+    chosen = asked(folder, "crowd", "--count", "50", "--frames", "2", "--scene", "static", "--seed", "18446744073709551615")
+    assert [one["method"] for one in chosen["methods"]] == ["auto"] and chosen["methods"][0]["reason"], chosen
+    yield chosen
+    yield asked(folder, "crowd", "--count", "50", "--frames", "1", "--compare", "--threads", "0")
+
+
 EVERY_REPORT = {
     "check": reports,
     "distance": distances,
@@ -145,6 +153,7 @@ EVERY_REPORT = {
     "nearest": nearest_points,
     "inspect": inspections,
     "hierarchy": hierarchies,
+    "crowd": crowds,
 }
 
 
