@@ -141,3 +141,4 @@
 #include "toccata/trees/wide_tree.hpp"
 #include "toccata/world/body.hpp"
 #include "toccata/world/world.hpp"
+#include "toccata/world/world_queries.hpp"

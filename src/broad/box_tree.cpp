@@ -16,11 +16,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has_ends(const Aabb& box) { return is_finite(box.lower) && is_finite(box.upper); }
 
+// The comparisons of `overlap` find an empty box in one that has no end on any side.
+bool meet(const Aabb& a, const Aabb& b) { return !is_empty(a) && overlap(a, b); }
+
 /// Boxes that overlap one.
 class OverlapQuestion {
  public:
   OverlapQuestion(const Aabb& box, BoxTree::See see) : box_(box), see_(see) {}
-  double bound(const Aabb& node) const { return overlap(node, box_) ? 0 : infinity; }
+  double bound(const Aabb& node) const { return meet(node, box_) ? 0 : infinity; }
   double limit() const { return has_ended_ ? -1 : 0; }
   void visit(std::span<const Index> items) {
     for (const Index item : items)
@@ -97,7 +100,7 @@ void BoxTree::visit_overlapping(const Aabb& box, See see) const {
   if (is_empty(box)) return;
   OverlapQuestion question(box, see);
   for (const Index& number : outside_)
-    if (overlap(boxes_[number], box)) question.visit({&number, 1});
+    if (meet(boxes_[number], box)) question.visit({&number, 1});
   walk(tree_, question);
 }
 

@@ -57,7 +57,7 @@ auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
 /// A shape that is asked about: where it is, and what is wrong with it, is found out once.
 class AskedShape {
  public:
-  AskedShape(const PlacedModel& shape, const SearchedObjects& objects, Workspace& workspace)
+  AskedShape(const Posed& shape, const SearchedObjects& objects, Workspace& workspace)
       : shape_(shape), objects_(objects), workspace_(workspace) {
     std::vector<PosedPart>& memory = workspace.scratch().posed[0];
     PosedModel posed = pose_model(shape.model, shape.pose, shape.solid, "the shape", std::move(memory));
@@ -79,7 +79,7 @@ class AskedShape {
   }
 
  private:
-  const PlacedModel& shape_;
+  const Posed& shape_;
   const SearchedObjects& objects_;
   Workspace& workspace_;
   Aabb box_;
@@ -128,10 +128,10 @@ std::vector<ObjectRayHit> all_ray_hits(const SearchedObjects& objects, const Ray
   return all;
 }
 
-std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const PlacedModel& shape, const Vec3& motion,
-                                     Workspace& workspace) {
+std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const MovingShape& moving, Workspace& workspace) {
+  const Vec3& motion = moving.motion;
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
-  const AskedShape asked(shape, objects, workspace);
+  const AskedShape asked(moving.shape, objects, workspace);
   std::optional<ObjectCast> first;
   if (is_empty(asked.box())) return first;
   objects.tree.visit_along(asked.box(), motion, 1, [&](Index object) {
@@ -144,7 +144,7 @@ std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const Place
   return first;
 }
 
-std::vector<Index> overlapping_objects(const SearchedObjects& objects, const PlacedModel& shape, Workspace& workspace) {
+std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Posed& shape, Workspace& workspace) {
   const AskedShape asked(shape, objects, workspace);
   std::vector<Index> found;
   objects.tree.visit_overlapping(asked.box(), [&](Index object) {
@@ -156,8 +156,7 @@ std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Pla
   return found;
 }
 
-std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const PlacedModel& shape,
-                                            Workspace& workspace) {
+std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const Posed& shape, Workspace& workspace) {
   const AskedShape asked(shape, objects, workspace);
   std::vector<ObjectRelation> found;
   objects.tree.visit_overlapping(asked.box(), [&](Index object) {
@@ -171,8 +170,8 @@ std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, cons
   return found;
 }
 
-std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const PlacedModel& shape,
-                                             double max_distance, Workspace& workspace) {
+std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const Posed& shape, double max_distance,
+                                             Workspace& workspace) {
   require_length(max_distance, "the greatest distance");
   const AskedShape asked(shape, objects, workspace);
   std::optional<ObjectDistance> nearest;
@@ -190,7 +189,7 @@ std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, con
   return nearest;
 }
 
-std::vector<Index> objects_within(const SearchedObjects& objects, const PlacedModel& shape, double distance,
+std::vector<Index> objects_within(const SearchedObjects& objects, const Posed& shape, double distance,
                                   Workspace& workspace) {
   require_length(distance, "the distance");
   const AskedShape asked(shape, objects, workspace);

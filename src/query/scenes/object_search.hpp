@@ -30,17 +30,36 @@ struct SearchedObjects {
 [[nodiscard]] std::optional<ObjectRayHit> first_ray_hit(const SearchedObjects& objects, const Ray& ray);
 [[nodiscard]] std::vector<ObjectRayHit> all_ray_hits(const SearchedObjects& objects, const Ray& ray);
 
-[[nodiscard]] std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const PlacedModel& shape,
-                                                   const Vec3& motion, Workspace& workspace);
+[[nodiscard]] std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const MovingShape& moving,
+                                                   Workspace& workspace);
 
-[[nodiscard]] std::vector<Index> overlapping_objects(const SearchedObjects& objects, const PlacedModel& shape,
+[[nodiscard]] std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Posed& shape,
                                                      Workspace& workspace);
-[[nodiscard]] std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const PlacedModel& shape,
+[[nodiscard]] std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const Posed& shape,
                                                           Workspace& workspace);
 
-[[nodiscard]] std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const PlacedModel& shape,
+[[nodiscard]] std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const Posed& shape,
                                                            double max_distance, Workspace& workspace);
-[[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const PlacedModel& shape,
-                                                double distance, Workspace& workspace);
+[[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const Posed& shape, double distance,
+                                                Workspace& workspace);
+
+// Many at once.
+
+[[nodiscard]] std::vector<std::optional<ObjectRayHit>> first_ray_hits(const SearchedObjects& objects,
+                                                                      std::span<const Ray> rays,
+                                                                      const BatchOptions& options);
+[[nodiscard]] std::vector<std::optional<ObjectCast>> first_casts(const SearchedObjects& objects,
+                                                                 std::span<const MovingShape> moving,
+                                                                 const BatchOptions& options);
+[[nodiscard]] std::vector<std::vector<Index>> objects_overlapping_each(const SearchedObjects& objects,
+                                                                       std::span<const Posed> shapes,
+                                                                       const BatchOptions& options);
+[[nodiscard]] std::vector<std::optional<ObjectDistance>> nearest_objects(const SearchedObjects& objects,
+                                                                         std::span<const Posed> shapes,
+                                                                         double max_distance,
+                                                                         const BatchOptions& options);
+[[nodiscard]] std::vector<std::vector<Index>> objects_within_each(const SearchedObjects& objects,
+                                                                  std::span<const Posed> shapes, double distance,
+                                                                  const BatchOptions& options);
 
 }  // namespace toccata

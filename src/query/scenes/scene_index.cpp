@@ -1,6 +1,5 @@
 #include "toccata/query/scene_index.hpp"
 
-#include "query/ask_each.hpp"
 #include "query/posed_shape.hpp"
 #include "query/scenes/object_search.hpp"
 #include "query/scenes/posed_name.hpp"
@@ -8,13 +7,14 @@
 namespace toccata {
 namespace {
 
-PlacedModel placed(const Posed& posed) { return {posed.model, posed.pose, posed.solid}; }
-
 /// `ask(objects)` of all models that pass the filter.
 template <class Ask>
 auto ask_all(const SceneIndex& index, const ObjectFilter& filter, const Ask& ask) {
   const std::span<const Posed> models = index.models();
-  const auto at = [&](Index object) { return placed(models[object]); };
+  const auto at = [&](Index object) {
+    const Posed& posed = models[object];
+    return PlacedModel{posed.model, posed.pose, posed.solid};
+  };
   const auto name_of = [&](Index object) { return name_for_messages(models[object], object); };
   const auto accepts = [&](Index object) { return !filter || filter(object); };
   return ask(SearchedObjects{index.boxes(), at, name_of, accepts});
@@ -45,85 +45,65 @@ std::vector<ObjectRayHit> SceneIndex::cast_ray_through(const Ray& ray, const Obj
 
 std::optional<ObjectCast> SceneIndex::cast_shape(const MovingShape& moving, const ObjectFilter& filter) const {
   Workspace workspace;
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return first_cast(objects, placed(moving.shape), moving.motion, workspace);
-  });
+  return ask_all(*this, filter, [&](const SearchedObjects& objects) { return first_cast(objects, moving, workspace); });
 }
 
 std::vector<Index> SceneIndex::overlapping(const Posed& shape, const ObjectFilter& filter) const {
   Workspace workspace;
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return overlapping_objects(objects, placed(shape), workspace);
-  });
+  return ask_all(*this, filter,
+                 [&](const SearchedObjects& objects) { return overlapping_objects(objects, shape, workspace); });
 }
 
 std::vector<ObjectRelation> SceneIndex::relations(const Posed& shape, const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter,
-                 [&](const SearchedObjects& objects) { return related_objects(objects, placed(shape), workspace); });
+                 [&](const SearchedObjects& objects) { return related_objects(objects, shape, workspace); });
 }
 
 std::optional<ObjectDistance> SceneIndex::nearest(const Posed& shape, double max_distance,
                                                   const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return nearest_object(objects, placed(shape), max_distance, workspace);
+    return nearest_object(objects, shape, max_distance, workspace);
   });
 }
 
 std::vector<Index> SceneIndex::within(const Posed& shape, double distance, const ObjectFilter& filter) const {
   Workspace workspace;
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return objects_within(objects, placed(shape), distance, workspace);
-  });
+  return ask_all(*this, filter,
+                 [&](const SearchedObjects& objects) { return objects_within(objects, shape, distance, workspace); });
 }
 
 std::vector<std::optional<ObjectRayHit>> SceneIndex::cast_ray_each(std::span<const Ray> rays,
                                                                    const ObjectFilter& filter,
                                                                    const BatchOptions& options) const {
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return ask_each<std::optional<ObjectRayHit>>(
-        rays, "ray", options, [&](const Ray& ray, Workspace&) { return first_ray_hit(objects, ray); });
-  });
+  return ask_all(*this, filter, [&](const SearchedObjects& objects) { return first_ray_hits(objects, rays, options); });
 }
 
 std::vector<std::optional<ObjectCast>> SceneIndex::cast_shape_each(std::span<const MovingShape> moving,
                                                                    const ObjectFilter& filter,
                                                                    const BatchOptions& options) const {
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return ask_each<std::optional<ObjectCast>>(moving, "shape", options,
-                                               [&](const MovingShape& one, Workspace& workspace) {
-                                                 return first_cast(objects, placed(one.shape), one.motion, workspace);
-                                               });
-  });
+  return ask_all(*this, filter, [&](const SearchedObjects& objects) { return first_casts(objects, moving, options); });
 }
 
 std::vector<std::vector<Index>> SceneIndex::overlapping_each(std::span<const Posed> shapes, const ObjectFilter& filter,
                                                              const BatchOptions& options) const {
-  return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
-      return overlapping_objects(objects, placed(shape), workspace);
-    });
-  });
+  return ask_all(*this, filter,
+                 [&](const SearchedObjects& objects) { return objects_overlapping_each(objects, shapes, options); });
 }
 
 std::vector<std::optional<ObjectDistance>> SceneIndex::nearest_each(std::span<const Posed> shapes, double max_distance,
                                                                     const ObjectFilter& filter,
                                                                     const BatchOptions& options) const {
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return ask_each<std::optional<ObjectDistance>>(
-        shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
-          return nearest_object(objects, placed(shape), max_distance, workspace);
-        });
+    return nearest_objects(objects, shapes, max_distance, options);
   });
 }
 
 std::vector<std::vector<Index>> SceneIndex::within_each(std::span<const Posed> shapes, double distance,
                                                         const ObjectFilter& filter, const BatchOptions& options) const {
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
-    return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
-      return objects_within(objects, placed(shape), distance, workspace);
-    });
+    return objects_within_each(objects, shapes, distance, options);
   });
 }
 

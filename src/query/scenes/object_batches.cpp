@@ -1,0 +1,42 @@
+#include "query/ask_each.hpp"
+#include "query/scenes/object_search.hpp"
+
+namespace toccata {
+
+std::vector<std::optional<ObjectRayHit>> first_ray_hits(const SearchedObjects& objects, std::span<const Ray> rays,
+                                                        const BatchOptions& options) {
+  return ask_each<std::optional<ObjectRayHit>>(rays, "ray", options,
+                                               [&](const Ray& ray, Workspace&) { return first_ray_hit(objects, ray); });
+}
+
+std::vector<std::optional<ObjectCast>> first_casts(const SearchedObjects& objects, std::span<const MovingShape> moving,
+                                                   const BatchOptions& options) {
+  return ask_each<std::optional<ObjectCast>>(
+      moving, "shape", options,
+      [&](const MovingShape& one, Workspace& workspace) { return first_cast(objects, one, workspace); });
+}
+
+std::vector<std::vector<Index>> objects_overlapping_each(const SearchedObjects& objects, std::span<const Posed> shapes,
+                                                         const BatchOptions& options) {
+  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
+    return overlapping_objects(objects, shape, workspace);
+  });
+}
+
+std::vector<std::optional<ObjectDistance>> nearest_objects(const SearchedObjects& objects,
+                                                           std::span<const Posed> shapes, double max_distance,
+                                                           const BatchOptions& options) {
+  return ask_each<std::optional<ObjectDistance>>(shapes, "shape", options,
+                                                 [&](const Posed& shape, Workspace& workspace) {
+                                                   return nearest_object(objects, shape, max_distance, workspace);
+                                                 });
+}
+
+std::vector<std::vector<Index>> objects_within_each(const SearchedObjects& objects, std::span<const Posed> shapes,
+                                                    double distance, const BatchOptions& options) {
+  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
+    return objects_within(objects, shape, distance, workspace);
+  });
+}
+
+}  // namespace toccata
