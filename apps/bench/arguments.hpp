@@ -105,6 +105,16 @@ struct BroadArguments {
   bool json = false;
 };
 
+struct WorldArguments {
+  std::size_t count = 50000;
+  double contact = 0.05;  ///< the share of bodies in contact
+  int frames = 20;
+  std::vector<int> threads{1, 2};
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -132,6 +142,7 @@ int run_refit(const RefitArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);
+int run_world(const WorldArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

@@ -26,6 +26,7 @@ struct Options {
   BuildArguments build;
   NearestArguments nearest;
   BroadArguments broad;
+  WorldArguments world;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -221,6 +222,23 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
       "Example:\n  ./toccata bench broad --scene clustered --count 10000 --method auto,grid --peer bullet,fcl");
 }
 
+void add_world(CLI::App& app, WorldArguments& arguments) {
+  CLI::App* world = app.add_subcommand("world", "which bodies of a moving crowd are in contact, step by step");
+  add_number(*world, "--count", arguments.count, "boxes, spheres, capsules and hulls, as many of each");
+  world->add_option("--contact", arguments.contact, "about the share of them that is in contact")
+      ->check(CLI::Range(0.001, 1.0))
+      ->capture_default_str();
+  add_number(*world, "--frames", arguments.frames, "steps; the median counts");
+  world->add_option("--threads", arguments.threads, "that Toccata uses; 1,2: measure both")
+      ->delimiter(',')
+      ->check(positive())
+      ->capture_default_str();
+  add_peers(*world, arguments.peers, {"bullet", "fcl"});
+  world->add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
+  add_json(*world, arguments.json);
+  world->footer("Example:\n  ./toccata bench world --count 10000 --peer bullet,fcl");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -263,6 +281,7 @@ int main_of(int argc, char** argv) {
   add_build(app, options.build);
   add_nearest(app, options.nearest);
   add_broad(app, options.broad);
+  add_world(app, options.world);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -281,6 +300,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("build")) return run_build(options.build);
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("broad")) return run_broad(options.broad);
+  if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

@@ -30,6 +30,7 @@
 #include "toccata/core/status.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/generate/body_crowd.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/parametric_meshes.hpp"

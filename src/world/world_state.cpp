@@ -40,15 +40,14 @@ double reach_of_margin(double margin) {
 /// Rounded up.
 double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
 
-/// Calls `make(i)` for each box in turn, on several threads.
-std::vector<Aabb> boxes_by(std::size_t count, int threads, FunctionRef<Aabb(std::size_t)> make) {
-  std::vector<Aabb> boxes(count);
+/// boxes[i] becomes `make(i)`, on several threads.
+void make_boxes(std::size_t count, int threads, std::vector<Aabb>& boxes, FunctionRef<Aabb(std::size_t)> make) {
+  boxes.resize(count);
   constexpr std::size_t at_once = 64;
   parallel_for((count + at_once - 1) / at_once, threads, [&](std::size_t row) {
     const std::size_t end = std::min(count, (row + 1) * at_once);
     for (std::size_t i = row * at_once; i < end; ++i) boxes[i] = make(i);
   });
-  return boxes;
 }
 
 }  // namespace
@@ -77,14 +76,13 @@ double World::State::reach(Index index, double margin) const {
   return slots_[index].has_rules ? std::max(own, half_of(rules_.largest_margin(index))) : own;
 }
 
-std::vector<Aabb> World::State::reached(std::span<const Index> indices) const {
-  std::vector<Aabb> boxes;
-  boxes.reserve(indices.size());
+void World::State::place(std::span<const Index> indices) {
+  reached_boxes_.clear();
   for (const Index index : indices) {
     const double by = reach(index, slots_[index].margin);
-    boxes.push_back(by > 0 ? grown(boxes_[index], by) : boxes_[index]);
+    reached_boxes_.push_back(by > 0 ? grown(boxes_[index], by) : boxes_[index]);
   }
-  return boxes;
+  phase_.move(indices, reached_boxes_);
 }
 
 void World::State::mark_changed(Index index) {
@@ -104,7 +102,7 @@ void World::State::put(Index index, Body&& body, const Aabb& box) {
 }
 
 std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
-  const std::vector<Aabb> boxes = boxes_by(bodies.size(), options_.threads, [&](std::size_t i) {
+  make_boxes(bodies.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     const auto who = [&] {
       return fmt::format("body {} of the {} to add{}", i, bodies.size(), quoted(bodies[i].name));
     };
@@ -112,17 +110,17 @@ std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
     return body_box(bodies[i], bodies[i].pose, who);
   });
   std::vector<Body> copies(bodies.begin(), bodies.end());
-  std::vector<Aabb> grown_boxes = boxes;
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (const double by = reach_of_margin(bodies[i].margin); by > 0) grown_boxes[i] = grown(boxes[i], by);
-  const std::vector<Index> indices = phase_.add(grown_boxes);
+  reached_boxes_ = new_boxes_;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (const double by = reach_of_margin(bodies[i].margin); by > 0) reached_boxes_[i] = grown(new_boxes_[i], by);
+  const std::vector<Index> indices = phase_.add(reached_boxes_);
   bodies_.resize(phase_.size(), Body{Point{}});
   slots_.resize(phase_.size());
   boxes_.resize(phase_.size());
   std::vector<BodyId> ids;
   ids.reserve(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    put(indices[i], std::move(copies[i]), boxes[i]);
+    put(indices[i], std::move(copies[i]), new_boxes_[i]);
     ids.push_back(id_of(indices[i]));
   }
   count_ += ids.size();
@@ -156,7 +154,7 @@ void World::State::remove(std::span<const BodyId> ids) {
   }
   std::erase_if(partners, [&](Index partner) { return !is_used(partner); });
   for (const Index partner : partners) slots_[partner].has_rules = rules_.has_any(partner);
-  phase_.move(partners, reached(partners));
+  place(partners);
   count_ -= ids.size();
   ++revision_;
 }
@@ -164,31 +162,31 @@ void World::State::remove(std::span<const BodyId> ids) {
 void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   require_as_many(ids.size(), poses.size(), "poses");
   const std::vector<Index> indices = required(ids);
-  const std::vector<Aabb> boxes = boxes_by(ids.size(), options_.threads, [&](std::size_t i) {
+  make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     return body_box(bodies_[indices[i]], poses[i], [&] { return name_of_body(indices[i]); });
   });
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Index index = indices[i];
-    boxes_[index] = boxes[i];
+    boxes_[index] = new_boxes_[i];
     if (bodies_[index].pose == poses[i]) continue;
     bodies_[index].pose = poses[i];
     mark_changed(index);
   }
-  phase_.move(indices, reached(indices));
+  place(indices);
   ++revision_;
 }
 
 void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bodies) {
   require_as_many(ids.size(), bodies.size(), "bodies");
   const std::vector<Index> indices = required(ids);
-  const std::vector<Aabb> boxes = boxes_by(ids.size(), options_.threads, [&](std::size_t i) {
+  make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     const auto who = [&] { return name_of_id(ids[i]) + quoted(bodies[i].name); };
     require_length(bodies[i].margin, who);
     return body_box(bodies[i], bodies[i].pose, who);
   });
   std::vector<Body> copies(bodies.begin(), bodies.end());
-  for (std::size_t i = 0; i < ids.size(); ++i) put(indices[i], std::move(copies[i]), boxes[i]);
-  phase_.move(indices, reached(indices));
+  for (std::size_t i = 0; i < ids.size(); ++i) put(indices[i], std::move(copies[i]), new_boxes_[i]);
+  place(indices);
   ++revision_;
 }
 
@@ -211,7 +209,7 @@ void World::State::set_rules(std::span<const PairRule> rules) {
                    [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); });
   }
   for (const PairRule& rule : rules) apply(rule);
-  phase_.move(indices, reached(indices));
+  place(indices);
   ++revision_;
 }
 

@@ -58,8 +58,8 @@ class World::State {
   [[nodiscard]] std::vector<Index> required(std::span<const BodyId> ids) const;
   /// How far around its own box another body's may be for the two to be a pair.
   [[nodiscard]] double reach(Index index, double margin) const;
-  /// As the broad phase sees the bodies.
-  [[nodiscard]] std::vector<Aabb> reached(std::span<const Index> indices) const;
+  /// Tells the broad phase where the bodies are, as far as they reach.
+  void place(std::span<const Index> indices);
   void put(Index index, Body&& body, const Aabb& box);
   void mark_changed(Index index);
   void apply(const PairRule& rule);
@@ -84,6 +84,7 @@ class World::State {
   WorldStep last_;
   std::size_t count_ = 0;
   std::uint64_t revision_ = 0;
+  std::vector<Aabb> new_boxes_, reached_boxes_;  ///< memory to work in
 };
 
 }  // namespace toccata

@@ -207,6 +207,15 @@ def check_process():
         assert all(r[name] > 0 for r in made["results"])
 
 
+def check_world(peers):
+    named = ["--peer", ",".join(p for p in peers if p in ("bullet", "fcl"))] if {"bullet", "fcl"} & set(peers) else []
+    made = report("world", "--count", "400", "--contact", "0.3", "--frames", "3", *named)
+    assert {r["library"] for r in made["results"]} == {"toccata"} | ({"bullet", "fcl"} & set(peers)), made["results"]
+    for row in made["results"]:
+        assert row["median_ms"] > 0 and row["contacts"] > 20, row
+        assert row["library"] != "toccata" or row["missing"] == row["invented"] == 0, row
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -228,6 +237,7 @@ def main():
     check_convex(peers)
     check_process()
     check_builders()
+    check_world(peers)
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "library.hpp"
+#include "toccata/broad/box_pairs.hpp"
+#include "toccata/shapes/shape.hpp"
+
+namespace toccata::bench {
+
+/// A library that finds which bodies of a moving crowd are in contact: Toccata, or a peer.
+class WorldLibrary {
+ public:
+  virtual ~WorldLibrary() = default;
+  [[nodiscard]] virtual Description description() const = 0;
+  /// Not measured: spheres, boxes, capsules along z, and hulls.
+  virtual void add(std::span<const Shape> shapes, std::span<const Pose> poses) = 0;
+  /// Measured: every body goes to its pose, and all pairs in contact are found.
+  virtual void step(std::span<const Pose> poses) = 0;
+  /// Not measured: what the last step found, in any order.
+  [[nodiscard]] virtual std::vector<IndexPair> contacts() const = 0;
+};
+
+std::unique_ptr<WorldLibrary> toccata_world(int threads);
+std::unique_ptr<WorldLibrary> bullet_world();
+std::unique_ptr<WorldLibrary> fcl_world();
+
+}  // namespace toccata::bench

@@ -1,0 +1,279 @@
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "support/sweep.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/closer_than.hpp"
+#include "toccata/world/world.hpp"
+#include "world/random_bodies.hpp"
+
+namespace toccata::test {
+namespace {
+
+using Key = std::pair<BodyId, BodyId>;
+using Truth = std::map<Key, bool>;  ///< the pairs, and whether they are in contact
+
+Key key_of(const PairReport& report) { return {report.a, report.b}; }
+PairQuery query_of(const Body& a, const Body& b) { return {a.pose, b.pose, a.solid, b.solid}; }
+
+bool are_near(const Body& a, const Body& b, double margin) {
+  const Distance apart = distance(a.model, b.model, query_of(a, b));
+  if (apart.upper <= margin) return true;
+  return apart.lower <= margin && closer_than(a.model, b.model, margin, query_of(a, b));
+}
+
+bool same(const PairReport& a, const PairReport& b) {
+  if (key_of(a) != key_of(b) || a.in_contact != b.in_contact || !a.details != !b.details) return false;
+  if (!a.details) return true;
+  const PairDetails &x = *a.details, &y = *b.details;
+  const bool same_contacts =
+      std::equal(x.contacts.begin(), x.contacts.end(), y.contacts.begin(), y.contacts.end(),
+                 [](const Contact& one, const Contact& other) {
+                   return one.triangle_a == other.triangle_a && one.triangle_b == other.triangle_b;
+                 });
+  return x.relation == y.relation && x.distance == y.distance && x.manifold == y.manifold &&
+         x.penetration == y.penetration && same_contacts;
+}
+
+bool same(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const PairReport& one, const PairReport& other) { return same(one, other); });
+}
+
+bool same(const WorldStep& a, const WorldStep& b) {
+  return same(a.begun, b.begun) && same(a.kept, b.kept) && same(a.ended, b.ended) && a.candidates == b.candidates;
+}
+
+WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads) {
+  WorldOptions options;
+  options.relation = (seed & 1) != 0;
+  options.distance = (seed & 2) != 0;
+  options.contacts = (seed & 4) != 0;
+  options.manifold = (seed & 8) != 0;
+  options.penetration = (seed & 15) == 11;
+  options.kinematic_pairs = (seed & 16) == 0;
+  options.broad_phase = method;
+  options.threads = threads;
+  return options;
+}
+
+/// A World whose bodies live: some move a little, some teleport, some come and go, rules and margins change. What it
+/// should tell is kept in the plainest way: all pairs are asked about, one by one. A second World by another method, on
+/// two threads, has to tell the same; now and then it is made anew from the first.
+class WorldLife {
+ public:
+  WorldLife(std::string_view family, std::uint64_t seed)
+      : family_(family),
+        world_(options_of(seed, BroadPhaseMethod::automatic, 1)),
+        other_(options_of(seed, seed % 2 == 0 ? BroadPhaseMethod::dynamic_tree : BroadPhaseMethod::sort_and_sweep, 2)) {
+  }
+
+  /// Says what is wrong; empty when nothing is.
+  std::string live(int frame, Random& random) {
+    if (frame % 4 == 2) remove(some(random, 0.2));
+    if (frame % 12 == 7) remove(some(random, 0.9));
+    std::string wrong;
+    if (frame % 3 == 0) wrong = add(frame == 0 ? 30 : random.below(8), random);
+    move(some(random, frame % 3 == 1 ? 1 : 0.2), frame % 5 == 0, random);
+    replace(some(random, 0.05), random);
+    for (int i = 0; i < 4; ++i) set_rule(random);
+    if (frame % 6 == 5) restore();
+    return wrong.empty() ? step() : wrong;
+  }
+
+ private:
+  std::string add(std::size_t count, Random& random) {
+    std::vector<Body> bodies;
+    while (bodies.size() < count) bodies.push_back(random_body(family_, random));
+    const std::vector<BodyId> ids = world_.add(bodies);
+    if (other_.add(bodies) != ids) return "other ids in the other World";
+    for (std::size_t i = 0; i < count; ++i)
+      if (!bodies_.emplace(ids.at(i), bodies[i]).second || was_removed(ids[i])) return "an id is given out twice";
+    return {};
+  }
+
+  bool was_removed(BodyId id) const { return std::find(removed_.begin(), removed_.end(), id) != removed_.end(); }
+
+  void remove(const std::vector<BodyId>& ids) {
+    world_.remove(ids);
+    other_.remove(ids);
+    for (const BodyId id : ids) {
+      bodies_.erase(id);
+      removed_.push_back(id);
+      std::erase_if(rules_, [&](const auto& rule) { return rule.first.first == id || rule.first.second == id; });
+    }
+  }
+
+  void move(const std::vector<BodyId>& ids, bool teleport, Random& random) {
+    std::vector<Pose> poses;
+    for (const BodyId id : ids) {
+      Pose pose = random_place(family_, random);
+      if (!teleport) pose = {bodies_.at(id).pose.linear, bodies_.at(id).pose.offset + vector_in(random, -0.05, 0.05)};
+      bodies_.at(id).pose = pose;
+      poses.push_back(pose);
+    }
+    world_.move(ids, poses);
+    other_.move(ids, poses);
+  }
+
+  void replace(const std::vector<BodyId>& ids, Random& random) {
+    std::vector<Body> bodies;
+    for (const BodyId id : ids) bodies.push_back(bodies_.at(id) = random_body(family_, random));
+    world_.replace(ids, bodies);
+    other_.replace(ids, bodies);
+  }
+
+  void set_rule(Random& random) {
+    if (bodies_.size() < 2) return;
+    const auto any = [&] { return std::next(bodies_.begin(), static_cast<long>(random.below(bodies_.size())))->first; };
+    PairRule rule{any(), any()};
+    if (rule.a == rule.b) return;
+    if (random.below(3) == 0) rule.excluded = true;
+    if (random.below(2) == 0) rule.margin = random_margin(random);
+    world_.set_rule(rule);
+    other_.set_rule(rule);
+    rules_[std::minmax(rule.a, rule.b)] = rule;
+  }
+
+  void restore() {
+    const World snapshot = other_;
+    other_.remove(other_.bodies());
+    other_.step();
+    other_ = snapshot;
+  }
+
+  std::vector<BodyId> some(Random& random, double share) const {
+    std::vector<BodyId> ids;
+    for (const auto& [id, body] : bodies_)
+      if (random.unit() < share) ids.push_back(id);
+    return ids;
+  }
+
+  /// Whether the two are a pair, and in contact.
+  std::pair<bool, bool> truth_of(const Key& pair) const {
+    const Body &a = bodies_.at(pair.first), &b = bodies_.at(pair.second);
+    if (a.motion == Motion::fixed && b.motion == Motion::fixed) return {};
+    if (!world_.options().kinematic_pairs && a.motion != Motion::moving && b.motion != Motion::moving) return {};
+    if ((a.group & b.mask) == 0 || (b.group & a.mask) == 0) return {};
+    double margin = a.margin + b.margin;
+    if (const auto rule = rules_.find(pair); rule != rules_.end()) {
+      if (rule->second.excluded) return {};
+      margin = rule->second.margin.value_or(margin);
+    }
+    const bool contact = relation(a.model, b.model, query_of(a, b)).kind != RelationKind::apart;
+    return {contact || (margin > 0 && are_near(a, b, margin)), contact};
+  }
+
+  Truth truth() const {
+    Truth pairs;
+    for (auto a = bodies_.begin(); a != bodies_.end(); ++a)
+      for (auto b = std::next(a); b != bodies_.end(); ++b) {
+        const Key key{a->first, b->first};
+        if (const auto [is_pair, contact] = truth_of(key); is_pair) pairs.emplace(key, contact);
+      }
+    return pairs;
+  }
+
+  /// The lists tell these pairs, begun, kept and ended since those of before.
+  static std::string wrong_in(const WorldStep& step, const Truth& before, const Truth& now) {
+    auto begun = step.begun.begin(), kept = step.kept.begin(), ended = step.ended.begin();
+    for (const auto& [key, contact] : now) {
+      auto& next = before.contains(key) ? kept : begun;
+      const auto& list = before.contains(key) ? step.kept : step.begun;
+      if (next == list.end() || key_of(*next) != key || (next++)->in_contact != contact)
+        return fmt::format("bodies {} and {} should be told next", key.first.index, key.second.index);
+    }
+    for (const auto& [key, contact] : before)
+      if (!now.contains(key) &&
+          (ended == step.ended.end() || key_of(*ended) != key || (ended++)->in_contact != contact))
+        return fmt::format("bodies {} and {} should have ended", key.first.index, key.second.index);
+    const bool all = begun == step.begun.end() && kept == step.kept.end() && ended == step.ended.end();
+    return all ? "" : "more pairs are told than there are";
+  }
+
+  std::string wrong_details(const PairReport& report) const {
+    const WorldOptions& asked = world_.options();
+    const Body &a = bodies_.at(report.a), &b = bodies_.at(report.b);
+    const PairQuery query = query_of(a, b);
+    const bool any = asked.relation || asked.distance || asked.contacts || asked.manifold || asked.penetration;
+    if (any != (report.details != nullptr)) return "details are told unasked, or not told";
+    if (!any) return {};
+    const PairDetails& told = *report.details;
+    if (told.relation != (asked.relation ? std::optional(relation(a.model, b.model, query)) : std::nullopt))
+      return "another relation";
+    if (told.distance != (asked.distance ? std::optional(distance(a.model, b.model, query)) : std::nullopt))
+      return "another distance";
+    if (told.contacts.size() != (asked.contacts ? contacts(a.model, b.model, query).size() : 0))
+      return "other contacts";
+    const bool has_manifold =
+        asked.manifold && report.in_contact &&
+        pair_cell(ShapeQuestion::manifold, kind_of(a.model.shape()), kind_of(b.model.shape())).state ==
+            PairState::defined;
+    if (told.manifold != (has_manifold ? std::optional(manifold(a.model, b.model, query)) : std::nullopt))
+      return "another manifold";
+    if (told.penetration && told.penetration != penetration(a.model, b.model, query)) return "another penetration";
+    return {};
+  }
+
+  std::string wrong_bodies() const {
+    if (world_.size() != bodies_.size()) return "another number of bodies";
+    std::vector<BodyId> ids;
+    for (const auto& [id, body] : bodies_) {
+      ids.push_back(id);
+      const Body& kept = world_.body(id);
+      if (kept.pose != body.pose || kept.margin != body.margin || kept.user_data != body.user_data ||
+          kept.group != body.group)
+        return "another body than was given";
+    }
+    if (world_.bodies() != ids) return "other ids";
+    for (const BodyId id : removed_)
+      if (world_.contains(id)) return "a removed body is there";
+    return {};
+  }
+
+  std::string step() {
+    const Truth now = truth();
+    const WorldStep& found = world_.step();
+    std::string wrong = wrong_in(found, pairs_, now);
+    if (wrong.empty() && !same(found, other_.step())) wrong = "the other World tells something else";
+    for (const PairReport& report : world_.pairs())
+      if (wrong.empty()) wrong = wrong_details(report);
+    pairs_ = now;
+    return wrong.empty() ? wrong_bodies() : wrong;
+  }
+
+  std::string_view family_;
+  World world_;
+  World other_;
+  std::map<BodyId, Body> bodies_;
+  std::map<Key, PairRule> rules_;
+  Truth pairs_;  ///< of the last step
+  std::vector<BodyId> removed_;
+};
+
+SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  for (; result.cases < cases; ++result.cases) {
+    const std::uint64_t number = 1'000'003 * seed + result.cases;
+    Random random(number);
+    WorldLife life(family, number);
+    std::string wrong;
+    for (int frame = 0; frame < 24 && wrong.empty(); ++frame) {
+      wrong = life.live(frame, random);
+      if (!wrong.empty()) wrong = fmt::format("{} with seed {}, frame {}: {}", family, number, frame, wrong);
+    }
+    if (!wrong.empty() && result.wrong++ == 0) result.first_failure = wrong;
+  }
+  return result;
+}
+
+std::vector<std::string> families() { return {body_families.begin(), body_families.end()}; }
+
+const bool known = register_sweep({"world", families(), 1000, 3, run, 50, 1});
+
+}  // namespace
+}  // namespace toccata::test

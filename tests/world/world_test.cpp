@@ -1,0 +1,313 @@
+#include "toccata/world/world.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "support/simd_levels.hpp"
+#include "toccata/core/error.hpp"
+#include "world/random_bodies.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Body ball_at(double x, double radius = 1) { return {Sphere(radius), Pose::translation(x, 0, 0)}; }
+
+using Names = std::vector<std::pair<Index, Index>>;
+Names names_of(const std::vector<PairReport>& reports) {
+  Names names;
+  for (const PairReport& report : reports) names.emplace_back(report.a.index, report.b.index);
+  return names;
+}
+
+/// What is wrong with a call; empty when it throws no Error.
+template <class Call>
+std::string complaint_of(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(World, TellsWhatBeginsStaysAndEnds) {
+  World world;
+  const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(2), ball_at(5)});
+  const WorldStep& step = world.step();
+  EXPECT_EQ(names_of(step.begun), (Names{{0, 1}}));  // they touch
+  EXPECT_TRUE(step.begun[0].in_contact);
+  EXPECT_EQ(step.begun[0].details, nullptr);
+  world.move(ids[2], Pose::translation(4, 0, 0));
+  world.step();
+  EXPECT_EQ(names_of(step.begun), (Names{{1, 2}}));
+  EXPECT_EQ(names_of(step.kept), (Names{{0, 1}}));
+  world.remove(ids[0]);
+  world.step();
+  EXPECT_EQ(names_of(step.kept), (Names{{1, 2}}));
+  EXPECT_EQ(step.ended.size(), 1U);
+  EXPECT_EQ(step.ended[0].a, ids[0]);
+  EXPECT_EQ(names_of({world.pairs().begin(), world.pairs().end()}), (Names{{1, 2}}));
+}
+
+TEST(World, DecidesByTheShapesAndNotTheirBoxes) {
+  World world;
+  world.add(std::array{ball_at(0), Body{Sphere(1), Pose::translation(1.9, 1.9, 1.9)}});
+  EXPECT_TRUE(world.step().begun.empty());
+  EXPECT_EQ(world.last_step().candidates, 1U);
+}
+
+TEST(World, MarginsAreOfTheExactDistance) {
+  World world({.distance = true});
+  Body near = ball_at(2.5);
+  near.margin = 0.25;
+  const std::vector<BodyId> ids = world.add(std::array{ball_at(0), near});
+  EXPECT_TRUE(world.step().begun.empty());
+  Body other = world.body(ids[0]);
+  other.margin = 0.25;
+  world.replace(ids[0], other);
+  ASSERT_EQ(world.step().begun.size(), 1U);  // exactly as far as both margins together
+  EXPECT_FALSE(world.pairs()[0].in_contact);
+  EXPECT_LE(world.pairs()[0].details->distance->lower, 0.5);
+  EXPECT_GE(world.pairs()[0].details->distance->upper, 0.5);
+  world.move(ids[1], Pose::translation(std::nextafter(2.5, 3), 0, 0));
+  EXPECT_EQ(world.step().ended.size(), 1U);
+}
+
+TEST(World, RulesOfAPairComeBeforeMargins) {
+  World world;
+  const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(3), ball_at(6)});
+  EXPECT_TRUE(world.step().begun.empty());
+  world.set_rule({ids[1], ids[0], false, 1.0});
+  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
+  world.set_rule({ids[0], ids[1], true, {}});
+  EXPECT_EQ(names_of(world.step().ended), (Names{{0, 1}}));
+  world.set_rule({ids[0], ids[1], false, {}});
+  world.move(ids[1], Pose::translation(1, 0, 0));
+  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
+  world.set_rule({ids[2], ids[0], false, infinity});
+  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 2}}));
+  world.remove(ids[2]);
+  EXPECT_EQ(world.step().ended.size(), 1U);
+  EXPECT_EQ(world.add(ball_at(100)).index, 2U);  // the rule was of another body
+  EXPECT_TRUE(world.step().begun.empty());
+}
+
+TEST(World, GroupsAndMotionsLeavePairsOut) {
+  for (const bool kinematic_pairs : {true, false}) {
+    World world({.kinematic_pairs = kinematic_pairs});
+    std::vector<Body> bodies(5, ball_at(0));
+    bodies[0].motion = bodies[1].motion = Motion::fixed;
+    bodies[2].motion = Motion::kinematic;
+    bodies[4].group = 2;
+    bodies[4].mask = 2;
+    world.add(bodies);
+    const Names driven{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}, moving{{0, 3}, {1, 3}, {2, 3}};
+    EXPECT_EQ(names_of(world.step().begun), kinematic_pairs ? driven : moving);
+  }
+}
+
+TEST(World, AnIdOfARemovedBodyIsAnError) {
+  World world;
+  Body arm = ball_at(0);
+  arm.name = "arm";
+  const BodyId first = world.add(arm);
+  world.remove(first);
+  world.step();
+  const BodyId second = world.add(ball_at(7));
+  EXPECT_EQ(second.index, first.index);
+  EXPECT_NE(second, first);
+  EXPECT_FALSE(world.contains(first));
+  EXPECT_EQ(world.body_at(first.index), second);
+  const std::string gone = "body 0 (generation 0) was removed: its id names no body any more";
+  EXPECT_EQ(complaint_of([&] { world.move(first, {}); }), gone);
+  EXPECT_EQ(complaint_of([&] { world.remove(first); }), gone);
+  EXPECT_EQ(complaint_of([&] { (void)world.body(first); }), gone);
+  EXPECT_EQ(complaint_of([&] { world.set_rule({second, first, true, {}}); }), gone);
+  EXPECT_EQ(complaint_of([&] {
+              (void)world.box({9, 3});
+            }),
+            "body 9 (generation 3) is not in this World: its id was not given out by it");
+  EXPECT_EQ(world.box(second).lower.x, 6);
+}
+
+class BadInput : public testing::Test {
+ protected:
+  BadInput() {
+    std::vector<Body> bodies{ball_at(0), ball_at(1), ball_at(9)};
+    bodies[1].name = "arm";
+    ids_ = world_.add(bodies);
+    world_.step();
+  }
+
+  /// The call throws this, and the World is as it was.
+  template <class Call>
+  void expect_refused(const Call& call, const std::string& message) {
+    const std::uint64_t revision = world_.revision();
+    EXPECT_EQ(complaint_of(call), message);
+    EXPECT_EQ(world_.revision(), revision);
+    EXPECT_EQ(world_.bodies(), ids_);
+    for (Index i = 0; i < 3; ++i) {
+      EXPECT_EQ(world_.body(ids_[i]).pose, Pose::translation(i == 2 ? 9 : i, 0, 0));
+      EXPECT_EQ(world_.body(ids_[i]).margin, 0);
+    }
+    const WorldStep& step = world_.step();
+    EXPECT_EQ(names_of(step.kept), (Names{{0, 1}}));
+    EXPECT_TRUE(step.begun.empty() && step.ended.empty());
+    EXPECT_EQ(step.asked, 0U);
+  }
+
+  World world_;
+  std::vector<BodyId> ids_;
+};
+
+TEST_F(BadInput, OfAddedBodiesChangesNothing) {
+  std::vector<Body> bodies(3, ball_at(1));
+  bodies[1].margin = -1;
+  expect_refused([&] { world_.add(bodies); },
+                 "body 1 of the 3 to add: its margin is -1; it has to be a length of 0 or more");
+  bodies[1].margin = std::nan("");
+  expect_refused([&] { world_.add(bodies); },
+                 "body 1 of the 3 to add: its margin is nan; it has to be a length of 0 or more");
+  bodies[1].margin = 0;
+  bodies[2].name = "leg";
+  bodies[2].pose.offset.y = infinity;
+  const std::string offset = complaint_of([&] { world_.add(bodies); });
+  EXPECT_EQ(offset.substr(0, 42), "body 2 of the 3 to add (\"leg\"): the sphere") << offset;
+  expect_refused([&] { world_.add(bodies); }, offset);
+  bodies[2].pose = {};
+  bodies[0].pose.linear[0][0] = 2;
+  const std::string deformed = complaint_of([&] { world_.add(bodies); });
+  EXPECT_NE(deformed.find("body 0 of the 3 to add: "), std::string::npos) << deformed;
+  EXPECT_NE(deformed.find("ellipsoid"), std::string::npos) << deformed;
+  expect_refused([&] { world_.add(bodies); }, deformed);
+}
+
+TEST_F(BadInput, OfMovedBodiesChangesNothing) {
+  const std::vector<Pose> poses{Pose::translation(100, 0, 0), Pose::translation(std::nan(""), 0, 0)};
+  const std::string message = complaint_of([&] { world_.move(std::span(ids_).first(2), poses); });
+  EXPECT_EQ(message.substr(0, 32), "body 1 (generation 0) (\"arm\"): t") << message;
+  expect_refused([&] { world_.move(std::span(ids_).first(2), poses); }, message);
+  expect_refused([&] { world_.move(ids_, poses); }, "3 bodies are named and 2 poses given; give one for each");
+  const std::vector<BodyId> others{ids_[0], {1, 1}};
+  expect_refused([&] { world_.move(others, std::vector<Pose>(2)); },
+                 "body 1 (generation 1) is not in this World: its id was not given out by it");
+  Body body = world_.body(ids_[1]);
+  body.margin = -0.5;
+  expect_refused([&] { world_.replace(ids_[1], body); },
+                 "body 1 (generation 0) (\"arm\"): its margin is -0.5; it has to be a length of 0 or more");
+}
+
+TEST_F(BadInput, OfRemovedBodiesAndRulesChangesNothing) {
+  expect_refused(
+      [&] {
+        world_.remove(std::vector{ids_[2], ids_[1], ids_[1]});
+      },
+      "body 1 (generation 0) (\"arm\") is to be removed twice");
+  expect_refused(
+      [&] {
+        world_.set_rules(std::array{PairRule{ids_[0], ids_[1], true, {}}, PairRule{ids_[1], ids_[1]}});
+      },
+      "a rule is given for body 1 (generation 0) (\"arm\") with itself");
+  expect_refused(
+      [&] {
+        world_.set_rule({ids_[0], ids_[1], false, -1.0});
+      },
+      "the rule for body 0 (generation 0) and body 1 (generation 0) (\"arm\"): its margin is -1; it has to "
+      "be a length of 0 or more");
+}
+
+TEST(World, AnOpenMeshIsNoSolid) {
+  World world;
+  Random random(1);
+  Body sheet{Model(test::random_soup(random, 3, 1, 0))};
+  world.add(sheet);
+  sheet.solid = Solid::all;
+  const std::string message = complaint_of([&] { world.add(sheet); });
+  EXPECT_EQ(message.substr(0, 40), "body 0 of the 1 to add: the mesh is open") << message;
+  EXPECT_EQ(world.size(), 1U);
+}
+
+TEST(World, WhatDidNotMoveIsNotAskedAgain) {
+  World world({.relation = true});
+  const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(1), ball_at(2), ball_at(3)});
+  EXPECT_EQ(world.step().asked, 5U);
+  const auto details = world.pairs()[0].details;
+  EXPECT_EQ(world.step().asked, 0U);
+  EXPECT_EQ(world.step().kept.size(), 5U);
+  world.move(ids[3], Pose::translation(3.5, 0, 0));
+  EXPECT_EQ(world.step().asked, 1U);
+  EXPECT_EQ(world.step().candidates, 4U);
+  EXPECT_EQ(world.pairs()[0].details, details);  // the very same
+  world.move(
+      ids, std::vector<Pose>{{}, Pose::translation(1, 0, 0), Pose::translation(2, 0, 0), Pose::translation(3.5, 0, 0)});
+  EXPECT_EQ(world.step().asked, 0U);
+}
+
+TEST(World, HalfSpacesAndInfiniteMarginsAreBodiesLikeOthers) {
+  World world;
+  Body ground{HalfSpace({0, 0, 0}, {0, 0, 1})};
+  ground.motion = Motion::fixed;
+  Body watcher{Point({1e9, 0, 1e9})};
+  watcher.margin = infinity;
+  world.add(std::array{ground, Body{Sphere(1), Pose::translation(5e8, 0, 1)},
+                       Body{Sphere(1), Pose::translation(5e8, 9, 1.5)}, watcher});
+  const WorldStep& step = world.step();
+  EXPECT_EQ(names_of(step.begun), (Names{{0, 1}, {0, 3}, {1, 3}, {2, 3}}));
+  EXPECT_TRUE(step.begun[0].in_contact);
+  EXPECT_FALSE(step.begun[1].in_contact);
+}
+
+TEST(World, MarginsWhoseSumOverflowsReachEverything) {
+  World world;
+  std::vector<Body> bodies{{Point({-1.7e308, 0, 0})}, {Point({1.7e308, 0, 0})}};
+  for (Body& body : bodies) body.margin = 1e308;
+  world.add(bodies);
+  EXPECT_EQ(world.step().begun.size(), 1U);
+}
+
+TEST(World, BitsAreTheSameAtEverySimdLevel) {
+  std::vector<std::vector<PairReport>> found;
+  test::at_every_simd_level([&](SimdLevel) {
+    Random random(5);
+    World world({.distance = true, .manifold = true, .threads = 2});
+    for (int i = 0; i < 60; ++i) world.add(test::random_body("any", random));
+    world.step();
+    found.emplace_back(world.pairs().begin(), world.pairs().end());
+  });
+  for (const auto& one : found) {
+    ASSERT_EQ(names_of(one), names_of(found[0]));
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_EQ(one[i].details->distance, found[0][i].details->distance);
+      EXPECT_EQ(one[i].details->manifold, found[0][i].details->manifold);
+    }
+  }
+}
+
+TEST(World, IsReadByManyThreadsAtOnce) {
+  World world;
+  Random random(2);
+  for (int i = 0; i < 50; ++i) world.add(test::random_body("convex", random));
+  world.step();
+  std::array<std::size_t, 4> pairs{};
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t& count : pairs)
+      threads.emplace_back([&] {
+        for (const BodyId id : world.bodies()) count += contains(world.box(id), world.boxes()[id.index]) ? 1 : 0;
+        World copy = world;
+        copy.step();
+        count += copy.pairs().size();
+      });
+  }
+  for (const std::size_t count : pairs) EXPECT_EQ(count, 50 + world.pairs().size());
+}
+
+}  // namespace
+}  // namespace toccata
