@@ -34,6 +34,9 @@ struct PosedArguments {
   std::string poses;           ///< a file of queries about two objects; empty: all are asked about as they are
   std::optional<Solid> solid;  ///< overrides what the scene says
   std::string save_case;       ///< a file for what is asked and the answer; empty: none
+  std::string html;            ///< a page to write besides; empty: none
+  std::string png;             ///< a picture of it
+  std::string glb;             ///< a GLB file
   Format format = Format::table;
   int threads = 0;
 };
@@ -45,14 +48,11 @@ struct CheckArguments : PosedArguments {
   bool penetration = false;
   std::string clearance;                   ///< a length, or "all"; empty: none is asked for
   std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
-  std::string html;                        ///< a page to write besides; empty: none
-  std::string glb;                         ///< a GLB file; empty: none
 };
 
 struct ViewArguments : CheckArguments {
   std::string up;         ///< "y" or "z"; empty: as the files say
   std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
-  std::string png;        ///< a picture to draw; empty: none
   std::string size;       ///< of the picture, "1200x800"; empty: that
   std::string look;       ///< what the picture shows: the end of a link to the page
 };

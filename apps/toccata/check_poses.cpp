@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "toccata/io/relation_words.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -32,12 +34,12 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
 }
 
 int run_check_poses(const CheckArguments& arguments) {
+  require_view(arguments);
   CheckInput input = read_check_input(arguments);
+  warn_of_open_meshes(input);
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
                                     arguments.penetration};
-  const SceneAnswer answer = ask_for(input, question, arguments, "checking");
-  warn_of_open_meshes(input);
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
   return contact_count(std::get<PosesReport>(answer)) == 0 ? 0 : 1;
 }
 

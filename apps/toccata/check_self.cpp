@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -32,10 +34,10 @@ std::string table_of(const CheckInput& input, const SelfReport& report) {
 }
 
 int run_check_self(const CheckArguments& arguments) {
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const SelfQuestion question{arguments.faces};
-  const SceneAnswer answer = ask_for(input, question, arguments, "checking");
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
   return self_meeting_count(std::get<SelfReport>(answer)) == 0 ? 0 : 1;
 }
 

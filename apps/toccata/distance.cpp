@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -20,6 +22,7 @@ std::string table_of(const CheckInput& input, const DistanceReport& report) {
 
 int run_distance(const DistanceArguments& arguments) {
   if (!arguments.poses.empty()) return run_distance_poses(arguments);
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const LoadedScene& loaded = input.loaded;
   if (loaded.scene.objects.size() < 2)
@@ -27,8 +30,7 @@ int run_distance(const DistanceArguments& arguments) {
                             arguments.input.files.front()));
   const std::vector<std::size_t>& first_object = loaded.first_object;
   const DistanceQuestion question{first_object.size() == 3 ? first_object[1] : 0};
-  const SceneAnswer answer = ask_for(input, question, arguments, "measuring");
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "measuring");
   const std::vector<ReportedDistance>& distances = std::get<DistanceReport>(answer).pairs;
   return std::any_of(distances.begin(), distances.end(),
                      [](const ReportedDistance& pair) { return pair.distance.upper == 0; })

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -19,10 +21,10 @@ std::string table_of(const CheckInput& input, const DistancePosesReport& report)
 }
 
 int run_distance_poses(const DistanceArguments& arguments) {
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const DistancePosesQuestion question{read_queries(input, arguments)};
-  const SceneAnswer answer = ask_for(input, question, arguments, "measuring");
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "measuring");
   return meeting_count(std::get<DistancePosesReport>(answer)) == 0 ? 0 : 1;
 }
 

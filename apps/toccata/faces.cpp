@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "toccata/core/error.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -30,10 +32,10 @@ std::string table_of(const CheckInput& input, const FacesReport& report) {
 int run_faces(const FacesArguments& arguments) {
   if (!arguments.region)
     throw Error("no region is given: --box X0 Y0 Z0 X1 Y1 Z1, the least corner and the greatest, or --ball X Y Z R");
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const FacesQuestion question{*arguments.region};
-  const SceneAnswer answer = ask_for(input, question, arguments, "looking");
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "looking");
   return std::get<FacesReport>(answer).found.empty() ? 0 : 1;
 }
 

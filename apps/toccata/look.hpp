@@ -5,7 +5,7 @@
 
 namespace toccata::command {
 
-/// `--look` is the end of a link to a page, "pair=0&theme=dark" (docs/reference/view-page.md). Throws Error where it
+/// `--look` is the end of a link to a page, "finding=0&theme=dark" (docs/reference/view-page.md). Throws Error where it
 /// says a key that no link has, or one twice. What else is wrong the page tells in words, also in a picture.
 void require_known_keys(std::string_view look);
 

@@ -2,12 +2,14 @@
 
 #include <optional>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/points_file.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -64,10 +66,10 @@ std::string table_of(const CheckInput& input, const NearestReport& report) {
 int run_nearest(const NearestArguments& arguments) {
   NearestQuestion question{points_asked(arguments), arguments.k};
   question.sides = arguments.sides;
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
-  const SceneAnswer answer = ask_for(input, question, arguments, "looking");
-  print_answer(input, question, answer, arguments);
+  (void)answer_to(question, input, arguments, "looking");
   return 0;
 }
 

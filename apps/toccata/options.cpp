@@ -90,9 +90,16 @@ void add_save_case(CLI::App& app, std::string& file, const char* what) {
       ->type_name("FILE.json");
 }
 
+/// What shows the answer besides telling it.
+void add_pages(CLI::App& app, PosedArguments& arguments) {
+  add_file(app, "--html", arguments.html, "also write a page that shows the objects and what was found", "FILE.html");
+  add_file(app, "--png", arguments.png, "also draw a picture of that page, where Chromium is installed", "FILE.png");
+}
+
 void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report) {
   add_formats(app, options, report);
   add_threads(app, arguments.threads, "answer");
+  add_pages(app, arguments);
   add_save_case(app, arguments.save_case,
                 "write the shapes, the question and the answer into one file, for a bug report or a test; `replay` "
                 "asks it again (docs/reference/case-file.md)");
@@ -141,9 +148,6 @@ void add_check(CLI::App& app, Options& options) {
   const auto [clearance, clearance_of] = add_clearances(*check, options.check);
   clearance->excludes(poses);
   clearance_of->excludes(poses);
-  CLI::Option* html = add_file(*check, "--html", options.check.html,
-                               "also write a page that shows the objects and what was found", "FILE.html")
-                          ->excludes(poses);
   CLI::Option* glb = add_glb(*check, options.check)->excludes(poses);
   check
       ->add_flag("--self", options.check.self,
@@ -152,7 +156,6 @@ void add_check(CLI::App& app, Options& options) {
       ->excludes(penetration)
       ->excludes(clearance)
       ->excludes(clearance_of)
-      ->excludes(html)
       ->excludes(glb)
       ->excludes(solid)
       ->excludes(touching);
@@ -175,7 +178,7 @@ void add_check(CLI::App& app, Options& options) {
 
 void add_view(CLI::App& app, Options& options) {
   ViewArguments& arguments = options.view;
-  CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what touches, and why");
+  CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what was found, and why");
   add_input(*view, arguments.input, any_files);
   add_file(*view, "-o,--output", arguments.html, "the page to write", "FILE.html");
   add_glb(*view, arguments);
@@ -193,7 +196,7 @@ void add_view(CLI::App& app, Options& options) {
   add_text(*view, "--size", arguments.size, "of the picture (default: 1200x800)", "a size must be given")
       ->type_name("WIDTHxHEIGHT");
   view->add_option("--look", arguments.look,
-                   "what the picture shows: the end of a link to the page, 'pair=0&theme=dark'")
+                   "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
       ->type_name("TEXT");
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
@@ -206,7 +209,9 @@ void add_view(CLI::App& app, Options& options) {
                 "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
                 "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
                 "  {0} view scene.json --glb scene.glb\n"
-                "  {0} view a.stl b.obj --png touch.png --look 'pair=0'"));
+                "  {0} ray part.stl --from 0 0 5 --to 0 0 -5 --json > report.json\n"
+                "  {0} view report.json -o report.html\n"
+                "  {0} view a.stl b.obj --png touch.png --look 'finding=0'"));
 }
 
 void add_distance(CLI::App& app, Options& options) {

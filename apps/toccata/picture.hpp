@@ -7,7 +7,7 @@ namespace toccata::command {
 /// A picture of a page, drawn by Chromium without a window.
 struct PictureTarget {
   std::string path;  ///< a PNG; it is complete or not there
-  std::string look;  ///< the end of a link to the page, "pair=0&theme=dark"; what is left open is light, no panels
+  std::string look;  ///< the end of a link to the page, "finding=0&theme=dark"; what is left open is light, no panels
   int width = 1200;
   int height = 800;
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/rays_file.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -48,9 +50,9 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
 
 int run_ray(const RayArguments& arguments) {
   const RayQuestion question{rays_asked(arguments)};
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer = ask_for(input, question, arguments, "following rays");
-  print_answer(input, question, answer, arguments);
+  const SceneAnswer answer = answer_to(question, input, arguments, "following rays");
   const std::vector<ReportedRay>& met = std::get<RayReport>(answer).rays;
   return std::any_of(met.begin(), met.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
 }

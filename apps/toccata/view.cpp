@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
+#include <utility>
 
+#include "answer.hpp"
 #include "ask.hpp"
 #include "look.hpp"
 #include "output.hpp"
+#include "saved.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/io/case_file.hpp"
@@ -47,7 +49,7 @@ std::optional<CostVolume> volume_of(const std::string& name) {
   throw Error(fmt::format("--hierarchy: there is no volume '{}'{}", name, suggestion(name, known)));
 }
 
-ViewTarget target_of(const ViewArguments& arguments) {
+ViewTarget page_target_of(const ViewArguments& arguments) {
   if (arguments.html.empty() && arguments.png.empty() && arguments.glb.empty())
     throw Error(
         "no page was named: say where it shall be written with -o FILE.html, or a picture with --png FILE.png, or a "
@@ -65,28 +67,84 @@ ViewTarget target_of(const ViewArguments& arguments) {
   return target;
 }
 
-/// What a case asks about pairs is shown as it asks it, where the options say nothing else.
-void take_question(CheckQuestion& shown, const SceneQuestion& asked, std::size_t objects) {
-  if (const auto* distance = std::get_if<DistanceQuestion>(&asked)) {
-    const bool all_pairs = distance->first_objects == 0 || objects == 2;
-    if (all_pairs && !shown.clearance) shown.clearance = std::numeric_limits<double>::infinity();
-  }
-  const auto* check = std::get_if<CheckQuestion>(&asked);
-  if (check == nullptr) return;
-  shown.penetration = shown.penetration || check->penetration;
-  if (shown.clearance) return;
-  shown.touching = check->touching;
-  shown.clearance = check->clearance;
-  shown.pair_clearances = check->pair_clearances;
+/// What is to be drawn, and the answer that was recorded to it, if any.
+struct Drawn {
+  CheckInput input;
+  SceneQuestion question;
+  std::string recorded{};
+  std::vector<std::string> files;  ///< that it is about
+};
+
+/// The options ask about the objects themselves.
+bool asks_itself(const ViewArguments& arguments) {
+  return arguments.penetration || !arguments.clearance.empty() || !arguments.clearances_of.empty() || arguments.solid ||
+         arguments.input.scale != 1 || !arguments.input.unit.empty() || arguments.pose_a || arguments.pose_b;
 }
 
-CheckQuestion shown_question(const ViewArguments& arguments, const CheckInput& input) {
-  CheckQuestion shown = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
-  const std::vector<std::string>& files = arguments.input.files;
-  if (files.size() != 1 || fs::path(files[0]).extension() != ".json") return shown;
-  if (const auto asked = read_case(files[0]).question) take_question(shown, *asked, input.models.size());
-  return shown;
+Drawn drawn_report(const ViewArguments& arguments) {
+  const std::string& file = arguments.input.files[0];
+  if (asks_itself(arguments))
+    throw Error(
+        fmt::format("{}: a report is drawn as it was asked; leave out the options about shapes, poses, depths "
+                    "and clearances",
+                    file));
+  const SavedReport saved = read_report(file);
+  Drawn drawn{read_again(saved, file, arguments.threads), saved.asked.question, saved.answer, {}};
+  for (const AskedFile& asked : saved.asked.files) drawn.files.push_back(asked.name);
+  return drawn;
 }
+
+/// A report, or a case, as it asks; everything else as pairs that touch or are as near as the options say.
+Drawn drawn_of(const ViewArguments& arguments) {
+  const std::vector<std::string>& files = arguments.input.files;
+  const bool is_json = files.size() == 1 && fs::path(files[0]).extension() == ".json";
+  if (is_json && is_report(files[0])) return drawn_report(arguments);
+  if (is_json && !asks_itself(arguments)) {
+    const Case content = read_case(files[0]);
+    if (content.question) return {read_check_input(arguments), *content.question, content.answer, files};
+  }
+  CheckInput input = read_check_input(arguments);
+  const CheckQuestion question = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
+  return {std::move(input), question, "", files};
+}
+
+/// Where the answer is another than the recorded one; empty where none is recorded.
+std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
+  if (drawn.recorded.empty()) return {};
+  list_faces(answer, drawn.question);
+  const std::string now = report_json(drawn.input.loaded.scene, drawn.input.models, answer);
+  list_faces(answer, with_faces(drawn.question));
+  return answer_difference(drawn.recorded, now);
+}
+
+/// What a GLB file shows: pairs.
+CheckReport pairs_of(const SceneAnswer& answer) {
+  if (const auto* check = std::get_if<CheckReport>(&answer)) return *check;
+  const auto* distances = std::get_if<DistanceReport>(&answer);
+  if (distances == nullptr) throw Error("--glb: a GLB file shows what check and distance find; leave it out here");
+  CheckReport report;
+  for (const ReportedDistance& found : distances->pairs) {
+    ReportedPair& pair = report.pairs.emplace_back();
+    pair.a = found.a;
+    pair.b = found.b;
+    pair.distance = found.distance;
+  }
+  return report;
+}
+
+/// How many findings of which kind: "2 pairs".
+struct FindingsTold {
+  std::string operator()(const CheckReport& r) const { return counted(r.pairs.size(), "pair"); }
+  std::string operator()(const PosesReport& r) const { return counted(r.queries.size(), "pose"); }
+  std::string operator()(const SelfReport& r) const {
+    return counted(self_meeting_count(r), "object") + " meeting itself";
+  }
+  std::string operator()(const DistanceReport& r) const { return counted(r.pairs.size(), "pair"); }
+  std::string operator()(const DistancePosesReport& r) const { return counted(r.queries.size(), "pose"); }
+  std::string operator()(const RayReport& r) const { return counted(r.rays.size(), "ray"); }
+  std::string operator()(const FacesReport& r) const { return counted(r.found.size(), "object") + " in the region"; }
+  std::string operator()(const NearestReport& r) const { return counted(r.points.size(), "point"); }
+};
 
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
 
@@ -117,6 +175,19 @@ std::string title_of(const std::vector<std::string>& files) {
   return files.size() > most_files ? fmt::format("{} and {} more", title, files.size() - most_files) : title;
 }
 
+ViewTarget target_of(const PosedArguments& arguments) {
+  const std::vector<std::string>& files = arguments.input.files;
+  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(files), {}}, {}};
+  if (!arguments.png.empty()) target.picture = PictureTarget{arguments.png, ""};
+  return target;
+}
+
+bool draws_something(const ViewTarget& target) {
+  return !target.path.empty() || !target.glb.empty() || target.picture.has_value();
+}
+
+void require_view(const PosedArguments& arguments) { require_view(target_of(arguments), arguments); }
+
 void require_view(const ViewTarget& target, const PosedArguments& arguments) {
   require_distinct({{"-o or --html", target.path},
                     {"--glb", target.glb},
@@ -128,12 +199,13 @@ void require_view(const ViewTarget& target, const PosedArguments& arguments) {
   if (target.picture) require_picture(*target.picture);
 }
 
-void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report) {
+void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& answer) {
   const LoadedScene& loaded = input.loaded;
   const std::string page = target.path.empty() && !target.picture
                                ? ""
-                               : view_page(loaded.scene, input.models, report, target.options, loaded.warnings);
-  const std::string glb = target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, report, target.options);
+                               : view_page(loaded.scene, input.models, answer, target.options, loaded.warnings);
+  const std::string glb =
+      target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, pairs_of(answer), target.options);
   if (target.picture) write_picture(page, *target.picture);
   const UninterruptedWriting writing;
   if (!target.path.empty()) write_view_page(page, target.path);
@@ -141,18 +213,21 @@ void write_view(const ViewTarget& target, const CheckInput& input, const CheckRe
 }
 
 int run_view(const ViewArguments& arguments) {
-  const ViewTarget target = target_of(arguments);
+  ViewTarget target = page_target_of(arguments);
   require_view(target, arguments);
-  require_touching_counts(arguments);
-  CheckInput input = read_check_input(arguments);
-  warn_of_open_meshes(input);
-  const CheckQuestion question = shown_question(arguments, input);
-  const CheckReport report = std::get<CheckReport>(ask_for(input, question, arguments, "checking"));
-  print_warnings(input.loaded.warnings);
-  write_view(target, input, report);
+  Drawn drawn = drawn_of(arguments);
+  if (arguments.up.empty()) target.options.up = up_of(drawn.files);
+  warn_of_open_meshes(drawn.input);
+  SceneAnswer answer = ask_for(drawn.input, with_faces(drawn.question), arguments, "asking");
+  const std::string difference = difference_of(drawn, answer);
+  if (!difference.empty())
+    drawn.input.loaded.warnings.push_back(
+        "the answer of now is drawn, and it is another than the recorded one, first at " + difference);
+  print_warnings(drawn.input.loaded.warnings);
+  write_view(target, drawn.input, answer);
   print_answer(
-      told_of(target, counted(input.models.size(), "object") + " and " + counted(report.pairs.size(), "pair")));
-  return 0;
+      told_of(target, counted(drawn.input.models.size(), "object") + " and " + std::visit(FindingsTold{}, answer)));
+  return difference.empty() ? 0 : 1;
 }
 
 }  // namespace toccata::command

@@ -21,9 +21,16 @@ struct ViewTarget {
   std::optional<PictureTarget> picture{};
 };
 
+/// What a subcommand writes besides its answer.
+ViewTarget target_of(const PosedArguments& arguments);
+
+/// Whether there is anything to be written.
+bool draws_something(const ViewTarget& target);
+
 /// Throws Error, before long work, when one cannot be written, two are one file, or one is among the files that are
 /// read.
 void require_view(const ViewTarget& target, const PosedArguments& arguments);
+void require_view(const PosedArguments& arguments);
 
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
 UpAxis up_of(const std::vector<std::string>& files);
@@ -31,8 +38,8 @@ UpAxis up_of(const std::vector<std::string>& files);
 /// The names of the files, as short as they tell something.
 std::string title_of(const std::vector<std::string>& files);
 
-/// `report` has faces, where the page shall show them.
-void write_view(const ViewTarget& target, const CheckInput& input, const CheckReport& report);
+/// `answer` has faces, where the page shall show them. Throws Error for a GLB file of what none can show.
+void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& answer);
 
 /// What `check` asks.
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances);

@@ -54,7 +54,7 @@ TEST(ViewCommand, TheSamePageForAnyThreads) {
 TEST(ViewCommand, DrawsWhatThePageShows) {
   const TemporaryFolder folder;
   const auto result = run_command(
-      {"view", "gen:torus", "gen:torus-knot", "--png", "torus.png", "--size", "320x200", "--look", "pair=0"},
+      {"view", "gen:torus", "gen:torus-knot", "--png", "torus.png", "--size", "320x200", "--look", "finding=0"},
       folder.path());
   if (result.err.find("no Chromium was found") != std::string::npos) GTEST_SKIP() << "no Chromium is installed";
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -118,12 +118,12 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"view", "gen:box", "--hierarchy", "ob", "-o", "page.html"}, "there is no volume 'ob'; did you mean 'obb'?");
   refused({"view", "gen:box", "-o", "page.html", "--size", "9x9"}, "--size and --look are of a picture");
   refused({"view", "gen:box", "--png", "a.png", "--size", "9x900"}, "'9x900' is no size");
-  refused({"view", "gen:box", "--png", "a.png", "--look", "pear=0"},
-          "'pear' is nothing that a link can say; did you mean 'pair'?");
-  refused({"view", "gen:box", "--png", "a.png", "--look", "theme=dark&pair=0&theme=light"}, "'theme' is said twice");
+  refused({"view", "gen:box", "--png", "a.png", "--look", "findign=0"},
+          "'findign' is nothing that a link can say; did you mean 'finding'?");
+  refused({"view", "gen:box", "--png", "a.png", "--look", "theme=dark&finding=0&theme=light"}, "'theme' is said twice");
   refused({"view", "gen:box", "--png", "notes.txt"}, "notes.txt: the file exists and is not a picture of Toccata");
   refused({"check", "gen:box", "gen:box", "--html", "notes.txt"}, "is not a page of Toccata");
-  refused({"check", "gen:box", "--self", "--html", "page.html"}, "excludes");
+  refused({"check", "gen:box", "--self", "--html", "notes.txt"}, "is not a page of Toccata");
   refused({"view", "gen:box", "--glb", "notes.txt"}, "is not a GLB file of Toccata");
   refused({"view", "gen:box", "-o", "page.html", "--hierarchy", ""}, "a volume must be named");
   refused({"view", "gen:box", "-o", ""}, "a file must be named");

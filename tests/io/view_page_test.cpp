@@ -113,7 +113,7 @@ double largest_difference(const Vec3& a, const Vec3& b) {
 TEST(ViewPage, HoldsTheReportAndTheMeshes) {
   const Scene scene = gear_train();
   const Page page = page_of(scene, everything());
-  EXPECT_EQ(page.header["format"], "toccata/view/1");
+  EXPECT_EQ(page.header["format"], "toccata/view/2");
   EXPECT_EQ(page.report["schema"], "toccata/check/1");
   EXPECT_EQ(page.report["pairs"].size(), page.header["words"].size());
   ASSERT_EQ(page.header["objects"].size(), scene.objects.size());
@@ -132,7 +132,7 @@ TEST(ViewPage, ShowsWhereFacesMeet) {
   const Json& pair = page.report["pairs"][0];
   std::size_t curves = 0, faces = 0;
   for (const Json& layer : page.header["layers"]) {
-    EXPECT_EQ(layer["pair"], 0);
+    EXPECT_EQ(layer["finding"], 0);
     if (layer["kind"] == "faces") {
       ++faces;
       EXPECT_FALSE(page.numbers<std::uint32_t>(layer["data"]).empty());

@@ -80,9 +80,9 @@ def check_contacts(checks, browser):
     report = json.loads(checks.run("check", "scenes/gears/scene.json", "--penetration", "--faces", "--json", "--html", "gears.html"))
     checks.opened(browser, "gears.html")
     pairs = report["pairs"]
-    rows = browser.value("[...document.querySelectorAll('#pair-list .row')].map(row => row.textContent)")
+    rows = browser.value("[...document.querySelectorAll('#finding-list .row')].map(row => row.textContent)")
     checks.expect(len(rows) == len(pairs), f"{len(rows)} rows for {len(pairs)} pairs")
-    browser.value("document.querySelector('#pair-list .row').click()")
+    browser.value("document.querySelector('#finding-list .row').click()")
     checks.expect(not browser.value("document.getElementById('found').hidden"), "a click tells the sentence")
     sentence = browser.value("document.getElementById('sentence').textContent")
     pair = pairs[0]
@@ -110,7 +110,7 @@ def check_view(checks, browser):
     browser.wait_for(f"toccata.stage.drawn > {drawn}")
     link = browser.value("toccata.link()")
     checks.opened(browser, "gears.html", link)
-    browser.wait_for("toccata.state.pair === 0")
+    browser.wait_for("toccata.state.finding === 0")
     checks.expect(browser.value("toccata.link()") == link, "a link restores the view")
     before = browser.value("toccata.stage.orbit.place.distance")
     browser.click(700, 400, 2)
@@ -118,7 +118,7 @@ def check_view(checks, browser):
     browser.press("Escape")
     checks.expect(browser.value("document.getElementById('found').hidden"), "Escape leaves the pair")
     browser.press("n")
-    checks.expect(browser.value("toccata.state.pair") == 0, "N goes to the next pair")
+    checks.expect(browser.value("toccata.state.finding") == 0, "N goes to the next pair")
     browser.value("document.getElementById('tab-objects').click()")
     browser.value("document.querySelector('#object-list .small').click()")
     checks.expect(browser.value("[...toccata.state.hidden]") == [0], "an object can be hidden")
@@ -130,7 +130,7 @@ def check_wicked_names(checks, browser):
     scene = {"format": "toccata-scene", "version": 1, "unit": "mm", "objects": objects}
     (checks.folder / "wicked.json").write_text(json.dumps(scene))
     checks.run("view", "wicked.json", "-o", "wicked.html")
-    checks.opened(browser, "wicked.html", "#pair=0")
+    checks.opened(browser, "wicked.html", "#finding=0")
     browser.wait_for("!document.getElementById('found').hidden")
     checks.expect(browser.value("document.images.length") == 0, "a name made an image")
     checks.expect(WICKED in browser.value("document.getElementById('sentence').textContent"), "a name is shown as it is")
@@ -196,7 +196,7 @@ def check_shapes(checks, browser):
     scene = {"format": "toccata-scene", "version": 1, "unit": "m", "objects": objects}
     (checks.folder / "shapes.json").write_text(json.dumps(scene))
     checks.run("view", "shapes.json", "--penetration", "-o", "shapes.html")
-    checks.opened(browser, "shapes.html", "#pair=0")
+    checks.opened(browser, "shapes.html", "#finding=0")
     browser.wait_for("!document.getElementById('found').hidden")
     facts = browser.value("[...document.querySelectorAll('#facts li')].map(fact => fact.textContent)")
     told = ["0.5 m deep; moving B by it along (1, 0, 0) parts them", "1 point of contact", "decided exactly, by exact signs of separating normals"]
@@ -213,8 +213,8 @@ def check_rest(checks, browser):
     camera = "camera=0,0,0,6,-0.9,0.45"
     pictures = {}
     for rest in ["ghost", "shown", "hidden"]:
-        checks.opened(browser, "rest.html", f"#pair=1&labels=0&rest={rest}&{camera}")
-        browser.wait_for(f"toccata.state.rest === '{rest}' && toccata.state.pair === 1")
+        checks.opened(browser, "rest.html", f"#finding=1&labels=0&rest={rest}&{camera}")
+        browser.wait_for(f"toccata.state.rest === '{rest}' && toccata.state.finding === 1")
         time.sleep(0.3)
         pictures[rest] = browser.picture()
         browser.open("/", "")  # so that another end of the link opens the page anew
@@ -224,13 +224,13 @@ def check_rest(checks, browser):
     seen, much = differing(pictures["shown"], pictures["hidden"])
     checks.expect(seen > 0.004 and much > 60, f"the rest can be shown: {seen:.4f}, {much}")
     report = json.loads(checks.run("check", "rest.json", "--clearance", "1", "--json"))
-    checks.opened(browser, "rest.html", "#pair=0")
+    checks.opened(browser, "rest.html", "#finding=0")
     for number, pair in enumerate(report["pairs"]):
-        browser.value(f"toccata.choosePair({number})")
+        browser.value(f"toccata.choose({number})")
         facts = browser.value("document.getElementById('facts').textContent")
         apart = re.match(r"([-\d.e+]+) m apart", facts)
         checks.expect((float(apart.group(1)) if apart else 0) == pair["distance"]["upper"], f"the distance: {facts}")
-    tab = browser.value("document.getElementById('tab-contacts').textContent")
+    tab = browser.value("document.getElementById('tab-findings').textContent")
     checks.expect(tab == "Contacts 1 · near 2", f"the tab counts: {tab}")
     checks.quiet(browser, "rest")
 
@@ -239,9 +239,9 @@ def check_links(checks, browser):
     """What a link asks for in vain is told."""
     complaint = "document.getElementById('complaint').hidden ? '' : document.getElementById('complaint-text').textContent"
     browser.open("/", "")
-    checks.opened(browser, "rest.html", "#pair=7&colour=red&hidden=0-2,9&steps=0:4&theme=loud&camera=1,2&pair=0")
+    checks.opened(browser, "rest.html", "#finding=7&colour=red&hidden=0-2,9&steps=0:4&theme=loud&camera=1,2&finding=0")
     told = browser.value(complaint)
-    for words in ["no pair “7”: here pairs are 0 to 2", "“colour”", "no object “9”", "no slider “0”", "“theme” is one of", "“camera”", "“pair” is said twice"]:
+    for words in ["no finding “7”: here findings are 0 to 2", "“colour”", "no object “9”", "no slider “0”", "“theme” is one of", "“camera”", "“finding” is said twice"]:
         checks.expect(words in told, f"{words} is not told: {told}")
     checks.expect(browser.value("[...toccata.state.hidden]") == [0, 1, 2], "what is understood is done")
     browser.value("document.getElementById('complaint-seen').click()")
@@ -261,7 +261,7 @@ def check_turned_names(checks, browser):
     """Names that turn the writing round stay within themselves; a unit that is a number multiplies."""
     checks.write_scene("turned.json", [{"name": TURNED, "shape": BOX}, {"name": "שלום 1", "shape": BOX, "pose": moved(1.5)}], 0.3)
     checks.run("view", "turned.json", "--penetration", "-o", "turned.html")
-    checks.opened(browser, "turned.html", "#pair=0")
+    checks.opened(browser, "turned.html", "#finding=0")
     sentence = browser.value("document.getElementById('sentence').textContent")
     checks.expect(sentence == "a\\u202egnp.exe\\u0007 overlaps שלום 1 (both solids).", f"the sentence: {sentence}")
     edges = browser.value("[...document.querySelectorAll('#sentence bdi')].map(name => [name.getBoundingClientRect().left, name.getBoundingClientRect().right])")
@@ -289,8 +289,8 @@ def check_extremes(checks, browser):
         checks.expect(seen > 0.05, f"{name} covers {seen:.4f} of the picture")
         bar = browser.value("document.getElementById('scale').textContent")
         checks.expect(re.fullmatch(r"[\d.]+(e[-+]\d+)?( m)?", bar) is not None, f"{name}: the bar tells {bar}")
-    checks.opened(browser, "huge.json.html", "#pair=0")
-    browser.wait_for("toccata.state.pair === 0")
+    checks.opened(browser, "huge.json.html", "#finding=0")
+    browser.wait_for("toccata.state.finding === 0")
     facts = browser.value("document.getElementById('facts').textContent")
     checks.expect(facts.startswith("more than 1.79769e+308 m deep; moving B"), f"an infinite depth: {facts}")
     checks.quiet(browser, "extremes")
@@ -327,7 +327,7 @@ def check_tree(checks, browser):
 def check_narrow(checks, browser):
     """A telephone: everything is within the window, and the picture has its share of it."""
     browser.resize(480, 800)
-    checks.opened(browser, "gears.html", "#pair=0")
+    checks.opened(browser, "gears.html", "#finding=0")
     time.sleep(0.3)
     wide = browser.value("document.documentElement.scrollWidth")
     canvas = browser.value("[toccata.stage.canvas.clientWidth, toccata.stage.canvas.clientHeight]")
@@ -404,7 +404,7 @@ def check_case(checks, browser):
     checks.run("distance", "gen:box", "gen:icosphere", *away, "--save-case", "far.json")
     recorded = json.loads((checks.folder / "far.json").read_text())["answer"]["pairs"][0]["upper"]
     checks.run("view", "far.json", "-o", "far.html")
-    checks.opened(browser, "far.html", "#pair=0")
+    checks.opened(browser, "far.html", "#finding=0")
     browser.wait_for("!document.getElementById('found').hidden")
     facts = browser.value("document.getElementById('facts').textContent")
     told = re.search(r"([-\d.e]+) apart", facts)

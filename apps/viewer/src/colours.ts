@@ -16,7 +16,7 @@ export const facesA = blue;
 export const facesB = vermilion;
 export const untouched = 0xa9b2bb;
 
-/// Objects that take part in a contact, while no pair is chosen: pale, so that what meets stands out.
+/// Objects that take part in a finding, while none is chosen: pale, so that what meets stands out.
 const touched = [skyBlue, orange, green, purple, blue, vermilion].map((hex) => new Color(hex).lerp(new Color(0xffffff), 0.25).getHex());
 
 export const touchedColour = (index: number) => touched[index % touched.length];
@@ -33,6 +33,12 @@ export interface Theme {
   depth: number;
   distance: number;
   normal: number;
+  ray: number;
+  start: number;
+  asked: number;
+  hit: number;
+  region: number;
+  within: number;
 }
 
 export const themes: Record<'light' | 'dark', Theme> = {
@@ -45,6 +51,12 @@ export const themes: Record<'light' | 'dark', Theme> = {
     depth: 0xb1005a,
     distance: 0x00664b,
     normal: 0x7a3f6b,
+    ray: 0x00664b,
+    start: 0x00664b,
+    asked: 0x00664b,
+    hit: 0xb1005a,
+    region: 0x7a3f6b,
+    within: facesA,
   },
   dark: {
     background: 0x14181d,
@@ -55,5 +67,11 @@ export const themes: Record<'light' | 'dark', Theme> = {
     depth: 0xff6fb0,
     distance: 0x4fe0b5,
     normal: 0xe5a9d0,
+    ray: 0x4fe0b5,
+    start: 0x4fe0b5,
+    asked: 0x4fe0b5,
+    hit: 0xff6fb0,
+    region: 0xe5a9d0,
+    within: facesA,
   },
 };

@@ -32,7 +32,7 @@ export interface Layer {
   kind: string;
   role: string;
   data: ArrayPlace;
-  pair?: number;
+  finding?: number; // it is drawn while this one is chosen
   object?: number;
   label?: string;
   length?: number | null; // written at the middle of the first segment; null: beyond the largest double
@@ -63,7 +63,16 @@ export interface RoundHierarchy extends Levels {
 
 export type HierarchyLayer = FlatHierarchy | RoundHierarchy;
 
-export type Question = 'relation' | 'distance' | 'penetration';
+/// The engine's words for a finding, and by which methods it was found; of faces in a region how many of which object.
+export interface Words {
+  verb?: string;
+  remark?: string;
+  face_pairs?: number;
+  methods?: Partial<Record<'relation' | 'distance' | 'penetration' | 'cast', number>>;
+  object?: number;
+  faces?: number;
+  triangles?: number;
+}
 
 export interface Header {
   format: string;
@@ -73,7 +82,7 @@ export interface Header {
   meshes: MeshHeader[];
   objects: { mesh: number; fit?: number[]; node?: number }[];
   nodes?: { name: string; parent?: number }[]; // parents before their children
-  words: { verb: string; remark: string; face_pairs?: number; methods: Partial<Record<Question, number>> }[];
+  words: Words[];
   methods: string[];
   layers: Layer[];
 }
@@ -113,6 +122,53 @@ export interface Pair {
   distance?: Distance;
 }
 
+/// Of `--poses`; of distances it is one itself.
+export interface PosesQuery {
+  query: number;
+  relation?: string;
+  containment?: string;
+  contact?: boolean;
+  status: string;
+  face_pairs?: number;
+  penetration?: Penetration;
+  regions?: unknown[];
+  pose_a: number[];
+  pose_b: number[];
+}
+
+export interface SelfContacts {
+  object_index: number;
+  triangle_pairs: number;
+  face_pairs: number;
+}
+
+/// Without object_index it meets nothing.
+export interface Ray {
+  from: Vec;
+  motion: Vec;
+  object_index?: number;
+  face?: number;
+  upper?: number;
+  point?: Vec;
+  normal?: Vec;
+  status: string;
+}
+
+export interface NearPoint {
+  point: Vec;
+  nearest: {
+    object_index: number;
+    face: number;
+    upper: number | null;
+    at: Vec;
+    status: string;
+    side?: string;
+    side_by?: string;
+    signed_upper?: number | null;
+  }[];
+  inside_of?: string | null;
+}
+
 export interface ReportObject {
   name: string;
   source: string;
@@ -125,17 +181,19 @@ export interface ReportObject {
   pose: number[];
 }
 
-/// `check --json` without the faces (docs/reference/check-report.md).
+/// What the subcommand writes with --json (docs/reference), without the faces.
 export interface Report {
   schema: string;
   version: string;
   unit: string;
   warnings: string[];
   objects: ReportObject[];
-  candidate_pairs: number;
-  ignored_touching: number;
-  clearance?: number | 'all';
-  pairs: Pair[];
+  pairs?: Pair[];
+  queries?: PosesQuery[];
+  self_contacts?: SelfContacts[];
+  rays?: Ray[];
+  region?: { lower?: Vec; upper?: Vec; centre?: Vec; radius?: number };
+  points?: NearPoint[];
 }
 
 export class PageData {
@@ -147,7 +205,7 @@ export class PageData {
 
   static read(): PageData {
     const header = JSON.parse(textOf('toccata-header'), visible) as Header;
-    if (header.format !== 'toccata/view/1') throw new Error(`this page cannot show ${header.format}`);
+    if (header.format !== 'toccata/view/2') throw new Error(`this page cannot show ${header.format}`);
     return new PageData(header, JSON.parse(textOf('toccata-report'), visible) as Report, bytesOf(textOf('toccata-data')));
   }
 

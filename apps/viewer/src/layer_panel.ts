@@ -1,42 +1,52 @@
 // The box that switches layers on and off, and slides through the steps of those that have some.
 import type { Layer, PageData } from './data';
-import { stepColours, themes } from './colours';
+import { themes } from './colours';
+import type { Findings } from './findings';
+import { roleColour } from './layers';
 import { element, make } from './panels';
 import type { State } from './state';
 
-/// What the roles of a pair's layers are called.
+/// What the roles of layers of findings are called.
 const roleNames: Record<string, string> = {
   contact: 'Where they meet',
   depth: 'Depth',
   distance: 'Distance',
   normal: 'Normals',
+  ray: 'Rays',
+  start: 'Starts',
+  asked: 'Points asked about',
+  hit: 'What is met',
+  region: 'Region',
+  within: 'Faces in it',
 };
 
 export class LayerPanel {
   constructor(
     private readonly data: PageData,
+    private readonly findings: Findings,
     private readonly state: State,
     private readonly changed: () => void,
   ) {}
 
   show(): void {
     const panel = element('layers');
-    if (panel.contains(document.activeElement) && panel.dataset.pair === String(this.state.pair)) return;
-    panel.dataset.pair = String(this.state.pair);
+    const { finding } = this.state;
+    if (panel.contains(document.activeElement) && panel.dataset.finding === String(finding)) return;
+    panel.dataset.finding = String(finding);
     const { layers } = this.data.header;
-    const shown = layers.filter((layer) => layer.pair !== undefined && (this.state.pair === undefined ? layer.role === 'contact' : layer.pair === this.state.pair));
+    const isShown = (layer: Layer) => (finding === undefined ? this.findings.shown.includes(layer.role) : layer.finding === finding);
+    const shown = layers.filter((layer) => (layer.finding === undefined ? !layer.steps : isShown(layer)));
     const roles = [...new Set(shown.map((layer) => layer.role))];
     panel.replaceChildren(...roles.map((role) => this.roleSwitch(role)));
     layers.forEach((layer, i) => {
-      const { pair } = this.state;
-      const ofPair = pair === undefined || layer.object === undefined || this.isOf(layer.object, pair);
-      if (layer.steps && layer.steps.length > 0 && ofPair) panel.append(this.stepSlider(layer, layer.steps.length, i));
+      const isMeant = finding === undefined || layer.object === undefined || this.isOf(layer.object, finding);
+      if (layer.steps && layer.steps.length > 0 && isMeant) panel.append(this.stepSlider(layer, layer.steps.length, i));
     });
   }
 
-  private isOf(object: number, pair: number): boolean {
-    const { a_index, b_index } = this.data.report.pairs[pair];
-    return object === a_index || object === b_index;
+  private isOf(object: number, finding: number): boolean {
+    const { a, b } = this.findings.all[finding];
+    return object === a || object === b;
   }
 
   private roleSwitch(role: string): HTMLElement {
@@ -49,7 +59,7 @@ export class LayerPanel {
       else this.state.off.add(role);
       this.changed();
     };
-    const colour = (themes[this.state.theme] as unknown as Record<string, number>)[role] ?? stepColours[0];
+    const colour = roleColour(themes[this.state.theme], role);
     const key = make('i');
     key.style.background = `#${colour.toString(16).padStart(6, '0')}`;
     label.append(box, key, roleNames[role] ?? role);

@@ -23,8 +23,9 @@ import { identity, matrixOf, shownPlace } from './place';
 
 export interface LayerStyle {
   theme: Theme;
-  over: boolean; // drawn over everything, for a pair that is looked at
+  over: boolean; // drawn over everything, for a finding that is looked at
   arrow: number; // how long arrows are
+  second?: number; // B of the finding
   step?: LayerStep;
   stepNumber: number;
 }
@@ -36,10 +37,11 @@ interface Drawing {
 
 type Draw = (layer: Layer, drawing: Drawing, style: LayerStyle) => Object3D;
 
-function colourOf(layer: Layer, style: LayerStyle): number {
-  const named = (style.theme as unknown as Record<string, number>)[layer.role];
-  return named ?? stepColours[style.stepNumber % stepColours.length];
+export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
+  return (theme as unknown as Record<string, number>)[role] ?? stepColours[stepNumber % stepColours.length];
 }
+
+const colourOf = (layer: Layer, style: LayerStyle) => roleColour(style.theme, layer.role, style.stepNumber);
 
 /// The numbers of the layer, or of its step; `width` numbers make an item.
 function numbersOf(layer: Layer, { data }: Drawing, style: LayerStyle, width: number): Float32Array {
@@ -95,11 +97,10 @@ export function points(numbers: Float32Array, colour: number, over: boolean): Ob
   return drawn;
 }
 
-/// The triangles of a pair's object that meet the other one.
+/// The triangles of an object that a finding is about.
 const faces: Draw = (layer, { data, objects }, style) => {
   const object = layer.object ?? 0;
-  const isFirst = layer.pair !== undefined && data.report.pairs[layer.pair].a_index === object;
-  const colour = layer.pair === undefined ? colourOf(layer, style) : isFirst ? facesA : facesB;
+  const colour = layer.finding === undefined ? colourOf(layer, style) : style.second === object ? facesB : facesA;
   const material = new MeshLambertMaterial({ color: colour, side: DoubleSide, flatShading: true });
   const drawn = new Mesh(objects.trianglesOf(object, data.integers(layer.data)), material);
   drawn.frustumCulled = false;

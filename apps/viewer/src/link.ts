@@ -3,7 +3,7 @@ import { newState, type State } from './state';
 
 /// What there is to be asked for.
 export interface Known {
-  pairs: number;
+  findings: number;
   objects: number;
   sliders: { layer: number; steps: number }[]; // counted in links in this order
   roles: Set<string>;
@@ -24,7 +24,7 @@ function ranges(numbers: Set<number>): string {
 
 export function toHash(state: State, known: Known): string {
   const words = new URLSearchParams();
-  if (state.pair !== undefined) words.set('pair', `${state.pair}`);
+  if (state.finding !== undefined) words.set('finding', `${state.finding}`);
   if (state.only) words.set('only', ranges(state.only));
   if (state.hidden.size > 0) words.set('hidden', ranges(state.hidden));
   if (state.ghosts.size > 0) words.set('ghosts', ranges(state.ghosts));
@@ -33,7 +33,7 @@ export function toHash(state: State, known: Known): string {
   if (!state.grid) words.set('grid', '0');
   if (!state.labels) words.set('labels', '0');
   if (!state.panels) words.set('panels', '0');
-  if (state.order !== 'deepest') words.set('order', state.order);
+  if (state.order) words.set('order', state.order);
   if (state.off.size > 0) words.set('off', [...state.off].join(','));
   const steps = known.sliders.flatMap(({ layer }, slider) => (state.steps.has(layer) ? [`${slider}:${state.steps.get(layer)}`] : []));
   if (steps.length > 0) words.set('steps', steps.join(','));
@@ -114,7 +114,7 @@ class Reader {
   }
 
   private readonly readers: Record<string, (text: string) => void> = {
-    pair: (text) => (this.state.pair = this.index(text, this.known.pairs, 'pair')),
+    finding: (text) => (this.state.finding = this.index(text, this.known.findings, 'finding')),
     only: (text) => {
       const objects = this.objects(text);
       if (objects.size > 0) this.state.only = objects;

@@ -6,10 +6,10 @@ import { element, make } from './panels';
 import { Viewer } from './viewer';
 
 const keys: [string, string, string][] = [
-  ['n', 'N', 'next contact'],
-  ['p', 'P', 'previous contact'],
+  ['n', 'N', 'next in the list'],
+  ['p', 'P', 'previous in the list'],
   ['Escape', 'Esc', 'back to all'],
-  ['f', 'F', 'show everything, or the chosen contact'],
+  ['f', 'F', 'show everything, or what is chosen'],
   ['1', '1 2 3', 'look along X, Y, Z'],
   ['g', 'G', 'the rest as ghosts, shown or hidden'],
   ['x', 'X', 'see through the objects'],
@@ -28,7 +28,7 @@ const nextRest: Record<Look, Look> = { ghost: 'hidden', hidden: 'shown', shown: 
 
 function actionsOf(viewer: Viewer): Record<string, () => void> {
   const { stage } = viewer;
-  const go = (step: number) => viewer.choosePair(viewer.panels.neighbour(step) ?? viewer.state.pair);
+  const go = (step: number) => viewer.choose(viewer.panels.neighbour(step) ?? viewer.state.finding);
   const isUp = viewer.data.header.up;
   const along = { x: [0, 0], y: isUp === 'z' ? [-Math.PI / 2, 0] : [-Math.PI / 2, 9], z: isUp === 'z' ? [-Math.PI / 2, 9] : [-Math.PI / 2, 0] };
   const look = (axis: 'x' | 'y' | 'z') => () => stage.orbit.look(along[axis][0], along[axis][1]);
@@ -48,7 +48,7 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
     help: () => element<HTMLDialogElement>('keys').showModal(),
     previous: () => go(-1),
     next: () => go(1),
-    leave: () => viewer.choosePair(undefined),
+    leave: () => viewer.choose(undefined),
     'show-all': () => viewer.showAll(),
     'complaint-seen': () => (element('complaint').hidden = true),
   };

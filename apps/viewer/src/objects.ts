@@ -165,6 +165,15 @@ export class Objects {
     return part.setIndex(new BufferAttribute(chosen, 1));
   }
 
+  /// Places an object elsewhere; `show` draws it there.
+  moveTo(object: number, pose: number[]): void {
+    const { header } = this.data;
+    const { mesh, fit } = header.objects[object];
+    this.matrices[object].copy(matrixOf(shownPlace(header.frame, pose, stored(header.meshes[mesh]), fit)));
+    this.boxes[object].copy((this.geometries[mesh].boundingBox ?? new Box3()).clone().applyMatrix4(this.matrices[object]));
+    this.thin.get(object)?.matrix.copy(this.matrices[object]);
+  }
+
   place(drawn: Object3D, object: number): void {
     drawn.matrixAutoUpdate = false;
     drawn.matrix.copy(this.matrices[object]);

@@ -1,9 +1,10 @@
 // The lists at the side and the sentence below. Names are untrusted: they are only ever set as text.
 import type { PageData } from './data';
+import { sorted, textOf, type Finding, type Findings, type Order, type Part } from './findings';
 import type { State } from './state';
 import { isDim, isSetFor, Tree, type Row } from './tree';
 import { isolated } from './visible';
-import { countText, numberText, pairFacts, pairNumber, sortedPairs, type Order } from './words';
+import { countText, numberText } from './words';
 
 const most = 500; // rows at a time
 
@@ -21,7 +22,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = '', c
 }
 
 export interface Actions {
-  choosePair(pair: number | undefined): void;
+  choose(finding: number | undefined): void;
   focus(objects: number[]): void;
   toggle(objects: number[], what: 'hidden' | 'ghosts' | 'only'): void;
   colourOf(object: number): number;
@@ -58,33 +59,60 @@ function fillList<T>(list: HTMLElement, items: T[], row: (item: T) => HTMLElemen
   if (focused) list.querySelector<HTMLElement>(`[data-key="${focused}"]`)?.focus();
 }
 
+const orderNames: Record<Order, string> = {
+  deepest: 'deepest first',
+  largest: 'most faces first',
+  nearest: 'nearest first',
+  listed: 'as listed',
+};
+
 export class Panels {
   private order: number[] = [];
   private readonly tree: Tree;
 
   constructor(
     private readonly data: PageData,
+    private readonly findings: Findings,
     private readonly state: State,
     private readonly actions: Actions,
   ) {
     this.tree = new Tree(data);
-    for (const tab of ['contacts', 'objects']) element(`tab-${tab}`).onclick = () => this.open(tab);
-    element<HTMLSelectElement>('order').onchange = (event) => {
-      state.order = (event.target as HTMLSelectElement).value;
-      this.listPairs();
-    };
+    for (const tab of ['findings', 'objects']) element(`tab-${tab}`).onclick = () => this.open(tab);
+    this.offerOrders();
     element('filter').oninput = () => this.listObjects();
     element('title').replaceChildren(nameIn(data.header.title));
     element('title').title = data.header.title;
     document.title = `${isolated(data.header.title)} – Toccata`;
     this.summarise();
-    this.listPairs();
+    this.listFindings();
     this.listObjects();
-    this.open(data.report.pairs.length > 0 ? 'contacts' : 'objects');
+    this.open(findings.all.length > 0 ? 'findings' : 'objects');
   }
 
+  private offerOrders(): void {
+    const select = element<HTMLSelectElement>('order');
+    for (const order of this.findings.orders) {
+      const option = make('option', orderNames[order]);
+      option.value = order;
+      select.append(option);
+    }
+    select.onchange = () => {
+      this.state.order = select.value as Order;
+      this.listFindings();
+    };
+  }
+
+  /// Texts, and names of objects among them.
+  private filled<T extends HTMLElement>(made: T, parts: Part[], finding: Finding): T {
+    const { objects } = this.data.report;
+    const classOf = (object: number) => (object === finding.a ? 'a' : object === finding.b ? 'b' : '');
+    made.append(...parts.map((part) => (typeof part === 'string' ? part : nameIn(objects[part.object].name, made.id ? classOf(part.object) : ''))));
+    return made;
+  }
+
+
   open(tab: string): void {
-    for (const name of ['contacts', 'objects']) {
+    for (const name of ['findings', 'objects']) {
       element(name).hidden = name !== tab;
       element(`tab-${name}`).setAttribute('aria-selected', String(name === tab));
     }
@@ -92,76 +120,66 @@ export class Panels {
 
   private summarise(): void {
     const { report } = this.data;
-    const near = report.pairs.filter((pair) => pair.relation === 'apart').length;
     const triangles = report.objects.reduce((sum, object) => sum + object.triangles, 0);
     const parts = [countText(report.objects.length, 'object')];
     if (triangles > 0) parts.push(countText(triangles, 'triangle'));
-    parts.push(`${countText(report.pairs.length - near, 'pair')} in contact`);
-    if (near > 0) parts.push(`${countText(near, 'pair')} near`);
+    parts.push(...this.findings.summary);
     if (report.unit !== 'unit') parts.unshift(/^[-+.\d]/.test(report.unit) ? `in units of ${report.unit}` : `in ${report.unit}`);
     element('summary').textContent = parts.join(' · ');
     element('summary').title = [parts.join(' · '), ...report.warnings].join('\n');
-    const counted = (count: number) => count.toLocaleString('en-US');
-    const contacts = `Contacts ${counted(report.pairs.length - near)}`;
-    element('tab-contacts').textContent = near > 0 ? `${contacts} · near ${counted(near)}` : contacts;
+    element('tab-findings').textContent = this.findings.name;
     element('tab-objects').textContent = `Objects ${report.objects.length.toLocaleString('en-US')}`;
   }
 
-  /// The pair `step` places further in the list.
+  /// The finding `step` places further in the list.
   neighbour(step: number): number | undefined {
     if (this.order.length === 0) return undefined;
-    const at = this.state.pair === undefined ? -1 : this.order.indexOf(this.state.pair);
+    const at = this.state.finding === undefined ? -1 : this.order.indexOf(this.state.finding);
     const next = at < 0 ? (step > 0 ? 0 : this.order.length - 1) : (at + step + this.order.length) % this.order.length;
     return this.order[next];
   }
 
-  listPairs(): void {
-    const { header, report } = this.data;
-    element<HTMLSelectElement>('order').value = this.state.order;
-    this.order = sortedPairs(header, report, this.state.order as Order);
-    fillList(element('pair-list'), this.order, (pair) => this.pairRow(pair), 'Nothing collides.');
-    this.markPair();
+  listFindings(): void {
+    const { orders, all, none } = this.findings;
+    const order = this.state.order && orders.includes(this.state.order) ? this.state.order : orders[0];
+    element<HTMLSelectElement>('order').value = order;
+    this.order = sorted(all, order);
+    fillList(element('finding-list'), this.order, (finding) => this.findingRow(finding), none);
+    this.markFinding();
   }
 
-  private pairRow(index: number): HTMLElement {
-    const { header, report } = this.data;
-    const pair = report.pairs[index];
+  private findingRow(index: number): HTMLElement {
+    const finding = this.findings.all[index];
     const item = make('li');
-    item.dataset.pair = String(index);
+    item.dataset.finding = String(index);
     const row = make('button', '', 'row');
-    const names = make('span');
-    names.append(nameIn(pair.a), ' – ', nameIn(pair.b));
-    row.append(names);
-    const number = pairNumber(header, report, index);
-    row.append(make('span', number ? `${relationWord(pair.relation, header.words[index].verb)} · ${number}` : header.words[index].verb, 'what'));
-    row.title = `${isolated(pair.a)} ${header.words[index].verb} ${isolated(pair.b)}`;
-    row.onclick = () => this.actions.choosePair(index);
+    row.append(this.filled(make('span'), finding.row, finding), make('span', finding.what, 'what'));
+    row.title = textOf(finding.sentence, (object) => isolated(this.data.report.objects[object].name));
+    row.onclick = () => this.actions.choose(index);
     item.append(row);
     return item;
   }
 
-  markPair(): void {
-    const chosen = this.state.pair;
-    for (const item of element('pair-list').children) {
-      const is = (item as HTMLElement).dataset.pair === String(chosen);
+  markFinding(): void {
+    const chosen = this.state.finding;
+    for (const item of element('finding-list').children) {
+      const is = (item as HTMLElement).dataset.finding === String(chosen);
       item.classList.toggle('chosen', is);
       item.querySelector('.row')?.setAttribute('aria-current', String(is));
       if (is) item.scrollIntoView({ block: 'nearest' });
     }
-    this.tellPair();
+    this.tell();
   }
 
-  private tellPair(): void {
-    const { header, report } = this.data;
-    const index = this.state.pair;
+  private tell(): void {
+    const index = this.state.finding;
     element('found').hidden = index === undefined;
     if (index === undefined) return;
-    const pair = report.pairs[index];
-    const words = header.words[index];
+    const finding = this.findings.all[index];
     const sentence = element('sentence');
-    sentence.replaceChildren(nameIn(pair.a, 'a'), ` ${words.verb} `, nameIn(pair.b, 'b'), ` ${words.remark}.`);
-    const facts = pairFacts(header, report, index).map((fact) => make('li', fact));
-    element('facts').replaceChildren(...facts);
+    sentence.replaceChildren();
+    this.filled(sentence, finding.sentence, finding);
+    element('facts').replaceChildren(...finding.facts.map((fact) => this.filled(make('li'), fact, finding)));
   }
 
   listObjects(): void {
@@ -228,10 +246,6 @@ export class Panels {
     made.onclick = () => this.actions.toggle(row.objects, what);
     return made;
   }
-}
-
-function relationWord(relation: string, verb: string): string {
-  return relation === 'apart' ? 'near' : verb;
 }
 
 function describe(object: { shape: string; triangles: number; solid: boolean }): string {

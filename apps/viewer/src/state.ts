@@ -1,18 +1,19 @@
 // What the reader has chosen.
+import type { Order } from './findings';
 import type { Look } from './objects';
 
 export interface State {
-  pair: number | undefined;
+  finding: number | undefined;
   hidden: Set<number>;
   ghosts: Set<number>;
   only: Set<number> | undefined; // where there are such, all others are hidden
-  rest: Look; // of the objects that are not of the chosen pair
+  rest: Look; // of the objects that the chosen finding is not about
   through: boolean;
   grid: boolean;
   labels: boolean;
   panels: boolean;
   theme: 'light' | 'dark';
-  order: string;
+  order: Order | undefined; // of the list; none: that of the kind of question
   off: Set<string>; // roles of layers that are switched off
   steps: Map<number, number>; // of layers with steps, which one is shown
   camera: number[] | undefined; // target, distance, yaw, pitch
@@ -20,7 +21,7 @@ export interface State {
 
 export function newState(): State {
   return {
-    pair: undefined,
+    finding: undefined,
     hidden: new Set(),
     ghosts: new Set(),
     only: undefined,
@@ -30,7 +31,7 @@ export function newState(): State {
     labels: true,
     panels: true,
     theme: window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light',
-    order: 'deepest',
+    order: undefined,
     off: new Set(),
     steps: new Map(),
     camera: undefined,

@@ -3,7 +3,8 @@ import { Box3, Object3D, Vector3 } from 'three';
 import { objectA, objectB, themes, touchedColour, untouched } from './colours';
 import type { HierarchyLayer, Layer, LayerStep, PageData } from './data';
 import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
-import { draw, merged, points, segments } from './layers';
+import { findingsOf, type Finding, type Findings } from './findings';
+import { draw, merged, points, roleColour, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Objects, type Appearance } from './objects';
 import { element, Panels } from './panels';
@@ -14,14 +15,16 @@ import { fromHash, toHash, type Known } from './link';
 import type { State } from './state';
 import { countText, lengthText } from './words';
 
-function knownOf({ header, report }: PageData): Known {
+function knownOf({ header, report }: PageData, findings: Findings): Known {
   return {
-    pairs: report.pairs.length,
+    findings: findings.all.length,
     objects: report.objects.length,
     sliders: header.layers.flatMap(({ steps }, layer) => (steps && steps.length > 0 ? [{ layer, steps: steps.length }] : [])),
     roles: new Set(header.layers.map((layer) => layer.role)),
   };
 }
+
+const objectsOf = ({ a, b }: Finding) => [...new Set([a, b])].filter((object): object is number => object !== undefined);
 
 export class Viewer {
   readonly state: State;
@@ -30,6 +33,7 @@ export class Viewer {
   readonly panels: Panels;
   private readonly layerPanel: LayerPanel;
   private readonly marks: Marks;
+  readonly findings: Findings;
   private readonly touched: Set<number>;
   private readonly known: Known;
   private linkTimer = 0;
@@ -38,16 +42,17 @@ export class Viewer {
 
   constructor(readonly data: PageData) {
     const { header, report } = data;
-    this.known = knownOf(data);
+    this.findings = findingsOf(data);
+    this.known = knownOf(data, this.findings);
     const { state, complaints } = fromHash(location.hash, this.known);
     this.state = state;
-    this.touched = new Set(report.pairs.flatMap((pair) => (pair.relation === 'apart' ? [] : [pair.a_index, pair.b_index])));
+    this.touched = new Set(this.findings.all.flatMap((finding) => (finding.counts ? objectsOf(finding) : [])));
     this.objects = new Objects(data);
     this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
     this.marks = new Marks(this.stage, header, report.unit);
-    this.layerPanel = new LayerPanel(data, this.state, () => this.show());
-    this.panels = new Panels(data, this.state, {
-      choosePair: (pair) => this.choosePair(pair),
+    this.layerPanel = new LayerPanel(data, this.findings, this.state, () => this.show());
+    this.panels = new Panels(data, this.findings, this.state, {
+      choose: (finding) => this.choose(finding),
       focus: (objects) => this.stage.frameBox(this.boxAround(objects)),
       toggle: (objects, what) => this.toggle(objects, what),
       colourOf: (object) => this.colourOf(object),
@@ -56,7 +61,7 @@ export class Viewer {
     this.complain(complaints);
     this.openHierarchy();
     this.show();
-    this.panels.markPair();
+    this.panels.markFinding();
     this.placeCamera();
   }
 
@@ -70,11 +75,16 @@ export class Viewer {
     this.stage.redraw();
   }
 
-  /// A page without contacts that has a hierarchy shows it at once, unless a link says otherwise.
+  /// The finding that is looked at.
+  private get chosen(): Finding | undefined {
+    return this.state.finding === undefined ? undefined : this.findings.all[this.state.finding];
+  }
+
+  /// A page without findings that has a hierarchy shows it at once, unless a link says otherwise.
   private openHierarchy(): void {
-    const { header, report } = this.data;
+    const { header } = this.data;
     const layer = header.layers.findIndex((one) => one.kind === 'hierarchy');
-    if (layer < 0 || report.pairs.length > 0 || location.hash.length > 1) return;
+    if (layer < 0 || this.findings.all.length > 0 || location.hash.length > 1) return;
     this.state.steps.set(layer, Math.min(3, (header.layers[layer].steps?.length ?? 1) - 1));
   }
 
@@ -91,17 +101,18 @@ export class Viewer {
     element('complaint-text').textContent = `The link to this view is not understood in all: ${text}`;
   }
 
+  /// Where an object is, in shown coordinates.
+  boxOf(object: number): Box3 {
+    return this.objects.boxes[object];
+  }
+
   private boxAround(objects: number[]): Box3 {
     return objects.reduce((box, object) => box.union(this.objects.boxes[object]), new Box3());
   }
 
   private colourOf(object: number): number {
-    const { pair } = this.state;
-    if (pair !== undefined) {
-      if (object === this.data.report.pairs[pair].a_index) return objectA;
-      if (object === this.data.report.pairs[pair].b_index) return objectB;
-      return untouched;
-    }
+    const { chosen } = this;
+    if (chosen) return object === chosen.a ? objectA : object === chosen.b ? objectB : untouched;
     return this.touched.has(object) ? touchedColour(object) : untouched;
   }
 
@@ -119,11 +130,10 @@ export class Viewer {
     if (state.hidden.has(object) || (state.only && !state.only.has(object))) return 'hidden';
     if (state.ghosts.has(object)) return 'ghost';
     if (opened.has(object)) return 'hidden'; // its triangles are drawn in the colours of the level
-    if (state.pair === undefined) return opened.size > 0 ? state.rest : 'shown';
-    const pair = this.data.report.pairs[state.pair];
-    if (object !== pair.a_index && object !== pair.b_index) return state.rest;
-    const outer = pair.containment === 'a_in_b' ? pair.b_index : pair.containment === 'b_in_a' ? pair.a_index : -1;
-    return object === outer ? 'ghost' : 'shown';
+    const { chosen } = this;
+    if (!chosen) return opened.size > 0 ? state.rest : 'shown';
+    if (!objectsOf(chosen).includes(object)) return state.rest;
+    return object === chosen.outer ? 'ghost' : 'shown';
   }
 
   /// Everything anew from the state.
@@ -133,9 +143,10 @@ export class Viewer {
     document.documentElement.dataset.theme = state.theme;
     document.documentElement.dataset.panels = state.panels ? 'on' : 'off';
     this.objects.seeThrough(state.through);
+    this.placeObjects();
     const opened = this.opened();
     const looks = this.data.report.objects.map((_, i) => ({ look: this.lookOf(i, opened), colour: this.colourOf(i) }));
-    if (state.pair !== undefined) this.colourContainer(looks, state.pair);
+    if (this.chosen) this.colourContainer(looks, this.chosen);
     this.objects.show(looks, theme.ghost);
     this.stage.setTheme(theme, state.grid);
     this.layerPanel.show();
@@ -145,9 +156,15 @@ export class Viewer {
   }
 
   /// The ghost that contains the other one is still told by its colour.
-  private colourContainer(looks: Appearance[], index: number): void {
-    const pair = this.data.report.pairs[index];
-    for (const object of [pair.a_index, pair.b_index]) looks[object].ghostColour = looks[object].colour;
+  private colourContainer(looks: Appearance[], chosen: Finding): void {
+    for (const object of objectsOf(chosen)) looks[object].ghostColour = looks[object].colour;
+  }
+
+  /// Where the chosen finding has them; else where the report has them.
+  private placeObjects(): void {
+    const { chosen } = this;
+    if (!this.findings.all.some((finding) => finding.poses)) return;
+    this.data.report.objects.forEach(({ pose }, object) => this.objects.moveTo(object, chosen?.poses?.[object] ?? pose));
   }
 
   private showButtons(): void {
@@ -161,10 +178,10 @@ export class Viewer {
     const { header } = this.data;
     this.levels = [];
     this.light(undefined, -1);
-    const ofPair = header.layers.filter((layer) => layer.pair === this.state.pair && !this.state.off.has(layer.role));
-    const drawn = this.state.pair === undefined ? this.allContacts() : ofPair.map((layer) => this.drawn(layer));
+    const found = header.layers.filter((layer) => layer.finding === this.state.finding && !this.state.off.has(layer.role));
+    const drawn = this.state.finding === undefined ? this.overview() : found.map((layer) => this.drawn(layer));
     header.layers.forEach((layer, i) => {
-      if (layer.pair !== undefined || this.state.off.has(layer.role)) return;
+      if (layer.finding !== undefined || this.state.off.has(layer.role)) return;
       const chosen = this.state.steps.get(i);
       if (!layer.steps) drawn.push(this.drawn(layer));
       else if (chosen !== undefined && layer.steps[chosen]) drawn.push(this.drawn(layer, layer.steps[chosen], chosen));
@@ -179,21 +196,23 @@ export class Viewer {
       return drawn;
     }
     const size = this.focusBox().getSize(new Vector3()).length();
-    const style = { theme: themes[this.state.theme], over: layer.pair !== undefined, arrow: 0.12 * size, step, stepNumber };
+    const style = { theme: themes[this.state.theme], over: layer.finding !== undefined, arrow: 0.12 * size, second: this.chosen?.b, step, stepNumber };
     return draw(layer, { data: this.data, objects: this.objects }, style);
   }
 
-  /// While no pair is chosen, the curves and points of all of them: one drawing each.
-  private allContacts(): Object3D[] {
-    const { header } = this.data;
-    if (this.state.off.has('contact')) return [];
-    const colour = themes[this.state.theme].contact;
-    const of = (kind: string) => header.layers.filter((layer) => layer.pair !== undefined && layer.role === 'contact' && layer.kind === kind);
-    const curves = merged(of('segments'), this.data);
-    const places = merged(of('points'), this.data);
+  /// While none is chosen, the curves and points of all findings: one drawing each for a role; and faces in a region.
+  private overview(): Object3D[] {
+    const layers = this.data.header.layers.filter((layer) => layer.finding !== undefined && !this.state.off.has(layer.role));
     const drawn: Object3D[] = [];
-    if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, false));
-    if (places.length > 0) drawn.push(points(places, colour, false));
+    for (const role of this.findings.shown) {
+      const of = (kind: string) => layers.filter((layer) => layer.role === role && layer.kind === kind);
+      const colour = roleColour(themes[this.state.theme], role);
+      const curves = merged(of('segments'), this.data);
+      const places = merged(of('points'), this.data);
+      if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, false));
+      if (places.length > 0) drawn.push(points(places, colour, false));
+      if (role === 'within') drawn.push(...of('faces').map((layer) => this.drawn(layer)));
+    }
     return drawn;
   }
 
@@ -219,30 +238,30 @@ export class Viewer {
 
   private labels(): Mark[] {
     const { report, header } = this.data;
-    if (this.state.pair === undefined) return [];
-    const pair = report.pairs[this.state.pair];
+    const { chosen } = this;
+    if (!chosen) return [];
     const top = (box: Box3) => {
       const at = box.getCenter(new Vector3());
       const up = header.up === 'z' ? 2 : 1;
       return at.setComponent(up, box.max.getComponent(up));
     };
-    const marks: Mark[] = [
-      { at: top(this.objects.boxes[pair.a_index]), text: pair.a, className: 'mark a', kept: true },
-      { at: top(this.objects.boxes[pair.b_index]), text: pair.b, className: 'mark b', kept: true },
-    ];
+    const marks: Mark[] = objectsOf(chosen).map((object) => {
+      const side = object === chosen.a ? 'a' : 'b';
+      return { at: top(this.objects.boxes[object]), text: report.objects[object].name, className: `mark ${side}`, kept: true };
+    });
     for (const layer of header.layers) {
       const text = layer.length === undefined ? layer.label : lengthText(layer.length, report.unit);
-      if (layer.pair !== this.state.pair || !text || this.state.off.has(layer.role)) continue;
+      if (layer.finding !== this.state.finding || !text || this.state.off.has(layer.role)) continue;
       const ends = this.data.floats(layer.data);
       marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text, className: 'mark' });
     }
     return marks;
   }
 
-  /// Around what was found of the chosen pair; else around what is shown.
+  /// Around what was found; else around what is shown.
   focusBox(): Box3 {
-    const { pair } = this.state;
-    if (pair === undefined) {
+    const { chosen } = this;
+    if (!chosen) {
       const box = new Box3();
       const opened = this.opened();
       this.data.report.objects.forEach((object, i) => {
@@ -254,36 +273,37 @@ export class Viewer {
     }
     const found = new Box3();
     for (const layer of this.data.header.layers) {
-      if (layer.pair !== pair || layer.kind === 'faces' || layer.kind === 'arrows') continue;
+      if (layer.finding !== this.state.finding || layer.kind === 'faces' || layer.kind === 'arrows') continue;
       const numbers = this.data.floats(layer.data);
       for (let i = 0; i < numbers.length; i += 3) found.expandByPoint(new Vector3(numbers[i], numbers[i + 1], numbers[i + 2]));
     }
-    return this.withRoom(found, pair);
+    return this.withRoom(found, chosen);
   }
 
-  /// A contact that is tiny beside its objects is shown with some of these around it.
-  private withRoom(found: Box3, index: number): Box3 {
-    const pair = this.data.report.pairs[index];
-    const [a, b] = [this.objects.boxes[pair.a_index], this.objects.boxes[pair.b_index]];
+  /// What is tiny beside its objects is shown with some of these around it.
+  private withRoom(found: Box3, chosen: Finding): Box3 {
+    const boxes = objectsOf(chosen).map((object) => this.objects.boxes[object]);
+    if (boxes.length === 0) return found.isEmpty() ? this.stage.wholeBox() : found;
     const length = (box: Box3) => box.getSize(new Vector3()).length();
-    const [smaller, larger] = length(a) < length(b) ? [a, b] : [b, a];
-    if (pair.containment !== 'none' && length(larger) < 4 * length(smaller)) return larger.clone();
+    boxes.sort((a, b) => length(a) - length(b));
+    const [smaller, larger] = [boxes[0], boxes[boxes.length - 1]];
+    if (chosen.outer !== undefined && length(larger) < 4 * length(smaller)) return larger.clone();
     if (found.isEmpty()) return smaller.clone();
     const missing = 0.6 * length(smaller) - length(found);
     const close = missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
-    const both = a.clone().union(b);
-    const isHalfSpace = [pair.a_index, pair.b_index].some((i) => this.data.report.objects[i].shape === 'half-space');
-    return !isHalfSpace && length(both) < 4 * length(close) ? both : close;
+    const all = boxes.reduce((box, other) => box.union(other), close.clone());
+    const isHalfSpace = objectsOf(chosen).some((i) => this.data.report.objects[i].shape === 'half-space');
+    return !isHalfSpace && length(all) < 4 * length(close) ? all : close;
   }
 
   frame(): void {
     this.stage.frameBox(this.focusBox());
   }
 
-  choosePair(pair: number | undefined): void {
-    if (pair === undefined && this.state.pair === undefined) return;
-    this.state.pair = pair;
-    this.panels.markPair();
+  choose(finding: number | undefined): void {
+    if (finding === undefined && this.state.finding === undefined) return;
+    this.state.finding = finding;
+    this.panels.markFinding();
     this.panels.listObjects();
     this.show();
     this.frame();

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "toccata/io/report.hpp"
+#include "toccata/io/scene_question.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -23,14 +23,15 @@ struct ViewOptions {
   std::optional<CostVolume> hierarchy{};
 };
 
-/// One HTML page that shows a scene and what was found in it: self-contained, so that it opens from disk without a
-/// network or a server, in any browser with WebGL 2. It computes no collision; it draws what the report says. Where
-/// the report has faces, these and the curves in which they meet are drawn; where it has penetrations and distances,
-/// their segments and numbers. `models` are the scene's, in its order. Meshes are rounded for display to 1/65535 of
-/// their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold
+/// One HTML page that shows a scene and what was found in it, whatever was asked: self-contained, so that it opens from
+/// disk without a network or a server, in any browser with WebGL 2. It computes no collision; it draws what the answer
+/// says: where a report of `check` has faces, these and the curves in which they meet, where it has penetrations and
+/// distances, their segments and numbers; ways of rays and what they meet, nearest points, faces in a region; of many
+/// poses the objects at the one that is chosen. `models` are the scene's, in its order. Meshes are rounded for display
+/// to 1/65535 of their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold
 /// anything. Throws Error when an object reaches beyond the doubles, and when hierarchies of more than 32 meshes are
 /// asked for.
-[[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+[[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                     const ViewOptions& options = {}, std::span<const std::string> warnings = {});
 
 /// Writes a page: the file is complete or not there. Throws Error naming the file when it exists and was not written by

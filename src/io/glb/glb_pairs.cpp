@@ -43,12 +43,12 @@ class PairNodes {
   }
 
   void add_contacts(const ReportedPair& pair) {
-    ContactGeometry found = contact_geometry(pair);
+    ContactGeometry found = contact_geometry(pair.face_pairs);
     for (int i = 0; pair.manifold && i < pair.manifold->count; ++i)
       found.points.push_back(pair.manifold->points[static_cast<std::size_t>(i)].position);
     std::vector<Shown> shown{
-        {corners(pair.a, meeting_faces(pair, &ReportedFacePair::face_a)), GlbMode::triangles, first_faces},
-        {corners(pair.b, meeting_faces(pair, &ReportedFacePair::face_b)), GlbMode::triangles, second_faces},
+        {corners(pair.a, meeting_faces(pair.face_pairs, &ReportedFacePair::face_a)), GlbMode::triangles, first_faces},
+        {corners(pair.b, meeting_faces(pair.face_pairs, &ReportedFacePair::face_b)), GlbMode::triangles, second_faces},
         {std::move(found.triangles), GlbMode::triangles, curves},
         {std::move(found.segments), GlbMode::lines, curves},
         {std::move(found.points), GlbMode::points, curves}};

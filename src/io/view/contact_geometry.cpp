@@ -16,21 +16,31 @@ void add_meeting(ContactGeometry& found, const std::vector<Vec3>& points) {
     for (const std::size_t corner : {std::size_t{0}, i, i + 1}) found.triangles.push_back(points[corner]);
 }
 
+std::vector<Index> each_once(std::vector<Index> faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
 }  // namespace
 
-ContactGeometry contact_geometry(const ReportedPair& pair) {
+ContactGeometry contact_geometry(const std::vector<ReportedFacePair>& pairs) {
   ContactGeometry found;
-  for (const ReportedFacePair& faces : pair.face_pairs)
+  for (const ReportedFacePair& faces : pairs)
     for (const ReportedMeeting& meeting : faces.meetings) add_meeting(found, meeting.points);
   return found;
 }
 
-std::vector<Index> meeting_faces(const ReportedPair& pair, Index ReportedFacePair::*side) {
+std::vector<Index> meeting_faces(const std::vector<ReportedFacePair>& pairs, Index ReportedFacePair::*side) {
   std::vector<Index> faces;
-  for (const ReportedFacePair& found : pair.face_pairs) faces.push_back(found.*side);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  for (const ReportedFacePair& found : pairs) faces.push_back(found.*side);
+  return each_once(std::move(faces));
+}
+
+std::vector<Index> faces_meeting(const std::vector<ReportedFacePair>& pairs) {
+  std::vector<Index> faces;
+  for (const ReportedFacePair& found : pairs) faces.insert(faces.end(), {found.face_a, found.face_b});
+  return each_once(std::move(faces));
 }
 
 }  // namespace toccata::io

@@ -135,25 +135,36 @@ Json written(const DisplayMesh& mesh, ViewData& data) {
 
 }  // namespace
 
-ViewMeshes::ViewMeshes(std::span<const Posed> models) : circles_(circles_for(models.size())) {
+ViewMeshes::ViewMeshes(std::span<const Posed> models, std::span<const PairQuery> queries)
+    : circles_(circles_for(models.size())) {
   for (const Posed& posed : models) drawn_.push_back(drawn_of(posed));
   Aabb world;
   std::vector<Aabb> boxes;
   for (const DisplayMesh& mesh : meshes_) boxes.push_back(box_of(mesh));
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (is_half_space(models[i])) continue;
-    for (Vec3 corner : corners(boxes[drawn_[i].mesh])) {
-      if (drawn_[i].fit) corner = transform(*drawn_[i].fit, corner);
-      const Vec3 placed = transform(models[i].pose, corner);
-      if (!is_finite(placed))
-        throw Error(fmt::format("'{}' reaches beyond the largest double in the world: scale it down", models[i].name));
-      world = merge(world, placed);
-    }
+    const auto add = [&](const Pose& pose) {
+      world = merge(world, box_at(i, boxes[drawn_[i].mesh], pose, models[i].name));
+    };
+    add(models[i].pose);
+    for (const PairQuery& query : queries) add(i == 0 ? query.pose_a : query.pose_b);
   }
   frame_ = DisplayFrame::around(world);
   for (std::size_t i = 0; i < models.size(); ++i)
     if (const HalfSpace* half_space = std::get_if<HalfSpace>(&models[i].model.shape()))
       meshes_[drawn_[i].mesh] = display_mesh(*half_space, in_frame(models[i].pose, frame_.centre), 2 * frame_.size);
+}
+
+Aabb ViewMeshes::box_at(std::size_t model, const Aabb& mesh_box, const Pose& pose, const std::string& name) const {
+  Aabb box;
+  for (Vec3 corner : corners(mesh_box)) {
+    if (drawn_[model].fit) corner = transform(*drawn_[model].fit, corner);
+    const Vec3 placed = transform(pose, corner);
+    if (!is_finite(placed))
+      throw Error(fmt::format("'{}' reaches beyond the largest double in the world: scale it down", name));
+    box = merge(box, placed);
+  }
+  return box;
 }
 
 ViewMeshes::Drawn ViewMeshes::drawn_of(const Posed& posed) {

@@ -10,6 +10,7 @@
 #include "io/view/display_mesh.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/pair_query.hpp"
 
 namespace toccata::io {
 
@@ -22,7 +23,8 @@ class ViewMeshes {
     std::optional<Pose> fit;  ///< from the mesh to the shape's own frame
   };
 
-  explicit ViewMeshes(std::span<const Posed> models);
+  /// `queries` are other places of the first two models, which the frame holds too.
+  explicit ViewMeshes(std::span<const Posed> models, std::span<const PairQuery> queries = {});
 
   [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
   [[nodiscard]] const std::vector<DisplayMesh>& meshes() const { return meshes_; }
@@ -38,6 +40,8 @@ class ViewMeshes {
  private:
   Drawn drawn_of(const Posed& posed);
   std::size_t mesh_number(const std::string& key, const Model& model);
+  /// The box in the world of a model that is there.
+  [[nodiscard]] Aabb box_at(std::size_t model, const Aabb& mesh_box, const Pose& pose, const std::string& name) const;
   [[nodiscard]] DisplayMesh mesh_for(const std::string& key, const Model& model) const;
 
   std::vector<DisplayMesh> meshes_;

@@ -1,0 +1,328 @@
+// What the page lists: a finding for each entry of the report, whatever was asked. Every sentence is put together here,
+// of the engine's words and numbers; nothing is computed but how a number is written.
+import type { Distance, Header, Pair, PageData, Penetration, Report } from './data';
+import { countText, directionText, lengthText, numberText, vectorText } from './words';
+
+/// A text, or the name of an object, which is untrusted.
+export type Part = string | { object: number };
+
+export interface Finding {
+  row: Part[]; // what it is called in the list
+  what: string; // and what was found, in few words
+  sentence: Part[];
+  facts: Part[][];
+  a?: number; // the objects that are meant, in two colours
+  b?: number;
+  outer?: number; // the one that contains the other
+  counts: boolean; // as a contact, a hit: whose objects are coloured while none is chosen
+  depth: number; // what is sorted by
+  gap: number;
+  size: number;
+  poses?: [number[], number[]]; // where A and B are in it
+}
+
+export type Order = 'deepest' | 'largest' | 'nearest' | 'listed';
+
+export interface Findings {
+  all: Finding[];
+  name: string; // of the list
+  summary: string[];
+  none: string; // where there is nothing in it
+  orders: Order[]; // the first is taken where nothing is chosen
+  shown: string[]; // roles of layers that are drawn while none is chosen
+}
+
+const plain = { counts: false, depth: 0, gap: 0, size: 0 };
+
+/// How it was found out, by the engine's table of pairs.
+class Methods {
+  constructor(private readonly header: Header) {}
+
+  facts(index: number, status: string | undefined, depth?: Penetration | null, distance?: Distance): Part[][] {
+    const methods = this.header.words[index]?.methods ?? {};
+    const text = (question: keyof typeof methods) => this.header.methods[methods[question] ?? -1];
+    const facts: string[] = [];
+    const by = text('relation') ?? text('cast');
+    if (status !== undefined) facts.push(decided(status) + (by ? `, by ${by}` : ''));
+    if (text('penetration') && depth?.upper !== 0) facts.push(`depth by ${text('penetration')}`);
+    if (text('distance') && distance?.upper !== 0) facts.push(`distance by ${text('distance')}`);
+    return facts.map((fact) => [fact]);
+  }
+}
+
+const decided = (status: string) => (status === 'exact' ? 'decided exactly' : `status: ${status.replace('_', ' ')}`);
+
+function depthFacts(depth: Penetration | null | undefined, unit: string): Part[][] {
+  if (!depth || depth.upper === 0) return [];
+  const [lower, upper] = [depth.lower, depth.upper].map((x) => lengthText(x, unit));
+  const range = lower === upper || depth.lower === null || depth.upper === null ? '' : `${numberText(depth.lower)} to `;
+  return [[`${range}${upper} deep; moving B by it along ${directionText(depth.direction)} parts them`]];
+}
+
+function distanceFacts(distance: Distance | undefined, unit: string): Part[][] {
+  if (!distance || distance.upper === 0) return [];
+  return [[`${lengthText(distance.upper, unit)} apart, from ${vectorText(distance.on_a)} to ${vectorText(distance.on_b)}`]];
+}
+
+const depthOf = (depth: Penetration | null | undefined) => (depth ? (depth.upper ?? Infinity) : 0);
+const gapOf = (distance: Distance | undefined) => (distance ? (distance.upper ?? Infinity) : 0);
+
+function numberOf(unit: string, distance: Distance | undefined, depth: Penetration | null | undefined): string {
+  if (distance && distance.upper !== 0) return `${lengthText(distance.upper, unit)} apart`;
+  return depth && depth.upper !== 0 ? `${lengthText(depth.upper, unit)} deep` : '';
+}
+
+const together = (...words: string[]) => words.filter((word) => word !== '').join(' · ');
+
+/// `check`.
+function ofPairs({ header, report }: PageData): Findings {
+  const methods = new Methods(header);
+  const pairs = report.pairs ?? [];
+  const all = pairs.map((pair, i): Finding => {
+    const { verb = '', remark = '' } = header.words[i];
+    const [a, b] = [pair.a_index, pair.b_index];
+    const faces = facesText(header, report, pair, i);
+    const near = pair.relation === 'apart';
+    const number = numberOf(report.unit, pair.distance, pair.penetration) || faces;
+    const facts = [...distanceFacts(pair.distance, report.unit), ...depthFacts(pair.penetration, report.unit)];
+    if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
+    if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')]);
+    if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
+    return {
+      row: [{ object: a }, ' – ', { object: b }],
+      what: number ? together(near ? 'near' : verb, number) : verb,
+      sentence: [{ object: a }, ` ${verb} `, { object: b }, ` ${remark}.`],
+      facts: [...facts, ...methods.facts(i, pair.status, pair.penetration, pair.distance)],
+      a, b, outer: outerOf(pair.containment, a, b), counts: !near,
+      depth: depthOf(pair.penetration), gap: near ? (pair.distance?.upper ?? Infinity) : 0, size: header.words[i].face_pairs ?? 0,
+    };
+  });
+  const near = all.filter((finding) => !finding.counts).length;
+  const contacts = `Contacts ${counted(all.length - near)}`;
+  return {
+    all,
+    name: near > 0 ? `${contacts} · near ${counted(near)}` : contacts,
+    summary: [`${countText(all.length - near, 'pair')} in contact`, ...(near > 0 ? [`${countText(near, 'pair')} near`] : [])],
+    none: 'Nothing collides.', orders: ['deepest', 'largest', 'nearest', 'listed'], shown: ['contact'],
+  };
+}
+
+const counted = (count: number) => count.toLocaleString('en-US');
+
+function outerOf(containment: string, a: number, b: number): number | undefined {
+  return containment === 'a_in_b' ? b : containment === 'b_in_a' ? a : undefined;
+}
+
+/// How many faces meet, where at least one of the two is made of faces; other shapes are one element each.
+function facesText(header: Header, report: Report, pair: Pair, index: number): string {
+  const count = header.words[index].face_pairs;
+  const meshes = [pair.a_index, pair.b_index].filter((i) => report.objects[i].triangles > 0).length;
+  if (count === undefined || meshes === 0) return '';
+  if (count === 0) return pair.containment !== 'none' ? 'no faces meet' : '';
+  return meshes === 2 ? countText(count, 'face pair') : countText(count, 'face');
+}
+
+/// `distance`.
+function ofDistances({ header, report }: PageData): Findings {
+  const methods = new Methods(header);
+  const all = (report.pairs as unknown as (Distance & { a_index: number; b_index: number })[]).map((pair, i): Finding => {
+    const [a, b] = [pair.a_index, pair.b_index];
+    const meets = pair.upper === 0;
+    return {
+      row: [{ object: a }, ' – ', { object: b }],
+      what: meets ? 'meet' : numberOf(report.unit, pair, null),
+      sentence: [{ object: a }, ' and ', { object: b }, meets ? ' meet.' : ` are ${lengthText(pair.upper, report.unit)} apart.`],
+      facts: [...distanceFacts(pair, report.unit), ...facesOf(report, pair, a, b), [statusOf(pair.status)], ...methods.facts(i, undefined, null, pair)],
+      a, b, ...plain, counts: meets, gap: gapOf(pair),
+    };
+  });
+  const meeting = all.filter((finding) => finding.counts).length;
+  return {
+    all, name: `Distances ${counted(all.length)}`, summary: [countText(all.length, 'distance'), ...(meeting > 0 ? [`${countText(meeting, 'pair')} meeting`] : [])],
+    none: 'There are no two objects.', orders: ['nearest', 'listed'], shown: ['distance'],
+  };
+}
+
+const statusOf = (status: string) => (status === 'exact' ? 'certified' : decided(status));
+
+/// Of which faces the nearest points are, where the objects are made of some.
+function facesOf(report: Report, distance: Distance, a: number, b: number): Part[][] {
+  if (distance.upper === 0) return [];
+  const of = (object: number, face: number): Part[][] =>
+    report.objects[object].triangles > 0 ? [[`face ${face} of `, { object }]] : [];
+  return [...of(a, distance.face_a), ...of(b, distance.face_b)];
+}
+
+/// `check --poses`, `distance --poses`: the first object is A, the second B, at many poses.
+function ofPoses(data: PageData): Findings {
+  const isDistance = data.report.schema.includes('distance');
+  const queries = data.report.queries ?? [];
+  const methods = new Methods(data.header);
+  const { unit } = data.report;
+  const all = queries.map((query, i): Finding => {
+    const { verb = '', remark = '' } = data.header.words[i];
+    const distance = isDistance ? (query as unknown as Distance) : undefined;
+    const meets = isDistance ? distance?.upper === 0 : query.contact;
+    const told = isDistance ? (meets ? 'meet' : numberOf(unit, distance, null)) : verb;
+    const faces = query.face_pairs ? countText(query.face_pairs, 'face pair') : '';
+    const facts = [...distanceFacts(distance, unit), ...depthFacts(query.penetration, unit)];
+    if (faces) facts.push([`${faces} in contact`]);
+    if (query.regions?.length) facts.push([countText(query.regions.length, 'region of contact', 'regions of contact')]);
+    if (distance) facts.push(...facesOf(data.report, distance, 0, 1), [statusOf(query.status)]);
+    const between = isDistance ? (meets ? ' meets ' : ` is ${lengthText(distance?.upper ?? null, unit)} from `) : ` ${verb} `;
+    return {
+      row: [`Pose ${i}`],
+      what: together(told, numberOf(unit, undefined, query.penetration) || faces),
+      sentence: [`At pose ${i} `, { object: 0 }, between, { object: 1 }, remark ? ` ${remark}.` : '.'],
+      facts: [...facts, ...methods.facts(i, isDistance ? undefined : query.status, query.penetration, distance)],
+      a: 0, b: 1, outer: outerOf(query.containment ?? 'none', 0, 1), counts: meets === true,
+      depth: depthOf(query.penetration), gap: gapOf(distance), size: query.face_pairs ?? 0, poses: [query.pose_a, query.pose_b],
+    };
+  });
+  const meeting = all.filter((finding) => finding.counts).length;
+  return {
+    all, name: `Poses ${counted(all.length)}`, summary: [`${counted(meeting)} of ${countText(all.length, 'pose')} in contact`],
+    none: 'No pose was asked about.', orders: isDistance ? ['listed', 'nearest'] : ['listed', 'deepest', 'largest'], shown: [],
+  };
+}
+
+/// `check --self`.
+function ofSelf({ report }: PageData): Findings {
+  const all = (report.self_contacts ?? []).map((one): Finding => {
+    const meets = one.face_pairs > 0;
+    const object = one.object_index;
+    return {
+      row: [{ object }],
+      what: meets ? together('meets itself', countText(one.face_pairs, 'face pair')) : 'does not meet itself',
+      sentence: [{ object }, meets ? ' meets itself.' : ' does not meet itself.'],
+      facts: [...(meets ? [[`${countText(one.face_pairs, 'face pair')} in contact`], [countText(one.triangle_pairs, 'pair of triangles', 'pairs of triangles')]] : []), ['decided exactly']],
+      a: object, ...plain, counts: meets, size: one.face_pairs,
+    };
+  });
+  const meeting = all.filter((finding) => finding.counts).length;
+  return {
+    all, name: `Self-contacts ${counted(meeting)}`, summary: [`${countText(meeting, 'object')} in contact with ${meeting === 1 ? 'itself' : 'themselves'}`],
+    none: 'There is no object.', orders: ['largest', 'listed'], shown: ['contact'],
+  };
+}
+
+/// `ray`.
+function ofRays({ header, report }: PageData): Findings {
+  const methods = new Methods(header);
+  const all = (report.rays ?? []).map((ray, i): Finding => {
+    const from = [`from ${vectorText(ray.from)} along ${vectorText(ray.motion)}`];
+    if (ray.object_index === undefined)
+      return { row: [`Ray ${i}`], what: 'meets nothing', sentence: [`Ray ${i} meets nothing.`], facts: [from, [decided(ray.status)]], ...plain, gap: Infinity };
+    const object = ray.object_index;
+    const way = `after ${numberText(ray.upper ?? 0)} of its way`;
+    const length = (ray.upper ?? 0) * Math.hypot(...ray.motion);
+    const facts: Part[][] = [[`${lengthText(length, report.unit)} from its start`], [`at ${vectorText(ray.point!)}`], [`normal ${directionText(ray.normal!)}`], from];
+    if (report.objects[object].triangles > 0) facts.push([`face ${ray.face}`]);
+    return {
+      row: [`Ray ${i} – `, { object }], what: `meets it ${way}`, sentence: [`Ray ${i} meets `, { object }, ` ${way}.`],
+      facts: [...facts, ...methods.facts(i, ray.status)],
+      a: object, ...plain, counts: true, gap: length,
+    };
+  });
+  const met = all.filter((finding) => finding.counts).length;
+  return {
+    all, name: `Rays ${counted(all.length)}`, summary: [`${counted(met)} of ${countText(all.length, 'ray')} met something`],
+    none: 'No ray was asked about.', orders: ['listed', 'nearest'], shown: ['ray', 'hit'],
+  };
+}
+
+/// `faces`: a finding for each object of which faces were found.
+function ofFaces({ header, report }: PageData): Findings {
+  const { region } = report;
+  const where = region?.radius !== undefined ? `the ball of radius ${lengthText(region.radius, report.unit)} around ${vectorText(region.centre!)}`
+    : region ? `the box from ${vectorText(region.lower!)} to ${vectorText(region.upper!)}` : '';
+  const all = header.words.map((word): Finding => {
+    const object = word.object ?? 0;
+    const faces = word.faces ?? 0;
+    return {
+      row: [{ object }], what: countText(faces, 'face'),
+      sentence: [`${countText(faces, 'face')} of `, { object }, ` ${faces === 1 ? 'has' : 'have'} a point in ${where}.`],
+      facts: [[`${counted(faces)} of ${countText(report.objects[object].faces || 1, 'face')}`], [countText(word.triangles ?? 0, 'triangle')], ['decided exactly, touching included']],
+      a: object, ...plain, counts: true, size: faces,
+    };
+  });
+  const total = all.reduce((sum, finding) => sum + finding.size, 0);
+  return {
+    all, name: `Faces ${counted(total)}`, summary: [`${countText(total, 'face')} in ${where}`],
+    none: `Nothing is in ${where}.`, orders: ['largest', 'listed'], shown: ['within'],
+  };
+}
+
+/// "inside it", by the words of the report.
+const sideText = (side: string | undefined) => (side === undefined ? '' : side === 'boundary' ? 'on it' : side === 'undecided' ? 'its side undecided' : `${side} it`);
+
+/// `nearest`.
+function ofPoints({ report }: PageData): Findings {
+  const { unit } = report;
+  const all = (report.points ?? []).map((point, i): Finding => {
+    const [first] = point.nearest;
+    const at: Part[] = [`Point ${i} at ${vectorText(point.point)}`];
+    if (!first)
+      return { row: [`Point ${i}`], what: 'nothing is so near', sentence: [...at, ' has nothing within the greatest distance.'], facts: [], ...plain, gap: Infinity };
+    const facts = point.nearest.map((one): Part[] => {
+      const face = report.objects[one.object_index].triangles > 0 ? `face ${one.face}, ` : '';
+      const place = `${face}at ${vectorText(one.at)}`;
+      if (point.nearest.length === 1) return [place];
+      return [`${lengthText(one.upper, unit)} from `, { object: one.object_index }, `, ${place}`];
+    });
+    if (first.signed_upper !== undefined) facts.unshift([`signed distance ${lengthText(first.signed_upper, unit)}`]);
+    if (point.inside_of !== undefined) facts.push(insideOf(report, point.inside_of));
+    if (first.side_by) facts.push([`side by the ${first.side_by}`]);
+    const side = sideText(first.side);
+    return {
+      row: [`Point ${i} – `, { object: first.object_index }],
+      what: together(`${lengthText(first.upper, unit)} away`, side.replace(/ it$/, '')),
+      sentence: [...at, ` is ${lengthText(first.upper, unit)} from `, { object: first.object_index }, side ? `, ${side}.` : '.'],
+      facts: [...facts, [statusOf(first.status)]],
+      a: first.object_index, ...plain, counts: true, gap: first.upper ?? Infinity,
+    };
+  });
+  return {
+    all, name: `Points ${counted(all.length)}`, summary: [countText(all.length, 'point')],
+    none: 'No point was asked about.', orders: ['listed', 'nearest'], shown: ['distance', 'asked'],
+  };
+}
+
+function insideOf(report: Report, name: string | null): Part[] {
+  if (name === null) return ['inside of no object'];
+  const object = report.objects.findIndex((one) => one.name === name);
+  return object < 0 ? [`inside of ${name}`] : ['inside of ', { object }];
+}
+
+const kinds: Record<string, (data: PageData) => Findings> = {
+  'toccata/check/1': ofPairs,
+  'toccata/check-poses/1': ofPoses,
+  'toccata/check-self/1': ofSelf,
+  'toccata/distance/1': ofDistances,
+  'toccata/distance-poses/1': ofPoses,
+  'toccata/ray/1': ofRays,
+  'toccata/faces/1': ofFaces,
+  'toccata/nearest/1': ofPoints,
+};
+
+export function findingsOf(data: PageData): Findings {
+  const kind = kinds[data.report.schema];
+  if (!kind) throw new Error(`this page cannot show ${data.report.schema}`);
+  return kind(data);
+}
+
+/// The numbers of the findings in that order; those that are equal in it stay as listed.
+export function sorted(findings: Finding[], order: Order): number[] {
+  const by = (number: (finding: Finding) => number, way: 1 | -1) => (i: number, j: number) => {
+    const [x, y] = [number(findings[i]), number(findings[j])];
+    return x === y ? 0 : x < y ? -way : way;
+  };
+  const deepest = by((finding) => finding.depth, -1);
+  const nearest = by((finding) => finding.gap, 1);
+  const largest = by((finding) => finding.size, -1);
+  const ways = { deepest: [deepest, nearest, largest], nearest: [nearest], largest: [largest], listed: [] };
+  return findings.map((_, i) => i).sort((i, j) => ways[order].reduce((found, way) => found || way(i, j), 0) || i - j);
+}
+
+/// The texts of some parts, names as they are.
+export const textOf = (parts: Part[], name: (object: number) => string) => parts.map((part) => (typeof part === 'string' ? part : name(part.object))).join('');

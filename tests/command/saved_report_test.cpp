@@ -1,0 +1,144 @@
+// A report that was kept is drawn: its question is asked again about the same files, or it is said why not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_command;
+using test::TemporaryFolder;
+using test::text_of;
+using Asking = std::vector<std::string>;
+
+constexpr const char* bow = "OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n";
+
+/// Asks in `folder`, and keeps the report in another.
+fs::path report_of(const TemporaryFolder& folder, const TemporaryFolder& elsewhere, Asking words) {
+  folder.write("bow.off", bow);
+  words.emplace_back("--json");
+  const auto asked = run_command(words, folder.path());
+  EXPECT_NE(asked.exit_code, 2) << asked.err;
+  return elsewhere.write("report.json", asked.out);
+}
+
+test::CommandResult drawn(const fs::path& report, Asking more = {}) {
+  Asking words = {"view", report.string(), "-o", "page.html"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_command(words, report.parent_path());
+}
+
+TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
+  const TemporaryFolder folder;
+  folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
+  const std::vector<std::pair<Asking, std::string>> questions = {
+      {{"check", "gen:box", "bow.off", "--solid", "none"}, "2 objects and 1 pair"},
+      {{"check", "gen:box", "bow.off", "--poses", "poses.txt"}, "2 objects and 2 poses"},
+      {{"check", "bow.off", "--self"}, "1 object and 1 object meeting itself"},
+      {{"distance", "gen:box", "bow.off", "--scale", "3", "--unit", "mm"}, "2 objects and 1 pair"},
+      {{"distance", "gen:box", "bow.off", "--poses", "poses.txt"}, "2 objects and 2 poses"},
+      {{"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"}, "1 object and 1 ray"},
+      {{"faces", "bow.off", "--ball", "0", "0", "0", "1"}, "1 object and 1 object in the region"},
+      {{"nearest", "gen:box", "bow.off", "--point", "0", "0", "9"}, "2 objects and 1 point"}};
+  for (const auto& [words, told] : questions) {
+    SCOPED_TRACE(words[0] + " " + words.back());
+    const TemporaryFolder elsewhere;
+    const auto result = drawn(report_of(folder, elsewhere, words));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find(told), std::string::npos) << result.out;
+    EXPECT_NE(text_of(elsewhere.path() / "page.html").find("toccata/view/2"), std::string::npos);
+  }
+}
+
+TEST(SavedReportCommand, AFileThatIsGoneOrChangedIsNamed) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report = report_of(folder, elsewhere, {"check", "gen:box", "bow.off", "--faces"});
+  const std::string file = (folder.path() / "bow.off").string();
+  folder.write("bow.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
+  const auto changed = drawn(report);
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_NE(changed.err.find(file + " holds something else"), std::string::npos) << changed.err;
+  fs::remove(file);
+  const auto gone = drawn(report);
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_NE(gone.err.find(file + " is gone"), std::string::npos) << gone.err;
+  EXPECT_FALSE(fs::exists(elsewhere.path() / "page.html"));
+  elsewhere.write("bow.off", bow);  // beside the report it is looked for, too
+  EXPECT_EQ(drawn(report).exit_code, 0);
+}
+
+/// What a scene names counts as what it holds.
+TEST(SavedReportCommand, AMeshThatASceneNamesMayNotChange) {
+  const TemporaryFolder folder, elsewhere;
+  folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "bow", "file": "bow.off"}, {"name": "ball", "shape": {"type": "sphere", "radius": 1}}]})");
+  const fs::path report = report_of(folder, elsewhere, {"distance", "scene.json"});
+  EXPECT_EQ(drawn(report).exit_code, 0);
+  folder.write("bow.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
+  const auto changed = drawn(report);
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_NE(changed.err.find("scene.json holds something else"), std::string::npos) << changed.err;
+}
+
+TEST(SavedReportCommand, AnotherAnswerIsDrawnAndSaid) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report =
+      report_of(folder, elsewhere, {"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"});
+  std::string text = text_of(report);
+  const std::string was = "\"hit\":true";
+  ASSERT_NE(text.find(was), std::string::npos) << text;
+  elsewhere.write("report.json", text.replace(text.find(was), was.size(), "\"hit\":false"));
+  const auto result = drawn(report);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("/rays/0/hit: recorded false, now true"), std::string::npos) << result.err;
+  EXPECT_TRUE(fs::exists(elsewhere.path() / "page.html"));
+}
+
+TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off"});
+  const auto refused = [&](const test::CommandResult& result, const std::string& words) {
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  };
+  refused(drawn(report, {"--penetration"}), "a report is drawn as it was asked");
+  std::string text = text_of(report);
+  text.erase(text.find(",\n  \"asked\""));
+  refused(drawn(elsewhere.write("old.json", text + "\n}\n")), "does not say what was asked");
+  const fs::path inspected = elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--json"}).out);
+  refused(drawn(inspected), "does not say what was asked");
+  refused(drawn(report_of(folder, elsewhere, {"nearest", "bow.off", "--point", "0", "0", "9"}), {"--glb", "a.glb"}),
+          "a GLB file shows what check and distance find");
+}
+
+TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {
+  const TemporaryFolder folder;
+  folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
+  folder.write("bow.off", bow);
+  for (const Asking& question : {Asking{"check", "bow.off", "--self"},
+                                 {"check", "gen:box", "bow.off", "--poses", "poses.txt"},
+                                 {"distance", "gen:box", "bow.off"},
+                                 {"distance", "gen:box", "bow.off", "--poses", "poses.txt"},
+                                 {"ray", "bow.off", "--from", "0", "0", "9", "--to", "0", "0", "-9"},
+                                 {"faces", "bow.off", "--box", "0", "0", "0", "1", "1", "1"},
+                                 {"nearest", "bow.off", "--point", "0", "0", "9"}}) {
+    SCOPED_TRACE(question[0] + " " + question.back());
+    Asking words = question;
+    words.insert(words.end(), {"--html", "page.html"});
+    const auto plain = run_command(question, folder.path()), both = run_command(words, folder.path());
+    EXPECT_EQ(both.exit_code, plain.exit_code) << both.err;
+    EXPECT_EQ(both.out, plain.out);
+    EXPECT_TRUE(fs::remove(folder.path() / "page.html"));
+    words.back() = "bow.off";  // it is read
+    EXPECT_EQ(run_command(words, folder.path()).exit_code, 2);
+    EXPECT_EQ(text_of(folder.path() / "bow.off"), bow);
+  }
+}
+
+}  // namespace
+}  // namespace toccata

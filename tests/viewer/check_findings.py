@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""Opens in Chromium the pages of saved reports of every question, and compares what they say and draw with these reports.
+
+usage: check_findings.py TOCCATA [FOLDER]     with FOLDER, what was seen is kept there
+
+Exits with 77, which CTest takes for skipped, where Chromium is not installed.
+"""
+import json
+import math
+import pathlib
+import re
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from browser import Browser, find_chromium  # noqa: E402
+from check_pages import BOX, Checks, WICKED, differing, is_blue, moved, share  # noqa: E402
+
+ROWS = "1 0 0 0 1 0 0 0 1 "
+
+
+def element(page, name):
+    return re.search(rf'id="toccata-{name}"[^>]*>(.*?)</script>', page, re.DOTALL).group(1)
+
+
+def drawn_report(checks, browser, name, *words):
+    """The report; its page is open, and has been found to be that which `--html` writes beside the report."""
+    text = checks.run(*words, "--json", "--html", "beside.html")
+    (checks.folder / f"{name}.json").write_text(text)
+    checks.run("view", f"{name}.json", "-o", f"{name}.html")
+    beside, later = ((checks.folder / file).read_text() for file in ["beside.html", f"{name}.html"])
+    headers = [{**json.loads(element(page, "header")), "title": ""} for page in [beside, later]]
+    checks.expect(headers[0] == headers[1], f"{name}: the page of the report is the one that was written beside it")
+    checks.expect(element(beside, "data") == element(later, "data"), f"{name}: both draw the same")
+    checks.opened(browser, f"{name}.html", "#theme=light")
+    browser.value("(() => { const order = document.getElementById('order'); order.value = 'listed'; order.onchange(); })()")
+    return json.loads(text)
+
+
+def rows(browser):
+    return browser.value("[...document.querySelectorAll('#finding-list .row')].map(row => row.textContent)")
+
+
+def told(browser, number):
+    """The sentence and the facts of a finding that is clicked at."""
+    browser.value(f"document.querySelectorAll('#finding-list .row')[{number}].click()")
+    return browser.value("[document.getElementById('sentence').textContent, [...document.querySelectorAll('#facts li')].map(fact => fact.textContent)]")
+
+
+def number_in(pattern, facts):
+    found = re.search(pattern, " | ".join(facts))
+    return float(found.group(1)) if found else None
+
+
+def is_close(told_number, number):
+    return told_number is not None and abs(told_number - number) <= 1e-5 * abs(number)
+
+
+def segments_of(browser, finding, role):
+    """Ends of the segments that are drawn of a finding, in the world."""
+    expression = f"""(() => {{ const {{ header }} = toccata.data, found = [];
+      for (const layer of header.layers) if (layer.finding === {finding} && layer.role === '{role}' && layer.kind === 'segments')
+        found.push(...[...toccata.data.floats(layer.data)].map((x, i) => x * header.frame.size + header.frame.centre[i % 3]));
+      return found; }})()"""
+    numbers = browser.value(expression)
+    return [numbers[i : i + 3] for i in range(0, len(numbers), 3)]
+
+
+def is_near(place, other, size=1e-5):
+    return all(abs(x - y) <= size for x, y in zip(place, other))
+
+
+def check_rays(checks, browser):
+    (checks.folder / "rays.txt").write_text("0 0 9  0 0 -9\n9 9 9, 9 9 10\n-3 0.125 0.25  3 0.125 0.25\n")
+    report = drawn_report(checks, browser, "rays", "ray", "gen:icosphere", "gen:box", "--rays", "rays.txt")
+    checks.expect(len(rows(browser)) == 3, f"a row for each ray: {rows(browser)}")
+    for number, ray in enumerate(report["rays"]):
+        sentence, facts = told(browser, number)
+        ends = segments_of(browser, number, "ray")
+        checks.expect(is_near(ends[0], ray["from"]), f"ray {number} starts at {ends[0]}")
+        if not ray["hit"]:
+            checks.expect(sentence == f"Ray {number} meets nothing.", sentence)
+            continue
+        checks.expect(sentence.startswith(f"Ray {number} meets {ray['object']} after "), sentence)
+        checks.expect(is_close(number_in(r"after ([-\d.e]+) of its way", [sentence]), ray["upper"]), sentence)
+        length = ray["upper"] * math.hypot(*ray["motion"])
+        checks.expect(is_close(number_in(r"([-\d.e]+) from its start", facts), length), f"{facts}")
+        checks.expect(f"face {ray['face']}" in facts, f"{facts}")
+        checks.expect(is_near(ends[1], ray["point"]), f"ray {number} ends at {ends[1]}")
+    checks.expect(browser.value("document.getElementById('tab-findings').textContent") == "Rays 3", "the tab")
+    browser.press("Escape")
+    time.sleep(0.3)
+    calls = browser.value("toccata.stage.renderer.info.render.calls")
+    checks.expect(calls <= 8, f"all rays in {calls} drawing calls")
+    checks.quiet(browser, "rays")
+
+
+def check_points(checks, browser):
+    (checks.folder / "points.txt").write_text("0 0 9\n0.125 0 0\n900 900 900\n")
+    report = drawn_report(checks, browser, "points", "nearest", "gen:box", "gen:icosphere", "--points", "points.txt", "--k", "2", "--signed", "--within", "20")
+    for number, point in enumerate(report["points"]):
+        sentence, facts = told(browser, number)
+        checks.expect(len(segments_of(browser, number, "distance")) == 2 * len(point["nearest"]), f"point {number}: its segments")
+        if not point["nearest"]:
+            checks.expect("nothing within the greatest distance" in sentence, sentence)
+            continue
+        first = point["nearest"][0]
+        checks.expect(f" from {first['object']}, {first['side']} it." in sentence, sentence)
+        checks.expect(is_close(number_in(r"signed distance ([-\d.e]+)", facts), first["signed_upper"]), f"{facts}")
+        holder = f"inside of {point['inside_of']}" if point["inside_of"] else "inside of no object"
+        checks.expect(holder in facts, f"{holder}: {facts}")
+        ends = segments_of(browser, number, "distance")
+        checks.expect(is_near(ends[0], point["point"]) and is_near(ends[1], first["at"]), f"point {number}: {ends}")
+    checks.quiet(browser, "points")
+
+
+def check_faces(checks, browser):
+    report = drawn_report(checks, browser, "faces", "faces", "gen:icosphere", "gen:torus-knot", "--box", *"0 0 0 9 9 9".split())
+    count = {}
+    for face in report["faces"]:
+        count[face["object"]] = count.get(face["object"], 0) + 1
+    for number, name in enumerate(count):
+        sentence, _ = told(browser, number)
+        checks.expect(sentence.startswith(f"{count[name]:,} faces of {name} have a point in the box from (0, 0, 0) to (9, 9, 9)"), sentence)
+        drawn = browser.value(f"toccata.data.header.layers.find(layer => layer.finding === {number} && layer.kind === 'faces').data.count")
+        found = sum(len(face["triangles"]) for face in report["faces"] if face["object"] == name)
+        checks.expect(found <= drawn <= 2 * count[name], f"whole faces are drawn: {drawn} triangles of {name}, {found} of them in the box")
+    browser.press("Escape")
+    time.sleep(0.3)
+    checks.expect(share(browser.picture(), is_blue) > 0.005, "the faces are blue")
+    checks.quiet(browser, "faces")
+
+
+def check_self(checks, browser):
+    (checks.folder / "bow.off").write_text("OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n")
+    report = drawn_report(checks, browser, "self", "check", "bow.off", "gen:box", "--self")
+    for number, one in enumerate(report["self_contacts"]):
+        sentence, facts = told(browser, number)
+        meets = one["face_pairs"] > 0
+        checks.expect(sentence == f"{one['object']} {'meets' if meets else 'does not meet'} itself.", sentence)
+        checks.expect(not meets or "1 face pair in contact" in facts, f"{facts}")
+        checks.expect((len(segments_of(browser, number, "contact")) > 0) == meets, f"{sentence} and its curves")
+    checks.quiet(browser, "self")
+
+
+def check_poses(checks, browser):
+    """A click moves the object to the pose."""
+    (checks.folder / "poses.txt").write_text(f"{ROWS} 0.25 0 0\n{ROWS} 3 0 0\n0 -1 0 1 0 0 0 0 1 0 -4 0\n")
+    report = drawn_report(checks, browser, "poses", "check", "gen:box", "gen:icosphere", "--poses", "poses.txt", "--penetration", "--faces")
+    checks.expect(len(rows(browser)) == 3, f"{rows(browser)}")
+    for number, query in enumerate(report["queries"]):
+        sentence, facts = told(browser, number)
+        depth = query["penetration"]["upper"]
+        checks.expect(sentence.startswith(f"At pose {number} box "), sentence)
+        checks.expect(depth == 0 or is_close(number_in(r"([-\d.e]+) deep", facts), depth), f"{depth}: {facts}")
+        at = browser.value("(() => { const { frame } = toccata.data.header; const box = toccata.boxOf(1); const v = box.min.clone().add(box.max).multiplyScalar(0.5); return [v.x * frame.size + frame.centre[0], v.y * frame.size + frame.centre[1]]; })()")
+        checks.expect(is_near(at, query["pose_b"][9:11], 1e-3), f"pose {number}: the object is at {at}")
+        browser.wait_for(f"toccata.state.finding === {number}")
+    pictures = []
+    for number in [0, 2]:
+        checks.opened(browser, "poses.html", f"#finding={number}&theme=light&labels=0&camera=0,0,0,3,-0.9,0.45")
+        time.sleep(0.3)
+        pictures.append(browser.picture())
+        browser.open("/", "")
+    seen, much = differing(*pictures)
+    checks.expect(seen > 0.005 and much > 60, f"poses are seen to differ: {seen:.4f}, {much}")
+    checks.quiet(browser, "poses")
+
+
+def check_distances(checks, browser):
+    words = ["gen:box", "gen:icosphere", "--poses", "poses.txt"]
+    for name, report, key in [
+        ("far", drawn_report(checks, browser, "far", "distance", "gen:box", "gen:icosphere", "--pose-b", *f"{ROWS} 9 0.25 0".split()), "pairs"),
+        ("ways", drawn_report(checks, browser, "ways", "distance", *words), "queries"),
+    ]:
+        checks.opened(browser, f"{name}.html")
+        for number, found in enumerate(report[key]):
+            sentence, facts = told(browser, number)
+            if found["upper"] == 0:
+                checks.expect("meet" in sentence, sentence)
+                continue
+            checks.expect(is_close(number_in(r"([-\d.e]+) apart", facts), found["upper"]), f"{facts}")
+            ends = segments_of(browser, number, "distance")
+            checks.expect(is_near(ends[0], found["on_a"]) and is_near(ends[1], found["on_b"]), f"{name} {number}: {ends}")
+            checks.expect(any(fact.startswith(f"face {found['face_a']} of ") for fact in facts), f"{facts}")
+        checks.quiet(browser, name)
+
+
+def check_names(checks, browser):
+    """Names are text, whatever was asked."""
+    checks.write_scene("wicked.json", [{"name": WICKED, "shape": BOX}, {"name": "b", "shape": BOX, "pose": moved(3)}])
+    for name, words in [
+        ("ray", ["ray", "wicked.json", "--from", "0", "0", "9", "--to", "0", "0", "-9"]),
+        ("nearest", ["nearest", "wicked.json", "--point", "0", "0", "9", "--signed"]),
+        ("faces", ["faces", "wicked.json", "--ball", "0", "0", "0", "1.5"]),
+        ("self", ["check", "wicked.json", "--self"]),
+        ("distance", ["distance", "wicked.json"]),
+    ]:
+        drawn_report(checks, browser, f"wicked-{name}", *words)
+        sentence, _ = told(browser, 0)
+        checks.expect(WICKED in sentence and browser.value("document.images.length") == 0, f"{name}: a name is shown as it is: {sentence}")
+        checks.quiet(browser, f"wicked {name}")
+
+
+def main():
+    if find_chromium() is None:
+        print("SKIPPED: no Chromium is installed (apt-get install chromium)")
+        return 77
+    with tempfile.TemporaryDirectory() as name, Browser() as browser:
+        folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
+        checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
+        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_names]:
+            check(checks, browser)
+    print(f"findings: {checks.count} checks, {len(checks.failures)} failures")
+    return 1 if checks.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
