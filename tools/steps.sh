@@ -90,8 +90,8 @@ run_tests() {
   # have neither.
   local tests=() all=()
   if ! command -v ccache >/dev/null; then
-    tests=(-DTOCCATA_PRECOMPILE_TESTS=ON -DTOCCATA_UNITE_TESTS=ON)
-    all=("${tests[@]}" -DTOCCATA_PRECOMPILE_LIBRARY=ON)
+    tests=(-DTOCCATA_UNITE_TESTS=ON)
+    all=("${tests[@]}" -DTOCCATA_UNITE_LIBRARY=ON)
   fi
   configure asan-ubsan "${all[@]}"
   build asan-ubsan
