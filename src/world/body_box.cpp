@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "math/world_vertex.hpp"
 #include "narrow/pose_checks.hpp"
@@ -12,16 +16,24 @@
 namespace toccata {
 namespace {
 
-/// The least and the greatest of eight sums of three products at a time: what a compiler makes vectors of.
-void widen(const std::array<const double*, 3>& local, const Vec3& row, double offset, double& lower, double& upper) {
+/// The least and the greatest world coordinate of a hull along an axis. Eight vertices at a time, which compilers make
+/// vectors of.
+std::pair<double, double> range_along(const ConvexHull& hull, const Vec3& row, double offset) {
   constexpr std::size_t lanes = 8;
-  std::array<double, lanes> world;
-  for (std::size_t i = 0; i < lanes; ++i)
-    world[i] = ((row.x * local[0][i] + row.y * local[1][i]) + row.z * local[2][i]) + offset;
-  for (const double value : world) {
-    lower = std::min(lower, value);
-    upper = std::max(upper, value);
-  }
+  const std::span<const double> x = hull.padded_coordinates(0), y = hull.padded_coordinates(1);
+  const std::span<const double> z = hull.padded_coordinates(2);
+  std::array<double, lanes> least, greatest;
+  least.fill(std::numeric_limits<double>::infinity());
+  greatest.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t first = 0; first < x.size(); first += lanes)
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double sum = (row.x * x[first + i] + row.y * y[first + i]) + row.z * z[first + i];
+      least[i] = sum < least[i] ? sum : least[i];
+      greatest[i] = sum > greatest[i] ? sum : greatest[i];
+    }
+  // The last sum keeps the order.
+  return {*std::min_element(least.begin(), least.end()) + offset,
+          *std::max_element(greatest.begin(), greatest.end()) + offset};
 }
 
 /// Boxes of shapes under a pose that is a rotation but for a few roundings, so that it is one which they may all have;
@@ -58,14 +70,9 @@ struct QuickBox {
 
   std::optional<Aabb> operator()(const ConvexHull& hull) const {
     if (hull.dimension() != 3 || !(hull.largest_coordinate() < 0x1p998)) return {};
-    std::array<const double*, 3> local{};
-    for (std::size_t axis = 0; axis < 3; ++axis) local[axis] = hull.padded_coordinates(static_cast<int>(axis)).data();
     Aabb world;
-    const Index count = (hull.vertex_count() + 7) / 8 * 8;
-    for (Index first = 0; first < count; first += 8) {
-      for (int i = 0; i < 3; ++i) widen(local, pose.linear[i], pose.offset[i], world.lower[i], world.upper[i]);
-      for (const double*& coordinates : local) coordinates += 8;
-    }
+    for (int i = 0; i < 3; ++i)
+      std::tie(world.lower[i], world.upper[i]) = range_along(hull, pose.linear[i], pose.offset[i]);
     return world;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -40,14 +41,21 @@ double reach_of_margin(double margin) {
 /// Rounded up.
 double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
 
-/// boxes[i] becomes `make(i)`, on several threads.
-void make_boxes(std::size_t count, int threads, std::vector<Aabb>& boxes, FunctionRef<Aabb(std::size_t)> make) {
-  boxes.resize(count);
-  constexpr std::size_t at_once = 64;
+/// Calls `work(i)` for each i, rows of them on several threads.
+template <class Work>
+void for_each(std::size_t count, int threads, const Work& work) {
+  constexpr std::size_t at_once = 256;
   parallel_for((count + at_once - 1) / at_once, threads, [&](std::size_t row) {
     const std::size_t end = std::min(count, (row + 1) * at_once);
-    for (std::size_t i = row * at_once; i < end; ++i) boxes[i] = make(i);
+    for (std::size_t i = row * at_once; i < end; ++i) work(i);
   });
+}
+
+/// boxes[i] becomes `make(i)`.
+template <class Make>
+void make_boxes(std::size_t count, int threads, std::vector<Aabb>& boxes, const Make& make) {
+  boxes.resize(count);
+  for_each(count, threads, [&](std::size_t i) { boxes[i] = make(i); });
 }
 
 }  // namespace
@@ -165,13 +173,17 @@ void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses
   make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     return body_box(bodies_[indices[i]], poses[i], [&] { return name_of_body(indices[i]); });
   });
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const Index index = indices[i];
-    boxes_[index] = new_boxes_[i];
-    if (bodies_[index].pose == poses[i]) continue;
-    bodies_[index].pose = poses[i];
-    mark_changed(index);
-  }
+  // Ascending without the same twice, as they mostly are, several threads may write.
+  const bool are_distinct = std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
+  differs_.resize(ids.size());
+  for_each(ids.size(), are_distinct ? options_.threads : 1, [&](std::size_t i) {
+    Pose& pose = bodies_[indices[i]].pose;
+    differs_[i] = pose == poses[i] ? 0 : 1;
+    pose = poses[i];
+    boxes_[indices[i]] = new_boxes_[i];
+  });
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    if (differs_[i] != 0) mark_changed(indices[i]);
   place(indices);
   ++revision_;
 }

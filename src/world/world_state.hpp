@@ -84,7 +84,10 @@ class World::State {
   WorldStep last_;
   std::size_t count_ = 0;
   std::uint64_t revision_ = 0;
-  std::vector<Aabb> new_boxes_, reached_boxes_;  ///< memory to work in
+  // Memory to work in.
+  std::vector<Aabb> new_boxes_;
+  std::vector<Aabb> reached_boxes_;
+  std::vector<std::uint8_t> differs_;
 };
 
 }  // namespace toccata
