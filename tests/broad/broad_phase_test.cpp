@@ -18,6 +18,10 @@
 #include "toccata/generate/crowds.hpp"
 
 namespace toccata {
+
+/// Where gtest looks for it, so that tests are called by the method and not by its bytes.
+inline void PrintTo(BroadPhaseMethod method, std::ostream* out) { *out << name_of(method); }
+
 namespace {
 
 using Pairs = std::vector<IndexPair>;

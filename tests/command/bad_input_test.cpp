@@ -22,6 +22,8 @@ struct BadFile {
   const char* message;  ///< must occur in what is said
 };
 
+void PrintTo(const BadFile& file, std::ostream* out) { *out << file.name; }
+
 void expect_trouble(const test::CommandResult& result, const std::string& message) {
   EXPECT_EQ(result.exit_code, 2) << result.out << result.err;
   EXPECT_EQ(result.out, "");

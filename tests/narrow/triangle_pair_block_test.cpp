@@ -9,6 +9,13 @@
 #include "narrow/triangle_pair_blocks.hpp"
 #include "toccata/math/rotation.hpp"
 
+namespace toccata {
+
+/// Where gtest looks for it, so that tests are called by the level and not by its bytes.
+inline void PrintTo(SimdLevel level, std::ostream* out) { *out << name_of(level); }
+
+}  // namespace toccata
+
 namespace toccata::test {
 namespace {
 

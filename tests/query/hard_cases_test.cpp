@@ -68,6 +68,8 @@ void expect_surfaces_like_brute_force(const Scene& scene, const Pose& pose) {
   EXPECT_EQ(first_contact(both.a, both.b, both.query).has_value(), meet);
 }
 
+void PrintTo(const NamedPose& pose, std::ostream* out) { *out << pose.name; }
+
 class HardCase : public testing::TestWithParam<NamedPose> {};
 
 TEST_P(HardCase, HelicesAtAGap) {

@@ -11,7 +11,7 @@
 namespace toccata::test {
 namespace {
 
-class RelationOfRealModels : public testing::TestWithParam<const char*> {
+class RelationOfRealModels : public testing::TestWithParam<std::string> {
  protected:
   /// Nothing, and the test skipped, where the data is not there.
   std::optional<TriangleMesh> load() {

@@ -13,6 +13,8 @@ struct RealMesh {
   std::size_t pairs;  ///< of triangles in which it meets itself
 };
 
+void PrintTo(const RealMesh& mesh, std::ostream* out) { *out << mesh.file; }
+
 class RealMeshAgainstItself : public testing::TestWithParam<RealMesh> {};
 
 TEST_P(RealMeshAgainstItself, AsCgalSays) {

@@ -249,6 +249,8 @@ struct RealSoup {
   Sample sample;
 };
 
+void PrintTo(const RealSoup& soup, std::ostream* out) { *out << soup.file; }
+
 class RealSoupAgainstItself : public testing::TestWithParam<RealSoup> {};
 
 /// Meshes that are not manifold, or whose parts have vertices of their own at one place.

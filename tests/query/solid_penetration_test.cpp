@@ -82,6 +82,8 @@ Vec3 random_direction(Random& random) {
   }
 }
 
+void PrintTo(const DepthCase& listed, std::ostream* out) { *out << listed.name; }
+
 class SolidPenetration : public testing::TestWithParam<DepthCase> {};
 
 TEST_P(SolidPenetration, IsABracketThatIsNarrow) {
