@@ -115,6 +115,15 @@ struct WorldArguments {
   bool json = false;
 };
 
+struct PartsArguments {
+  std::size_t count = 10000;
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  int threads = 1;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -143,6 +152,7 @@ int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);
 int run_world(const WorldArguments& arguments);
+int run_parts(const PartsArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

@@ -7,6 +7,7 @@
 #include "arguments.hpp"
 #include "programs.hpp"
 #include "report.hpp"
+#include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/scene_file.hpp"

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <filesystem>
 #include <optional>
 
 #include "arguments.hpp"
 #include "programs.hpp"
 #include "report.hpp"
 #include "single_mesh.hpp"
+#include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "walks.hpp"
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "arguments.hpp"
 #include "measure.hpp"
+#include "pair_lists.hpp"
 #include "report.hpp"
 #include "toccata/generate/body_crowd.hpp"
 #include "toccata/query/check_all.hpp"
@@ -45,13 +45,6 @@ std::vector<Pairs> truth_of(const WorldArguments& arguments) {
   return truth;
 }
 
-/// How many of `a`, ascending, are not in `b`.
-std::size_t without(const Pairs& a, const Pairs& b) {
-  Pairs rest;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
-  return rest.size();
-}
-
 Row measured(WorldLibrary& library, int threads, const WorldArguments& arguments, const std::vector<Pairs>& truth) {
   BodyCrowd crowd = crowd_of(arguments);
   library.add(crowd.shapes(), crowd.poses());
@@ -65,8 +58,8 @@ Row measured(WorldLibrary& library, int threads, const WorldArguments& arguments
     Pairs told = library.contacts();
     std::sort(told.begin(), told.end());
     row.contacts = told.size();
-    row.missing += without(contacts, told);
-    row.invented += without(told, contacts);
+    row.missing += count_without(contacts, told);
+    row.invented += count_without(told, contacts);
   }
   std::sort(times.begin(), times.end());
   row.median_ms = times[times.size() / 2];

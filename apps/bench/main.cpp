@@ -27,6 +27,7 @@ struct Options {
   NearestArguments nearest;
   BroadArguments broad;
   WorldArguments world;
+  PartsArguments parts;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -234,9 +235,24 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
       ->check(positive())
       ->capture_default_str();
   add_peers(*world, arguments.peers, {"bullet", "fcl"});
-  world->add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
+  world->add_option("--seed", arguments.seed, "another seed, another crowd")
+      ->check(whole_number())
+      ->capture_default_str();
   add_json(*world, arguments.json);
   world->footer("Example:\n  ./toccata bench world --count 10000 --peer bullet,fcl");
+}
+
+void add_parts(CLI::App& app, PartsArguments& arguments) {
+  CLI::App* parts = app.add_subcommand("parts", "which of many posed meshes meet, taken as surfaces");
+  add_number(*parts, "--count", arguments.count, "parts of a few kinds, some of which meet");
+  add_number(*parts, "--threads", arguments.threads, "that check_all uses");
+  add_number(*parts, "--rounds", arguments.rounds, "how often it is asked; the median counts");
+  add_peers(*parts, arguments.peers, {"fcl"});
+  parts->add_option("--seed", arguments.seed, "another seed, other parts")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_json(*parts, arguments.json);
+  parts->footer("Example:\n  ./toccata bench parts --count 10000 --peer fcl");
 }
 
 void add_process(CLI::App& app, ProcessArguments& arguments) {
@@ -282,6 +298,7 @@ int main_of(int argc, char** argv) {
   add_nearest(app, options.nearest);
   add_broad(app, options.broad);
   add_world(app, options.world);
+  add_parts(app, options.parts);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -301,6 +318,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("broad")) return run_broad(options.broad);
   if (app.got_subcommand("world")) return run_world(options.world);
+  if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

@@ -7,11 +7,8 @@
 #include <unistd.h>
 
 #include "measure.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata::bench {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -39,17 +36,6 @@ ProcessRun run_program(const std::vector<std::string>& words) {
   posix_spawn_file_actions_destroy(&actions);
   return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, seconds, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
           static_cast<double>(usage.ru_maxrss) / 1000};
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "toccata-bench-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw Error("no temporary folder could be made");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
 }
 
 }  // namespace toccata::bench

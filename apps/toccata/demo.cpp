@@ -7,6 +7,7 @@
 #include "arguments.hpp"
 #include "check_table.hpp"
 #include "demo_readme.hpp"
+#include "file_text.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -76,11 +77,7 @@ void write_files(const std::filesystem::path& folder) {
 }
 
 /// A folder that a demo of this version wrote before, as far as its README tells.
-bool is_demo_folder(const std::filesystem::path& folder) {
-  std::ifstream stream(folder / "README.md", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return text == demo_readme();
-}
+bool is_demo_folder(const std::filesystem::path& folder) { return text_of_file(folder / "README.md") == demo_readme(); }
 
 int write_scenes(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;

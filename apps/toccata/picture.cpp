@@ -13,15 +13,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "file_text.hpp"
 #include "look.hpp"
 #include "output.hpp"
+#include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
 
@@ -32,32 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// A folder that is gone, with all that is in it, at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "toccata-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw Error("no temporary folder could be made in " + name);
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string find_browser() {
   const char* folders = std::getenv("PATH");
@@ -182,11 +157,11 @@ void write_picture(const std::string& page, const PictureTarget& target) {
   require_picture(target);
   const std::string browser = find_browser();
   const UninterruptedWriting writing;
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() / "page.html", std::ios::binary) << page;
   await(started(words_of(browser, folder.path(), target), folder.path()));
   if (UninterruptedWriting::is_interrupted()) return;
-  const std::string picture = text_of(folder.path() / "picture.png");
+  const std::string picture = text_of_file(folder.path() / "picture.png");
   if (picture.empty())
     throw Error(fmt::format("{} drew no picture; write a page with -o and open it to see why", browser));
   write_output(picture, target.path, OutputKind::picture);

@@ -216,6 +216,17 @@ def check_world(peers):
         assert row["library"] != "toccata" or row["missing"] == row["invented"] == 0, row
 
 
+def check_parts(peers):
+    made = report("parts", "--count", "300", "--rounds", "1", *(["--peer", "fcl"] if "fcl" in peers else []))
+    assert [r["variant"] for r in made["results"]][:2] == ["check_all", "every pair"], made["results"]
+    for row in made["results"]:
+        assert row["median_ms"] > 0 and row["pairs"] > 5, row
+        assert row["library"] != "toccata" or row["missing"] == row["invented"] == 0, row
+    for name in ("broad", "world", "parts"):
+        refused = run(name, "--count", "10", "--seed", "-1")
+        assert refused.returncode == 2 and "whole number" in refused.stderr, refused.stderr
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -238,6 +249,7 @@ def main():
     check_process()
     check_builders()
     check_world(peers)
+    check_parts(peers)
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

@@ -1,4 +1,3 @@
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBB.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/math/bv/RSS.h>
@@ -9,34 +8,14 @@
 #include <type_traits>
 
 #include "library.hpp"
+#include "peers/fcl_models.hpp"
+#include "peers/fcl_shapes.hpp"
 
 namespace toccata::bench {
 namespace {
 
 template <class Volume>
 using FclModel = fcl::BVHModel<Volume>;
-
-template <class Volume>
-std::unique_ptr<FclModel<Volume>> model_of(const TriangleMesh& mesh) {
-  std::vector<fcl::Vector3d> vertices;
-  std::vector<fcl::Triangle> triangles;
-  for (const Vec3& v : mesh.vertices()) vertices.emplace_back(v.x, v.y, v.z);
-  for (const auto& corner : mesh.triangles()) triangles.emplace_back(corner[0], corner[1], corner[2]);
-  auto model = std::make_unique<FclModel<Volume>>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-  model->addSubModel(vertices, triangles);
-  model->endModel();
-  return model;
-}
-
-fcl::Transform3d transform_of(const Pose& pose) {
-  fcl::Transform3d transform = fcl::Transform3d::Identity();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) transform.linear()(i, j) = pose.linear[i][j];
-    transform.translation()[i] = pose.offset[i];
-  }
-  return transform;
-}
 
 template <class Volume>
 std::size_t bytes_of(const FclModel<Volume>& model) {
@@ -58,8 +37,8 @@ class FclMeshes : public MeshLibrary {
   }
 
   void build(const TriangleMesh& a, const TriangleMesh& b) override {
-    a_ = model_of<Volume>(a);
-    b_ = model_of<Volume>(b);
+    a_ = fcl_model_of<Volume>(a);
+    b_ = fcl_model_of<Volume>(b);
   }
 
   std::size_t bytes() const override { return bytes_of(*a_) + bytes_of(*b_); }
@@ -69,7 +48,7 @@ class FclMeshes : public MeshLibrary {
     const std::size_t wanted = task == Task::overlap ? 1 : std::numeric_limits<std::size_t>::max();
     const fcl::CollisionRequestd request(wanted, false);
     fcl::CollisionResultd result;
-    fcl::collide(a_.get(), transform_of(poses.a), b_.get(), transform_of(poses.b), request, result);
+    fcl::collide(a_.get(), converted(poses.a), b_.get(), converted(poses.b), request, result);
     Answer answer{result.isCollision(), {}};
     if (task == Task::overlap) return answer;
     for (std::size_t i = 0; i < result.numContacts(); ++i)
@@ -84,7 +63,7 @@ class FclMeshes : public MeshLibrary {
   Answer distance_answer(const PosePair& poses) const {
     const fcl::DistanceRequestd request(false);
     fcl::DistanceResultd result;
-    fcl::distance(a_.get(), transform_of(poses.a), b_.get(), transform_of(poses.b), request, result);
+    fcl::distance(a_.get(), converted(poses.a), b_.get(), converted(poses.b), request, result);
     const auto number = [](auto index) { return static_cast<Index>(index); };
     return {result.min_distance <= 0, {{number(result.b1), number(result.b2)}}, result.min_distance};
   }

@@ -1,5 +1,6 @@
 #include "broad.hpp"
 #include "convex_library.hpp"
+#include "parts.hpp"
 #include "refits.hpp"
 #include "world.hpp"
 
@@ -10,6 +11,7 @@ TriangleLibraries fcl_triangle_libraries() { peer_is_missing("fcl"); }
 ConvexOffer fcl_convex(const ConvexWork&) { peer_is_missing("fcl"); }
 RefitLibraries fcl_refit_libraries() { peer_is_missing("fcl"); }
 BroadLibraries fcl_broad_libraries() { peer_is_missing("fcl"); }
+PartsLibraries fcl_parts() { peer_is_missing("fcl"); }
 std::unique_ptr<WorldLibrary> fcl_world() { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench
