@@ -77,6 +77,23 @@ WANTED = {
     "levels-dop": ([KNOT], ["--hierarchy", "26-dop"], "steps=0:4"),
 }
 
+# Crowds: words of the command, and how they are shown.
+CROWDS = {
+    "crowd-pairs": ("--scene uniform --count 200 --frames 6 --method grid", "moment=6&off=cells&grid=0"),
+    "crowd-grid": ("--scene uniform --count 200 --frames 6 --method grid", "moment=6&off=pairs&grid=0"),
+    "crowd-hash": ("--scene uniform --count 40 --frames 2 --method spatial-hash", "moment=2&off=pairs&grid=0"),
+    "crowd-hierarchical-hash": ("--scene sizes --count 120 --frames 2 --method hierarchical-hash", "moment=2&off=pairs&grid=0"),
+    "crowd-octree": ("--scene sizes --count 120 --frames 2 --method loose-octree", "moment=2&off=pairs&grid=0"),
+    "crowd-tiles": ("--scene clustered --count 4000 --frames 2 --method kd-tiles", "moment=2&off=pairs&grid=0"),
+    "crowd-layers": ("--scene static --count 400 --frames 4 --method layers", "moment=4&off=pairs&grid=0"),
+    "crowd-sweep": ("--scene uniform --count 60 --frames 2 --method sort-and-sweep", "moment=2&grid=0"),
+    "crowd-incremental": ("--scene uniform --count 60 --frames 4 --method incremental-sweep", "moment=4&grid=0"),
+    "crowd-rectangles": ("--scene uniform --count 40 --frames 2 --method rectangle-sweeps", "moment=2&grid=0"),
+    "crowd-tree": ("--scene uniform --count 200 --frames 2 --method morton-tree", "moment=2&off=pairs&grid=0"),
+    "crowd-dynamic-tree": ("--scene static --count 60 --frames 4 --method dynamic-tree", "moment=4&off=pairs&grid=0"),
+    "crowd-auto": ("--scene clustered --count 3000 --frames 4", "moment=4&off=pairs&grid=0"),
+}
+
 # Reports beside the pictures that are drawn of them.
 PLOTS = ["cost"]
 
@@ -90,6 +107,15 @@ def words_for(shown, name, folder):
     return [f"{name}.json"]
 
 
+def asked_for(picture, folder):
+    """The words that the command is called with, and how the picture looks."""
+    if picture in CROWDS:
+        words, look = CROWDS[picture]
+        return ["crowd", *words.split()], look
+    shown, options, look = WANTED[picture]
+    return ["view", *words_for(shown, picture, folder), *options], look
+
+
 def draw_plot(command, picture, folder):
     drawn, target = folder / f"{picture}.svg", PICTURES / f"{picture}.svg"
     subprocess.run([command, "plot", str(PICTURES / f"{picture}.json"), "-o", str(drawn)], check=True, stdout=subprocess.DEVNULL)
@@ -98,7 +124,7 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -106,10 +132,10 @@ def main():
             if picture in PLOTS:
                 draw_plot(command, picture, folder)
                 continue
-            shown, options, look = WANTED[picture]
             target = PICTURES / f"{picture}.png"
             drawn = folder / target.name
-            words = [command, "view", *words_for(shown, picture, folder), *options, "--png", str(drawn), "--size", SIZE]
+            asked, look = asked_for(picture, folder)
+            words = [command, *asked, "--png", str(drawn), "--size", SIZE]
             subprocess.run([*words, "--look", look] if look else words, cwd=folder, check=True, stdout=subprocess.DEVNULL)
             shutil.copyfile(drawn, target)
             print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")

@@ -120,6 +120,10 @@ struct CrowdArguments {
   std::string method = "auto";
   bool compare = false;  ///< all methods instead of the one
   std::uint64_t seed = 1;
+  std::string html;  ///< a page to write; empty: none
+  std::string png;   ///< a picture of that page; empty: none
+  std::string size;  ///< of the picture; empty: as it is
+  std::string look;  ///< what the picture shows
   int threads = 1;
   Format format = Format::table;
 };

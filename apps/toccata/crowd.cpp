@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "crowd_frames.hpp"
+#include "crowd_view.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/broad/broad_phase.hpp"
@@ -128,6 +129,7 @@ std::string table_of(const CrowdArguments& arguments, const std::vector<Run>& ru
 }  // namespace
 
 int run_crowd(const CrowdArguments& arguments) {
+  const CrowdView view(arguments);
   const std::vector<BroadPhaseMethod> methods =
       arguments.compare ? methods_for(arguments.count) : std::vector{broad_phase_method(arguments.method)};
   std::vector<Run> runs;
@@ -139,7 +141,9 @@ int run_crowd(const CrowdArguments& arguments) {
           run_method(methods[i], arguments, progress, i * arguments.frames, methods.size() * arguments.frames));
   }
   require_same(runs);
-  print_answer(arguments.format == Format::json ? json_of(arguments, runs).dump(1) + "\n" : table_of(arguments, runs));
+  const std::string written = view.write();
+  print_answer(arguments.format == Format::json ? json_of(arguments, runs).dump(1) + "\n"
+                                                : table_of(arguments, runs) + written);
   return 0;
 }
 

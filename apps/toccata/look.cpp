@@ -15,8 +15,9 @@ namespace {
 
 /// As apps/viewer/src/link.ts reads them.
 const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys = {"finding", "only",   "hidden", "ghosts", "rest", "through", "grid",
-                                                "labels",  "panels", "theme",  "order",  "off",  "steps",   "camera"};
+  static const std::vector<std::string> keys = {"finding", "only", "hidden", "ghosts", "rest",
+                                                "through", "grid", "labels", "panels", "theme",
+                                                "order",   "off",  "steps",  "camera", "moment"};
   return keys;
 }
 

@@ -176,6 +176,15 @@ void add_check(CLI::App& app, Options& options) {
                 "  {0} check scenes/shelf/scene.json --json"));
 }
 
+/// Of `look` and `size` where there is a picture.
+void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look) {
+  add_file(app, "--png", png, "draw a picture of the page, where Chromium is installed", "FILE.png");
+  add_text(app, "--size", size, "of the picture (default: 1200x800)", "a size must be given")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option("--look", look, "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
+      ->type_name("TEXT");
+}
+
 void add_view(CLI::App& app, Options& options) {
   ViewArguments& arguments = options.view;
   CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what was found, and why");
@@ -192,12 +201,7 @@ void add_view(CLI::App& app, Options& options) {
            "rss, ellipsoid, hull; wide: the tree that queries use",
            "a volume must be named")
       ->type_name("VOLUME");
-  add_file(*view, "--png", arguments.png, "draw a picture of the page, where Chromium is installed", "FILE.png");
-  add_text(*view, "--size", arguments.size, "of the picture (default: 1200x800)", "a size must be given")
-      ->type_name("WIDTHxHEIGHT");
-  view->add_option("--look", arguments.look,
-                   "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
-      ->type_name("TEXT");
+  add_picture(*view, arguments.png, arguments.size, arguments.look);
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
   add_threads(*view, arguments.threads, "page");
@@ -395,9 +399,13 @@ void add_crowd(CLI::App& app, Options& options) {
       ->check(whole_number())
       ->capture_default_str();
   add_threads(*crowd, options.crowd.threads, "pairs");
+  add_file(*crowd, "--html", options.crowd.html,
+           "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
+  add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(
-      with_name("Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare"));
+      with_name("Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
+                "  {0} crowd --count 2000 --frames 100 --html crowd.html"));
 }
 
 void add_demo(CLI::App& app, Options& options) {

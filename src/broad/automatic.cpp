@@ -66,6 +66,7 @@ class Automatic final : public PairFinder {
   PairList find(const BoxesNow& now, PairList storage) override {
     if (is_due(now)) look_anew(now);
     begin_trial();
+    given_up_ = false;
     const auto start = Clock::now();
     PairList pairs = finder_of_update().find(now, std::move(storage));
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -76,6 +77,10 @@ class Automatic final : public PairFinder {
 
   [[nodiscard]] std::size_t bytes() const override {
     return (finder_ ? finder_->bytes() : 0) + (tried_finder_ ? tried_finder_->bytes() : 0);
+  }
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    const PairFinder* finder = tried_finder_ ? tried_finder_.get() : finder_.get();
+    return given_up_ || finder == nullptr ? BroadPhaseCells{} : finder->cells(boxes);
   }
   [[nodiscard]] BroadPhaseMethod chosen() const override { return method_; }
 
@@ -217,6 +222,7 @@ class Automatic final : public PairFinder {
       use(tried_, std::move(tried_finder_));
       is_warm_ = true;
     } else {
+      given_up_ = true;
       use(method_, make_pair_finder(method_));
     }
     tried_finder_.reset();
@@ -226,6 +232,7 @@ class Automatic final : public PairFinder {
   std::unique_ptr<PairFinder> finder_, tried_finder_;
   std::vector<Candidate> candidates_;
   bool is_warm_ = false;
+  bool given_up_ = false;  ///< in the last update, the one that found its pairs
   std::size_t tried_updates_ = 0;
   double trial_ = 0;  ///< the best milliseconds of it
   std::size_t updates_ = 0, looked_at_ = 0, patience_ = 2, next_trial_ = 0, trial_pause_ = 16;

@@ -27,6 +27,7 @@ std::size_t sweep_axis(std::span<const FlatBox> boxes) {
 }
 
 void BoxSweep::lay_out(std::span<const FlatBox> boxes, std::size_t axis) {
+  axis_ = axis;
   keyed_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     keyed_[i] = {ordered(boxes[i].lower[axis]), static_cast<std::uint32_t>(i)};

@@ -121,6 +121,7 @@ class BroadPhase::State {
   std::span<const IndexPair> update() {
     nothing_moved_ = changed_.empty();
     if (!nothing_moved_) {
+      has_found_ = true;
       PairList now = finder_->find({boxes_, changed_, pairs_, options_.threads}, std::move(before_));
       before_ = std::exchange(pairs_, std::move(now));
       for (const Index number : changed_) marks_[number] = static_cast<std::uint8_t>(marks_[number] & ~changed);
@@ -150,6 +151,11 @@ class BroadPhase::State {
     return options_.method == BroadPhaseMethod::automatic ? finder_->chosen() : options_.method;
   }
   [[nodiscard]] std::string reason() const { return finder_->reason(); }
+  [[nodiscard]] BroadPhaseCells cells() const {
+    if (!changed_.empty())
+      throw Error("boxes have come, gone or moved since the last update: ask for its cells before");
+    return has_found_ ? finder_->cells(boxes_) : BroadPhaseCells{};
+  }
   [[nodiscard]] std::size_t bytes() const {
     return boxes_.capacity() * sizeof(Aabb) + marks_.capacity() +
            (changed_.capacity() + free_.capacity() + freed_.capacity()) * sizeof(Index) + finder_->bytes();
@@ -204,6 +210,7 @@ class BroadPhase::State {
   PairList pairs_;
   PairList before_;
   bool nothing_moved_ = true;
+  bool has_found_ = false;  ///< this finder, ever
   std::unique_ptr<PairFinder> finder_;
 };
 
@@ -227,6 +234,7 @@ const Aabb& BroadPhase::box(Index number) const { return state_->box(number); }
 bool BroadPhase::in_use(Index number) const { return state_->in_use(number); }
 BroadPhaseMethod BroadPhase::method() const { return state_->method(); }
 std::string BroadPhase::reason() const { return state_->reason(); }
+BroadPhaseCells BroadPhase::cells() const { return state_->cells(); }
 std::size_t BroadPhase::bytes() const { return state_->bytes(); }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 
 namespace toccata {
 namespace {
@@ -90,6 +91,13 @@ class DimensionReduction final : public PairFinder {
   }
 
   [[nodiscard]] std::size_t bytes() const override { return tagged_.capacity() * sizeof(Tagged); }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    BroadPhaseCells cells;
+    for (std::size_t axis = 0; to_ == To::intervals && axis < 3; ++axis) add_intervals(cells, boxes, axis);
+    for (std::size_t axis = 0; to_ == To::rectangles && axis < 2; ++axis) add_rectangles(cells, boxes, axis);
+    return cells;
+  }
 
  private:
   static constexpr std::size_t most_at_once = std::size_t{1} << 22;

@@ -4,7 +4,10 @@
 #include <span>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 #include "broad/pair_buffer.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -62,6 +65,31 @@ class BoxTree {
       waiting.push_back(node.left);
       waiting.push_back(node.right);
     }
+  }
+
+  /// The nodes of each depth, and the enlarged boxes by themselves.
+  void add_cells(BroadPhaseCells& cells) const {
+    std::vector<Index> level, below, leaves;
+    if (root_ != none) level.push_back(root_);
+    for (int depth = 0; !level.empty(); ++depth, std::swap(level, below)) {
+      below.clear();
+      std::vector<Aabb> boxes;
+      for (const Index at : level) {
+        const Node& node = nodes_[at];
+        if (node.right == none) {
+          leaves.push_back(at);
+          continue;
+        }
+        boxes.push_back(node.box);
+        below.insert(below.end(), {node.left, node.right});
+      }
+      if (boxes.empty()) continue;
+      CellsOfGroup group(cells, fmt::format("tree, level {}", depth));
+      for (const Aabb& box : boxes) group.add(box);
+    }
+    if (leaves.empty()) return;
+    CellsOfGroup group(cells, "enlarged boxes");
+    for (const Index leaf : leaves) group.add(nodes_[leaf].box);
   }
 
   [[nodiscard]] std::size_t bytes() const {
@@ -191,6 +219,12 @@ class DynamicTree final : public PairFinder {
     return with_new_pairs(now.before, new_pairs_, std::move(storage), [&](const IndexPair& pair) {
       return (has_moved_[pair.first] | has_moved_[pair.second]) == 0;
     });
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
+    BroadPhaseCells cells;
+    tree_.add_cells(cells);
+    return cells;
   }
 
   [[nodiscard]] std::size_t bytes() const override {

@@ -28,6 +28,11 @@ class FloatFrame {
     return static_cast<float>(scaled < -most ? -most : scaled > most ? most : scaled) + 0.0F;
   }
 
+  /// What becomes this float, but for rounding; infinite stays so.
+  [[nodiscard]] double unmap(float value, int axis) const {
+    return double{value} / scale_ + middle_[static_cast<std::size_t>(axis)];
+  }
+
  private:
   std::array<double, 3> middle_{};
   double scale_ = 1;

@@ -4,20 +4,22 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <span>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "broad/box_sample.hpp"
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
+#include "broad/method_cells.hpp"
 #include "broad/packed_tree.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
-
-using CellPlace = std::array<std::int64_t, 3>;
 
 /// Cells of one size, everywhere: a place has a key, and nothing is kept of cells where nothing is.
 class CellKeys {
@@ -25,6 +27,7 @@ class CellKeys {
   /// Cells of side 2^exponent.
   explicit CellKeys(int exponent) : exponent_(exponent) {}
 
+  [[nodiscard]] double side() const { return std::ldexp(1.0, exponent_); }
   [[nodiscard]] CellPlace place_of(const Vec3& point) const {
     return {cell_of(point.x), cell_of(point.y), cell_of(point.z)};
   }
@@ -87,7 +90,32 @@ class HashGrid final : public PairFinder {
     return sum;
   }
 
+  /// Those that some box is native to: where there are only visitors, nothing is compared.
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    std::vector<std::set<CellPlace>> places(grids_.size());
+    for (std::size_t number = 0; number < boxes.size(); ++number) {
+      if (is_empty(boxes[number]) || levels_[number] == large) continue;
+      const CellKeys& grid = grids_[levels_[number]];
+      each_cell(grid.place_of(boxes[number].lower), grid.place_of(boxes[number].upper),
+                [&](const CellPlace& place) { places[levels_[number]].insert(place); });
+    }
+    BroadPhaseCells cells;
+    for (std::size_t level = grids_.size(); level-- > 0;) {
+      if (places[level].empty()) continue;
+      CellsOfGroup group(cells, fmt::format("cells of side {:.4g}", grids_[level].side()));
+      for (const CellPlace& place : places[level]) group.add(cube_of_cell(place, grids_[level].side()));
+    }
+    return cells;
+  }
+
  private:
+  template <class Visit>
+  static void each_cell(const CellPlace& from, const CellPlace& to, const Visit& visit) {
+    for (std::int64_t x = from[0]; x <= to[0]; ++x)
+      for (std::int64_t y = from[1]; y <= to[1]; ++y)
+        for (std::int64_t z = from[2]; z <= to[2]; ++z) visit(CellPlace{x, y, z});
+  }
+
   static constexpr std::size_t parts = 32;
   static constexpr std::uint8_t large = 255;  ///< in place of a level: too many cells, or infinite
   static constexpr std::int64_t most_cells = 64;
@@ -148,10 +176,7 @@ class HashGrid final : public PairFinder {
         return false;
       }
       const std::uint64_t is_visitor = level == levels_[number] ? 0 : 1;
-      for (std::int64_t x = from[0]; x <= to[0]; ++x)
-        for (std::int64_t y = from[1]; y <= to[1]; ++y)
-          for (std::int64_t z = from[2]; z <= to[2]; ++z)
-            enter_once(grid.key_of({x, y, z}), is_visitor, number, before);
+      each_cell(from, to, [&](const CellPlace& place) { enter_once(grid.key_of(place), is_visitor, number, before); });
     }
     return true;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 
 namespace toccata {
 namespace {
@@ -45,8 +46,10 @@ class IncrementalSweep final : public PairFinder {
     swaps_ = 0;
     if (!is_sorted_ || some_came_or_went(now) || !sort_again(now)) {
       sort_anew(now.boxes);
+      found_by_all_ = true;
       return everything_->find(now, std::move(storage));
     }
+    found_by_all_ = false;
     return merged(now.before, std::move(storage));
   }
 
@@ -55,6 +58,13 @@ class IncrementalSweep final : public PairFinder {
     for (std::size_t axis = 0; axis < 3; ++axis)
       sum += ends_[axis].capacity() * sizeof(End) + ranks_[axis].capacity() * sizeof(std::uint32_t);
     return sum;
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    if (found_by_all_) return everything_->cells(boxes);
+    BroadPhaseCells cells;
+    for (std::size_t axis = 0; axis < 3; ++axis) add_intervals(cells, boxes, axis);
+    return cells;
   }
 
  private:
@@ -153,6 +163,7 @@ class IncrementalSweep final : public PairFinder {
 
   std::unique_ptr<PairFinder> everything_ = make_kd_tiles();
   bool is_sorted_ = false;
+  bool found_by_all_ = false;  ///< in the last update
   std::size_t swaps_ = 0;
   std::array<std::vector<End>, 3> ends_;
   std::array<std::vector<std::uint32_t>, 3> ranks_;  ///< by the ends' names

@@ -9,6 +9,7 @@
 
 #include "broad/box_lanes.hpp"
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 #include "broad/tile_split.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -17,6 +18,11 @@ namespace {
 
 using Corner = std::array<float, 3>;
 constexpr std::size_t tile_size = 200;
+
+/// Which part of space: of boxes that reach into it, those pairs are told whose greater lower corner lies in it.
+struct Part {
+  Corner from, to;
+};
 
 /// The boxes of one tile, sorted into slices along an axis and swept.
 class Tile {
@@ -93,17 +99,27 @@ void take_sample(std::span<const FlatBox> boxes, std::vector<FlatBox>& sample) {
   for (std::size_t i = 0; i < boxes.size(); i += step) sample.push_back(boxes[i]);
 }
 
+Part part_of(const Part& whole, const TileSplit& split, std::size_t slab) {
+  Part part = whole;
+  if (slab > 0) part.from[split.axis()] = split.begin_of(slab);
+  if (slab + 1 < split.slabs()) part.to[split.axis()] = split.begin_of(slab + 1);
+  return part;
+}
+
 /// What one part of the work needs, kept from update to update.
 class TileWalker {
  public:
-  /// The pairs of these boxes that have the greater of their lower corners not before `corner`.
-  void add_pairs(std::span<const FlatBox> boxes, const Corner& corner, const Aabb* all) {
-    descend(boxes, corner, all, 0);
+  /// The pairs of these boxes that have the greater of their lower corners in the part.
+  void add_pairs(std::span<const FlatBox> boxes, const Part& part, const Aabb* all) { descend(boxes, part, all, 0); }
+  void clear(const PairFilter* wanted) {
+    pairs_.clear(wanted);
+    tiles_.clear();
   }
-  void clear(const PairFilter* wanted) { pairs_.clear(wanted); }
+  [[nodiscard]] std::span<const Part> tiles() const { return tiles_; }
   [[nodiscard]] PairBuffer& pairs() { return pairs_; }
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = pairs_.bytes() + tile_.bytes() + slabs_.capacity() * sizeof(std::array<std::uint8_t, 2>);
+    std::size_t sum = pairs_.bytes() + tile_.bytes() + tiles_.capacity() * sizeof(Part) +
+                      slabs_.capacity() * sizeof(std::array<std::uint8_t, 2>);
     for (const std::vector<FlatBox>& level : levels_) sum += level.capacity() * sizeof(FlatBox);
     return sum;
   }
@@ -111,11 +127,16 @@ class TileWalker {
  private:
   static constexpr std::size_t most_levels = 12;
 
-  void descend(std::span<const FlatBox> boxes, const Corner& corner, const Aabb* all, std::size_t level) {
-    if (boxes.size() <= tile_size || level == most_levels) return tile_.add_pairs(boxes, corner, all, pairs_);
+  void sweep(std::span<const FlatBox> boxes, const Part& part, const Aabb* all) {
+    if (!boxes.empty()) tiles_.push_back(part);
+    tile_.add_pairs(boxes, part.from, all, pairs_);
+  }
+
+  void descend(std::span<const FlatBox> boxes, const Part& part, const Aabb* all, std::size_t level) {
+    if (boxes.size() <= tile_size || level == most_levels) return sweep(boxes, part, all);
     take_sample(boxes, sample_);
-    const TileSplit split(sample_, boxes.size(), tile_size, corner);
-    if (split.slabs() < 2) return tile_.add_pairs(boxes, corner, all, pairs_);
+    const TileSplit split(sample_, boxes.size(), tile_size, part.from);
+    if (split.slabs() < 2) return sweep(boxes, part, all);
     std::array<std::size_t, TileSplit::most_slabs + 1> ends{};
     slabs_.resize(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -125,20 +146,18 @@ class TileWalker {
     std::size_t sum = 0;
     for (std::size_t& end : ends) sum += std::exchange(end, sum);
     // Where most boxes are in most slabs, cutting does not help.
-    if (sum > boxes.size() + boxes.size() / 2) return tile_.add_pairs(boxes, corner, all, pairs_);
+    if (sum > boxes.size() + boxes.size() / 2) return sweep(boxes, part, all);
     std::vector<FlatBox>& parts = levels_[level];
     if (parts.size() < sum) resize_for_overwrite(parts, sum);
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t slab = slabs_[i][0]; slab <= slabs_[i][1]; ++slab) parts[ends[slab]++] = boxes[i];
-    for (std::size_t slab = 0, begin = 0; slab < split.slabs(); begin = ends[slab++]) {
-      Corner from = corner;
-      if (slab > 0) from[split.axis()] = split.begin_of(slab);
-      descend(std::span(parts).subspan(begin, ends[slab] - begin), from, all, level + 1);
-    }
+    for (std::size_t slab = 0, begin = 0; slab < split.slabs(); begin = ends[slab++])
+      descend(std::span(parts).subspan(begin, ends[slab] - begin), part_of(part, split, slab), all, level + 1);
   }
 
   Tile tile_;
   PairBuffer pairs_;
+  std::vector<Part> tiles_;
   std::vector<FlatBox> sample_;
   std::vector<std::array<std::uint8_t, 2>> slabs_;
   std::array<std::vector<FlatBox>, most_levels> levels_;
@@ -190,16 +209,25 @@ class KdTiles final : public PairFinder {
     split_at_top(now);
     pool_.clear(now.wanted);
     parallel_for(top_.slabs(), now.threads, [&](std::size_t slab) {
-      Corner from = nowhere;
-      if (slab > 0) from[top_.axis()] = top_.begin_of(slab);
       const std::size_t begin = slab == 0 ? 0 : ends_[slab - 1];
       const std::size_t lent = pool_.take();
-      pool_[lent].add_pairs(std::span(parts_).subspan(begin, ends_[slab] - begin), from, now.boxes.data());
+      pool_[lent].add_pairs(std::span(parts_).subspan(begin, ends_[slab] - begin), part_of(everywhere, top_, slab),
+                            now.boxes.data());
       pool_.give_back(lent);
     });
     found_.clear();
     for (const auto& walker : pool_.all()) found_.push_back(&walker->pairs());
     return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
+    std::vector<Part> tiles;
+    for (const auto& walker : pool_.all()) tiles.insert(tiles.end(), walker->tiles().begin(), walker->tiles().end());
+    std::sort(tiles.begin(), tiles.end(), [](const Part& a, const Part& b) { return a.from < b.from; });
+    BroadPhaseCells cells;
+    CellsOfGroup group(cells, "tiles");
+    for (const Part& tile : tiles) group.add(box_of_floats(frame_, tile.from, tile.to));
+    return cells;
   }
 
   [[nodiscard]] std::size_t bytes() const override {
@@ -211,6 +239,7 @@ class KdTiles final : public PairFinder {
  private:
   static constexpr float lowest = -std::numeric_limits<float>::infinity();
   static constexpr Corner nowhere{lowest, lowest, lowest};  ///< before everything
+  static constexpr Part everywhere{nowhere, {-lowest, -lowest, -lowest}};
   static constexpr std::size_t chunks_at_top = 16;
   static constexpr std::array<std::uint8_t, 2> no_slab{1, 0};
 

@@ -5,6 +5,7 @@
 
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 #include "broad/packed_tree.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -40,6 +41,16 @@ class Layers final : public PairFinder {
                       flat_movers_.capacity() * sizeof(FlatBox) + new_pairs_.capacity() * sizeof(IndexPair);
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    if (everything_) return everything_->cells(boxes);
+    BroadPhaseCells cells;
+    resting_.add_cells(frame_, cells);
+    std::vector<Aabb> movers;
+    for (const Index number : movers_) movers.push_back(boxes[number]);
+    add_intervals(cells, movers, sweep_.axis());
+    return cells;
   }
 
  private:

@@ -3,19 +3,22 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "broad/box_sample.hpp"
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
+#include "broad/method_cells.hpp"
 #include "broad/packed_tree.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
-
-using CellPlace = std::array<std::int64_t, 3>;
 
 /// An octree whose cells are twice as large as what they divide, so that every box lies wholly in the cell of its
 /// middle at the depth of its size (T. Ulrich, "Loose octrees", 2000). The tree is a list sorted by depth and cell: a
@@ -43,6 +46,23 @@ class LooseOctree final : public PairFinder {
     return sum;
   }
 
+  /// Those of the nodes that exist; they reach half as far again to each side.
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    std::set<std::pair<int, CellPlace>> nodes;
+    for (const auto& entry : entries_) {
+      const int level = depths_[entry.place];
+      nodes.insert({-level, place_of_middle(boxes[entry.place], level)});
+    }
+    BroadPhaseCells cells;
+    for (auto node = nodes.begin(); node != nodes.end();) {
+      const int level = -node->first;
+      const double side = cell_side(level);
+      CellsOfGroup group(cells, fmt::format("cells of side {:.4g}", side));
+      for (; node != nodes.end() && -node->first == level; ++node) group.add(cube_of_cell(node->second, side));
+    }
+    return cells;
+  }
+
  private:
   static constexpr std::size_t parts = 32;
   static constexpr int most_levels = 64;
@@ -60,6 +80,10 @@ class LooseOctree final : public PairFinder {
     constexpr double most = std::numeric_limits<double>::max();
     const double cell = std::floor(std::ldexp(std::clamp(coordinate, -most, most), -(exponent_ + level)));
     return static_cast<std::int64_t>(std::clamp(cell, -0x1p50, 0x1p50));
+  }
+  [[nodiscard]] CellPlace place_of_middle(const Aabb& box, int level) const {
+    const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper;
+    return {cell_of(middle.x, level), cell_of(middle.y, level), cell_of(middle.z, level)};
   }
   static std::uint64_t key_of(const CellPlace& place, int level) {
     std::uint64_t mixed = static_cast<std::uint64_t>(level + 1) * 0x9e3779b97f4a7c15ULL;
@@ -93,9 +117,7 @@ class LooseOctree final : public PairFinder {
       ordinary_.push_back(flat(frame, box, number));
       depths_[number] = static_cast<std::uint8_t>(level);
       is_used_[static_cast<std::size_t>(level)] = true;
-      const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper;
-      entries_.push_back(
-          {key_of({cell_of(middle.x, level), cell_of(middle.y, level), cell_of(middle.z, level)}, level), number});
+      entries_.push_back({key_of(place_of_middle(box, level), level), number});
     }
     sort_by_key(entries_, sorted_);
     make_table();
@@ -144,8 +166,7 @@ class LooseOctree final : public PairFinder {
       const Index other = entries_[i].place;
       // Those of the same depth meet twice. Cells of equal key are told apart by what is in them.
       if (depths_[other] != level || (level == depths_[number] && other <= number)) continue;
-      const Vec3 middle = 0.5 * boxes[other].lower + 0.5 * boxes[other].upper;
-      if (CellPlace{cell_of(middle.x, level), cell_of(middle.y, level), cell_of(middle.z, level)} != place) continue;
+      if (place_of_middle(boxes[other], level) != place) continue;
       if (overlap(boxes[number], boxes[other])) pairs.add(number, other);
     }
   }

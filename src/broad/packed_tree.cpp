@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "broad/method_cells.hpp"
+
 namespace toccata {
 namespace {
 
@@ -153,6 +157,16 @@ void PackedTree::add_pairs(const Aabb* all, std::size_t begin, std::size_t end, 
 
 void PackedTree::add_pairs_with(const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) const {
   if (size() > 0) add_overlaps_with_tree(columns(), all, boxes, pairs);
+}
+
+void PackedTree::add_cells(const FloatFrame& frame, BroadPhaseCells& cells) const {
+  for (std::size_t level = depth_; level-- > 1;) {
+    CellsOfGroup group(cells, fmt::format("tree, level {}", depth_ - 1 - level));
+    const ColumnStore& store = levels_[level].store;
+    for (std::size_t i = 0; i < levels_[level].size; ++i)
+      group.add(box_of_floats(frame, {store.lower(0, i), store.lower(1, i), store.lower(2, i)},
+                              {store.upper(0, i), store.upper(1, i), store.upper(2, i)}));
+  }
 }
 
 void PackedTree::forget(std::size_t place) { levels_.front().store.put(place, nothing); }

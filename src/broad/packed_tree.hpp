@@ -7,6 +7,7 @@
 
 #include "broad/box_lanes.hpp"
 #include "broad/key_sort.hpp"
+#include "toccata/broad/broad_phase_cells.hpp"
 
 namespace toccata {
 
@@ -28,6 +29,9 @@ class PackedTree {
   void add_pairs(const Aabb* all, std::size_t begin, std::size_t end, PairBuffer& pairs) const;
   /// The pairs of boxes that are not in the tree with those that are.
   void add_pairs_with(const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) const;
+
+  /// The boxes over every sixteen, a group for each level. `frame` made the floats of those it was built from.
+  void add_cells(const FloatFrame& frame, BroadPhaseCells& cells) const;
 
   /// Makes a box, by the place it had been put in, one that overlaps nothing.
   void forget(std::size_t place);

@@ -37,6 +37,9 @@ class PairFinder {
   /// Memory kept between updates.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
+  /// Into what space was divided by the last `find`, of these boxes.
+  [[nodiscard]] virtual BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const { return {}; }
+
   /// What `automatic` tells of its choice; the other methods are what they are.
   [[nodiscard]] virtual BroadPhaseMethod chosen() const { return BroadPhaseMethod::automatic; }
   [[nodiscard]] virtual std::string reason() const { return {}; }

@@ -14,10 +14,10 @@ class RebuiltTree final : public PairFinder {
   explicit RebuiltTree(PackingOrder order) : order_(order) {}
 
   PairList find(const BoxesNow& now, PairList storage) override {
-    const FloatFrame frame(finite_bounds(now.boxes));
+    frame_ = FloatFrame(finite_bounds(now.boxes));
     flat_.clear();
     for (Index number = 0; number < now.boxes.size(); ++number)
-      if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame, now.boxes[number], number));
+      if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame_, now.boxes[number], number));
     tree_.build(flat_, order_);
     const Chunks chunks(tree_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
@@ -33,10 +33,17 @@ class RebuiltTree final : public PairFinder {
     return sum;
   }
 
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
+    BroadPhaseCells cells;
+    tree_.add_cells(frame_, cells);
+    return cells;
+  }
+
  private:
   static constexpr std::size_t parts = 32;
 
   PackingOrder order_;
+  FloatFrame frame_;
   std::vector<FlatBox> flat_;
   PackedTree tree_;
   std::vector<PairBuffer> found_{parts};

@@ -3,6 +3,7 @@
 
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -30,6 +31,12 @@ class SortAndSweep final : public PairFinder {
     std::size_t sum = sweep_.bytes() + flat_.capacity() * sizeof(FlatBox);
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
+    BroadPhaseCells cells;
+    add_intervals(cells, boxes, sweep_.axis());
+    return cells;
   }
 
  private:

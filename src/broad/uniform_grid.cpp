@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "broad/box_lanes.hpp"
 #include "broad/box_sample.hpp"
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
+#include "broad/method_cells.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -31,6 +34,13 @@ class CellAxis {
     // A quarter, so that no difference overflows. What lies outside belongs to the cells at the rim.
     const double place = (0.25 * coordinate - origin_) * per_cell_;
     return static_cast<std::uint32_t>(place < 0 ? 0 : place > last_ ? last_ : place);
+  }
+
+  /// Where a cell begins and ends; those at the rim do not end.
+  [[nodiscard]] std::array<double, 2> ends_of(std::uint32_t cell) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto end = [&](std::uint32_t before) { return 4 * (origin_ + before / per_cell_); };
+    return {cell == 0 ? -infinity : end(cell), cell + 1 == cells() ? infinity : end(cell + 1)};
   }
 
  private:
@@ -73,6 +83,11 @@ class GridPlan {
   [[nodiscard]] Cell cell_of(const Vec3& point) const {
     return {axes_[0].cell_of(point.x), axes_[1].cell_of(point.y), axes_[2].cell_of(point.z)};
   }
+  [[nodiscard]] Aabb box_of(std::uint32_t key) const {
+    const auto x = axes_[0].ends_of(key / (cells(1) * cells(2))), y = axes_[1].ends_of(key / cells(2) % cells(1)),
+               z = axes_[2].ends_of(key % cells(2));
+    return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
+  }
   [[nodiscard]] std::uint32_t key_of(const Cell& cell) const {
     return (cell.x * cells(1) + cell.y) * cells(2) + cell.z;
   }
@@ -106,6 +121,14 @@ class UniformGrid final : public PairFinder {
                       entries_.capacity() * sizeof(Entry) + places_.capacity() * sizeof(std::uint32_t);
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
+  }
+
+  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
+    BroadPhaseCells cells;
+    CellsOfGroup group(cells, "cells");
+    for (std::uint32_t key = 0; key < plan_.cell_count(); ++key)
+      if (starts_[key] < starts_[key + std::size_t{1}]) group.add(plan_.box_of(key));
+    return cells;
   }
 
  private:

@@ -16,6 +16,8 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
+from check_crowd import check_crowd, check_crowd_of_methods, check_large_crowd  # noqa: E402
+from pixels import differing, is_blue, is_orange, share  # noqa: E402
 
 TURNED = "a\u202egnp.exe\x07"
 WICKED = "</script><img src=x onerror=alert(1)><!--"
@@ -50,30 +52,8 @@ class Checks:
         self.expect(browser.complaints() == [], f"{name}: {browser.complaints()}")
 
 
-def share(picture, is_colour):
-    pixels = [pixel for row in picture for pixel in row]
-    return sum(map(is_colour, pixels)) / len(pixels)
-
-
-def differing(one, other):
-    """The share of pixels of the scene that differ, and by how much they do at most; beside it are lists and buttons."""
-    rows = [(row[165:], line[165:]) for row, line in zip(one[30:], other[30:])]
-    differences = [max(abs(x - y) for x, y in zip(p, q)) for row, line in rows for p, q in zip(row, line)]
-    return sum(difference > 4 for difference in differences) / len(differences), max(differences)
-
-
 def moved(x, y=0.0, z=0.0):
     return [1, 0, 0, 0, 1, 0, 0, 0, 1, x, y, z]
-
-
-def is_blue(pixel):
-    red, green, blue = pixel
-    return blue > 110 and blue > red + 50 and blue > green + 20
-
-
-def is_orange(pixel):
-    red, green, blue = pixel
-    return red > 110 and red > blue + 90 and green > blue + 20
 
 
 def check_contacts(checks, browser):
@@ -420,7 +400,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_crowd, check_crowd_of_methods, check_large_crowd, check_empty]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

@@ -24,6 +24,9 @@ export const touchedColour = (index: number) => touched[index % touched.length];
 /// By the step of a layer, such as the level of a hierarchy, or by item.
 export const stepColours = [blue, orange, green, purple, skyBlue, vermilion];
 
+/// At rest, moving, moving and in a pair.
+export const bodyColours = [untouched, skyBlue, orange];
+
 export interface Theme {
   background: number;
   grid: number;

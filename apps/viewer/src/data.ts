@@ -14,6 +14,12 @@ export interface VertexPlace extends ArrayPlace {
   step: Vec;
 }
 
+/// Of boxes in 65,535 steps.
+export interface BoxesPlace extends ArrayPlace {
+  lower: Vec;
+  step: Vec;
+}
+
 export interface MeshHeader {
   smooth: boolean;
   vertices: VertexPlace;
@@ -38,6 +44,15 @@ export interface Layer {
   length?: number | null; // written at the middle of the first segment; null: beyond the largest double
   name?: string;
   steps?: LayerStep[];
+  moments?: [number, number][]; // at each moment of the page's time, the first item and how many
+  classes?: string[]; // what the class of a box means
+  of?: number; // the layer whose items are linked
+}
+
+/// What the page's slider over time goes through.
+export interface Time {
+  moments: { label: string; note?: string }[];
+  per_second: number; // how many are played
 }
 
 /// The levels of a hierarchy over a mesh (`kind` is "hierarchy"); `data` holds the run of triangles of each node.
@@ -85,6 +100,8 @@ export interface Header {
   words: Words[];
   methods: string[];
   layers: Layer[];
+  summary?: string; // in place of the count of objects and pairs
+  time?: Time;
 }
 
 /// Lengths beyond the largest double are null.

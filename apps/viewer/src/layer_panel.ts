@@ -3,6 +3,7 @@ import type { Layer, PageData } from './data';
 import { themes } from './colours';
 import type { Findings } from './findings';
 import { roleColour } from './layers';
+import { colourOfClass } from './moving';
 import { element, make } from './panels';
 import type { State } from './state';
 
@@ -35,9 +36,10 @@ export class LayerPanel {
     panel.dataset.finding = String(finding);
     const { layers } = this.data.header;
     const isShown = (layer: Layer) => (finding === undefined ? this.findings.shown.includes(layer.role) : layer.finding === finding);
-    const shown = layers.filter((layer) => (layer.finding === undefined ? !layer.steps : isShown(layer)));
+    const shown = layers.filter((layer) => (layer.finding === undefined ? !layer.steps && !layer.moments : isShown(layer)));
     const roles = [...new Set(shown.map((layer) => layer.role))];
     panel.replaceChildren(...roles.map((role) => this.roleSwitch(role)));
+    for (const layer of layers) if (layer.moments && layer.finding === undefined) panel.append(this.roleSwitch(layer.role, layer.name), ...this.classes(layer));
     layers.forEach((layer, i) => {
       const isMeant = finding === undefined || layer.object === undefined || this.isOf(layer.object, finding);
       if (layer.steps && layer.steps.length > 0 && isMeant) panel.append(this.stepSlider(layer, layer.steps.length, i));
@@ -49,7 +51,27 @@ export class LayerPanel {
     return object === a || object === b;
   }
 
-  private roleSwitch(role: string): HTMLElement {
+  /// What the colours of a layer's boxes mean, where there are several.
+  private classes(layer: Layer): HTMLElement[] {
+    if (!layer.classes || layer.classes.length < 2) return [];
+    const list = make('ul', '', 'classes');
+    list.append(
+      ...layer.classes.map((name, i) => {
+        const item = make('li');
+        item.append(this.key(colourOfClass(layer, i)), name);
+        return item;
+      }),
+    );
+    return [list];
+  }
+
+  private key(colour: number): HTMLElement {
+    const key = make('i');
+    key.style.background = `#${colour.toString(16).padStart(6, '0')}`;
+    return key;
+  }
+
+  private roleSwitch(role: string, name?: string): HTMLElement {
     const label = make('label');
     const box = make('input');
     box.type = 'checkbox';
@@ -59,10 +81,7 @@ export class LayerPanel {
       else this.state.off.add(role);
       this.changed();
     };
-    const colour = roleColour(themes[this.state.theme], role);
-    const key = make('i');
-    key.style.background = `#${colour.toString(16).padStart(6, '0')}`;
-    label.append(box, key, roleNames[role] ?? role);
+    label.append(box, this.key(roleColour(themes[this.state.theme], role)), roleNames[role] ?? name ?? role);
     return label;
   }
 

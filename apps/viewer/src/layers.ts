@@ -17,8 +17,9 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Layer, LayerStep, PageData } from './data';
-import { facesA, facesB, stepColours, type Theme } from './colours';
+import { bodyColours, facesA, facesB, stepColours, type Theme } from './colours';
 import type { Objects } from './objects';
+import { bodies, cells, links } from './moving';
 import { identity, matrixOf, shownPlace } from './place';
 
 export interface LayerStyle {
@@ -26,6 +27,7 @@ export interface LayerStyle {
   over: boolean; // drawn over everything, for a finding that is looked at
   arrow: number; // how long arrows are
   second?: number; // B of the finding
+  through: boolean; // bodies let what is within them be seen
   step?: LayerStep;
   stepNumber: number;
 }
@@ -38,7 +40,8 @@ interface Drawing {
 type Draw = (layer: Layer, drawing: Drawing, style: LayerStyle) => Object3D;
 
 export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
-  return (theme as unknown as Record<string, number>)[role] ?? stepColours[stepNumber % stepColours.length];
+  const ofRole = { ...theme, pairs: theme.contact, bodies: bodyColours[1] } as unknown as Record<string, number>;
+  return ofRole[role] ?? stepColours[stepNumber % stepColours.length];
 }
 
 const colourOf = (layer: Layer, style: LayerStyle) => roleColour(style.theme, layer.role, style.stepNumber);
@@ -48,6 +51,9 @@ function numbersOf(layer: Layer, { data }: Drawing, style: LayerStyle, width: nu
   const all = data.floats(layer.data);
   return style.step ? all.subarray(style.step.first * width, (style.step.first + style.step.count) * width) : all;
 }
+
+/// All items, where the layer has neither steps nor moments.
+const stepOf = (layer: Layer, style: LayerStyle, width: number) => style.step ?? { label: '', first: 0, count: layer.data.count / width };
 
 /// What lies behind surfaces is faint where it is drawn over them.
 const behind = { depthTest: false, depthWrite: false, transparent: true, opacity: 0.28 };
@@ -171,6 +177,9 @@ export const kinds: Record<string, Draw> = {
   arrows,
   faces,
   boxes,
+  bodies: (layer, { data }, style) => bodies(layer, data, stepOf(layer, style, 7), style.through),
+  cells: (layer, { data }, style) => cells(layer, data, stepOf(layer, style, 7)),
+  links: (layer, { data }, style) => links(layer, data, stepOf(layer, style, 2), style.stepNumber, style.theme),
 };
 
 export function draw(layer: Layer, drawing: Drawing, style: LayerStyle): Object3D {

@@ -7,6 +7,7 @@ export interface Known {
   objects: number;
   sliders: { layer: number; steps: number }[]; // counted in links in this order
   roles: Set<string>;
+  moments: number;
 }
 
 /// "0-2,5"
@@ -37,6 +38,7 @@ export function toHash(state: State, known: Known): string {
   if (state.off.size > 0) words.set('off', [...state.off].join(','));
   const steps = known.sliders.flatMap(({ layer }, slider) => (state.steps.has(layer) ? [`${slider}:${state.steps.get(layer)}`] : []));
   if (steps.length > 0) words.set('steps', steps.join(','));
+  if (state.moment > 0) words.set('moment', `${state.moment}`);
   words.set('theme', state.theme);
   if (state.camera) words.set('camera', state.camera.map((x) => Number(x.toPrecision(7))).join(','));
   return '#' + words.toString().replace(/%2C/g, ',').replace(/%3A/g, ':');
@@ -126,6 +128,7 @@ class Reader {
     grid: (text) => this.flag('grid', text),
     labels: (text) => this.flag('labels', text),
     panels: (text) => this.flag('panels', text),
+    moment: (text) => (this.state.moment = this.index(text, this.known.moments, 'moment') ?? 0),
     theme: (text) => (this.state.theme = this.oneOf('theme', text, ['light', 'dark']) ?? this.state.theme),
     order: (text) => (this.state.order = this.oneOf('order', text, ['deepest', 'largest', 'nearest', 'listed']) ?? this.state.order),
     off: (text) => this.off(text),

@@ -18,6 +18,8 @@ const keys: [string, string, string][] = [
   ['h', 'H', 'panels'],
   ['t', 'T', 'dark or light'],
   ['s', 'S', 'save a picture'],
+  [' ', 'Space', 'play or pause, where there is time'],
+  [',', ', .', 'the moment before, the one after'],
   ['l', 'L', 'copy a link to this view'],
   ['ArrowLeft', '← → ↑ ↓', 'turn; with Shift move'],
   ['+', '+ −', 'zoom'],
@@ -49,6 +51,9 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
     previous: () => go(-1),
     next: () => go(1),
     leave: () => viewer.choose(undefined),
+    play: () => viewer.time.toggle(),
+    before: () => viewer.time.step(-1),
+    after: () => viewer.time.step(1),
     'show-all': () => viewer.showAll(),
     'complaint-seen': () => (element('complaint').hidden = true),
   };
@@ -57,6 +62,7 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
 const actionOfKey: Record<string, string> = {
   n: 'next', j: 'next', p: 'previous', k: 'previous', Escape: 'leave', f: 'fit', '1': 'view-x', '2': 'view-y', '3': 'view-z',
   g: 'rest', x: 'through', r: 'grid', b: 'labels', h: 'panels', t: 'theme', s: 'picture', l: 'link', '?': 'help',
+  ' ': 'play', ',': 'before', '.': 'after',
 };
 
 /// Arrows and zoom. Whether the key was one of them.
@@ -88,7 +94,7 @@ function listen(viewer: Viewer): void {
   document.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;
-    if (element<HTMLDialogElement>('keys').open) return;
+    if (element<HTMLDialogElement>('keys').open || (event.key === ' ' && target.tagName === 'BUTTON')) return;
     const action = actions[actionOfKey[event.key] ?? ''];
     if (action) action();
     else if (!(target === canvas || target === document.body) || !steer(viewer, event.key, event.shiftKey)) return;

@@ -4,6 +4,7 @@ import { Orbit } from './camera';
 import type { Theme } from './colours';
 import { gridLines } from './grid';
 import { discard } from './layers';
+import { boxOfBodies } from './moving';
 import type { Objects } from './objects';
 import type { PageData } from './data';
 
@@ -89,6 +90,7 @@ export class Stage {
     this.objects.boxes.forEach((box, i) => {
       if (this.data.report.objects[i].shape !== 'half-space') whole.union(box);
     });
+    whole.union(boxOfBodies(this.data));
     if (whole.isEmpty()) for (const box of this.objects.boxes) whole.union(box);
     return whole.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : whole;
   }

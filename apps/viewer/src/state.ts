@@ -16,6 +16,7 @@ export interface State {
   order: Order | undefined; // of the list; none: that of the kind of question
   off: Set<string>; // roles of layers that are switched off
   steps: Map<number, number>; // of layers with steps, which one is shown
+  moment: number; // of the page's time
   camera: number[] | undefined; // target, distance, yaw, pitch
 }
 
@@ -34,6 +35,7 @@ export function newState(): State {
     order: undefined,
     off: new Set(),
     steps: new Map(),
+    moment: 0,
     camera: undefined,
   };
 }

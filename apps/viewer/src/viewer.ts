@@ -7,10 +7,12 @@ import { findingsOf, type Finding, type Findings } from './findings';
 import { draw, merged, points, roleColour, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Objects, type Appearance } from './objects';
+import { boxOfBodies } from './moving';
 import { element, Panels } from './panels';
 import { isSetFor } from './tree';
 import { LayerPanel } from './layer_panel';
 import { Stage } from './stage';
+import { TimeBar } from './time_bar';
 import { fromHash, toHash, type Known } from './link';
 import type { State } from './state';
 import { countText, lengthText } from './words';
@@ -21,6 +23,7 @@ function knownOf({ header, report }: PageData, findings: Findings): Known {
     objects: report.objects.length,
     sliders: header.layers.flatMap(({ steps }, layer) => (steps && steps.length > 0 ? [{ layer, steps: steps.length }] : [])),
     roles: new Set(header.layers.map((layer) => layer.role)),
+    moments: header.time?.moments.length ?? 0,
   };
 }
 
@@ -32,6 +35,7 @@ export class Viewer {
   private readonly objects: Objects;
   readonly panels: Panels;
   private readonly layerPanel: LayerPanel;
+  readonly time: TimeBar;
   private readonly marks: Marks;
   readonly findings: Findings;
   private readonly touched: Set<number>;
@@ -57,6 +61,8 @@ export class Viewer {
       toggle: (objects, what) => this.toggle(objects, what),
       colourOf: (object) => this.colourOf(object),
     });
+    this.time = new TimeBar(header.time, this.state, () => this.showMoment());
+    this.tellSummary();
     this.noticeIfEmpty();
     this.complain(complaints);
     this.openHierarchy();
@@ -90,8 +96,15 @@ export class Viewer {
 
   private noticeIfEmpty(): void {
     const notice = element('notice');
-    notice.hidden = this.data.report.objects.length > 0;
+    notice.hidden = this.data.report.objects.length > 0 || this.data.header.time !== undefined;
     notice.textContent = 'This scene is empty: it holds no object.';
+  }
+
+  /// What the engine says of a page that is not about objects. Such a page has no lists of them.
+  private tellSummary(): void {
+    const { header, report } = this.data;
+    if (header.summary !== undefined) element('summary').textContent = header.summary;
+    element('side').hidden = header.time !== undefined && report.objects.length === 0;
   }
 
   /// What the link asks for in vain.
@@ -155,6 +168,11 @@ export class Viewer {
     this.showButtons();
   }
 
+  /// What changes from moment to moment: the layers alone.
+  private showMoment(): void {
+    this.stage.setOverlays(this.overlays());
+  }
+
   /// The ghost that contains the other one is still told by its colour.
   private colourContainer(looks: Appearance[], chosen: Finding): void {
     for (const object of objectsOf(chosen)) looks[object].ghostColour = looks[object].colour;
@@ -183,10 +201,15 @@ export class Viewer {
     header.layers.forEach((layer, i) => {
       if (layer.finding !== undefined || this.state.off.has(layer.role)) return;
       const chosen = this.state.steps.get(i);
-      if (!layer.steps) drawn.push(this.drawn(layer));
+      if (layer.moments) drawn.push(...this.drawnNow(layer, layer.moments[this.state.moment]));
+      else if (!layer.steps) drawn.push(this.drawn(layer));
       else if (chosen !== undefined && layer.steps[chosen]) drawn.push(this.drawn(layer, layer.steps[chosen], chosen));
     });
     return drawn;
+  }
+
+  private drawnNow(layer: Layer, [first, count]: [number, number]): Object3D[] {
+    return count === 0 ? [] : [this.drawn(layer, { label: '', first, count }, this.state.moment)];
   }
 
   private drawn(layer: Layer, step?: LayerStep, stepNumber = 0): Object3D {
@@ -196,7 +219,7 @@ export class Viewer {
       return drawn;
     }
     const size = this.focusBox().getSize(new Vector3()).length();
-    const style = { theme: themes[this.state.theme], over: layer.finding !== undefined, arrow: 0.12 * size, second: this.chosen?.b, step, stepNumber };
+    const style = { theme: themes[this.state.theme], over: layer.finding !== undefined, arrow: 0.12 * size, through: this.state.through, second: this.chosen?.b, step, stepNumber };
     return draw(layer, { data: this.data, objects: this.objects }, style);
   }
 
@@ -269,6 +292,7 @@ export class Viewer {
         const counts = opened.size > 0 ? isOpened : this.lookOf(i, opened) !== 'hidden';
         if (counts && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
       });
+      if (opened.size === 0) box.union(boxOfBodies(this.data));
       return box.isEmpty() ? this.stage.wholeBox() : box;
     }
     const found = new Box3();

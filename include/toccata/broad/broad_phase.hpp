@@ -9,6 +9,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase_cells.hpp"
 #include "toccata/core/index.hpp"
 
 namespace toccata {
@@ -100,6 +101,11 @@ class BroadPhase {
   [[nodiscard]] BroadPhaseMethod method() const;
   /// Why that one, for people: "sizes span 3 decades, clustered: …". Empty where it was asked for.
   [[nodiscard]] std::string reason() const;
+  /// Into what the method divided space in the last update, for looking at it: what it really used, no more. Nothing of
+  /// methods that divide nothing, before the first update of boxes, of a copy until its first, and after an update in
+  /// which `automatic` tried a method that it has given up since. What is too large for cells is in none. Throws Error
+  /// where boxes have come, gone or moved since the update.
+  [[nodiscard]] BroadPhaseCells cells() const;
   /// Memory of the boxes and of what the method keeps, without the pairs.
   [[nodiscard]] std::size_t bytes() const;
 

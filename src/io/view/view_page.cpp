@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "io/formats/utf8.hpp"
+#include "io/view/filled_page.hpp"
 #include "io/view/finding_layers.hpp"
 #include "io/view/finding_words.hpp"
 #include "io/view/hierarchy_layers.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
-#include "io/view/view_template.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
 
@@ -17,21 +17,6 @@ namespace toccata {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Where the data goes in the template.
-constexpr std::string_view data_place = "<!--toccata-data-->";
-
-/// JSON that no HTML parser takes for the end of the element it stands in.
-std::string without_tags(const std::string& json) {
-  std::string text;
-  text.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
-}
 
 /// The report as the subcommand writes it with --json, without the faces, which are in the layers.
 std::string report_of(const Scene& scene, std::span<const Posed> models, SceneAnswer answer,
@@ -62,10 +47,6 @@ void add_nodes(Json& header, const Scene& scene) {
     if (scene.objects[i].node) header["objects"][i]["node"] = *scene.objects[i].node;
 }
 
-std::string script(const char* id, const char* type, const std::string& text) {
-  return std::string("<script id=\"") + id + "\" type=\"" + type + "\">" + text + "</script>\n";
-}
-
 }  // namespace
 
 std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
@@ -81,16 +62,7 @@ std::string view_page(const Scene& scene, std::span<const Posed> models, const S
   if (options.hierarchy)
     for (Json& layer : io::hierarchy_layers(models, *options.hierarchy, data))
       header["layers"].push_back(std::move(layer));
-  std::string page;
-  for (const std::string_view piece : io::view_template()) page += piece;
-  const std::size_t place = page.find(data_place);
-  if (place == std::string::npos) throw Error("the template of the page is damaged: build apps/viewer again");
-  const std::string scripts =
-      script("toccata-header", "application/json",
-             without_tags(header.dump(-1, ' ', false, Json::error_handler_t::replace))) +
-      script("toccata-report", "application/json", without_tags(report_of(scene, models, answer, warnings))) +
-      script("toccata-data", "application/octet-stream", data.base64());
-  return page.replace(place, data_place.size(), scripts);
+  return io::filled_page(header, report_of(scene, models, answer, warnings), data);
 }
 
 void write_view_page(const std::string& page, const std::filesystem::path& path) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "arguments.hpp"
+#include "picture.hpp"
+
+namespace toccata::command {
+
+/// What shall be written of a crowd: a page, a picture of it, both or neither.
+class CrowdView {
+ public:
+  /// Throws Error, before long work, where what is asked for cannot be written or does not go together.
+  explicit CrowdView(const CrowdArguments& arguments);
+
+  /// Runs the crowd once more, frame by frame as it was measured, and writes what it was. Gives a line for each file.
+  [[nodiscard]] std::string write() const;
+
+ private:
+  CrowdArguments arguments_;
+  std::optional<PictureTarget> picture_;
+};
+
+}  // namespace toccata::command

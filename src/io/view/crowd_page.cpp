@@ -1,0 +1,243 @@
+#include "toccata/io/crowd_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "io/formats/utf8.hpp"
+#include "io/view/display_frame.hpp"
+#include "io/view/drawn_cells.hpp"
+#include "io/view/filled_page.hpp"
+#include "io/view/view_data.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/report.hpp"
+
+namespace toccata {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Frame = CrowdRecording::Frame;
+
+constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+void widen(Aabb& around, const Aabb& box) {
+  for (const auto coordinate : coordinates)
+    for (const double end : {box.lower.*coordinate, box.upper.*coordinate}) {
+      if (is_empty(box) || !std::isfinite(end)) continue;
+      around.lower.*coordinate = std::min(around.lower.*coordinate, end);
+      around.upper.*coordinate = std::max(around.upper.*coordinate, end);
+    }
+}
+
+/// Around what is finite; where nothing is, a point.
+Aabb bounds_of(std::span<const Frame> frames) {
+  Aabb around;
+  for (const Frame& frame : frames)
+    for (const Aabb& box : frame.boxes) widen(around, box);
+  for (const auto coordinate : coordinates)
+    if (!(around.lower.*coordinate <= around.upper.*coordinate))
+      around.lower.*coordinate = around.upper.*coordinate = 0;
+  return around;
+}
+
+/// Boxes in 65,535 steps along each axis, each with the number of its class.
+class QuantisedBoxes {
+ public:
+  explicit QuantisedBoxes(const Aabb& around) : around_(around) {}
+
+  /// An empty box has its lower end above its upper one.
+  void add(const Aabb& box, std::size_t its_class) {
+    for (const auto coordinate : coordinates) numbers_.push_back(step_of(box.lower.*coordinate, coordinate));
+    for (const auto coordinate : coordinates) numbers_.push_back(step_of(box.upper.*coordinate, coordinate));
+    numbers_.push_back(static_cast<std::uint16_t>(its_class));
+  }
+  [[nodiscard]] std::size_t size() const { return numbers_.size() / 7; }
+
+  [[nodiscard]] Json written(const io::DisplayFrame& frame, io::ViewData& data) const {
+    Json array = data.add(std::span<const std::uint16_t>(numbers_));
+    const std::array<float, 3> lower = frame.shown(around_.lower), upper = frame.shown(around_.upper);
+    array["bytes"] = 2;
+    array["lower"] = lower;
+    Json& step = array["step"] = Json::array();
+    for (std::size_t axis = 0; axis < 3; ++axis) step.push_back((double{upper[axis]} - double{lower[axis]}) / most);
+    return array;
+  }
+
+ private:
+  static constexpr double most = 65535;
+
+  [[nodiscard]] std::uint16_t step_of(double value, double Vec3::*coordinate) const {
+    const double lower = around_.lower.*coordinate, upper = around_.upper.*coordinate;
+    // A quarter, so that no difference overflows.
+    const double share = upper > lower ? (0.25 * value - 0.25 * lower) / (0.25 * upper - 0.25 * lower) : 0;
+    return static_cast<std::uint16_t>(share > 0 ? std::round(most * std::min(share, 1.0)) : 0);
+  }
+
+  Aabb around_;
+  std::vector<std::uint16_t> numbers_;
+};
+
+/// Which items of a layer are of each moment: the first and how many.
+class Moments {
+ public:
+  void add(std::size_t end) {
+    moments_.push_back({first_, end - first_});
+    first_ = end;
+  }
+  [[nodiscard]] const Json& json() const { return moments_; }
+
+ private:
+  std::size_t first_ = 0;
+  Json moments_ = Json::array();
+};
+
+class CrowdLayers {
+ public:
+  CrowdLayers(const CrowdRecording& recording, io::ViewData& data)
+      : recording_(recording),
+        data_(data),
+        scene_(bounds_of(recording.frames())),
+        frame_(io::DisplayFrame::around(scene_)) {}
+
+  void write(Json& header) {
+    header["frame"] = {{"centre", {frame_.centre.x, frame_.centre.y, frame_.centre.z}}, {"size", frame_.size}};
+    Json& layers = header["layers"] = Json::array();
+    layers.push_back(bodies());
+    layers.push_back(links());
+    if (Json layer = cells(); !layer.is_null()) layers.push_back(std::move(layer));
+  }
+
+ private:
+  Json bodies() {
+    QuantisedBoxes boxes(scene_);
+    Moments moments;
+    std::vector<bool> is_in_pair;
+    for (const Frame& frame : recording_.frames()) {
+      is_in_pair.assign(frame.boxes.size(), false);
+      for (const IndexPair& pair : frame.pairs) is_in_pair[pair.first] = is_in_pair[pair.second] = true;
+      for (Index i = 0; i < frame.boxes.size(); ++i)
+        boxes.add(frame.boxes[i], !recording_.has_moved(i) ? 0 : is_in_pair[i] ? 2 : 1);
+      moments.add(boxes.size());
+    }
+    return {{"kind", "bodies"},
+            {"role", "bodies"},
+            {"name", "Boxes"},
+            {"data", boxes.written(frame_, data_)},
+            {"classes", {"at rest", "moving", "moving, in a pair"}},
+            {"moments", moments.json()}};
+  }
+
+  Json links() {
+    std::size_t most_boxes = 0;
+    for (const Frame& frame : recording_.frames()) most_boxes = std::max(most_boxes, frame.boxes.size());
+    std::vector<std::uint32_t> numbers;
+    Moments moments;
+    for (const Frame& frame : recording_.frames()) {
+      for (const IndexPair& pair : frame.pairs) numbers.insert(numbers.end(), {pair.first, pair.second});
+      moments.add(numbers.size() / 2);
+    }
+    return {{"kind", "links"},
+            {"role", "pairs"},
+            {"name", "Pairs"},
+            {"of", 0},
+            {"data", most_boxes > 65'536 ? in_four_bytes(numbers) : in_two_bytes(numbers)},
+            {"moments", moments.json()}};
+  }
+
+  Json in_four_bytes(const std::vector<std::uint32_t>& numbers) {
+    Json array = data_.add(std::span<const std::uint32_t>(numbers));
+    array["bytes"] = 4;
+    return array;
+  }
+  Json in_two_bytes(const std::vector<std::uint32_t>& numbers) {
+    const std::vector<std::uint16_t> shorts(numbers.begin(), numbers.end());
+    Json array = data_.add(std::span<const std::uint16_t>(shorts));
+    array["bytes"] = 2;
+    return array;
+  }
+
+  /// The groups of all frames: the same name is the same class.
+  Json cells() {
+    std::vector<std::string> classes;
+    std::vector<std::vector<Aabb>> drawn;
+    Aabb around;
+    for (const Frame& frame : recording_.frames()) {
+      drawn.push_back(io::drawn_cells(frame.space, scene_));
+      for (const Aabb& cell : drawn.back()) widen(around, cell);
+    }
+    QuantisedBoxes boxes(around);
+    Moments moments;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const BroadPhaseCells& space = recording_.frames()[i].space;
+      std::vector<std::size_t> class_of;
+      for (const CellGroup& group : space.groups) class_of.push_back(number_of(classes, group.name));
+      for (std::size_t k = 0; k < drawn[i].size(); ++k) boxes.add(drawn[i][k], class_of[space.cells[k].group]);
+      moments.add(boxes.size());
+    }
+    if (boxes.size() == 0) return nullptr;
+    return {{"kind", "cells"},    {"role", "cells"},          {"name", "Cells"}, {"data", boxes.written(frame_, data_)},
+            {"classes", classes}, {"moments", moments.json()}};
+  }
+
+  static std::size_t number_of(std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    names.push_back(name);
+    return names.size() - 1;
+  }
+
+  const CrowdRecording& recording_;
+  io::ViewData& data_;
+  Aabb scene_;
+  io::DisplayFrame frame_;
+};
+
+Json time_of(const CrowdRecording& recording) {
+  Json moments = Json::array();
+  for (const Frame& frame : recording.frames())
+    moments.push_back(
+        {{"label", fmt::format("frame {}", frame.number)},
+         {"note",
+          fmt::format("{}, {} begun, {} ended; {}{}", counted(frame.pairs.size(), "pair", "pairs"), frame.begun,
+                      frame.ended, name_of(frame.method),
+                      frame.space.cells.empty() ? "" : ", " + counted(frame.space.cells.size(), "cell", "cells"))}});
+  return {{"per_second", 12}, {"moments", std::move(moments)}};
+}
+
+std::string summary_of(const CrowdRecording& recording) {
+  const std::size_t boxes = recording.frames().front().boxes.size();
+  std::string text =
+      fmt::format("{} · {}", counted(boxes, "box", "boxes"), counted(recording.frames().size(), "frame", "frames"));
+  if (recording.stride() > 1) text += fmt::format(" of {}: one in {}", recording.seen(), recording.stride());
+  return text;
+}
+
+}  // namespace
+
+std::string crowd_page(const CrowdRecording& recording, const ViewOptions& options) {
+  if (recording.frames().empty()) throw Error("there is no frame to be shown: record an update first");
+  io::ViewData data;
+  Json header = {{"format", "toccata/view/2"},
+                 {"title", io::as_utf8(options.title)},
+                 {"up", options.up == UpAxis::y ? "y" : "z"},
+                 {"summary", summary_of(recording)},
+                 {"meshes", Json::array()},
+                 {"objects", Json::array()},
+                 {"words", Json::array()},
+                 {"methods", Json::array()},
+                 {"time", time_of(recording)}};
+  CrowdLayers(recording, data).write(header);
+  Scene no_objects;
+  no_objects.unit = "unit";
+  return io::filled_page(header, check_report_json(no_objects, {}, CheckReport{}, {}), data);
+}
+
+}  // namespace toccata
