@@ -57,11 +57,12 @@ std::optional<std::string> changed_file(const Asked& asked, const CheckInput& in
 struct Attempt {
   std::optional<CheckInput> input;
   std::string trouble;
+  bool has_files = true;
 };
 
 Attempt attempt_in(const fs::path& folder, const Asked& asked, int threads) {
   if (const auto missing = missing_file(asked, folder))
-    return {{}, fmt::format("{} is gone; put it back, or ask again", missing->string())};
+    return {{}, fmt::format("{} is gone; put it back, or ask again", missing->string()), false};
   const PosedArguments arguments = arguments_of(asked, folder, threads);
   CheckInput input = read_check_input(arguments);
   if (const auto changed = changed_file(asked, input, arguments.input.files))
@@ -93,9 +94,11 @@ Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const S
 
 CheckInput read_again(const SavedReport& saved, const std::string& report, int threads) {
   std::string trouble;
+  bool had_files = false;
   for (const fs::path& folder : folders_of(saved.asked, report)) {
     Attempt attempt = attempt_in(folder, saved.asked, threads);
-    trouble = attempt.trouble;
+    if (attempt.has_files || !had_files) trouble = attempt.trouble;  // a changed file tells more than one that is gone
+    had_files = had_files || attempt.has_files;
     if (!attempt.input) continue;
     std::vector<SceneObject>& objects = attempt.input->loaded.scene.objects;
     for (std::size_t i = 0; i < objects.size() && i < saved.sources.size(); ++i) objects[i].source = saved.sources[i];

@@ -132,6 +132,9 @@ CheckReport pairs_of(const SceneAnswer& answer) {
   return report;
 }
 
+/// Of poses the faces that meet are drawn, of many at the first ones alone: that keeps the page small.
+constexpr std::size_t most_face_pairs = 100'000;
+
 /// How many findings of which kind: "2 pairs".
 struct FindingsTold {
   std::string operator()(const CheckReport& r) const { return counted(r.pairs.size(), "pair"); }
@@ -199,8 +202,12 @@ void require_view(const ViewTarget& target, const PosedArguments& arguments) {
   if (target.picture) require_picture(*target.picture);
 }
 
-void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& answer) {
+void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& found) {
   const LoadedScene& loaded = input.loaded;
+  const auto* poses = std::get_if<PosesReport>(&found);
+  const SceneAnswer with_faces =
+      poses == nullptr ? SceneAnswer() : with_face_pairs(*poses, input.models, most_face_pairs);
+  const SceneAnswer& answer = poses == nullptr ? found : with_faces;
   const std::string page = target.path.empty() && !target.picture
                                ? ""
                                : view_page(loaded.scene, input.models, answer, target.options, loaded.warnings);

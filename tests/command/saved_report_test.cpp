@@ -68,6 +68,10 @@ TEST(SavedReportCommand, AFileThatIsGoneOrChangedIsNamed) {
   EXPECT_EQ(gone.exit_code, 2);
   EXPECT_NE(gone.err.find(file + " is gone"), std::string::npos) << gone.err;
   EXPECT_FALSE(fs::exists(elsewhere.path() / "page.html"));
+  elsewhere.write("bow.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
+  const auto another = drawn(report);
+  EXPECT_NE(another.err.find((elsewhere.path() / "bow.off").string() + " holds something else"), std::string::npos)
+      << another.err;
   elsewhere.write("bow.off", bow);  // beside the report it is looked for, too
   EXPECT_EQ(drawn(report).exit_code, 0);
 }

@@ -154,6 +154,10 @@ def check_poses(checks, browser):
         depth = query["penetration"]["upper"]
         checks.expect(sentence.startswith(f"At pose {number} box "), sentence)
         checks.expect(depth == 0 or is_close(number_in(r"([-\d.e]+) deep", facts), depth), f"{depth}: {facts}")
+        if query["face_pairs"] > 0:
+            checks.expect(f"{query['face_pairs']} face pairs in contact" in facts, f"{facts}")
+            faces = browser.value(f"toccata.data.header.layers.filter(layer => layer.finding === {number} && layer.kind === 'faces').map(layer => layer.object)")
+            checks.expect(faces == [0, 1] and segments_of(browser, number, "contact"), f"pose {number}: the faces of {faces} that meet are drawn")
         at = browser.value("(() => { const { frame } = toccata.data.header; const box = toccata.boxOf(1); const v = box.min.clone().add(box.max).multiplyScalar(0.5); return [v.x * frame.size + frame.centre[0], v.y * frame.size + frame.centre[1]]; })()")
         checks.expect(is_near(at, query["pose_b"][9:11], 1e-3), f"pose {number}: the object is at {at}")
         browser.wait_for(f"toccata.state.finding === {number}")

@@ -82,7 +82,7 @@ export type HierarchyLayer = FlatHierarchy | RoundHierarchy;
 export interface Words {
   verb?: string;
   remark?: string;
-  face_pairs?: number;
+  face_pairs?: number | null; // null: they are too many to be drawn
   methods?: Partial<Record<'relation' | 'distance' | 'penetration' | 'cast', number>>;
   object?: number;
   faces?: number;

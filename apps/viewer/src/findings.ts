@@ -115,7 +115,7 @@ function outerOf(containment: string, a: number, b: number): number | undefined 
 
 /// How many faces meet, where at least one of the two is made of faces; other shapes are one element each.
 function facesText(header: Header, report: Report, pair: Pair, index: number): string {
-  const count = header.words[index].face_pairs;
+  const count = header.words[index].face_pairs ?? undefined;
   const meshes = [pair.a_index, pair.b_index].filter((i) => report.objects[i].triangles > 0).length;
   if (count === undefined || meshes === 0) return '';
   if (count === 0) return pair.containment !== 'none' ? 'no faces meet' : '';
@@ -159,14 +159,18 @@ function ofPoses(data: PageData): Findings {
   const queries = data.report.queries ?? [];
   const methods = new Methods(data.header);
   const { unit } = data.report;
+  const meshes = data.report.objects.filter((object) => object.triangles > 0).length;
   const all = queries.map((query, i): Finding => {
     const { verb = '', remark = '' } = data.header.words[i];
     const distance = isDistance ? (query as unknown as Distance) : undefined;
     const meets = isDistance ? distance?.upper === 0 : query.contact;
     const told = isDistance ? (meets ? 'meet' : numberOf(unit, distance, null)) : verb;
-    const faces = query.face_pairs ? countText(query.face_pairs, 'face pair') : '';
+    const drawn = data.header.words[i].face_pairs;
+    const count = query.face_pairs ?? drawn ?? 0;
+    const faces = count > 0 && meshes === 2 ? countText(count, 'face pair') : '';
     const facts = [...distanceFacts(distance, unit), ...depthFacts(query.penetration, unit)];
     if (faces) facts.push([`${faces} in contact`]);
+    if (drawn === null && meets) facts.push(['the faces that meet are drawn at earlier poses alone']);
     if (query.regions?.length) facts.push([countText(query.regions.length, 'region of contact', 'regions of contact')]);
     if (distance) facts.push(...facesOf(data.report, distance, 0, 1), [statusOf(query.status)]);
     const between = isDistance ? (meets ? ' meets ' : ` is ${lengthText(distance?.upper ?? null, unit)} from `) : ` ${verb} `;
@@ -176,7 +180,7 @@ function ofPoses(data: PageData): Findings {
       sentence: [`At pose ${i} `, { object: 0 }, between, { object: 1 }, remark ? ` ${remark}.` : '.'],
       facts: [...facts, ...methods.facts(i, isDistance ? undefined : query.status, query.penetration, distance)],
       a: 0, b: 1, outer: outerOf(query.containment ?? 'none', 0, 1), counts: meets === true,
-      depth: depthOf(query.penetration), gap: gapOf(distance), size: query.face_pairs ?? 0, poses: [query.pose_a, query.pose_b],
+      depth: depthOf(query.penetration), gap: gapOf(distance), size: count, poses: [query.pose_a, query.pose_b],
     };
   });
   const meeting = all.filter((finding) => finding.counts).length;

@@ -6,6 +6,7 @@
 
 #include "toccata/io/report.hpp"
 #include "toccata/query/batch.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata {
 
@@ -17,7 +18,12 @@ struct PosesReport {
   std::vector<Penetration> penetrations;            ///< none when not asked for
   std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
   Touching touching = Touching::count;
+  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< of the first queries, by `with_face_pairs`: for pages
 };
+
+/// The same with the faces that meet at each pose, which reports only count: in the order of the queries, for so many
+/// that there are at most `most` pairs of faces in all.
+[[nodiscard]] PosesReport with_face_pairs(PosesReport report, std::span<const Posed> models, std::size_t most);
 
 /// How many of the queries found a contact.
 [[nodiscard]] std::size_t contact_count(const PosesReport& report);

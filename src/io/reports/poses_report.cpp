@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/reports/report_parts.hpp"
 
@@ -31,6 +32,24 @@ std::size_t contact_count(const PosesReport& report) {
   return static_cast<std::size_t>(
       std::count_if(report.relations.begin(), report.relations.end(),
                     [&](const Relation& relation) { return counts_as_contact(relation, report.touching); }));
+}
+
+PosesReport with_face_pairs(PosesReport report, std::span<const Posed> models, std::size_t most) {
+  Posed a = models[0], b = models[1];
+  report.face_pairs.clear();
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < report.queries.size(); ++i) {
+    std::vector<ReportedFacePair> found;
+    if (report.relations[i].kind != RelationKind::apart) {
+      a.pose = report.queries[i].pose_a;
+      b.pose = report.queries[i].pose_b;
+      found = io::reported_face_pairs(a, b, contacts(a.model, b.model, report.queries[i]));
+    }
+    total += found.size();
+    if (total > most) break;
+    report.face_pairs.push_back(std::move(found));
+  }
+  return report;
 }
 
 std::string poses_report_json(const Scene& scene, std::span<const Posed> models, const PosesReport& report,

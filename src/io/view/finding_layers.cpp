@@ -17,6 +17,12 @@ void add_contacts(LayerWriter& layers, const std::vector<ReportedFacePair>& pair
   layers.add_points("contact", found.points);
 }
 
+void add_meeting_faces(LayerWriter& layers, Index a, Index b, const std::vector<ReportedFacePair>& pairs) {
+  layers.add_faces("contact", a, meeting_faces(pairs, &ReportedFacePair::face_a));
+  layers.add_faces("contact", b, meeting_faces(pairs, &ReportedFacePair::face_b));
+  add_contacts(layers, pairs);
+}
+
 void add_depth(LayerWriter& layers, const std::optional<Penetration>& depth) {
   if (depth && depth->upper > 0) layers.add_length("depth", depth->on_a, depth->on_b, depth->upper);
 }
@@ -67,9 +73,7 @@ struct Drawing {
     for (std::size_t i = 0; i < report.pairs.size(); ++i) {
       const ReportedPair& pair = report.pairs[i];
       layers.begin(i);
-      layers.add_faces("contact", pair.a, meeting_faces(pair.face_pairs, &ReportedFacePair::face_a));
-      layers.add_faces("contact", pair.b, meeting_faces(pair.face_pairs, &ReportedFacePair::face_b));
-      add_contacts(layers, pair.face_pairs);
+      add_meeting_faces(layers, pair.a, pair.b, pair.face_pairs);
       add_depth(layers, pair.penetration);
       if (pair.distance) add_distance(layers, *pair.distance);
       add_normals(layers, pair.regions, pair.manifold);
@@ -79,6 +83,7 @@ struct Drawing {
   void operator()(const PosesReport& report) const {
     for (std::size_t i = 0; i < report.queries.size(); ++i) {
       layers.begin(i);
+      if (i < report.face_pairs.size()) add_meeting_faces(layers, 0, 1, report.face_pairs[i]);
       if (!report.penetrations.empty()) add_depth(layers, report.penetrations[i]);
       if (!report.regions.empty()) add_normals(layers, report.regions[i], std::nullopt);
     }

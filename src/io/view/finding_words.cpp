@@ -58,9 +58,13 @@ struct Words {
     Json by = {{"relation", methods.number_of(ShapeQuestion::relation, 0, 1)}};
     if (!report.penetrations.empty()) by["penetration"] = methods.number_of(ShapeQuestion::penetration, 0, 1);
     Json words = Json::array();
-    for (const Relation& relation : report.relations) {
-      words.push_back(words_of(relation, "is apart from"));
-      words.back()["methods"] = by;
+    for (std::size_t i = 0; i < report.relations.size(); ++i) {
+      Json& entry = words.emplace_back(words_of(report.relations[i], "is apart from"));
+      if (i < report.face_pairs.size())
+        entry["face_pairs"] = report.face_pairs[i].size();
+      else if (!report.face_pairs.empty())
+        entry["face_pairs"] = nullptr;
+      entry["methods"] = by;
     }
     return words;
   }
