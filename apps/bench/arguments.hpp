@@ -124,6 +124,17 @@ struct PartsArguments {
   bool json = false;
 };
 
+struct WorldQueriesArguments {
+  std::string task = "ray";
+  std::size_t bodies = 50000;
+  std::vector<std::string> peers;
+  std::size_t count = 10000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -153,6 +164,7 @@ int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);
 int run_world(const WorldArguments& arguments);
 int run_parts(const PartsArguments& arguments);
+int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

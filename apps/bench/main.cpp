@@ -28,6 +28,7 @@ struct Options {
   BroadArguments broad;
   WorldArguments world;
   PartsArguments parts;
+  WorldQueriesArguments world_queries;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -255,6 +256,20 @@ void add_parts(CLI::App& app, PartsArguments& arguments) {
   parts->footer("Example:\n  ./toccata bench parts --count 10000 --peer fcl");
 }
 
+void add_world_queries(CLI::App& app, WorldQueriesArguments& arguments) {
+  CLI::App* queries = app.add_subcommand("world-queries", "questions to all bodies of a World");
+  queries
+      ->add_option("--task", arguments.task,
+                   "what a ray meets first; how far the nearest is from a ball; how many a box overlaps")
+      ->check(CLI::IsMember({"ray", "nearest", "overlap"}))
+      ->capture_default_str();
+  add_number(*queries, "--bodies", arguments.bodies, "boxes, spheres and capsules");
+  add_number(*queries, "--count", arguments.count, "questions");
+  add_peers(*queries, arguments.peers, {"bullet", "fcl"});
+  add_common(*queries, arguments);
+  queries->footer("Example:\n  ./toccata bench world-queries --task nearest --peer fcl");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -299,6 +314,7 @@ int main_of(int argc, char** argv) {
   add_broad(app, options.broad);
   add_world(app, options.world);
   add_parts(app, options.parts);
+  add_world_queries(app, options.world_queries);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -319,6 +335,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("broad")) return run_broad(options.broad);
   if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
+  if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

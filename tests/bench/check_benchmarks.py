@@ -227,6 +227,19 @@ def check_parts(peers):
         assert refused.returncode == 2 and "whole number" in refused.stderr, refused.stderr
 
 
+def check_world_queries(peers):
+    """Every question, verified body by body; Bullet tells no nearest body and FCL meets no rays."""
+    answering = {"ray": {"bullet"}, "nearest": {"fcl"}, "overlap": {"bullet", "fcl"}}
+    for task, libraries in answering.items():
+        asked = sorted({"bullet", "fcl"} & set(peers))
+        named = ["--peer", ",".join(asked)] if asked else []
+        made = report("world-queries", "--task", task, "--bodies", "200", "--count", "200", "--rounds", "1", "--verify", *named)
+        assert {r["library"] for r in made["results"]} == {"toccata"} | (libraries & set(asked)), made["results"]
+        for row in made["results"]:
+            assert row["queries"] == 200 and row["median_us"] > 0, row
+            assert row["library"] != "toccata" or row["wrong"] == 0, row
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -250,6 +263,7 @@ def main():
     check_builders()
     check_world(peers)
     check_parts(peers)
+    check_world_queries(peers)
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

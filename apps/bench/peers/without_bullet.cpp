@@ -1,6 +1,7 @@
 #include "broad.hpp"
 #include "convex_library.hpp"
 #include "world.hpp"
+#include "world_queries.hpp"
 
 namespace toccata::bench {
 
@@ -8,5 +9,6 @@ MeshLibraries bullet_mesh_libraries() { peer_is_missing("bullet"); }
 ConvexOffer bullet_convex(const ConvexWork&) { peer_is_missing("bullet"); }
 BroadLibraries bullet_broad_libraries(std::span<const Aabb>) { peer_is_missing("bullet"); }
 std::unique_ptr<WorldLibrary> bullet_world() { peer_is_missing("bullet"); }
+WorldQueryLibraries bullet_world_query_libraries(WorldTask) { peer_is_missing("bullet"); }
 
 }  // namespace toccata::bench

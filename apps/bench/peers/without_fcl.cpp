@@ -3,6 +3,7 @@
 #include "parts.hpp"
 #include "refits.hpp"
 #include "world.hpp"
+#include "world_queries.hpp"
 
 namespace toccata::bench {
 
@@ -13,5 +14,6 @@ RefitLibraries fcl_refit_libraries() { peer_is_missing("fcl"); }
 BroadLibraries fcl_broad_libraries() { peer_is_missing("fcl"); }
 PartsLibraries fcl_parts() { peer_is_missing("fcl"); }
 std::unique_ptr<WorldLibrary> fcl_world() { peer_is_missing("fcl"); }
+WorldQueryLibraries fcl_world_query_libraries(WorldTask) { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "arguments.hpp"
+#include "report.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/math/rotation.hpp"
+#include "toccata/query/overlap.hpp"
+#include "world_queries.hpp"
+
+namespace toccata::bench {
+namespace {
+
+constexpr std::size_t block = 1000;
+
+/// Bodies of about size 1, one in every eight units of volume.
+class Places {
+ public:
+  Places(std::size_t bodies, std::uint64_t seed) : random_(seed), side_(2 * std::cbrt(static_cast<double>(bodies))) {}
+
+  Vec3 place() {
+    const double x = random_.between(0, side_), y = random_.between(0, side_), z = random_.between(0, side_);
+    return {x, y, z};
+  }
+  Pose pose() {
+    const Vec3 axis{random_.between(-1, 1), random_.between(-1, 1), 1};
+    return {rotation_about(axis, random_.between(0, 360)), place()};
+  }
+  Model model() {
+    const std::uint64_t kind = random_.below(3);
+    if (kind == 0) return Sphere(random_.between(0.3, 0.5));
+    if (kind == 1) return Capsule({0, 0, -0.3}, {0, 0, 0.3}, random_.between(0.2, 0.3));
+    return Box({random_.between(0.2, 0.5), random_.between(0.2, 0.5), random_.between(0.2, 0.5)});
+  }
+
+ private:
+  Random random_;
+  double side_;
+};
+
+WorldTask task_of(const std::string& name) {
+  return name == "ray" ? WorldTask::ray : name == "nearest" ? WorldTask::nearest : WorldTask::overlap;
+}
+
+/// Rays begin outside of all bodies, as Bullet meets no body from within.
+WorldWork work_of(const WorldQueriesArguments& arguments) {
+  Places places(arguments.bodies, arguments.seed);
+  WorldWork work;
+  work.task = task_of(arguments.task);
+  for (std::size_t i = 0; i < arguments.bodies; ++i) work.bodies.push_back({places.model(), places.pose()});
+  const SceneIndex index(work.bodies);
+  while (work.size() < arguments.count) {
+    if (work.task == WorldTask::nearest) work.shapes.push_back({Model(Sphere(0.1)), places.pose()});
+    if (work.task == WorldTask::overlap) work.shapes.push_back({Model(Box({1, 1, 1})), places.pose()});
+    if (work.task != WorldTask::ray) continue;
+    const Vec3 from = places.place();
+    if (index.overlapping({Model(Point(from)), {}}).empty()) work.rays.push_back({from, places.place() - from});
+  }
+  return work;
+}
+
+struct Measured {
+  Result result;
+  std::vector<double> answers;
+};
+
+Measured measured(WorldQueryLibrary& library, const WorldWork& work, int rounds) {
+  Measured one;
+  one.result.build_ms = 1e3 * seconds_of([&] { library.build(work); }, Clock::thread);
+  library.prepare(work);
+  one.answers.resize(work.size());
+  std::vector<double> fastest((work.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < fastest.size(); ++i) {
+      const auto answers = std::span(one.answers).subspan(i * block, std::min(block, work.size() - i * block));
+      const double seconds = seconds_of([&] { library.answer(i * block, answers); }, Clock::thread);
+      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
+    }
+  summarise(std::move(fastest), one.result);
+  one.result.who = library.description();
+  one.result.queries = work.size();
+  return one;
+}
+
+/// Peers tell times and distances to about so much.
+bool agree(double a, double b) { return std::fabs(a - b) <= 1e-4 * (1 + std::fabs(b)); }
+
+/// Every body is within a unit of the origin of its frame.
+bool is_beside(const Ray& ray, const Posed& body) {
+  const Vec3 to_body = body.pose.offset - ray.origin;
+  const double time = std::clamp(dot(to_body, ray.motion) / dot(ray.motion, ray.motion), 0.0, 1.0);
+  const Vec3 apart = to_body - time * ray.motion;
+  return dot(apart, apart) > 4;
+}
+
+double time_of(const WorldWork& work, const Ray& ray) {
+  double first = 1;
+  for (const Posed& body : work.bodies) {
+    if (is_beside(ray, body)) continue;
+    const RayHit hit = cast_ray(ray.origin, ray.motion, body.model, body.pose);
+    if (hit.hit) first = std::min(first, hit.upper);
+  }
+  return first;
+}
+
+/// Every body by itself.
+double truth(const WorldWork& work, std::size_t i) {
+  if (work.task == WorldTask::ray) return time_of(work, work.rays[i]);
+  const Posed& shape = work.shapes[i];
+  double nearest = std::numeric_limits<double>::infinity(), count = 0;
+  for (const Posed& body : work.bodies) {
+    const PairQuery query{shape.pose, body.pose};
+    if (work.task == WorldTask::overlap)
+      count += overlap(shape.model, body.model, query) ? 1 : 0;
+    else
+      nearest = std::min(nearest, distance(shape.model, body.model, query).upper);
+  }
+  return work.task == WorldTask::overlap ? count : nearest;
+}
+
+void judge(const WorldWork& work, bool all, std::vector<Measured>& measured) {
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    bool differ = false;
+    for (Measured& one : measured)
+      if (!agree(one.answers[i], measured.front().answers[i])) {
+        differ = true;
+        ++one.result.disagreements;
+      }
+    if (differ) ++measured.front().result.disagreements;
+    if (!differ && !all) continue;
+    const double right = truth(work, i);
+    for (Measured& one : measured)
+      if (!agree(one.answers[i], right)) ++one.result.wrong;
+  }
+}
+
+WorldQueryLibraries libraries_asked(const WorldQueriesArguments& arguments, WorldTask task) {
+  WorldQueryLibraries libraries = toccata_world_query_libraries();
+  for (const std::string& peer : arguments.peers)
+    for (auto& library : peer == "bullet" ? bullet_world_query_libraries(task) : fcl_world_query_libraries(task))
+      libraries.push_back(std::move(library));
+  return libraries;
+}
+
+}  // namespace
+
+int run_world_queries(const WorldQueriesArguments& arguments) {
+  const WorldWork work = work_of(arguments);
+  WorldQueryLibraries libraries = libraries_asked(arguments, work.task);
+  std::vector<Measured> all;
+  for (auto& library : libraries) {
+    all.push_back(measured(*library, work, arguments.rounds));
+    all.back().result.task = arguments.task;
+    library.reset();
+  }
+  judge(work, arguments.verify, all);
+  Measurements measurements;
+  for (const Measured& one : all) measurements.results.push_back(one.result);
+  auto report = report_of("world-queries", {{"task", arguments.task},
+                                            {"bodies", arguments.bodies},
+                                            {"seed", arguments.seed},
+                                            {"block", block},
+                                            {"rounds", arguments.rounds}});
+  return print_results(std::move(report), measurements, arguments.json);
+}
+
+}  // namespace toccata::bench
