@@ -117,21 +117,6 @@ std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
   return answer_difference(drawn.recorded, now);
 }
 
-/// What a GLB file shows: pairs.
-CheckReport pairs_of(const SceneAnswer& answer) {
-  if (const auto* check = std::get_if<CheckReport>(&answer)) return *check;
-  const auto* distances = std::get_if<DistanceReport>(&answer);
-  if (distances == nullptr) throw Error("--glb: a GLB file shows what check and distance find; leave it out here");
-  CheckReport report;
-  for (const ReportedDistance& found : distances->pairs) {
-    ReportedPair& pair = report.pairs.emplace_back();
-    pair.a = found.a;
-    pair.b = found.b;
-    pair.distance = found.distance;
-  }
-  return report;
-}
-
 /// Of poses the faces that meet are drawn, of many at the first ones alone: that keeps the page small.
 constexpr std::size_t most_face_pairs = 100'000;
 
@@ -211,8 +196,7 @@ void write_view(const ViewTarget& target, const CheckInput& input, const SceneAn
   const std::string page = target.path.empty() && !target.picture
                                ? ""
                                : view_page(loaded.scene, input.models, answer, target.options, loaded.warnings);
-  const std::string glb =
-      target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, pairs_of(answer), target.options);
+  const std::string glb = target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, answer, target.options);
   if (target.picture) write_picture(page, *target.picture);
   const UninterruptedWriting writing;
   if (!target.path.empty()) write_view_page(page, target.path);

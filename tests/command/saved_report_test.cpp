@@ -116,8 +116,9 @@ TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
   refused(drawn(elsewhere.write("old.json", text + "\n}\n")), "does not say what was asked");
   const fs::path inspected = elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--json"}).out);
   refused(drawn(inspected), "does not say what was asked");
-  refused(drawn(report_of(folder, elsewhere, {"nearest", "bow.off", "--point", "0", "0", "9"}), {"--glb", "a.glb"}),
-          "a GLB file shows what check and distance find");
+  folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
+  const fs::path poses = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off", "--poses", "poses.txt"});
+  refused(drawn(poses, {"--glb", "a.glb"}), "a GLB file has one place for each object");
 }
 
 TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {

@@ -18,10 +18,35 @@ CASES = {
     "shelf": ["scenes/shelf/scene.json"],
     "knots": ["gen:torus-knot", "gen:torus", "--clearance", "all", "--hierarchy", "wide"],
 }
+# Reports that are kept and drawn; and how many nodes hold what was found.
+REPORTS = {
+    "ray": (["ray", "gen:torus", "--from", "1", "0", "9", "--to", "1", "0", "-9"], 1),
+    "nearest": (["nearest", "gen:torus", "gen:box", "--point", "0.3", "0.2", "9", "--k", "2"], 2),
+    "faces": (["faces", "gen:torus", "gen:box", "--box", "0", "0", "0", "1", "1", "1"], 2),
+    "self": (["check", "bow.off", "gen:box", "--self"], 1),
+    "distance": (["distance", "gen:torus", "gen:box", "--pose-b", *"1 0 0 0 1 0 0 0 1 9 0 0".split()], 1),
+}
+BOW = "OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n"
 
 
 def run(folder, *words):
-    return subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True).stdout
+    result = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+    assert result.returncode < 2, result.stderr
+    return result.stdout
+
+
+def check_reports(folder):
+    (folder / "bow.off").write_text(BOW)
+    for name, (words, findings) in REPORTS.items():
+        (folder / "report.json").write_text(run(folder, TOCCATA, *words, "--json"))
+        run(folder, TOCCATA, "view", "report.json", "--glb", f"{name}.glb")
+        expected = contents(folder / f"{name}.glb")
+        found, _, _ = read_by_assimp(run(folder, "assimp", "info", f"{name}.glb"))
+        assert found["Nodes"] == expected["Nodes"] and found["Faces"] == expected["Faces"], f"{name}: {found}, {expected}"
+        data = (folder / f"{name}.glb").read_bytes()
+        nodes = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])["nodes"]
+        told = [node for node in nodes if "extras" in node]
+        assert len(told) == findings, f"{name}: {[node['name'] for node in told]}"
 
 
 def contents(file):
@@ -74,6 +99,7 @@ def main():
             for one, other in zip([*lower, *upper], [*own_lower, *own_upper]):
                 assert abs(one - other) <= 2e-6 * size + 1e-6, f"{case}: Assimp's box is {lower}, {upper}, ours {own_lower}, {own_upper}"
             print(f"{case}: {found}")
+        check_reports(folder)
     return 0
 
 

@@ -5,12 +5,12 @@
 
 namespace toccata {
 
-std::string scene_glb(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                       const ViewOptions& options) {
   const io::ViewMeshes meshes(models);
   io::GlbScene glb(models, meshes);
-  io::add_objects(glb, report);
-  io::add_pairs(glb, report);
+  io::add_objects(glb, answer);
+  io::add_findings(glb, answer);
   if (options.hierarchy) io::add_hierarchies(glb, *options.hierarchy);
   return glb.file(options, scene.unit);
 }

@@ -18,13 +18,39 @@ GlbPaint paint_of(Role role) {
                              : GlbPaint{"second of a pair", 0xe69f00, seen_through};
 }
 
-/// As it is in the first of the pairs that name it.
-std::vector<Role> roles_of(std::size_t objects, const CheckReport& report) {
-  std::vector<std::optional<Role>> roles(objects);
-  for (const ReportedPair& pair : report.pairs) {
-    if (!roles[pair.a]) roles[pair.a] = Role::first;
-    if (!roles[pair.b]) roles[pair.b] = Role::second;
+/// Which objects the findings name, first and second.
+struct Named {
+  std::vector<std::optional<Role>>& roles;
+
+  void name(Index first) const {
+    if (!roles[first]) roles[first] = Role::first;
   }
+  void name(Index first, Index second) const {
+    name(first);
+    if (!roles[second]) roles[second] = Role::second;
+  }
+
+  void operator()(const CheckReport& report) const {
+    for (const ReportedPair& pair : report.pairs) name(pair.a, pair.b);
+  }
+  void operator()(const DistanceReport& report) const {
+    for (const ReportedDistance& pair : report.pairs) name(pair.a, pair.b);
+  }
+  void operator()(const SelfReport& report) const {
+    for (std::size_t i = 0; i < report.objects.size(); ++i)
+      if (report.objects[i].face_pairs > 0) name(static_cast<Index>(i));
+  }
+  void operator()(const FacesReport& report) const {
+    for (const ReportedFaces& found : report.found) name(found.object);
+  }
+  template <class Other>
+  void operator()(const Other&) const {}
+};
+
+/// As it is in the first of the findings that name it.
+std::vector<Role> roles_of(std::size_t objects, const SceneAnswer& answer) {
+  std::vector<std::optional<Role>> roles(objects);
+  std::visit(Named{roles}, answer);
   std::vector<Role> known;
   for (const auto& role : roles) known.push_back(role.value_or(Role::alone));
   return known;
@@ -93,9 +119,9 @@ class ObjectMeshes {
 
 }  // namespace
 
-void add_objects(GlbScene& glb, const CheckReport& report) {
+void add_objects(GlbScene& glb, const SceneAnswer& answer) {
   ObjectMeshes meshes(glb);
-  const std::vector<Role> roles = roles_of(glb.models().size(), report);
+  const std::vector<Role> roles = roles_of(glb.models().size(), answer);
   for (std::size_t object = 0; object < roles.size(); ++object) meshes.add(object, roles[object]);
   glb.add_group("objects", meshes.nodes());
 }

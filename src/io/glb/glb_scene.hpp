@@ -9,7 +9,7 @@
 #include "io/glb/glb_frame.hpp"
 #include "io/glb/glb_writer.hpp"
 #include "io/view/view_meshes.hpp"
-#include "toccata/io/report.hpp"
+#include "toccata/io/scene_question.hpp"
 #include "toccata/io/view_page.hpp"
 
 namespace toccata::io {
@@ -71,10 +71,11 @@ class GlbScene {
 /// Points, each kept once, and their numbers in the order given.
 [[nodiscard]] GlbPart joined_part(std::span<const Vec3> points, const GlbFrame& frame);
 
-/// Every object under its name, those that touch or are near something seen through and in the two colours.
-void add_objects(GlbScene& glb, const CheckReport& report);
-/// Of each pair what was found: faces and curves in which it meets, depth, distance.
-void add_pairs(GlbScene& glb, const CheckReport& report);
+/// Every object under its name, those of which something was found seen through and in the two colours.
+void add_objects(GlbScene& glb, const SceneAnswer& answer);
+/// What was found: of pairs the faces and curves in which they meet, depth, distance; ways of rays, and so on. Throws
+/// Error for answers about many poses.
+void add_findings(GlbScene& glb, const SceneAnswer& answer);
 /// Of each mesh the levels of a hierarchy. Throws Error when there are too many meshes to be looked at.
 void add_hierarchies(GlbScene& glb, CostVolume volume);
 
