@@ -79,19 +79,19 @@ WANTED = {
 
 # Crowds: words of the command, and how they are shown.
 CROWDS = {
-    "crowd-pairs": ("--scene uniform --count 200 --frames 6 --method grid", "moment=6&off=cells&grid=0"),
+    "crowd-pairs": ("--scene uniform --count 200 --frames 6 --method grid", "moment=6&off=cells&grid=0&through=1"),
     "crowd-grid": ("--scene uniform --count 200 --frames 6 --method grid", "moment=6&off=pairs&grid=0"),
-    "crowd-hash": ("--scene uniform --count 40 --frames 2 --method spatial-hash", "moment=2&off=pairs&grid=0"),
-    "crowd-hierarchical-hash": ("--scene sizes --count 120 --frames 2 --method hierarchical-hash", "moment=2&off=pairs&grid=0"),
-    "crowd-octree": ("--scene sizes --count 120 --frames 2 --method loose-octree", "moment=2&off=pairs&grid=0"),
+    "crowd-hash": ("--scene uniform --count 40 --frames 2 --method spatial-hash", "moment=2&off=pairs&grid=0&camera=0.1,0.1,-0.1,5.6,-0.9,0.45"),
+    "crowd-hierarchical-hash": ("--scene sizes --count 400 --frames 2 --method hierarchical-hash", "moment=2&off=pairs&grid=0&through=1&camera=0,0,0,6.5,-0.9,0.45"),
+    "crowd-octree": ("--scene sizes --count 400 --frames 2 --method loose-octree", "moment=2&off=pairs&grid=0&through=1"),
     "crowd-tiles": ("--scene clustered --count 4000 --frames 2 --method kd-tiles", "moment=2&off=pairs&grid=0"),
     "crowd-layers": ("--scene static --count 400 --frames 4 --method layers", "moment=4&off=pairs&grid=0"),
-    "crowd-sweep": ("--scene uniform --count 60 --frames 2 --method sort-and-sweep", "moment=2&grid=0"),
-    "crowd-incremental": ("--scene uniform --count 60 --frames 4 --method incremental-sweep", "moment=4&grid=0"),
+    "crowd-sweep": ("--scene uniform --count 60 --frames 2 --method sort-and-sweep", "moment=2&grid=0&camera=-0.2,0,0,5,-2.3,0.5"),
+    "crowd-incremental": ("--scene uniform --count 60 --frames 4 --method incremental-sweep", "moment=4&off=pairs&grid=0&camera=-0.2,-0.2,0.1,5.4,-2,0.5"),
     "crowd-rectangles": ("--scene uniform --count 40 --frames 2 --method rectangle-sweeps", "moment=2&grid=0"),
     "crowd-tree": ("--scene uniform --count 200 --frames 2 --method morton-tree", "moment=2&off=pairs&grid=0"),
-    "crowd-dynamic-tree": ("--scene static --count 60 --frames 4 --method dynamic-tree", "moment=4&off=pairs&grid=0"),
-    "crowd-auto": ("--scene clustered --count 3000 --frames 4", "moment=4&off=pairs&grid=0"),
+    "crowd-dynamic-tree": ("--scene static --count 30 --frames 4 --method dynamic-tree", "moment=4&off=pairs&grid=0&through=1"),
+    "crowd-auto": ("--scene clustered --count 6000 --frames 4", "moment=4&off=pairs&grid=0"),
 }
 
 # Reports beside the pictures that are drawn of them.
