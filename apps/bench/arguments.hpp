@@ -76,6 +76,17 @@ struct RefitArguments {
   bool json = false;
 };
 
+struct PartitionsArguments {
+  std::string mesh;
+  std::vector<std::string> peers;
+  std::string task = "box";  ///< or "pairs"
+  std::size_t queries = 1000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  std::string clock = "wall";
+  bool json = false;
+};
+
 struct BuildArguments {
   std::string mesh;
   std::vector<int> threads = {1, 2};
@@ -159,6 +170,7 @@ int run_convex(const ConvexArguments& arguments);
 int run_rays(const RaysArguments& arguments);
 int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
+int run_partitions(const PartitionsArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);

@@ -29,6 +29,7 @@ struct Options {
   WorldArguments world;
   PartsArguments parts;
   WorldQueriesArguments world_queries;
+  PartitionsArguments partitions;
   ProcessArguments process;
   WalkerArguments walker;
 };
@@ -170,6 +171,24 @@ void add_refit(CLI::App& app, RefitArguments& arguments) {
   add_peers(*refit, arguments.peers, {"embree", "fcl"});
   add_json(*refit, arguments.json);
   refit->footer("Example:\n  ./toccata bench refit --mesh gen:torus-knot --peer embree,fcl");
+}
+
+void add_partitions(CLI::App& app, PartitionsArguments& arguments) {
+  CLI::App* partitions =
+      app.add_subcommand("partitions", "partitions of space over the boxes of a mesh's triangles: who is in a place?");
+  add_mesh_file(*partitions, "--mesh", arguments.mesh)->required();
+  partitions->add_option("--task", arguments.task, "the triangles whose boxes reach into a box, or all pairs of boxes")
+      ->check(CLI::IsMember({"box", "pairs"}))
+      ->capture_default_str();
+  add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about");
+  partitions->add_option("--seed", arguments.seed, "another seed, other boxes")->capture_default_str();
+  add_number(*partitions, "--rounds", arguments.rounds, "how often each is asked; the fastest counts");
+  partitions->add_option("--clock", arguments.clock, "whose time is measured: of the wall, or of the thread")
+      ->check(CLI::IsMember({"wall", "thread"}))
+      ->capture_default_str();
+  add_peers(*partitions, arguments.peers, {"boost"});
+  add_json(*partitions, arguments.json);
+  partitions->footer("Example:\n  ./toccata bench partitions --mesh gen:torus-knot --peer boost");
 }
 
 void add_build(CLI::App& app, BuildArguments& arguments) {
@@ -315,6 +334,7 @@ int main_of(int argc, char** argv) {
   add_world(app, options.world);
   add_parts(app, options.parts);
   add_world_queries(app, options.world_queries);
+  add_partitions(app, options.partitions);
   add_process(app, options.process);
   add_walker(app, options.walker);
   try {
@@ -336,6 +356,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
+  if (app.got_subcommand("partitions")) return run_partitions(options.partitions);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

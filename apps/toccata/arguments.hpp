@@ -97,8 +97,9 @@ struct NearestArguments : PosedArguments {
 
 struct InspectArguments {
   InputArguments input;
-  bool volumes = false;    ///< every bounding volume and hierarchy of meshes, too
-  bool hierarchy = false;  ///< the tree of nodes instead of the objects
+  bool volumes = false;     ///< every bounding volume and hierarchy of meshes, too
+  bool partitions = false;  ///< every partition of space over the triangles of meshes, too
+  bool hierarchy = false;   ///< the tree of nodes instead of the objects
   Format format = Format::table;
 };
 

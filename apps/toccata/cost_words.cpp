@@ -96,4 +96,18 @@ std::string volume_table(const std::vector<VolumeCost>& costs) {
   return columns(rows, 4);
 }
 
+std::string partition_table(const std::vector<PartitionCost>& costs) {
+  std::vector<std::vector<std::string>> rows{{"partition", "cells", "in each", "at most", "copies", "overlap", "memory",
+                                              "build", "box", "candidates", "pairs of all", "candidates"}};
+  for (const PartitionCost& cost : costs)
+    rows.push_back({std::string(name_of(cost.kind)), grouped(cost.cells), fmt::format("{:.1f}", cost.items_per_cell),
+                    grouped(cost.most_in_a_cell), fmt::format("{:.2f}", cost.copies_per_item),
+                    fmt::format("{:.2f}", cost.cells_at_an_item), megabytes(cost.bytes),
+                    fmt::format("{:.3g} ms", cost.build_ns / 1e6), fmt::format("{:.3g} µs", cost.question_ns / 1e3),
+                    fmt::format("{:.1f}", cost.candidates), fmt::format("{:.3g} ms", cost.pairs_ns / 1e6),
+                    grouped(cost.candidate_pairs)});
+  return columns(rows, 4) + fmt::format("    a box meets {:.1f} triangles on average; {} pairs of triangles meet\n",
+                                        costs.front().answers, grouped(costs.front().pairs));
+}
+
 }  // namespace toccata::command

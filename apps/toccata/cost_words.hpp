@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "toccata/partitions/measure.hpp"
 #include "toccata/query/cost.hpp"
 
 namespace toccata::command {
@@ -30,5 +31,8 @@ struct CostWords {
 
 /// The table of `inspect --volumes`, a line for each volume, arity and builder.
 [[nodiscard]] std::string volume_table(const std::vector<VolumeCost>& costs);
+
+/// The table of `inspect --partitions`, a line for each partition.
+[[nodiscard]] std::string partition_table(const std::vector<PartitionCost>& costs);
 
 }  // namespace toccata::command

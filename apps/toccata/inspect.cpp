@@ -66,7 +66,8 @@ std::string inspect_table(const std::vector<InspectedObject>& objects, const std
   std::string text;
   for (const InspectedObject& inspected : objects)
     text += printable(inspected.object.name) + "\n" + columns(rows_of(inspected, unit), 2) +
-            (inspected.volumes.empty() ? "" : volume_table(inspected.volumes));
+            (inspected.volumes.empty() ? "" : volume_table(inspected.volumes)) +
+            (inspected.partitions.empty() ? "" : partition_table(inspected.partitions));
   return text;
 }
 
@@ -82,6 +83,8 @@ int run_inspect(const InspectArguments& arguments) {
     objects.push_back(inspect(object));
     if (const auto mesh = object.mesh(); mesh && arguments.volumes)
       objects.back().volumes = measure_volumes(*mesh, options);
+    if (const auto mesh = object.mesh(); mesh && arguments.partitions)
+      objects.back().partitions = measure_partitions(PartitionItems(*mesh), {1000, 1, bar.callback()});
   }
   const std::string text = arguments.format == Format::json
                                ? inspect_report_json(objects, loaded.scene.unit, loaded.warnings)

@@ -354,10 +354,14 @@ void add_inspect(CLI::App& app, Options& options) {
   CLI::Option* volumes =
       inspect->add_flag("--volumes", options.inspect.volumes,
                         "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
+  CLI::Option* partitions = inspect->add_flag(
+      "--partitions", options.inspect.partitions,
+      "every partition of space over each mesh: cells, copies, overlap, memory, time to build and ask");
   inspect
       ->add_flag("--hierarchy", options.inspect.hierarchy,
                  "how good the tree of nodes is as a hierarchy, and what rebalancing it gains")
-      ->excludes(volumes);
+      ->excludes(volumes)
+      ->excludes(partitions);
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
   inspect->footer(
       with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "

@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "broad/finders.hpp"
+#include "broad/kept_tree.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/pair_buffer.hpp"
-#include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
@@ -204,66 +203,8 @@ class BoxTree {
   std::size_t inserted_ = 0;
 };
 
-/// Each box that moved is looked for in the tree; pairs of two that did not are those of before.
-class DynamicTree final : public PairFinder {
- public:
-  PairList find(const BoxesNow& now, PairList storage) override {
-    if (!is_built_ || 4 * now.changed.size() > now.boxes.size() || tree_.inserted() > now.boxes.size() / 2)
-      tree_.build(now.boxes);
-    else
-      for (const Index number : now.changed) tree_.move(number, now.boxes[number]);
-    is_built_ = true;
-    has_moved_.assign(now.boxes.size(), 0);
-    for (const Index number : now.changed) has_moved_[number] = 1;
-    find_new(now);
-    return with_new_pairs(now.before, new_pairs_, std::move(storage), [&](const IndexPair& pair) {
-      return (has_moved_[pair.first] | has_moved_[pair.second]) == 0;
-    });
-  }
-
-  [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
-    BroadPhaseCells cells;
-    tree_.add_cells(cells);
-    return cells;
-  }
-
-  [[nodiscard]] std::size_t bytes() const override {
-    std::size_t sum = tree_.bytes() + has_moved_.capacity() + new_pairs_.capacity() * sizeof(IndexPair);
-    for (const PairBuffer& found : found_) sum += found.bytes();
-    return sum;
-  }
-
- private:
-  static constexpr std::size_t parts = 16;
-
-  void find_new(const BoxesNow& now) {
-    const Chunks chunks(now.changed.size(), parts);
-    parallel_for(parts, now.threads, [&](std::size_t part) {
-      found_[part].clear(now.wanted);
-      std::vector<Index> waiting;
-      for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i) {
-        const Index number = now.changed[i];
-        const Aabb& box = now.boxes[number];
-        if (is_empty(box)) continue;
-        tree_.each_overlap(box, waiting, [&](Index other) {
-          // Two that both moved meet twice.
-          if (other != number && (has_moved_[other] == 0 || number < other) && overlap(box, now.boxes[other]))
-            found_[part].add(number, other);
-        });
-      }
-    });
-    new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
-  }
-
-  BoxTree tree_;
-  bool is_built_ = false;
-  std::vector<std::uint8_t> has_moved_;  ///< by number
-  std::vector<PairBuffer> found_{parts};
-  PairList new_pairs_;
-};
-
 }  // namespace
 
-std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<DynamicTree>(); }
+std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<KeptTree<BoxTree>>(); }
 
 }  // namespace toccata

@@ -11,6 +11,7 @@ namespace toccata {
 [[nodiscard]] std::unique_ptr<PairFinder> make_kd_tiles();
 [[nodiscard]] std::unique_ptr<PairFinder> make_morton_tree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_packed_r_tree();
+[[nodiscard]] std::unique_ptr<PairFinder> make_r_tree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_layers();
 [[nodiscard]] std::unique_ptr<PairFinder> make_incremental_sweep();
 [[nodiscard]] std::unique_ptr<PairFinder> make_spatial_hash();

@@ -26,6 +26,7 @@ constexpr std::array known_methods{
     Known{BroadPhaseMethod::kd_tiles, "kd-tiles"},
     Known{BroadPhaseMethod::morton_tree, "morton-tree"},
     Known{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
+    Known{BroadPhaseMethod::r_tree, "r-tree"},
     Known{BroadPhaseMethod::layers, "layers"},
     Known{BroadPhaseMethod::dynamic_tree, "dynamic-tree"},
     Known{BroadPhaseMethod::loose_octree, "loose-octree"},
@@ -75,6 +76,8 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
       return make_morton_tree();
     case BroadPhaseMethod::packed_r_tree:
       return make_packed_r_tree();
+    case BroadPhaseMethod::r_tree:
+      return make_r_tree();
     case BroadPhaseMethod::layers:
       return make_layers();
     case BroadPhaseMethod::incremental_sweep:

@@ -56,7 +56,8 @@ PartitionItems::PartitionItems(std::vector<Triangle> triangles) {
 PartitionItems::PartitionItems(const TriangleMesh& mesh) : PartitionItems(triangles_of(mesh)) {}
 
 bool PartitionItems::meets(Index item, const Aabb& box) const {
-  return triangles().empty() ? overlap(boxes()[item], box) : overlap(box, triangles()[item]);
+  const Aabb& around = boxes()[item];
+  return overlap(around, box) && (triangles().empty() || contains(box, around) || overlap(box, triangles()[item]));
 }
 
 bool PartitionItems::meet(Index a, Index b) const {

@@ -122,12 +122,15 @@ def reports(folder):
 
 
 def inspections(folder):
-    """What meshes and shapes are, with all volumes and without."""
+    """What meshes and shapes are, with all volumes and partitions and without."""
     yield asked(folder, "inspect", "shapes.json", "scenes/a.obj", "bow.off", "scenes/shelf/scene.json")
     yield asked(folder, "inspect", "zoo.json")
     with_volumes = asked(folder, "inspect", "gen:box", "--volumes")
     assert with_volumes["objects"][0]["volumes"], with_volumes
     yield with_volumes
+    with_partitions = asked(folder, "inspect", "gen:box", "--partitions")
+    assert len(with_partitions["objects"][0]["partitions"]) == 6, with_partitions
+    yield with_partitions
 
 
 def hierarchies(folder):

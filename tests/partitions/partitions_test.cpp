@@ -4,6 +4,9 @@
 
 #include "partitions/partition_families.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/partitions/kd_tree.hpp"
+#include "toccata/partitions/octree.hpp"
+#include "toccata/partitions/r_tree.hpp"
 #include "toccata/partitions/uniform_grid.hpp"
 
 namespace toccata {
@@ -11,7 +14,7 @@ namespace {
 
 template <class P>
 class EveryPartition : public testing::Test {};
-using Partitions = testing::Types<UniformGrid<2>, UniformGrid<3>>;
+using Partitions = testing::Types<UniformGrid<2>, UniformGrid<3>, Octree, KdTree, RTree>;
 TYPED_TEST_SUITE(EveryPartition, Partitions);
 
 template <class P>
@@ -46,6 +49,32 @@ TYPED_TEST(EveryPartition, HoldsNoneAndOneAndTheGreatestDoubles) {
       boxes.push_back({{std::min(at, at - size), 0, -size}, {std::max(at, at), size, 0}});
   for (Aabb& box : boxes) box.lower.x = std::max(box.lower.x, -most);
   EXPECT_EQ(complaint<TypeParam>(PartitionItems(boxes), random), "");
+}
+
+TYPED_TEST(EveryPartition, HoldsAMeshAndItsMemoryIsBounded) {
+  const PartitionItems sphere(generate_mesh("icosphere", {{"subdivisions", 2}}));
+  Random random(4);
+  EXPECT_EQ(complaint<TypeParam>(sphere, random), "");
+  EXPECT_LT(TypeParam(sphere).bytes(), 1'000 * sphere.size());
+  const PartitionItems heap(std::vector<Aabb>(3'000, Aabb{{0, 0, 0}, {1, 1, 1}}));
+  EXPECT_LT(TypeParam(heap).bytes(), 1'000 * heap.size());
+  std::vector<Aabb> rods;  // across everything, each along another axis
+  for (int i = 0; i < 999; ++i) {
+    Aabb rod{{0.001 * i, 0.001 * i, 0.001 * i}, {0.001 * i, 0.001 * i, 0.001 * i}};
+    rod.lower[i % 3] = 0;
+    rod.upper[i % 3] = 1;
+    rods.push_back(rod);
+  }
+  EXPECT_LT(TypeParam(PartitionItems(rods)).bytes(), 2'000 * rods.size());
+}
+
+TEST(Octree, PartsWhatCanBePartedAndLeavesTheRestWhole) {
+  Random random(9);
+  const PartitionItems items(test::random_finite_boxes("giant", 500, random));
+  const Octree tree(items);
+  EXPECT_GE(tree.greatest_depth(), 2U);
+  EXPECT_EQ(Octree(PartitionItems(std::vector<Aabb>(100, Aabb{{0, 0, 0}, {1, 1, 1}}))).greatest_depth(), 0U);
+  EXPECT_EQ(Octree(items, {8, 0, 8}).cells().size(), 1U);
 }
 
 }  // namespace

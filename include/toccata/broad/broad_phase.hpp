@@ -23,6 +23,7 @@ enum class BroadPhaseMethod {
   kd_tiles,           ///< space cut so that each part has as many boxes
   morton_tree,        ///< a tree over the boxes in the order of a space-filling curve, rebuilt each time
   packed_r_tree,      ///< a tree over tiles of sorted boxes, rebuilt each time
+  r_tree,             ///< the same tree, kept, from which boxes that move are taken and put in elsewhere
   layers,             ///< what rests in a tree that is kept, movers against it and among themselves
   dynamic_tree,       ///< a tree of enlarged boxes, of which those that leave theirs are put in anew
   loose_octree,       ///< a box in the cell of its middle at the depth of its size

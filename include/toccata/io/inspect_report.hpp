@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/partitions/measure.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -23,6 +24,7 @@ struct InspectedObject {
   std::string refusal;  ///< why no question can be asked about it where it is; else empty
   /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
   std::vector<VolumeCost> volumes{};
+  std::vector<PartitionCost> partitions{};  ///< what `measure_partitions` tells of its triangles, the same way
 };
 
 /// Everything that `inspect` tells about the object.

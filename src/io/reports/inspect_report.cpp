@@ -50,6 +50,24 @@ Json json_of(const VolumeCost& cost) {
           {"build_ns", cost.build_ns}};
 }
 
+Json json_of(const PartitionCost& cost) {
+  return {{"partition", name_of(cost.kind)},
+          {"object_centric", is_object_centric(cost.kind)},
+          {"cells", cost.cells},
+          {"items_per_cell", cost.items_per_cell},
+          {"most_in_a_cell", cost.most_in_a_cell},
+          {"copies_per_item", cost.copies_per_item},
+          {"cells_at_an_item", cost.cells_at_an_item},
+          {"bytes", cost.bytes},
+          {"build_ns", cost.build_ns},
+          {"candidates", cost.candidates},
+          {"answers", cost.answers},
+          {"question_ns", cost.question_ns},
+          {"candidate_pairs", cost.candidate_pairs},
+          {"pairs", cost.pairs},
+          {"pairs_ns", cost.pairs_ns}};
+}
+
 Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
 
 Json json_of(const ConvexHull& hull) {
@@ -120,7 +138,7 @@ void add_shape(InspectedObject& result) {
 }  // namespace
 
 InspectedObject inspect(const SceneObject& object) {
-  InspectedObject result{object, {}, false, {}, {}, {}};
+  InspectedObject result{object, {}, false, {}, {}, {}, {}};
   if (const auto mesh = object.mesh())
     add_mesh(*mesh, result);
   else
@@ -142,6 +160,7 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
     item["world_box"] = inspected.world_box ? json_of(*inspected.world_box) : Json();
     if (!inspected.refusal.empty()) item["refusal"] = io::as_utf8(inspected.refusal);
     for (const VolumeCost& cost : inspected.volumes) item["volumes"].push_back(json_of(cost));
+    for (const PartitionCost& cost : inspected.partitions) item["partitions"].push_back(json_of(cost));
     list.push_back(std::move(item));
   }
   return io::document(json);
