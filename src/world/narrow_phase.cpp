@@ -1,5 +1,11 @@
 #include "world/narrow_phase.hpp"
 
+#include <cmath>
+#include <optional>
+
+#include <hwy/cache_control.h>
+
+#include "narrow/exact/within.hpp"
 #include "query/ask_each.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
@@ -27,6 +33,48 @@ bool has_penetration(const Body& a, const Body& b, const Relation& relation) {
          may_be_parted(pose_model(a.model, a.pose, a.solid, "a"), pose_model(b.model, b.pose, b.solid, "b"));
 }
 
+/// How many pairs before its turn a body is fetched: those of greater index lie anywhere.
+constexpr std::size_t ahead = 3;
+
+void fetch(const Body& body) {
+  constexpr std::size_t line = 64;
+  const auto* const bytes = reinterpret_cast<const char*>(&body);
+  for (std::size_t at = 0; at < sizeof(Body); at += line) hwy::Prefetch(bytes + at);
+}
+
+/// A convex body at its place, made where it lies; none where it is something else.
+struct PlaceConvex {
+  template <PlainShape S>
+  void operator()(const S& shape) const {
+    placed.emplace(shape, pose);
+  }
+  void operator()(const HalfSpace&) const {}
+  void operator()(const HeightField&) const {}
+  void operator()(const std::shared_ptr<const TriangleMesh>&) const {}
+  void operator()(const Compound&) const {}
+
+  const Pose& pose;
+  std::optional<PosedConvex>& placed;
+};
+
+Nearness nearness_of(const PosedConvex& a, const PosedConvex& b, double margin, ConvexWorkspace& workspace) {
+  if (margin > 0 && !std::isinf(margin) && !is_within(a, b, margin, &workspace)) return Nearness::apart;
+  if (overlap(a, b, &workspace)) return Nearness::contact;
+  return margin > 0 ? Nearness::near : Nearness::apart;
+}
+
+/// What `closer_than` and `overlap` answer.
+Nearness nearness_of(const Body& a, const Body& b, double margin, Workspace& workspace) {
+  std::optional<PosedConvex> placed_a, placed_b;
+  std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
+  if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
+  if (placed_b) return nearness_of(*placed_a, *placed_b, margin, cleared(workspace).scratch().convex);
+  const PairQuery query = query_of(a, b);
+  if (margin > 0 && !closer_than(a.model, b.model, margin, query, cleared(workspace))) return Nearness::apart;
+  if (overlap(a.model, b.model, query, cleared(workspace))) return Nearness::contact;
+  return margin > 0 ? Nearness::near : Nearness::apart;
+}
+
 }  // namespace
 
 void NarrowPhase::decide(std::span<const Body> bodies, std::span<const UndecidedPair> undecided,
@@ -34,26 +82,23 @@ void NarrowPhase::decide(std::span<const Body> bodies, std::span<const Undecided
   const Chunks rows{undecided.size(), row_length(undecided.size(), options_.threads)};
   parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
     workspaces_.with([&](Workspace& workspace) {
-      for (const UndecidedPair& one : rows.of(undecided, row)) {
-        DecidedPair& pair = pairs[one.number];
-        decide(bodies[pair.pair.first], bodies[pair.pair.second], one.margin, pair, workspace);
+      const std::span<const UndecidedPair> some = rows.of(undecided, row);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (i + ahead < some.size()) fetch(bodies[pairs[some[i + ahead].number].pair.second]);
+        DecidedPair& pair = pairs[some[i].number];
+        decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i].margin, pair, workspace);
       }
     });
   });
 }
 
 void NarrowPhase::decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const {
-  const PairQuery query = query_of(a, b);
-  if (margin > 0 && !closer_than(a.model, b.model, margin, query, cleared(workspace))) {
-    pair.nearness = Nearness::apart;
-    return;
-  }
-  const bool in_contact = overlap(a.model, b.model, query, cleared(workspace));
-  pair.nearness = in_contact ? Nearness::contact : margin > 0 ? Nearness::near : Nearness::apart;
+  pair.nearness = nearness_of(a, b, margin, workspace);
   const bool is_asked =
       options_.relation || options_.distance || options_.contacts || options_.manifold || options_.penetration;
   if (is_asked && pair.nearness != Nearness::apart)
-    pair.details = std::make_shared<const PairDetails>(details_of(a, b, in_contact, cleared(workspace)));
+    pair.details =
+        std::make_shared<const PairDetails>(details_of(a, b, pair.nearness == Nearness::contact, cleared(workspace)));
 }
 
 PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const {
