@@ -1,0 +1,126 @@
+#include "option_kinds.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace toccata::command {
+
+void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
+  input.wanted = what;
+  app.add_option("files", input.files, what);
+  app.add_option(
+      "--unit", input.unit,
+      "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
+      "given poses and all printed points, is then in metres");
+  app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& help,
+                      const std::string& missing) {
+  return app.add_option(name, text, help)->check([missing](const std::string& word) {
+    return word.empty() ? missing : std::string();
+  });
+}
+
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& help,
+                      const std::string& type) {
+  return add_text(app, name, file, help, "a file must be named")->type_name(type);
+}
+
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::string& length, const std::string& help) {
+  return add_text(app, name, length, help, "a length must be given")->type_name("LENGTH");
+}
+
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                         const std::string& help, int count, const std::string& type) {
+  return app.add_option(name, numbers, help)->expected(count)->delimiter(',')->allow_extra_args(false)->type_name(type);
+}
+
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                       const std::string& help) {
+  return add_numbers(app, name, numbers, help, 3, "X Y Z");
+}
+
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
+  const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
+    return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
+  };
+  return {pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t"),
+          pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")};
+}
+
+CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
+  const auto [pose_a, pose_b] = add_pose_pair(app, options);
+  return add_file(app, "--poses", poses,
+                  "answers for two objects at many poses: a file with 12 or 24 numbers a line "
+                  "(docs/reference/poses-file.md)")
+      ->excludes(pose_a)
+      ->excludes(pose_b);
+}
+
+void add_formats(CLI::App& app, Options& options, const std::string& report) {
+  CLI::Option* json = app.add_flag("--json", options.json, "write JSON (" + report + ")");
+  app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+}
+
+void add_threads(CLI::App& app, int& threads, const std::string& made) {
+  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
+      ->check(CLI::Range(0, 1024));
+}
+
+void add_save_case(CLI::App& app, std::string& file, const char* what) {
+  app.add_option("--save-case", file, what)
+      ->check([](const std::string& name) { return name.empty() ? "a file must be named" : std::string(); })
+      ->type_name("FILE.json");
+}
+
+void add_pages(CLI::App& app, PosedArguments& arguments) {
+  add_file(app, "--html", arguments.html, "also write a page that shows the objects and what was found", "FILE.html");
+  add_file(app, "--png", arguments.png, "also draw a picture of that page, where Chromium is installed", "FILE.png");
+}
+
+void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report) {
+  add_formats(app, options, report);
+  add_threads(app, arguments.threads, "answer");
+  add_pages(app, arguments);
+  add_save_case(app, arguments.save_case,
+                "write the shapes, the question and the answer into one file, for a bug report or a test; `replay` "
+                "asks it again (docs/reference/case-file.md)");
+}
+
+CLI::Option* add_solid(CLI::App& app, Options& options) {
+  return app
+      .add_option("--solid", options.solid,
+                  "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                  "(default: as the scene says, else auto)")
+      ->check(CLI::IsMember({"auto", "all", "none"}));
+}
+
+std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
+  CLI::Option* clearance =
+      add_length(app, "--clearance", arguments.clearance,
+                 "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
+                 "its own (0.5, 2mm, 0.1in); all: every pair");
+  CLI::Option* clearance_of =
+      app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
+          ->type_name("NAME,NAME=LENGTH")
+          ->expected(1)
+          ->allow_extra_args(false)
+          ->take_all();
+  return {clearance, clearance_of};
+}
+
+CLI::Option* add_glb(CLI::App& app, CheckArguments& arguments) {
+  return add_file(app, "--glb", arguments.glb,
+                  "write the objects and what was found as a GLB file, for Blender (docs/reference/glb-file.md)",
+                  "FILE.glb");
+}
+
+void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look) {
+  add_file(app, "--png", png, "draw a picture of the page, where Chromium is installed", "FILE.png");
+  add_text(app, "--size", size, "of the picture (default: 1200x800)", "a size must be given")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option("--look", look, "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
+      ->type_name("TEXT");
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+
+namespace CLI {
+class Option;
+}
+
+// The options that several subcommands have.
+namespace toccata::command {
+
+inline constexpr const char* any_files = "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)";
+
+void add_input(CLI::App& app, InputArguments& input, const std::string& what);
+
+/// An option that must say something where it is given; `missing` is told where it does not.
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& help,
+                      const std::string& missing);
+
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& help,
+                      const std::string& type = "FILE");
+
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::string& length, const std::string& help);
+
+/// So many numbers, by commas or spaces.
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                         const std::string& help, int count, const std::string& type);
+
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::string>& numbers,
+                       const std::string& help);
+
+/// Where the objects of two files are: --pose-a and --pose-b.
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options);
+
+/// Where the objects of two files are, once or at many poses. Returns --poses.
+CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses);
+
+/// How the answer is written. `report` names the page about its JSON.
+void add_formats(CLI::App& app, Options& options, const std::string& report);
+
+/// `made` is what does not depend on the threads.
+void add_threads(CLI::App& app, int& threads, const std::string& made);
+
+void add_save_case(CLI::App& app, std::string& file, const char* what);
+
+/// What shows the answer besides telling it.
+void add_pages(CLI::App& app, PosedArguments& arguments);
+
+void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report);
+
+CLI::Option* add_solid(CLI::App& app, Options& options);
+
+/// --clearance and --clearance-of; returns both.
+std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments);
+
+CLI::Option* add_glb(CLI::App& app, CheckArguments& arguments);
+
+/// Of `look` and `size` where there is a picture.
+void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look);
+
+}  // namespace toccata::command
