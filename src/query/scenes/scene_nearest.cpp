@@ -1,17 +1,16 @@
 #include "toccata/query/scene_nearest.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <tuple>
 #include <utility>
 
-#include "bounds/upper_sum.hpp"
 #include "query/ask_each.hpp"
 #include "query/inside/side_search.hpp"
 #include "query/nearest/nearest_search.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/broad/box_tree.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -28,14 +27,6 @@ std::vector<std::unique_ptr<const Part>> made_of_each(std::span<const Posed> mod
       throw Error(fmt::format("{}: {}", name_for_messages(models[i], i), error.what()));
     }
   return parts;
-}
-
-/// No point of the box is nearer. 0 where the box has no end.
-double gap_to(const Aabb& box, const Vec3& point) {
-  const auto beside = [&](int axis) {
-    return std::max({0.0, box.lower[axis] - point[axis], point[axis] - box.upper[axis]});
-  };
-  return rounded_down(std::hypot(beside(0), beside(1), beside(2)));
 }
 
 bool holds(const Aabb& box, const Vec3& point) { return contains(box, Aabb{point, point}); }
@@ -56,39 +47,31 @@ class SceneSearch {
                   models[i].model, NearestQuery{.pose = models[i].pose, .max_distance = max_distance}, points);
             })),
         max_distance_(max_distance) {
-    for (const auto& search : searches_) boxes_.push_back(world_box(search->posed()));
+    std::vector<Aabb> boxes;
+    boxes.reserve(searches_.size());
+    for (const auto& search : searches_) boxes.push_back(world_box(search->posed()));
+    boxes_.update(boxes);
   }
 
   [[nodiscard]] const NearestSearch& operator[](std::size_t object) const { return *searches_[object]; }
-  [[nodiscard]] const Aabb& box(std::size_t object) const { return boxes_[object]; }
+  [[nodiscard]] const Aabb& box(Index object) const { return boxes_.box(object); }
 
   [[nodiscard]] std::vector<ScenePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
     if (!is_finite(point)) throw Error("the point is not finite");
     std::vector<ScenePoint> best;
     if (k == 0) return best;
-    std::vector<std::pair<double, Index>> waiting = by_gap(point);
-    for (auto end = waiting.end(); end != waiting.begin(); --end) {
-      std::pop_heap(waiting.begin(), end, std::greater<>());
-      const auto [gap, object] = *(end - 1);
-      if (gap > max_distance_ || (best.size() == k && gap > best.back().nearest.upper)) break;
+    boxes_.visit_nearest({point, point}, max_distance_, [&](Index object) {
       for (const SurfacePoint& one : searches_[object]->nearest(point, k, scratch)) best.push_back({one, object});
       std::sort(best.begin(), best.end(), comes_before);
       best.resize(std::min(best.size(), k));
-    }
+      return best.size() == k ? best.back().nearest.upper : max_distance_;
+    });
     return best;
   }
 
  private:
-  /// A heap, the nearest box on top.
-  [[nodiscard]] std::vector<std::pair<double, Index>> by_gap(const Vec3& point) const {
-    std::vector<std::pair<double, Index>> gaps(boxes_.size());
-    for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = {gap_to(boxes_[i], point), static_cast<Index>(i)};
-    std::make_heap(gaps.begin(), gaps.end(), std::greater<>());
-    return gaps;
-  }
-
   std::vector<std::unique_ptr<const NearestSearch>> searches_;
-  std::vector<Aabb> boxes_;
+  BoxTree boxes_;
   double max_distance_;
 };
 
@@ -108,12 +91,12 @@ class SceneSides {
       return result;
     }
     FoundSide best;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
+    for (Index i = 0; i < sides_.size(); ++i) {
       if (sides_[i]->is_certain() && !holds(search_.box(i), point)) continue;
       const FoundSide side = sides_[i]->side_of(point, scratch);
       if (weight_of(side) <= weight_of(best)) continue;
       best = side;
-      if (side.side == Side::inside) result.inside_of = static_cast<Index>(i);
+      if (side.side == Side::inside) result.inside_of = i;
     }
     result.distance = with_side(found.nearest, best);
     return result;
