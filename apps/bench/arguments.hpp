@@ -106,11 +106,13 @@ struct NearestArguments {
 };
 
 struct BroadArguments {
+  std::string task = "frames";
   std::string scene = "uniform";
   std::size_t count = 100000;
   int frames = 60;
   std::vector<std::string> methods{"auto"};
   std::vector<std::string> peers;
+  double seconds = 20;  ///< of frames, for each peer and method
   std::uint64_t seed = 1;
   int threads = 1;
   bool json = false;

@@ -222,6 +222,13 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
   for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
   for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
   CLI::App* broad = app.add_subcommand("broad", "which boxes of a moving crowd overlap, frame by frame");
+  broad
+      ->add_option(
+          "--task", arguments.task,
+          "frames: methods and peers in one scene; table: in all scenes, with what is asked of them; cell-size: "
+          "the spatial hash")
+      ->check(CLI::IsMember({"frames", "table", "cell-size"}))
+      ->capture_default_str();
   broad->add_option("--scene", arguments.scene, "the crowd")->check(CLI::IsMember(scenes))->capture_default_str();
   broad->add_option("--count", arguments.count, "boxes")->check(CLI::PositiveNumber)->capture_default_str();
   broad->add_option("--frames", arguments.frames, "the median counts")
@@ -235,6 +242,9 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_peers(*broad, arguments.peers, {"bullet", "cgal", "fcl", "ode"});
+  broad->add_option("--seconds", arguments.seconds, "after which no further frame of a method or peer is begun")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   broad->add_option("--seed", arguments.seed, "another seed, another crowd")
       ->check(whole_number())
       ->capture_default_str();

@@ -134,7 +134,7 @@ class Automatic final : public PairFinder {
     const Candidate& best =
         *std::min_element(candidates_.begin(), candidates_.end(),
                           [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
-    if (!finder_ || best.method != method_) use(best.method, make_pair_finder(best.method));
+    if (!finder_ || best.method != method_) use(best.method, make_pair_finder({best.method}));
   }
 
   /// What was measured still holds where about the same is expected.
@@ -193,7 +193,7 @@ class Automatic final : public PairFinder {
     trial_pause_ = std::min<std::size_t>(4 * trial_pause_, 1024);
     if (next == nullptr || cost(*next) > most_worse * cost(candidate(method_))) return;
     tried_ = next->method;
-    tried_finder_ = make_pair_finder(tried_);
+    tried_finder_ = make_pair_finder({tried_});
     // Two at once would be twice the memory, and it will not have seen what moved meanwhile.
     finder_.reset();
     tried_updates_ = 0;
@@ -223,7 +223,7 @@ class Automatic final : public PairFinder {
       is_warm_ = true;
     } else {
       given_up_ = true;
-      use(method_, make_pair_finder(method_));
+      use(method_, make_pair_finder({method_}));
     }
     tried_finder_.reset();
   }

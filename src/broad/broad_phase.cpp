@@ -41,6 +41,12 @@ void require_boxes(std::span<const Aabb> boxes) {
       throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint_about(boxes[i])));
 }
 
+const BroadPhaseOptions& checked(const BroadPhaseOptions& options) {
+  if (!(options.hash_cell > 0 && options.hash_cell <= std::numeric_limits<double>::max()))
+    throw Error(fmt::format("cells of {} usual boxes: the number must be positive and finite", options.hash_cell));
+  return options;
+}
+
 /// The rest of `a` without `b`, both ascending.
 PairList without(std::span<const IndexPair> a, std::span<const IndexPair> b) {
   PairList rest;
@@ -65,7 +71,7 @@ Aabb grown(const Aabb& box, double margin) {
 
 class BroadPhase::State {
  public:
-  explicit State(const BroadPhaseOptions& options) : options_(options), finder_(make_pair_finder(options.method)) {}
+  explicit State(const BroadPhaseOptions& options) : options_(checked(options)), finder_(make_pair_finder(options)) {}
   /// What the method keeps is not copied: it is made anew.
   State(const State& other)
       : options_(other.options_),
@@ -77,7 +83,7 @@ class BroadPhase::State {
         pairs_(other.pairs_),
         before_(other.before_),
         nothing_moved_(other.nothing_moved_),
-        finder_(make_pair_finder(options_.method)) {}
+        finder_(make_pair_finder(options_)) {}
 
   std::vector<Index> add(std::span<const Aabb> boxes) {
     require_boxes(boxes);
@@ -245,7 +251,7 @@ std::vector<IndexPair> pairs_of(std::span<const Aabb> boxes, const BroadPhaseOpt
   if (boxes.size() > std::numeric_limits<Index>::max()) throw Error("more boxes than 2^32 - 1");
   std::vector<Index> all(boxes.size());
   std::iota(all.begin(), all.end(), Index{0});
-  return make_pair_finder(options.method)->find({boxes, all, {}, options.threads, wanted}, {});
+  return make_pair_finder(checked(options))->find({boxes, all, {}, options.threads, wanted}, {});
 }
 
 }  // namespace

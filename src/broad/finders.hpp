@@ -14,7 +14,8 @@ namespace toccata {
 [[nodiscard]] std::unique_ptr<PairFinder> make_r_tree();
 [[nodiscard]] std::unique_ptr<PairFinder> make_layers();
 [[nodiscard]] std::unique_ptr<PairFinder> make_incremental_sweep();
-[[nodiscard]] std::unique_ptr<PairFinder> make_spatial_hash();
+/// Cells of `side` times the usual box, which has to be positive.
+[[nodiscard]] std::unique_ptr<PairFinder> make_spatial_hash(double side);
 [[nodiscard]] std::unique_ptr<PairFinder> make_hierarchical_hash();
 [[nodiscard]] std::unique_ptr<PairFinder> make_interval_sweeps();
 [[nodiscard]] std::unique_ptr<PairFinder> make_rectangle_sweeps();

@@ -24,15 +24,15 @@ namespace {
 /// Cells of one size, everywhere: a place has a key, and nothing is kept of cells where nothing is.
 class CellKeys {
  public:
-  /// Cells of side 2^exponent.
-  explicit CellKeys(int exponent) : exponent_(exponent) {}
+  /// Cells of this side, which is positive. `level` makes keys of grids differ.
+  CellKeys(double side, std::uint64_t level) : side_(std::max(side, 0x1p-1000)), per_cell_(1 / side_), level_(level) {}
 
-  [[nodiscard]] double side() const { return std::ldexp(1.0, exponent_); }
+  [[nodiscard]] double side() const { return side_; }
   [[nodiscard]] CellPlace place_of(const Vec3& point) const {
     return {cell_of(point.x), cell_of(point.y), cell_of(point.z)};
   }
   [[nodiscard]] std::uint32_t key_of(const CellPlace& place) const {
-    std::uint64_t mixed = static_cast<std::uint64_t>(exponent_) * 0x9e3779b97f4a7c15ULL;
+    std::uint64_t mixed = level_ * 0x9e3779b97f4a7c15ULL;
     for (const std::int64_t cell : place) {
       mixed = (mixed ^ static_cast<std::uint64_t>(cell)) * 0xbf58476d1ce4e5b9ULL;
       mixed ^= mixed >> 29;
@@ -43,10 +43,11 @@ class CellKeys {
  private:
   /// Keeps the order; what is too far away to be told apart is in the last cell.
   [[nodiscard]] std::int64_t cell_of(double coordinate) const {
-    const double cell = std::floor(std::ldexp(coordinate, -exponent_));
-    return static_cast<std::int64_t>(std::clamp(cell, -0x1p50, 0x1p50));
+    return static_cast<std::int64_t>(std::floor(std::clamp(coordinate * per_cell_, -0x1p50, 0x1p50)));
   }
-  int exponent_;
+  double side_;
+  double per_cell_;
+  std::uint64_t level_;
 };
 
 double longest_side(const Aabb& box) {
@@ -61,14 +62,14 @@ int exponent_above(double size) { return size > 0 ? std::ilogb(size) + 1 : -1080
 /// may have one key: what is found is tested, and a pair is told only where the greater of its lower corners lies. The
 /// few boxes of many cells are looked for in a tree.
 ///
-/// One size of cells, twice the usual box (M. Teschner et al., "Optimized spatial hashing for collision detection of
-/// deformable objects", 2003); or many, four times as large each, where a box is native to that of its size, visits
-/// all larger ones, and natives are compared with all (B. Mirtich, "Efficient algorithms for two-phase collision
-/// detection", 1997).
+/// One size of cells, `side` times the usual box, twice if not told otherwise (M. Teschner et al., "Optimized spatial
+/// hashing for collision detection of deformable objects", 2003); or many, four times as large each, where a box is
+/// native to that of its size, visits all larger ones, and natives are compared with all (B. Mirtich, "Efficient
+/// algorithms for two-phase collision detection", 1997).
 class HashGrid final : public PairFinder {
  public:
   enum class Sizes { one, many };
-  explicit HashGrid(Sizes sizes) : sizes_(sizes) {}
+  explicit HashGrid(Sizes sizes, double side = 2) : sizes_(sizes), side_(side) {}
 
   PairList find(const BoxesNow& now, PairList storage) override {
     choose_levels(now.boxes);
@@ -128,7 +129,7 @@ class HashGrid final : public PairFinder {
     if (sizes_ == Sizes::one) {
       double usual = 0.25 * least;
       for (std::size_t axis = 0; axis < 3; ++axis) usual = std::max(usual, sample.sizes(axis).median);
-      grids_.emplace_back(exponent_above(4 * std::min(usual, 0x1p1000)));
+      grids_.emplace_back(std::min(4 * side_ * std::min(usual, 0x1p1000), 0x1p1020), 0);
       std::fill(levels_.begin(), levels_.end(), std::uint8_t{0});
       return;
     }
@@ -143,7 +144,7 @@ class HashGrid final : public PairFinder {
     for (std::size_t slot = 0; slot < is_used.size(); ++slot) {
       if (!is_used[slot] || grids_.size() == large) continue;
       level_of_slot[slot] = static_cast<std::uint8_t>(grids_.size());
-      grids_.emplace_back(static_cast<int>(2 * slot) - 1080 + 1);
+      grids_.emplace_back(std::ldexp(1.0, static_cast<int>(2 * slot) - 1080 + 1), slot);
     }
     for (std::size_t number = 0; number < boxes.size(); ++number)
       if (const double size = longest_side(boxes[number]); size <= std::numeric_limits<double>::max())
@@ -216,6 +217,7 @@ class HashGrid final : public PairFinder {
   }
 
   Sizes sizes_;
+  double side_;
   std::vector<CellKeys> grids_;
   std::vector<std::uint8_t> levels_;  ///< by number
   std::vector<Keyed<std::uint64_t>> entries_, sorted_;
@@ -227,7 +229,9 @@ class HashGrid final : public PairFinder {
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_spatial_hash() { return std::make_unique<HashGrid>(HashGrid::Sizes::one); }
+std::unique_ptr<PairFinder> make_spatial_hash(double side) {
+  return std::make_unique<HashGrid>(HashGrid::Sizes::one, side);
+}
 std::unique_ptr<PairFinder> make_hierarchical_hash() { return std::make_unique<HashGrid>(HashGrid::Sizes::many); }
 
 }  // namespace toccata

@@ -62,8 +62,8 @@ BroadPhaseMethod broad_phase_method(std::string_view name) {
   throw Error(fmt::format("there is no broad phase '{}'{}", name, suggestion(std::string(name), names)));
 }
 
-std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
-  switch (method) {
+std::unique_ptr<PairFinder> make_pair_finder(const BroadPhaseOptions& options) {
+  switch (options.method) {
     case BroadPhaseMethod::brute_force:
       return make_brute_force();
     case BroadPhaseMethod::sort_and_sweep:
@@ -83,7 +83,7 @@ std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method) {
     case BroadPhaseMethod::incremental_sweep:
       return make_incremental_sweep();
     case BroadPhaseMethod::spatial_hash:
-      return make_spatial_hash();
+      return make_spatial_hash(options.hash_cell);
     case BroadPhaseMethod::hierarchical_hash:
       return make_hierarchical_hash();
     case BroadPhaseMethod::interval_sweeps:

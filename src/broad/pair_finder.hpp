@@ -45,6 +45,6 @@ class PairFinder {
   [[nodiscard]] virtual std::string reason() const { return {}; }
 };
 
-[[nodiscard]] std::unique_ptr<PairFinder> make_pair_finder(BroadPhaseMethod method);
+[[nodiscard]] std::unique_ptr<PairFinder> make_pair_finder(const BroadPhaseOptions& options);
 
 }  // namespace toccata

@@ -245,6 +245,22 @@ TEST(BroadPhase, RefusesWhatIsNoBoxAndChangesNothing) {
             "box 1 is not in use: it was removed, or never added");
 }
 
+TEST(BroadPhase, ASpatialHashFindsTheSameWithCellsOfAnySize) {
+  for (const std::string_view family : {"sizes", "touching", "huge", "denormal"}) {
+    Random random(5);
+    const std::vector<Aabb> boxes = test::random_boxes(family, 200, random);
+    for (const double cell : {1e-300, 0.1, 1.0, 7.5, 1e300})
+      EXPECT_EQ(overlapping_pairs(boxes, {BroadPhaseMethod::spatial_hash, 1, cell}),
+                overlapping_pairs_by_brute_force(boxes))
+          << family << ", cells of " << cell;
+  }
+  for (const double cell : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_NE(message_of([&] {
+                BroadPhase({BroadPhaseMethod::spatial_hash, 1, cell});
+              }).find("positive and finite"),
+              std::string::npos);
+}
+
 TEST(BroadPhase, KnowsItsMethodsByName) {
   for (const BroadPhaseMethod method : broad_phase_methods()) EXPECT_EQ(broad_phase_method(name_of(method)), method);
   EXPECT_EQ(message_of([] { static_cast<void>(broad_phase_method("brute-forse")); }),

@@ -45,7 +45,8 @@ enum class BroadPhaseMethod {
 
 struct BroadPhaseOptions {
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
-  int threads = 1;  ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+  int threads = 1;       ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+  double hash_cell = 2;  ///< of `spatial_hash`: the side of its cells, in usual boxes. Finite and positive, else Error
 };
 
 /// The box with its sides moved out by `margin` (not negative, in the box's unit), rounded outward: boxes grown by half
