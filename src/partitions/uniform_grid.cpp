@@ -45,12 +45,15 @@ Aabb box_in_space(const GridBox<D>& cell, const Aabb& all) {
   return box;
 }
 
+/// Clang 14 makes it for D = 4 too, where nobody calls it.
 template <std::size_t D>
 GridCells<D> cells_for(const PartitionItems& items) {
   const GridCells<3> grid = grid_for(items.boxes());
   std::array<double, D> origin, size;
-  std::copy_n(grid.origin().begin(), D, origin.begin());
-  std::copy_n(grid.size().begin(), D, size.begin());
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    origin[axis] = grid.origin()[axis % 3];
+    size[axis] = grid.size()[axis % 3];
+  }
   return GridCells<D>(origin, size);
 }
 
@@ -62,6 +65,42 @@ void require_box(const GridBox<D>& box, std::size_t number) {
     if (box.lower[axis] > box.upper[axis])
       throw Error(fmt::format("box {}: its lower {} is above its upper one", number, "xyzt"[axis]));
   }
+}
+
+template <std::size_t D>
+struct ItemInRanges {
+  GridBox<D> box;
+  std::vector<CellRange<D>> ranges;  ///< without a cell in common; none: no cells
+};
+
+/// From one plane of time to the next, and so on.
+std::vector<CellRange<4>> cells_visited(const GridCells<4>& grid, const MovingBox& motion, std::uint64_t most_cells) {
+  const auto first = grid.index(3, motion.from), last = grid.index(3, motion.until);
+  if (!first || !last) return {};
+  std::vector<CellRange<4>> ranges;
+  for (std::int32_t slab = *first; slab <= *last; ++slab) {
+    const double from = std::max(motion.from, grid.plane(3, slab));
+    const double until = std::min(motion.until, grid.plane(3, slab + 1));
+    auto range = from <= until ? grid.range(swept(motion, from, until)) : std::nullopt;
+    if (!range) return {};
+    range->first[3] = range->last[3] = slab;
+    const std::uint64_t count = cell_count(*range);
+    if (count > most_cells) return {};
+    most_cells -= count;
+    ranges.push_back(*range);
+  }
+  return ranges;
+}
+
+ItemInRanges<4> placed_motion(const GridCells<4>& grid, std::span<const MovingBox> motions, Index number,
+                              std::uint64_t most_cells) {
+  const MovingBox& motion = motions[number];
+  try {
+    require_motion(motion);
+  } catch (const Error& error) {
+    throw Error(fmt::format("motion {}: {}", number, error.what()));
+  }
+  return {swept(motion, motion.from, motion.until), cells_visited(grid, motion, most_cells)};
 }
 
 }  // namespace
@@ -83,7 +122,7 @@ class UniformGrid<D>::State {
     finish();
   }
 
-  void add_items(const PartitionItems& all) requires(D <= 3) {
+  void add_items(const PartitionItems& all) {
     in_space = all;
     for (const Aabb& box : all.boxes()) boxes.push_back(without_other_axes<D>(box));
     for (Index item = 0; item < boxes.size(); ++item) {
@@ -100,20 +139,15 @@ class UniformGrid<D>::State {
     finish();
   }
 
-  void add_motions(std::span<const MovingBox> motions) requires(D == 4) {
-    for (Index item = 0; item < motions.size(); ++item) {
-      const MovingBox& motion = motions[item];
-      try {
-        require_motion(motion);
-      } catch (const Error& error) {
-        throw Error(fmt::format("motion {}: {}", item, error.what()));
-      }
-      boxes.push_back(swept(motion, motion.from, motion.until));
-      const std::size_t put_before = entries.size();
-      if (!put_motion(item, motion)) {
-        entries.resize(put_before);
-        loose.push_back(item);
-      }
+  /// Items that are each in several ranges of cells; in none where they would be in too many.
+  template <class InRanges>
+  void add_in_ranges(std::size_t count, const InRanges& in_ranges) {
+    for (Index item = 0; item < count; ++item) {
+      const ItemInRanges<D> placed = in_ranges(item);
+      boxes.push_back(placed.box);
+      if (placed.ranges.empty()) loose.push_back(item);
+      for (const CellRange<D>& range : placed.ranges)
+        each_cell(range, [&](const GridCell<D>& cell) { put(item, cell); });
     }
     finish();
   }
@@ -173,27 +207,6 @@ class UniformGrid<D>::State {
 
   void put(Index item, const GridCell<D>& cell) { entries.push_back({table.put_in(cell), item}); }
 
-  /// Between two planes of time after the other; false where there are too many cells.
-  bool put_motion(Index item, const MovingBox& motion) requires(D == 4) {
-    const auto first = grid.index(3, motion.from), last = grid.index(3, motion.until);
-    if (!first || !last) return false;
-    std::uint64_t room = options.most_cells;
-    std::vector<CellRange<D>> ranges;
-    for (std::int32_t slab = *first; slab <= *last; ++slab) {
-      const double from = std::max(motion.from, grid.plane(3, slab));
-      const double until = std::min(motion.until, grid.plane(3, slab + 1));
-      auto range = from <= until ? grid.range(swept(motion, from, until)) : std::nullopt;
-      if (!range) return false;
-      range->first[3] = range->last[3] = slab;
-      const std::uint64_t count = toccata::cell_count(*range);
-      if (count > room) return false;
-      room -= count;
-      ranges.push_back(*range);
-    }
-    for (const CellRange<D>& range : ranges) each_cell(range, [&](const GridCell<D>& cell) { put(item, cell); });
-    return true;
-  }
-
   void finish() {
     lists = item_lists(entries, table.size());
     entries = {};
@@ -219,14 +232,19 @@ UniformGrid<D>::UniformGrid(const PartitionItems& items, const GridCells<D>& gri
 }
 
 template <std::size_t D>
-UniformGrid<D>::UniformGrid(const PartitionItems& items, const UniformGridOptions& options) requires(D <= 3)
-    : UniformGrid(items, cells_for<D>(items), options) {}
+UniformGrid<D>::UniformGrid(const PartitionItems& items, const UniformGridOptions& options) requires(D <= 3) {
+  auto state = std::make_unique<State>(cells_for<D>(items), options);
+  state->add_items(items);
+  state_ = std::move(state);
+}
 
 template <std::size_t D>
 UniformGrid<D>::UniformGrid(const GridCells<D>& grid, std::span<const MovingBox> motions,
                             const UniformGridOptions& options) requires(D == 4) {
   auto state = std::make_unique<State>(grid, options);
-  state->add_motions(motions);
+  if constexpr (D == 4)
+    state->add_in_ranges(motions.size(),
+                         [&](Index number) { return placed_motion(grid, motions, number, options.most_cells); });
   state_ = std::move(state);
 }
 
