@@ -76,12 +76,14 @@ TEST(UniformGrid, MemoryIsBounded) {
   EXPECT_EQ(grid.without_cells().size(), 500U);
 }
 
+__extension__ using Int128 = __int128;
+
 /// Some of the time from 0 to 1, its ends as fractions.
 struct TimeSpan {
-  __int128 low_over, low_under, high_over, high_under;
+  Int128 low_over, low_under, high_over, high_under;
   bool empty = false;
   /// Keeps the times at which base + slope · t ≥ 0.
-  void keep(__int128 base, __int128 slope) {
+  void keep(Int128 base, Int128 slope) {
     if (slope == 0) empty |= base < 0;
     if (slope > 0 && -base * low_under > low_over * slope) low_over = -base, low_under = slope;
     if (slope < 0 && base * high_under < high_over * -slope) high_over = base, high_under = -slope;
