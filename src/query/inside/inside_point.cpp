@@ -36,7 +36,7 @@ Interval orient3d_interval(const Triangle& t, const ExactPoint& p) {
 /// The point lies on the closed segment, which may be a point.
 bool lies_on_segment(const ExactPoint& p, const Vec3& a, const Vec3& b) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Rational& x = p.rational()[axis];
+    const Rational x = p.rational()[axis];
     if (x < to_rational(std::min(a[axis], b[axis])) || x > to_rational(std::max(a[axis], b[axis]))) return false;
     if (orient2d(a, b, p, axis) != Sign::zero) return false;
   }
@@ -63,8 +63,7 @@ Interval enclose(const Rational& value) {
   return {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)};
 }
 
-ExactPoint::ExactPoint(const Vec3& point)
-    : rational_(std::make_shared<const RationalPoint>(to_rational(point))), box_{point, point} {}
+ExactPoint::ExactPoint(const Vec3& point) : box_{point, point} {}
 
 ExactPoint::ExactPoint(RationalPoint point) : rational_(std::make_shared<const RationalPoint>(std::move(point))) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -73,6 +72,8 @@ ExactPoint::ExactPoint(RationalPoint point) : rational_(std::make_shared<const R
     box_.upper[axis] = enclosure.upper;
   }
 }
+
+RationalPoint ExactPoint::rational() const { return rational_ ? *rational_ : to_rational(box_.lower); }
 
 Sign orient2d(const Vec3& a, const Vec3& b, const ExactPoint& p, int axis) {
   const Vec2 a2 = drop_axis(a, axis), b2 = drop_axis(b, axis);

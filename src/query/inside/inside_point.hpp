@@ -17,7 +17,7 @@ class ExactPoint {
   explicit ExactPoint(const Vec3& point);
   explicit ExactPoint(RationalPoint point);
 
-  [[nodiscard]] const RationalPoint& rational() const { return *rational_; }
+  [[nodiscard]] RationalPoint rational() const;
 
   /// Contains the point; without extent along every axis where the coordinate is a double.
   [[nodiscard]] const Aabb& box() const { return box_; }
@@ -26,7 +26,7 @@ class ExactPoint {
   [[nodiscard]] bool is_double(int axis) const { return box_.lower[axis] == box_.upper[axis]; }
 
  private:
-  std::shared_ptr<const RationalPoint> rational_;  ///< apart, so that this header is a light one
+  std::shared_ptr<const RationalPoint> rational_;  ///< none where the coordinates are doubles
   Aabb box_;
 };
 
