@@ -66,7 +66,7 @@ std::vector<Vec3> circles_of(const Ball& ball) {
 }
 
 /// Draws one answer after the other.
-struct Drawing {
+struct FindingMarks {
   LayerWriter& layers;
 
   void operator()(const CheckReport& report) const {
@@ -151,7 +151,7 @@ struct Drawing {
 
 nlohmann::ordered_json finding_layers(const SceneAnswer& answer, const ViewMeshes& meshes, ViewData& data) {
   LayerWriter layers(meshes, data);
-  std::visit(Drawing{layers}, answer);
+  std::visit(FindingMarks{layers}, answer);
   return layers.take();
 }
 
