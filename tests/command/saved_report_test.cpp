@@ -115,7 +115,7 @@ TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
   text.erase(text.find(",\n  \"asked\""));
   refused(drawn(elsewhere.write("old.json", text + "\n}\n")), "does not say what was asked");
   const fs::path inspected = elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--json"}).out);
-  refused(drawn(inspected), "does not say what was asked");
+  refused(drawn(inspected), "toccata view FILE --hierarchy");
   folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
   const fs::path poses = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off", "--poses", "poses.txt"});
   refused(drawn(poses, {"--glb", "a.glb"}), "a GLB file has one place for each object");

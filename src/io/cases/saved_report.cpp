@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
@@ -91,6 +92,23 @@ void require_answer(const io::JsonValue& top, const SceneQuestion& question) {
                           "ask again");
 }
 
+/// Reports that are about files rather than a question to them: what shows the same.
+constexpr std::pair<std::string_view, std::string_view> shown_otherwise[] = {
+    {"toccata/inspect/1", "draw the mesh itself, with a hierarchy over it: toccata view FILE --hierarchy aabb"},
+    {"toccata/hierarchy/1", "draw the scene itself, with its tree of nodes: toccata view FILE"},
+    {"toccata/cost/1", "draw bars or lines of it: toccata plot"},
+    {"toccata/crowd/1", "let the crowd move on a page: toccata crowd --html FILE.html"},
+};
+
+[[noreturn]] void refuse_without_asked(const io::JsonValue& top) {
+  const std::string schema = top.at("schema").text();
+  for (const auto& [report, advice] : shown_otherwise)
+    if (schema == report)
+      top.fail("a report of " + schema + " has no question that could be asked again", std::string(advice));
+  top.fail("the report does not say what was asked: an earlier version wrote it",
+           "ask again with --json, and name that file");
+}
+
 }  // namespace
 
 std::string with_asked(std::string report, const Asked& asked) {
@@ -107,10 +125,7 @@ SavedReport read_report(const std::filesystem::path& path) {
   const std::string file = path.string();
   const io::JsonValue top(document, file);
   if (!is_schema(document)) top.fail("this is no report of Toccata", "name a file that a subcommand wrote with --json");
-  if (!top.has("asked"))
-    top.fail("the report does not say what was asked: no report of " + top.at("schema").text() +
-                 " does, or an earlier version wrote it",
-             "ask again with --json, and name that file");
+  if (!top.has("asked")) refuse_without_asked(top);
   SavedReport saved{asked_of(top.at("asked")), {}, document.dump()};
   require_answer(top, saved.asked.question);
   for (const io::JsonValue& object : top.elements("objects")) saved.sources.push_back(object.at("source").text());
