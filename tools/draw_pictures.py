@@ -52,6 +52,11 @@ POLYGON = scene(
     ("triangle", {"type": "triangle", "vertices": [[-1.4, -1, 0], [1.6, -0.8, 0.5], [0, 1.4, 0.2]]}, UPRIGHT, [0, 0, 0]),
     ("capsule", {"type": "capsule", "start": [-1, 0, -0.6], "end": [0.6, 0.4, 0.8], "radius": 0.3}, UPRIGHT, [0, 0, 0]),
     ("box", box(0.4, 0.3, 0.5), TURNED, [1.1, -0.6, 0.2]))
+NEAR_BODIES = scene(
+    ("wall", box(0.2, 2.2, 0.8), UPRIGHT, [-2.2, 0, 0]), ("box", box(0.5, 0.5, 0.5), TURNED, [-1.1, 1, 0]),
+    ("ball", sphere(0.6), UPRIGHT, [0.3, 0.2, 0.1]), ("small ball", sphere(0.3), UPRIGHT, [1.1, 0.7, 0.3]),
+    ("far ball", sphere(0.4), UPRIGHT, [2.4, -1.5, 0]),
+    ("capsule", {"type": "capsule", "start": [-1, -1.4, -0.4], "end": [0.9, -1, 0.4], "radius": 0.25}, UPRIGHT, [0, 0, 0]))
 KNOT, RING = "gen:torus-knot", "gen:torus"
 HERE = "1 0 0 0 1 0 0 0 1".split()
 NEAR = ["--penetration", "--clearance", "all"]
@@ -67,6 +72,7 @@ WANTED = {
     "sphere-triangle": (SPHERE_TRIANGLE, [], "finding=0&through=1"),
     "boxes": (BOXES, ["--penetration"], "finding=0&through=1"),
     "closest-points": (HULLS, NEAR, "finding=0"),
+    "near-bodies": (NEAR_BODIES, ["--clearance", "0.4"], "finding=0&through=1&grid=0"),
     "meshes-crossing": ([KNOT, RING, "--pose-b", *HERE, "0.4", "0", "0"], [], "finding=0"),
     "helices": ("helices", ["--clearance", "all"], "finding=0"),
     "scene-graph": ("robot", ["--penetration"], ""),
