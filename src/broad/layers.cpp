@@ -55,6 +55,7 @@ class Layers final : public PairFinder {
 
  private:
   static constexpr std::size_t parts = 16;
+  static constexpr std::size_t updates_of_order = 32;
   enum class Role : std::uint8_t { none, resting, mover };
 
   void take_movers(const BoxesNow& now) {
@@ -70,6 +71,7 @@ class Layers final : public PairFinder {
 
   void make(const BoxesNow& now) {
     wasted_ = 0;
+    updates_since_order_ = 0;
     roles_.assign(now.boxes.size(), Role::none);
     places_.resize(now.boxes.size());
     movers_.assign(now.changed.begin(), now.changed.end());
@@ -88,11 +90,26 @@ class Layers final : public PairFinder {
       places_[resting[place].number] = static_cast<Index>(place);
   }
 
-  /// All pairs of movers, with each other and with what rests.
-  void find_new(const BoxesNow& now) {
+  void flatten_movers(const BoxesNow& now) {
     flat_movers_.clear();
     for (const Index number : movers_)
       if (!is_empty(now.boxes[number])) flat_movers_.push_back(flat(frame_, now.boxes[number], number));
+  }
+
+  /// Movers that are asked about one after the other shall be near each other, so that they find the same part of the
+  /// tree in the cache. They move little from one time to the next.
+  void order_movers(const BoxesNow& now) {
+    if (updates_since_order_++ % updates_of_order != 0) return;
+    flatten_movers(now);
+    PackedTree().build(flat_movers_, PackingOrder::morton);
+    std::erase_if(movers_, [&](Index number) { return !is_empty(now.boxes[number]); });
+    for (const FlatBox& mover : flat_movers_) movers_.push_back(mover.number);
+  }
+
+  /// All pairs of movers, with each other and with what rests.
+  void find_new(const BoxesNow& now) {
+    order_movers(now);
+    flatten_movers(now);
     sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
     const Chunks chunks(flat_movers_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
@@ -107,6 +124,7 @@ class Layers final : public PairFinder {
 
   std::unique_ptr<PairFinder> everything_;  ///< while too many move: then the layers are out of date
   std::size_t wasted_ = 0;                  ///< how often a mover was looked for that had not moved
+  std::size_t updates_since_order_ = 0;
   FloatFrame frame_;
   PackedTree resting_;
   std::vector<Role> roles_;    ///< by number
