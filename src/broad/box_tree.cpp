@@ -1,6 +1,7 @@
 #include "toccata/broad/box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bounds/box_bounds.hpp"
@@ -63,12 +64,26 @@ void BoxTree::update(std::span<const Aabb> boxes) {
   const auto news = static_cast<std::size_t>(
       std::count_if(outside_.begin(), outside_.end(), [&](Index number) { return has_ends(boxes_[number]); }));
   if (news > few + tree_.items.size() / few) return build();
-  if (!tree_.nodes.empty() && refit().should_rebuild()) build();
+  if (tree_.nodes.empty()) return;
+  refit();
+  if (mean_octave() > built_octave_ + 1) build();
 }
 
-Refit BoxTree::refit() {
-  return refit_nodes(
-      tree_, [&](std::span<const Index> items) { return items[0] < boxes_.size() ? boxes_[items[0]] : Aabb{}; });
+void BoxTree::refit() {
+  refit_nodes(tree_,
+              [&](std::span<const Index> items) { return items[0] < boxes_.size() ? boxes_[items[0]] : Aabb{}; });
+}
+
+/// The logarithm of the areas of the nodes around several boxes, in the mean. Their sum would tell of the largest
+/// alone: of the ground, and not of all that moves upon it.
+double BoxTree::mean_octave() const {
+  double sum = 0, count = 0;
+  for (const TreeNode<Aabb>& node : tree_.nodes) {
+    if (node.is_leaf()) continue;
+    sum += std::clamp(std::ilogb(half_area(node.volume)), -1100, 1100);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 /// Puts down who is not in the tree.
@@ -91,8 +106,7 @@ void BoxTree::build() {
   }
   tree_ = build_tree(items, {.leaf_size = 1});
   for (Index& item : tree_.items) item = numbers[item];
-  tree_.built_size = 0;
-  for (const TreeNode<Aabb>& node : tree_.nodes) tree_.built_size += half_area(node.volume);
+  built_octave_ = mean_octave();
   sort_out();
 }
 

@@ -262,6 +262,7 @@ std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const Broa
 
 std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                          const PairFilter& wanted) {
+  if (!wanted) return pairs_of(boxes, options, nullptr);
   std::vector<IndexPair> pairs = pairs_of(boxes, options, &wanted);
   std::erase_if(pairs, [&](const IndexPair& pair) { return !wanted(pair); });
   return pairs;

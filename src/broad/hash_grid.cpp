@@ -144,7 +144,7 @@ class HashGrid final : public PairFinder {
     for (std::size_t slot = 0; slot < is_used.size(); ++slot) {
       if (!is_used[slot] || grids_.size() == large) continue;
       level_of_slot[slot] = static_cast<std::uint8_t>(grids_.size());
-      grids_.emplace_back(std::ldexp(1.0, static_cast<int>(2 * slot) - 1080 + 1), slot);
+      grids_.emplace_back(std::ldexp(1.0, std::min(static_cast<int>(2 * slot) - 1080 + 1, 1020)), slot);
     }
     for (std::size_t number = 0; number < boxes.size(); ++number)
       if (const double size = longest_side(boxes[number]); size <= std::numeric_limits<double>::max())

@@ -66,6 +66,7 @@ const Aabb& RTree::box(Index number) const {
 }
 
 std::vector<Index> RTree::candidates(const Aabb& box) const {
+  if (is_empty(box)) return {};  // its comparisons with a box without ends would find it
   std::vector<Index> found, waiting;
   state_->nodes.each_overlap(box, waiting, [&](Index number, const Aabb&) { found.push_back(number); });
   std::sort(found.begin(), found.end());

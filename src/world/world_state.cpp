@@ -1,6 +1,7 @@
 #include "world/world_state.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,6 +18,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most = std::numeric_limits<double>::max();
+
+/// A number that no World has had. Counted for all of them: a World to which an earlier copy of it was assigned must
+/// not come by the same number with other bodies.
+std::uint64_t next_revision() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
 
 std::string quoted(const std::string& name) { return name.empty() ? "" : fmt::format(" (\"{}\")", name); }
 
@@ -66,7 +74,7 @@ std::string World::State::name_of_body(Index index) const {
 
 Index World::State::require(BodyId id) const {
   if (contains(id)) return id.index;
-  const bool was_there = id.index < slots_.size() && (id.generation < slots_[id.index].generation);
+  const bool was_there = id.generation > 0 && id.index < slots_.size() && id.generation < slots_[id.index].generation;
   throw Error(fmt::format("{} {}", name_of_id(id),
                           was_there ? "was removed: its id names no body any more"
                                     : "is not in this World: its id was not given out by it"));
@@ -81,7 +89,7 @@ std::vector<Index> World::State::required(std::span<const BodyId> ids) const {
 
 double World::State::reach(Index index, double margin) const {
   const double own = reach_of_margin(margin);
-  return slots_[index].has_rules ? std::max(own, half_of(rules_.largest_margin(index))) : own;
+  return std::max(own, half_of(slots_[index].rule_margin));
 }
 
 void World::State::place(std::span<const Index> indices) {
@@ -132,7 +140,7 @@ std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
     ids.push_back(id_of(indices[i]));
   }
   count_ += ids.size();
-  ++revision_;
+  revision_ = next_revision();
   return ids;
 }
 
@@ -161,10 +169,9 @@ void World::State::remove(std::span<const BodyId> ids) {
     mark_changed(index);
   }
   std::erase_if(partners, [&](Index partner) { return !is_used(partner); });
-  for (const Index partner : partners) slots_[partner].has_rules = rules_.has_any(partner);
-  place(partners);
+  follow_rules(partners);
   count_ -= ids.size();
-  ++revision_;
+  revision_ = next_revision();
 }
 
 void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
@@ -185,7 +192,7 @@ void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses
   for (std::size_t i = 0; i < ids.size(); ++i)
     if (differs_[i] != 0) mark_changed(indices[i]);
   place(indices);
-  ++revision_;
+  revision_ = next_revision();
 }
 
 void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bodies) {
@@ -199,16 +206,24 @@ void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bo
   std::vector<Body> copies(bodies.begin(), bodies.end());
   for (std::size_t i = 0; i < ids.size(); ++i) put(indices[i], std::move(copies[i]), new_boxes_[i]);
   place(indices);
-  ++revision_;
+  revision_ = next_revision();
 }
 
 void World::State::apply(const PairRule& rule) {
   const Index a = rule.a.index, b = rule.b.index;
   rules_.set(a, b, {rule.excluded, rule.margin});
-  for (const Index index : {a, b}) {
+  mark_changed(a);
+  mark_changed(b);
+}
+
+void World::State::follow_rules(std::vector<Index>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  for (const Index index : indices) {
     slots_[index].has_rules = rules_.has_any(index);
-    mark_changed(index);
+    slots_[index].rule_margin = rules_.largest_margin(index);
   }
+  place(indices);
 }
 
 void World::State::set_rules(std::span<const PairRule> rules) {
@@ -221,8 +236,8 @@ void World::State::set_rules(std::span<const PairRule> rules) {
                    [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); });
   }
   for (const PairRule& rule : rules) apply(rule);
-  place(indices);
-  ++revision_;
+  follow_rules(indices);
+  revision_ = next_revision();
 }
 
 }  // namespace toccata

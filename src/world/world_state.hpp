@@ -46,7 +46,8 @@ class World::State {
     std::uint64_t group = 0;
     std::uint64_t mask = 0;
     double margin = 0;
-    std::uint32_t generation = 0;
+    double rule_margin = 0;  ///< the largest of its rules
+    std::uint32_t generation = 1;
     Motion motion = Motion::moving;
     bool is_used = false;
     bool has_rules = false;
@@ -63,6 +64,8 @@ class World::State {
   void put(Index index, Body&& body, const Aabb& box);
   void mark_changed(Index index);
   void apply(const PairRule& rule);
+  /// Takes over what the rules say about these bodies, each of which may be named several times.
+  void follow_rules(std::vector<Index>& indices);
 
   [[nodiscard]] bool may_meet(const Slot& a, const Slot& b) const;
   /// How near the two have to be; none where they are not compared.

@@ -193,6 +193,13 @@ TEST(BroadPhaseCells, OfSweepsAreTheShadowsOfTheBoxes) {
             (Aabb{{box.lower.x, box.lower.y, -infinity}, {box.upper.x, box.upper.y, infinity}}));
 }
 
+TEST(BroadPhaseCells, OfTheLargestBoxesAreBoxes) {
+  BroadPhase phase({.method = BroadPhaseMethod::hierarchical_hash});
+  phase.add(std::vector<Aabb>{{{-0x1p1022, 0, 0}, {0x1p1022, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}});
+  phase.update();
+  for (const BroadPhaseCell& cell : phase.cells().cells) EXPECT_LE(cell.box.lower.x, cell.box.upper.x);
+}
+
 TEST(BroadPhaseCells, OfNothingAreNone) {
   for (const Method method : broad_phase_methods()) {
     BroadPhase phase({method, 1});

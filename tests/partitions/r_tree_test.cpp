@@ -34,6 +34,13 @@ TEST(RTree, DoesNotGrowWhereBoxesComeAndGo) {
   EXPECT_EQ(tree.complaint(), "");
 }
 
+TEST(RTree, AnEmptyBoxMeetsNothing) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const RTree tree(std::vector<Aabb>{{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}});
+  EXPECT_TRUE(tree.candidates(Aabb{}).empty());
+  EXPECT_EQ(tree.candidates({{0, 0, 0}, {1, 1, 1}}).size(), 1U);
+}
+
 TEST(RTree, IsPackedFull) {
   Random random(2);
   const RTree packed(test::random_boxes("points", 1'000, random));

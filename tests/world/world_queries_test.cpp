@@ -114,6 +114,20 @@ TEST(WorldQueries, AreNotAskedAboutBodiesThatHaveChanged) {
   EXPECT_EQ(queries.cast_ray(ray)->body.index, 1U);
 }
 
+TEST(WorldQueries, AreNotAskedAboutASnapshotThatHasTakenThePlaceOfTheirWorld) {
+  World world = row_of_balls();
+  const World snapshot = world;
+  world.add(Body{Sphere(1), Pose::translation(9, 0, 0)});
+  WorldQueries queries(world);
+  world = snapshot;
+  world.add(Body{Sphere(1), Pose::translation(-9, 0, 0)});  // as many changes as the other had
+  const Posed there{Model(Point({-9, 0, 0})), {}};
+  EXPECT_NE(message_of([&] { static_cast<void>(queries.overlapping(there)); }).find("call update()"),
+            std::string::npos);
+  queries.update();
+  EXPECT_EQ(queries.overlapping(there).size(), 1U);
+}
+
 TEST(WorldQueries, ErrorsNameTheBody) {
   World world = row_of_balls();
   Body rock{Model(test::box_mesh({9, -1, -1}, {10, 1, 1}))};
@@ -121,7 +135,7 @@ TEST(WorldQueries, ErrorsNameTheBody) {
   world.add(rock);
   const WorldQueries queries(world);
   const MovingShape moving{{Model(Sphere(1)), Pose::translation(20, 0, 0)}, {-20, 0, 0}};
-  EXPECT_NE(message_of([&] { static_cast<void>(queries.cast_shape(moving)); }).find("body 3 (generation 0) (\"rock\")"),
+  EXPECT_NE(message_of([&] { static_cast<void>(queries.cast_shape(moving)); }).find("body 3 (generation 1) (\"rock\")"),
             std::string::npos);
 }
 

@@ -125,7 +125,7 @@ TEST(World, AnIdOfARemovedBodyIsAnError) {
   EXPECT_NE(second, first);
   EXPECT_FALSE(world.contains(first));
   EXPECT_EQ(world.body_at(first.index), second);
-  const std::string gone = "body 0 (generation 0) was removed: its id names no body any more";
+  const std::string gone = "body 0 (generation 1) was removed: its id names no body any more";
   EXPECT_EQ(complaint_of([&] { world.move(first, {}); }), gone);
   EXPECT_EQ(complaint_of([&] { world.remove(first); }), gone);
   EXPECT_EQ(complaint_of([&] { (void)world.body(first); }), gone);
@@ -135,6 +135,9 @@ TEST(World, AnIdOfARemovedBodyIsAnError) {
             }),
             "body 9 (generation 3) is not in this World: its id was not given out by it");
   EXPECT_EQ(world.box(second).lower.x, 6);
+  EXPECT_FALSE(world.contains(BodyId{}));
+  EXPECT_EQ(complaint_of([&] { (void)world.body(BodyId{}); }),
+            "body 0 (generation 0) is not in this World: its id was not given out by it");
 }
 
 class BadInput : public testing::Test {
@@ -192,16 +195,16 @@ TEST_F(BadInput, OfAddedBodiesChangesNothing) {
 TEST_F(BadInput, OfMovedBodiesChangesNothing) {
   const std::vector<Pose> poses{Pose::translation(100, 0, 0), Pose::translation(std::nan(""), 0, 0)};
   const std::string message = complaint_of([&] { world_.move(std::span(ids_).first(2), poses); });
-  EXPECT_EQ(message.substr(0, 32), "body 1 (generation 0) (\"arm\"): t") << message;
+  EXPECT_EQ(message.substr(0, 32), "body 1 (generation 1) (\"arm\"): t") << message;
   expect_refused([&] { world_.move(std::span(ids_).first(2), poses); }, message);
   expect_refused([&] { world_.move(ids_, poses); }, "3 bodies are named and 2 poses given; give one for each");
-  const std::vector<BodyId> others{ids_[0], {1, 1}};
+  const std::vector<BodyId> others{ids_[0], {1, 2}};
   expect_refused([&] { world_.move(others, std::vector<Pose>(2)); },
-                 "body 1 (generation 1) is not in this World: its id was not given out by it");
+                 "body 1 (generation 2) is not in this World: its id was not given out by it");
   Body body = world_.body(ids_[1]);
   body.margin = -0.5;
   expect_refused([&] { world_.replace(ids_[1], body); },
-                 "body 1 (generation 0) (\"arm\"): its margin is -0.5; it has to be a length of 0 or more");
+                 "body 1 (generation 1) (\"arm\"): its margin is -0.5; it has to be a length of 0 or more");
 }
 
 TEST_F(BadInput, OfRemovedBodiesAndRulesChangesNothing) {
@@ -209,17 +212,17 @@ TEST_F(BadInput, OfRemovedBodiesAndRulesChangesNothing) {
       [&] {
         world_.remove(std::vector{ids_[2], ids_[1], ids_[1]});
       },
-      "body 1 (generation 0) (\"arm\") is to be removed twice");
+      "body 1 (generation 1) (\"arm\") is to be removed twice");
   expect_refused(
       [&] {
         world_.set_rules(std::array{PairRule{ids_[0], ids_[1], true, {}}, PairRule{ids_[1], ids_[1]}});
       },
-      "a rule is given for body 1 (generation 0) (\"arm\") with itself");
+      "a rule is given for body 1 (generation 1) (\"arm\") with itself");
   expect_refused(
       [&] {
         world_.set_rule({ids_[0], ids_[1], false, -1.0});
       },
-      "the rule for body 0 (generation 0) and body 1 (generation 0) (\"arm\"): its margin is -1; it has to "
+      "the rule for body 0 (generation 1) and body 1 (generation 1) (\"arm\"): its margin is -1; it has to "
       "be a length of 0 or more");
 }
 

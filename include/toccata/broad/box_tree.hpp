@@ -23,7 +23,7 @@ class BoxTree {
   explicit BoxTree(std::span<const Aabb> boxes) { update(boxes); }
 
   /// The boxes as they are now; they are copied. The tree is kept, and its nodes are put around boxes that have moved:
-  /// it is built anew where they have grown to twice what they were, or where many boxes are new.
+  /// it is built anew where they have doubled (in the mean of logarithms), or where many boxes are new.
   void update(std::span<const Aabb> boxes);
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
@@ -56,12 +56,14 @@ class BoxTree {
  private:
   void build();
   void sort_out();
-  Refit refit();
+  void refit();
+  [[nodiscard]] double mean_octave() const;
   template <class Question>
   void walk_by(Question& question) const;
 
   std::vector<Aabb> boxes_;
   Tree<Aabb> tree_;             ///< one box in each leaf
+  double built_octave_ = 0;     ///< `mean_octave` when it was built
   std::vector<bool> in_tree_;   ///< by number
   std::vector<Index> outside_;  ///< boxes that are not in the tree: those without end, and new ones
 };

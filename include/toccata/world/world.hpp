@@ -70,16 +70,17 @@ struct PairRule {
 /// Bodies that move, and the pairs of them that are in contact or near.
 ///
 /// Which two bodies are a pair is decided exactly, as docs/truth.md defines contact and distance: never by their boxes,
-/// by a tolerance, or by what was known before. A body without any point (a mesh without triangles) is in no pair. A
+/// by a tolerance, or by what was known before. A
 /// step gives the same bits on any number of threads, at every SIMD level, and whatever happened before; what it keeps
 /// from step to step saves time only.
 ///
 /// A World is a value: a copy is a snapshot, with the same bodies, ids, rules and pairs, and gives from there the same
-/// bits as the original. To restore, assign it back. Models are shared, not copied. (The ids that the original gave out
-/// after the snapshot mean nothing to the copy, which gives out its own.)
+/// bits as the original. To restore, assign it back. Models are shared, not copied. Ids that the original gave out
+/// after the snapshot are to be forgotten with it: the copy gives out the same for what it is given, so that one of
+/// them may name another body there.
 ///
 /// Whatever throws Error has changed nothing; the message names the body. Const functions may be called from many
-/// threads at once.
+/// threads at once. What they refer to is valid until the bodies change or the next step.
 class World {
  public:
   explicit World(const WorldOptions& options = {});
@@ -135,8 +136,8 @@ class World {
   [[nodiscard]] std::span<const Aabb> boxes() const;
   /// The body that has this index now, if any.
   [[nodiscard]] std::optional<BodyId> body_at(Index index) const;
-  /// Counts the changes to the bodies: where it is the same for the same World, so are its bodies. For indices over
-  /// them.
+  /// Another number after each call that may change bodies or rules, in no other World but a copy: where it is the same
+  /// so are the bodies. For indices over them.
   [[nodiscard]] std::uint64_t revision() const;
 
   [[nodiscard]] const WorldOptions& options() const;
