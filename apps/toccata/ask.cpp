@@ -19,6 +19,19 @@ SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, int th
   return ask(input.models, question, {threads, bar.callback()});
 }
 
+/// The same question with the faces that meet, which are drawn whether they are listed or not.
+SceneQuestion with_faces(SceneQuestion question) {
+  if (auto* check = std::get_if<CheckQuestion>(&question)) check->faces = true;
+  if (auto* self = std::get_if<SelfQuestion>(&question)) self->faces = true;
+  return question;
+}
+
+bool has_faces(const SceneAnswer& answer) {
+  if (const auto* check = std::get_if<CheckReport>(&answer)) return check->has_faces;
+  const auto* self = std::get_if<SelfReport>(&answer);
+  return self != nullptr && self->has_faces;
+}
+
 std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format format) {
   const LoadedScene& loaded = input.loaded;
   if (format == Format::json) return report_json(loaded.scene, input.models, answer, loaded.warnings);
@@ -42,14 +55,28 @@ void print_answer(const CheckInput& input, const SceneQuestion& question, const 
   print_answer(text);
 }
 
+void list_faces(SceneAnswer& answer, const SceneQuestion& question) {
+  if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = std::get<CheckQuestion>(question).faces;
+  if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = std::get<SelfQuestion>(question).faces;
+}
+
+std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer& answer) {
+  const bool lists_faces = has_faces(answer);
+  list_faces(answer, question);
+  std::string json = report_json(input.loaded.scene, input.models, answer);
+  if (lists_faces) list_faces(answer, with_faces(question));
+  return json;
+}
+
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
-                    const std::string& label) {
-  if (arguments.save_case.empty()) return asked(input, question, arguments.threads, label);
+                    const Asking& asking) {
+  const SceneQuestion wanted = asking.is_drawn ? with_faces(question) : question;
+  if (arguments.save_case.empty()) return asked(input, wanted, arguments.threads, asking.label);
   require_distinct({{"--save-case", arguments.save_case}}, arguments.input.files);
   save(input, question, "", arguments.save_case);  // also tells at once where it cannot be written
   try {
-    SceneAnswer answer = asked(input, question, arguments.threads, label);
-    save(input, question, report_json(input.loaded.scene, input.models, answer), arguments.save_case);
+    SceneAnswer answer = asked(input, wanted, arguments.threads, asking.label);
+    save(input, question, json_as_asked(input, question, answer), arguments.save_case);
     return answer;
   } catch (const Error& error) {
     save(input, question, error_json(error.what()), arguments.save_case);

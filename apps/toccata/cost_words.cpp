@@ -106,8 +106,9 @@ std::string partition_table(const std::vector<PartitionCost>& costs) {
                     fmt::format("{:.3g} ms", cost.build_ns / 1e6), fmt::format("{:.3g} µs", cost.question_ns / 1e3),
                     fmt::format("{:.1f}", cost.candidates), fmt::format("{:.3g} ms", cost.pairs_ns / 1e6),
                     grouped(cost.candidate_pairs)});
-  return columns(rows, 4) + fmt::format("    a box meets {:.1f} triangles on average; {} pairs of triangles meet\n",
-                                        costs.front().answers, grouped(costs.front().pairs));
+  return columns(rows, 4) + fmt::format("    a box meets {:.1f} triangles on average; {} of triangles meet{}\n",
+                                        costs.front().answers, counted(costs.front().pairs, "pair"),
+                                        costs.front().pairs == 1 ? "s" : "");
 }
 
 }  // namespace toccata::command

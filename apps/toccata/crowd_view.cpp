@@ -56,6 +56,9 @@ CrowdView::CrowdView(const CrowdArguments& arguments) : arguments_(arguments) {
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   if (arguments.html.empty() && arguments.png.empty()) return;
   if (arguments.compare) throw Error("a page shows one method: name it with --method, or leave --compare out");
+  if (arguments.count > CrowdRecording::most_boxes)
+    throw Error(fmt::format("a page holds at most {}, not {}: say a smaller --count, or leave --html and --png out",
+                            counted(CrowdRecording::most_boxes, "box", "boxes"), grouped(arguments.count)));
   require_distinct({{"--html", arguments.html}, {"--png", arguments.png}}, {});
   if (!arguments.html.empty()) require_output(arguments.html, OutputKind::page);
   if (arguments.png.empty()) return;

@@ -71,10 +71,19 @@ std::string inspect_table(const std::vector<InspectedObject>& objects, const std
   return text;
 }
 
+/// What is measured of meshes alone is asked about these too.
+void warn_of_other_shapes(LoadedScene& loaded, const std::string& option) {
+  for (const SceneObject& object : loaded.scene.objects)
+    if (!object.mesh())
+      loaded.warnings.push_back(fmt::format("{} is no mesh: {} is about meshes", object.name, option));
+}
+
 }  // namespace
 
 int run_inspect(const InspectArguments& arguments) {
-  const LoadedScene loaded = load(arguments.input);
+  LoadedScene loaded = load(arguments.input);
+  if (arguments.volumes) warn_of_other_shapes(loaded, "--volumes");
+  if (arguments.partitions) warn_of_other_shapes(loaded, "--partitions");
   std::vector<InspectedObject> objects;
   ProgressBar bar("measuring");
   CostOptions options;

@@ -92,6 +92,7 @@ LoadedScene load(const InputArguments& input) {
     loaded.first_object.push_back(loaded.scene.objects.size());
     const Scene& scene = read.at(file);
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
+    loaded.units.push_back(scene.unit);
     if (scene.unit != loaded.scene.unit)
       loaded.warnings.push_back(
           fmt::format("{}, but {}: coordinates are compared as they are; say what the unit is with "

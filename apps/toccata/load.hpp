@@ -14,6 +14,7 @@ struct LoadedScene {
   Scene scene;
   std::vector<std::size_t> first_object;  ///< of each file, and one past the last
   std::vector<std::string> warnings;
+  std::vector<std::string> units{};  ///< of each file; the scene has that of the first
 };
 
 /// Reads all files into one scene. Objects of different files that are named alike get the file's path, or a number,

@@ -62,8 +62,8 @@ void add_formats(CLI::App& app, Options& options, const std::string& report) {
   app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
 }
 
-void add_threads(CLI::App& app, int& threads, const std::string& made) {
-  app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
+CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made) {
+  return app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
       ->check(CLI::Range(0, 1024));
 }
 

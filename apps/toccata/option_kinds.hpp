@@ -43,7 +43,7 @@ CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses);
 void add_formats(CLI::App& app, Options& options, const std::string& report);
 
 /// `made` is what does not depend on the threads.
-void add_threads(CLI::App& app, int& threads, const std::string& made);
+CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made);
 
 void add_save_case(CLI::App& app, std::string& file, const char* what);
 

@@ -134,13 +134,14 @@ void add_crowd(CLI::App& app, Options& options) {
   crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")
       ->check(whole_number())
       ->capture_default_str();
-  add_threads(*crowd, options.crowd.threads, "pairs");
+  add_threads(*crowd, options.crowd.threads, "pairs")->capture_default_str();
   add_file(*crowd, "--html", options.crowd.html,
            "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
   add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(
-      with_name("Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
+      with_name("Exit code: 0, or 2 for trouble.\n\n"
+                "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
                 "  {0} crowd --count 2000 --frames 100 --html crowd.html"));
 }
 

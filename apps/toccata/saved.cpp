@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -19,7 +20,7 @@ std::vector<AskedFile> files_of(const LoadedScene& loaded, const std::vector<std
   std::vector<AskedFile> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::size_t first = loaded.first_object[i], end = loaded.first_object[i + 1];
-    files.push_back({names[i], content_digest(objects.subspan(first, end - first))});
+    files.push_back({names[i], content_digest(objects.subspan(first, end - first), loaded.units[i])});
   }
   return files;
 }
@@ -39,8 +40,9 @@ PosedArguments arguments_of(const Asked& asked, const fs::path& folder, int thre
 
 /// The first of the files that is not there.
 std::optional<fs::path> missing_file(const Asked& asked, const fs::path& folder) {
+  std::error_code trouble;  // of a name that is too long, say
   for (const AskedFile& file : asked.files)
-    if (!is_generator_specification(file.name) && !fs::exists(folder / file.name)) return folder / file.name;
+    if (!is_generator_specification(file.name) && !fs::exists(folder / file.name, trouble)) return folder / file.name;
   return std::nullopt;
 }
 
@@ -60,7 +62,7 @@ struct Attempt {
   bool has_files = true;
 };
 
-Attempt attempt_in(const fs::path& folder, const Asked& asked, int threads) {
+Attempt read_in(const fs::path& folder, const Asked& asked, int threads) {
   if (const auto missing = missing_file(asked, folder))
     return {{}, fmt::format("{} is gone; put it back, or ask again", missing->string()), false};
   const PosedArguments arguments = arguments_of(asked, folder, threads);
@@ -73,8 +75,18 @@ Attempt attempt_in(const fs::path& folder, const Asked& asked, int threads) {
   return {std::move(input), {}};
 }
 
+/// Whatever else is wrong in one folder, the files may be in the next.
+Attempt attempt_in(const fs::path& folder, const Asked& asked, int threads) {
+  try {
+    return read_in(folder, asked, threads);
+  } catch (const Error& error) {
+    return {{}, error.what()};
+  }
+}
+
 std::vector<fs::path> folders_of(const Asked& asked, const std::string& report) {
-  const fs::path beside = fs::absolute(report).parent_path().lexically_normal();
+  std::error_code trouble;  // where the folder of now was deleted
+  const fs::path beside = fs::absolute(report, trouble).parent_path().lexically_normal();
   if (asked.folder == beside) return {beside};
   return {beside, asked.folder};
 }
@@ -82,7 +94,8 @@ std::vector<fs::path> folders_of(const Asked& asked, const std::string& report) 
 }  // namespace
 
 Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const SceneQuestion& question) {
-  return {fs::current_path().string(),
+  std::error_code trouble;  // where it was deleted
+  return {fs::current_path(trouble).string(),
           files_of(input.loaded, arguments.input.files),
           arguments.input.unit,
           arguments.input.scale,

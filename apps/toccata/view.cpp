@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "answer.hpp"
 #include "ask.hpp"
 #include "look.hpp"
 #include "output.hpp"
@@ -23,10 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_gltf(const std::string& file) {
+/// ".json", however it is spelled.
+std::string extension_of(const std::string& file) {
   std::string extension = fs::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+bool is_gltf(const std::string& file) {
+  const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf";
 }
 
@@ -94,27 +99,43 @@ Drawn drawn_report(const ViewArguments& arguments) {
   return drawn;
 }
 
+/// Whether it matters what contains what.
+bool is_about_contact(const SceneQuestion& question) {
+  return std::holds_alternative<CheckQuestion>(question) || std::holds_alternative<CheckPosesQuestion>(question);
+}
+
+/// As the options say: pairs that touch or are as near.
+Drawn drawn_as_asked_here(const ViewArguments& arguments) {
+  CheckInput input = read_check_input(arguments);
+  const CheckQuestion question = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
+  return {std::move(input), question, "", arguments.input.files};
+}
+
+/// As it asks, unless the options ask something else.
+Drawn drawn_case(const ViewArguments& arguments) {
+  const std::string& file = arguments.input.files[0];
+  const Case content = read_case(file);
+  if (content.question && !asks_itself(arguments))
+    return {read_check_input(arguments), *content.question, content.answer, arguments.input.files};
+  Drawn drawn = drawn_as_asked_here(arguments);
+  if (content.question)
+    drawn.input.loaded.warnings.push_back(fmt::format(
+        "{} holds a question, {}, which is not asked: options ask another", file, name_of(*content.question)));
+  return drawn;
+}
+
 /// A report, or a case, as it asks; everything else as pairs that touch or are as near as the options say.
 Drawn drawn_of(const ViewArguments& arguments) {
   const std::vector<std::string>& files = arguments.input.files;
-  const bool is_json = files.size() == 1 && fs::path(files[0]).extension() == ".json";
+  const bool is_json = files.size() == 1 && extension_of(files[0]) == ".json";
   if (is_json && is_report(files[0])) return drawn_report(arguments);
-  if (is_json && !asks_itself(arguments)) {
-    const Case content = read_case(files[0]);
-    if (content.question) return {read_check_input(arguments), *content.question, content.answer, files};
-  }
-  CheckInput input = read_check_input(arguments);
-  const CheckQuestion question = check_question(arguments, true, read_clearances(arguments, input.loaded.scene));
-  return {std::move(input), question, "", files};
+  return is_json ? drawn_case(arguments) : drawn_as_asked_here(arguments);
 }
 
 /// Where the answer is another than the recorded one; empty where none is recorded.
 std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
   if (drawn.recorded.empty()) return {};
-  list_faces(answer, drawn.question);
-  const std::string now = report_json(drawn.input.loaded.scene, drawn.input.models, answer);
-  list_faces(answer, with_faces(drawn.question));
-  return answer_difference(drawn.recorded, now);
+  return answer_difference(drawn.recorded, json_as_asked(drawn.input, drawn.question, answer));
 }
 
 /// Of poses the faces that meet are drawn, of many at the first ones alone: that keeps the page small.
@@ -208,8 +229,8 @@ int run_view(const ViewArguments& arguments) {
   require_view(target, arguments);
   Drawn drawn = drawn_of(arguments);
   if (arguments.up.empty()) target.options.up = up_of(drawn.files);
-  warn_of_open_meshes(drawn.input);
-  SceneAnswer answer = ask_for(drawn.input, with_faces(drawn.question), arguments, "asking");
+  if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
+  SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
   const std::string difference = difference_of(drawn, answer);
   if (!difference.empty())
     drawn.input.loaded.warnings.push_back(

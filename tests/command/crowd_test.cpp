@@ -37,6 +37,20 @@ TEST(CrowdCommand, TellsWhatWasChosenAndWhy) {
   EXPECT_NE(run.out.find("\nauto: "), std::string::npos) << run.out;
 }
 
+/// Before a frame is timed.
+TEST(CrowdCommand, RefusesMoreThanAPageHolds) {
+  const test::TemporaryFolder folder;
+  const auto run = run_command({"crowd", "--count", "100000000", "--html", "x.html"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("a page holds at most 1,142,857 boxes, not 100,000,000"), std::string::npos) << run.err;
+}
+
+TEST(CrowdCommand, HelpTellsExitCodesAndThreads) {
+  const auto run = run_command({"crowd", "--help"});
+  EXPECT_NE(run.out.find("Exit code: 0"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("[0 - 1024]=1"), std::string::npos) << run.out;
+}
+
 TEST(CrowdCommand, RefusesWhatMakesNoCrowd) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--count", "0"},
                                                 {"--count", "-1"},

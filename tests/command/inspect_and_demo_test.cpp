@@ -49,6 +49,20 @@ TEST(Inspect, OpenMeshIsToldAsOpen) {
   EXPECT_EQ(json["objects"][0]["box"]["upper"], Json::parse("[2, 1, 0]"));
 }
 
+TEST(Inspect, OnlyMeshesAreDivided) {
+  const TemporaryFolder folder;
+  folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "ball", "shape": {"type": "sphere", "radius": 1}}, {"name": "box", "generate": "box"}]})");
+  const auto divided = run_command({"inspect", "scene.json", "--partitions"}, folder.path());
+  EXPECT_EQ(divided.exit_code, 0);
+  EXPECT_NE(divided.err.find("ball is no mesh: --partitions is about meshes"), std::string::npos) << divided.err;
+  EXPECT_EQ(divided.err.find("box is no mesh"), std::string::npos) << divided.err;
+  EXPECT_EQ(run_command({"inspect", "scene.json"}, folder.path()).err, "");
+  folder.write("cross.off", "OFF\n6 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n2 1 -1\n3 0 1 2\n3 3 4 5\n");
+  const auto cross = run_command({"inspect", "cross.off", "--partitions"}, folder.path());
+  EXPECT_NE(cross.out.find("; 1 pair of triangles meets\n"), std::string::npos) << cross.out;
+}
+
 TEST(Inspect, UnitsComposeIntoThePose) {
   const TemporaryFolder folder;
   folder.write("part.off", "OFF\n3 1 0\n0 0 0\n1000 0 0\n0 1000 0\n3 0 1 2\n");

@@ -108,6 +108,56 @@ TEST(ReplayCommand, ViewShowsDistancesAndDepthsThatACaseAsksFor) {
   EXPECT_NE(text_of(folder.path() / "deep.html").find("\"role\":\"depth\""), std::string::npos);
 }
 
+/// Whether it is drawn or not, a case is what was asked.
+TEST(ReplayCommand, ACaseIsTheSameBesideAPage) {
+  const TemporaryFolder folder;
+  write_inputs(folder);
+  for (const Words& question : {Words{"check", "gen:box", "bow.off"},
+                                {"check", "gen:box", "bow.off", "--faces"},
+                                {"check", "bow.off", "--self"},
+                                {"check", "bow.off", "--self", "--faces"}}) {
+    SCOPED_TRACE(question.back());
+    EXPECT_EQ(run_command(with(question, {"--save-case", "c1.json"}), folder.path()).exit_code, 1);
+    EXPECT_EQ(run_command(with(question, {"--save-case", "c2.json", "--html", "x.html"}), folder.path()).exit_code, 1);
+    EXPECT_EQ(text_of(folder.path() / "c1.json"), text_of(folder.path() / "c2.json"));
+    EXPECT_NE(text_of(folder.path() / "x.html").find("\"face_pairs\":"), std::string::npos);
+    EXPECT_EQ(run_command({"view", "c1.json", "-o", "x.html", "--save-case", "c2.json"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(text_of(folder.path() / "c1.json"), text_of(folder.path() / "c2.json"));
+  }
+}
+
+TEST(ReplayCommand, ViewSaysWhenOptionsAskAnotherQuestion) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command({"distance", "gen:box", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 1);
+  EXPECT_EQ(run_command({"view", "case.json", "-o", "x.html"}, folder.path()).err, "");
+  const auto run = run_command({"view", "case.json", "--penetration", "-o", "x.html"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("case.json holds a question, distance, which is not asked"), std::string::npos) << run.err;
+}
+
+/// Of how far apart they are it tells nothing.
+TEST(ReplayCommand, ViewWarnsOfOpenMeshesWhereTheyMatter) {
+  const TemporaryFolder folder;
+  write_inputs(folder);
+  const auto told = [&](const std::string& question) {
+    EXPECT_EQ(run_command({question, "gen:box", "bow.off", "--save-case", "case.json"}, folder.path()).exit_code, 1);
+    return run_command({"view", "case.json", "-o", "x.html"}, folder.path()).err;
+  };
+  EXPECT_NE(told("check").find("open and taken as surface"), std::string::npos);
+  std::filesystem::remove(folder.path() / "case.json");
+  EXPECT_EQ(told("distance"), "");
+}
+
+TEST(ReplayCommand, NestedTooDeepItIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("deep.json", std::string(100'000, '[') + std::string(100'000, ']'));
+  for (const Words& words : {Words{"replay", "deep.json"}, {"view", "deep.json", "-o", "x.html"}}) {
+    const auto run = run_command(words, folder.path());
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("deep.json:1: arrays and objects are nested"), std::string::npos) << run.err;
+  }
+}
+
 TEST(ReplayCommand, NothingThatIsReadOrWrittenIsReplacedByACase) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_command({"distance", "gen:box", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 1);

@@ -76,6 +76,25 @@ TEST(SavedReportCommand, AFileThatIsGoneOrChangedIsNamed) {
   EXPECT_EQ(drawn(report).exit_code, 0);
 }
 
+TEST(SavedReportCommand, TheUnitOfASceneMayNotChange) {
+  const TemporaryFolder folder, elsewhere;
+  const auto write_scene = [&](const std::string& name, const std::string& unit) {
+    folder.write(name, R"({"format": "toccata-scene", "version": 1, "unit": ")" + unit + R"(", "objects": [
+    {"name": ")" + name + R"(", "shape": {"type": "sphere", "radius": 1}}]})");
+  };
+  write_scene("a.json", "mm");
+  write_scene("b.json", "mm");
+  const fs::path report = report_of(folder, elsewhere, {"distance", "a.json", "b.json"});
+  EXPECT_EQ(drawn(report).exit_code, 0) << drawn(report).err;
+  for (const std::string name : {"a.json", "b.json"}) {
+    write_scene(name, "cm");
+    const auto changed = drawn(report);
+    EXPECT_EQ(changed.exit_code, 2);
+    EXPECT_NE(changed.err.find(name + " holds something else"), std::string::npos) << changed.err;
+    write_scene(name, "mm");
+  }
+}
+
 /// What a scene names counts as what it holds.
 TEST(SavedReportCommand, AMeshThatASceneNamesMayNotChange) {
   const TemporaryFolder folder, elsewhere;
@@ -87,6 +106,47 @@ TEST(SavedReportCommand, AMeshThatASceneNamesMayNotChange) {
   const auto changed = drawn(report);
   EXPECT_EQ(changed.exit_code, 2);
   EXPECT_NE(changed.err.find("scene.json holds something else"), std::string::npos) << changed.err;
+}
+
+TEST(SavedReportCommand, ANameInCapitalsIsAReportOrACaseToo) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off"});
+  fs::rename(report, elsewhere.path() / "REPORT.JSON");
+  const auto result = drawn(elsewhere.path() / "REPORT.JSON");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("2 objects and 1 pair"), std::string::npos) << result.out;
+  const Asking ray = {"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9", "--save-case", "CASE.JSON"};
+  EXPECT_EQ(run_command(ray, folder.path()).exit_code, 1);
+  const auto viewed = drawn(folder.path() / "CASE.JSON");
+  EXPECT_NE(viewed.out.find("1 object and 1 ray"), std::string::npos) << viewed.out << viewed.err;
+}
+
+/// What lies beside the report and is no mesh does not end the search.
+TEST(SavedReportCommand, JunkBesideTheReportIsPassedOver) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off"});
+  elsewhere.write("bow.off", "junk");
+  const auto result = drawn(report);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  fs::remove(folder.path() / "bow.off");
+  const auto gone = drawn(report);
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_NE(gone.err.find(report.string() + ": " + (elsewhere.path() / "bow.off").string()), std::string::npos)
+      << gone.err;
+}
+
+TEST(SavedReportCommand, AFileOfTooLongANameIsGone) {
+  const TemporaryFolder folder, elsewhere;
+  const fs::path report = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off"});
+  std::string text = text_of(report);
+  const std::string was = "{\"name\":\"bow.off\"";
+  ASSERT_NE(text.find(was), std::string::npos) << text;
+  elsewhere.write("report.json",
+                  text.replace(text.find(was), was.size(), R"({"name":")" + std::string(5000, 'a') + '"'));
+  const auto result = drawn(report);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find(report.string()), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(" is gone; put it back"), std::string::npos) << result.err;
 }
 
 TEST(SavedReportCommand, AnotherAnswerIsDrawnAndSaid) {
@@ -118,7 +178,16 @@ TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
   refused(drawn(inspected), "toccata view FILE --hierarchy");
   folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
   const fs::path poses = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off", "--poses", "poses.txt"});
-  refused(drawn(poses, {"--glb", "a.glb"}), "a GLB file has one place for each object");
+  refused(drawn(poses, {"--glb", "a.glb"}), "a page shows them: view_page, or -o FILE.html");
+}
+
+TEST(SavedReportCommand, AReportIsNoScene) {
+  const TemporaryFolder folder;
+  const fs::path report = report_of(folder, folder, {"distance", "gen:box", "bow.off"});
+  const auto result = run_command({"check", report.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("this is a report of Toccata, not a scene; name it alone to view"), std::string::npos)
+      << result.err;
 }
 
 TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {

@@ -350,6 +350,25 @@ TEST(CaseFile, CutShortItIsRefused) {
   }
 }
 
+/// What walks a document would need as much of the stack.
+TEST(CaseFile, NestedTooDeepItIsRefused) {
+  const TemporaryFolder folder;
+  const auto message_for = [&](const std::string& answer) {
+    const auto file = folder.file("case.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+      {"name": "a", "shape": {"type": "sphere", "radius": 1}}],
+      "query": {"question": "distance"}, "answer": )" +
+                                                   answer + "}");
+    return message_of([&] { (void)read_case(file); });
+  };
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  const std::string deep = "case.json:3: arrays and objects are nested more than 1000 deep";
+  EXPECT_EQ(message_for(nested(999)), "");
+  EXPECT_NE(message_for(nested(1000)).find(deep), std::string::npos) << message_for(nested(1000));
+  EXPECT_NE(message_for(nested(100'000)).find(deep), std::string::npos);
+  EXPECT_NE(message_for(std::string(100'000, '[')).find(deep), std::string::npos);
+  EXPECT_EQ(message_for("\"\\\"" + std::string(2000, '{') + "\\\\\""), "");  // within a text
+}
+
 TEST(CaseFile, APlainSceneHoldsNoQuestion) {
   const Case plain{scene_of(std::vector<Posed>{{Model(Sphere(1))}}), {}, {}};
   EXPECT_NE(message_of([&] { (void)replay(plain); }).find("holds no question"), std::string::npos);

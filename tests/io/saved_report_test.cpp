@@ -28,7 +28,7 @@ SceneObject box_object() {
   return object;
 }
 
-std::string digest_of(const SceneObject& object) { return content_digest(std::array{object}); }
+std::string digest_of(const SceneObject& object) { return content_digest(std::array{object}, "m"); }
 
 TEST(ContentDigest, TellsApartEverythingThatIsAskedAbout) {
   const SceneObject object = box_object();
@@ -53,7 +53,8 @@ TEST(ContentDigest, TellsApartEverythingThatIsAskedAbout) {
       std::vector<Vec3>(vertices.begin(), vertices.end()),
       std::vector<std::array<Index, 3>>(triangles.begin(), triangles.end()), faces);
   for (const SceneObject& other : others) EXPECT_NE(digest_of(other), digest);
-  EXPECT_NE(content_digest(std::array{object, object}), digest);
+  EXPECT_NE(content_digest(std::array{object, object}, "m"), digest);
+  EXPECT_NE(content_digest(std::array{object}, "mm"), digest);
 }
 
 Asked everything_asked() {

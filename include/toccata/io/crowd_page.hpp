@@ -16,6 +16,8 @@ class CrowdRecording {
   /// Bytes that the frames take in a page, before they are written as text (base64: four thirds of it). A box takes 14,
   /// a pair 4 (8 from 65,537 boxes on), a cell 14.
   static constexpr std::size_t most_bytes = 16'000'000;
+  /// No frame of more boxes fits, however few their pairs and cells are.
+  static constexpr std::size_t most_boxes = most_bytes / 14;
 
   struct Frame {
     std::size_t number = 0;     ///< of the update, from 0

@@ -30,9 +30,9 @@ struct Asked {
   SceneQuestion question{};
 };
 
-/// 16 hexadecimal digits that tell apart objects of other names, shapes, poses, groups, or taken for something else:
-/// equal by chance for one in 2⁶⁴. Where a shape came from does not count.
-[[nodiscard]] std::string content_digest(std::span<const SceneObject> objects);
+/// 16 hexadecimal digits that tell apart objects of other names, shapes, poses, groups, taken for something else, or of
+/// a scene in another unit (`Scene::unit`): equal by chance for one in 2⁶⁴. Where a shape came from does not count.
+[[nodiscard]] std::string content_digest(std::span<const SceneObject> objects, const std::string& unit);
 
 /// The report that `report_json` made, with what was asked as its last member.
 [[nodiscard]] std::string with_asked(std::string report, const Asked& asked);

@@ -22,14 +22,14 @@ std::string digest_of_mesh(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::string content_digest(std::span<const SceneObject> objects) {
+std::string content_digest(std::span<const SceneObject> objects, const std::string& unit) {
   std::map<const TriangleMesh*, std::string> known;
   const auto write_mesh = [&](const std::shared_ptr<const TriangleMesh>& mesh) {
     const auto [found, is_new] = known.try_emplace(mesh.get());
     if (is_new) found->second = digest_of_mesh(*mesh);
     return Json{{"mesh", found->second}};
   };
-  std::string text;
+  std::string text = unit + "\n";
   for (const SceneObject& object : objects)
     text += io::json_of(object, write_mesh).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   return fmt::format("{:016x}", io::checksum_of(text));

@@ -66,6 +66,30 @@ std::size_t line_of_byte(std::span<const char> text, std::size_t byte) {
   return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
 }
 
+/// The byte at which more arrays and objects are open than `most_levels`, if any. What walks a document calls itself
+/// once a level, and the stack is finite. Of what is no JSON any answer will do.
+std::optional<std::size_t> byte_of_deepest(std::span<const char> text, std::size_t most_levels) {
+  std::size_t levels = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text && c == '\\') ++i;
+    if (c == '"') in_text = !in_text;
+    if (in_text) continue;
+    if ((c == '[' || c == '{') && ++levels > most_levels) return i;
+    if ((c == ']' || c == '}') && levels > 0) --levels;
+  }
+  return std::nullopt;
+}
+
+void refuse_deep_nesting(std::span<const char> text, std::string_view file) {
+  constexpr std::size_t most_levels = 1000;
+  if (const auto byte = byte_of_deepest(text, most_levels))
+    fail_at_line(file, line_of_byte(text, *byte),
+                 {fmt::format("arrays and objects are nested more than {} deep here", most_levels),
+                  "write the document with fewer levels"});
+}
+
 /// RFC 6901.
 std::string escaped(const std::string& key) {
   std::string result;
@@ -76,6 +100,7 @@ std::string escaped(const std::string& key) {
 }  // namespace
 
 json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys repeated) {
+  refuse_deep_nesting(text, file);
   json document;
   try {
     document = json::parse(text.data(), text.data() + text.size());

@@ -13,8 +13,8 @@ namespace toccata::io {
 
 enum class RepeatedKeys { refused, last_counts };
 
-/// A parsed JSON text. Throws Error naming the file and line when it is not JSON, a number is too large for a double,
-/// or an object has a key twice and that is refused.
+/// A parsed JSON text. Throws Error naming the file and line when it is not JSON, arrays and objects are nested more
+/// than 1,000 deep, a number is too large for a double, or an object has a key twice and that is refused.
 [[nodiscard]] nlohmann::json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys repeated);
 
 /// A value within a JSON file that knows where it stands, so that what is wrong with it can be said: "<file>: at

@@ -92,7 +92,9 @@ class FindingNodes {
 
  private:
   [[noreturn]] static void refuse_poses() {
-    throw Error("a GLB file has one place for each object, and here they have many; a page shows them (view_page)");
+    throw Error(
+        "a GLB file has one place for each object, and here they have many; a page shows them: view_page, or -o "
+        "FILE.html");
   }
 
   [[nodiscard]] std::string title(const char* what, const std::array<Index, 2>& pair) const {

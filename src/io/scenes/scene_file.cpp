@@ -274,7 +274,14 @@ void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const Sc
   }
 }
 
+void refuse_report(const JsonValue& top) {
+  if (!top.is_object() || !top.has("schema") || !top.at("schema").is_string()) return;
+  if (top.at("schema").text().starts_with("toccata/"))
+    top.fail("this is a report of Toccata, not a scene", "name it alone to view");
+}
+
 void check_format(const JsonValue& top) {
+  refuse_report(top);
   top.expect_keys({"format", "version", "unit", "frames", "meshes", "objects", "query", "answer", "comment"});
   if (top.at("format").text() != format_name)
     top.at("format").fail("this is not a scene of Toccata", fmt::format("write \"{}\"", format_name));
