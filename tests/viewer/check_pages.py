@@ -392,6 +392,17 @@ def check_case(checks, browser):
     checks.quiet(browser, "far")
 
 
+def check_measuring(checks, browser):
+    """The benchmark of drawing sees both meshes, and tells what it measured; times are not judged."""
+    script = pathlib.Path(__file__).resolve().parent / "measure_drawing.py"
+    words = ["--page", "two", "--mesh", "gen:torus", "--runs", "1", "--size", "1000x700", "--json"]
+    result = subprocess.run([sys.executable, script, checks.command, *words], capture_output=True, text=True)
+    checks.expect(result.returncode == 0, f"the benchmark of drawing: {result.returncode} {result.stderr}")
+    page = json.loads(result.stdout)["pages"][0]
+    checks.expect(page["triangles"] == 3072 and page["face_pairs"] > 0 and page["both_seen"], f"what was drawn: {page}")
+    checks.expect(0 < page["drawn_s"] <= page["picture_s"] and page["processor_s"] > 0, f"what was measured: {page}")
+
+
 def main():
     if find_chromium() is None:
         print("SKIPPED: no Chromium is installed (apt-get install chromium)")
@@ -400,7 +411,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_crowd, check_crowd_of_methods, check_large_crowd, check_empty]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_crowd, check_crowd_of_methods, check_large_crowd, check_empty, check_measuring]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0
