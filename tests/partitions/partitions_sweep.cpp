@@ -40,7 +40,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
 }
 
 const bool known =
-    register_sweep({"partitions", {partition_families.begin(), partition_families.end()}, 10'000, 1, run, 500, 1});
+    register_sweep({"partitions", {partition_families.begin(), partition_families.end()}, 3000, 1, run, 250, 1});
 
 }  // namespace
 }  // namespace toccata::test
