@@ -77,6 +77,7 @@
 #include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
 #include "toccata/narrow/gjk.hpp"
+#include "toccata/narrow/minkowski.hpp"
 #include "toccata/narrow/pair_arrays.hpp"
 #include "toccata/narrow/plane.hpp"
 #include "toccata/narrow/posed_convex.hpp"

@@ -8,6 +8,7 @@
 
 #include "shapes/hull_faces.hpp"
 #include "shapes/hull_guide.hpp"
+#include "shapes/hull_links.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -95,35 +96,6 @@ HullFaces canonical(const HullFaces& faces, const std::vector<Index>& sources, s
   return result;
 }
 
-struct Edges {
-  std::span<Index> leaving, twin, face;
-};
-
-/// Links the half-edges of the faces. The half-edge before one that leaves v ends at v, so the twins of all that end
-/// there are found by noting, for every vertex around, which half-edge goes there from v.
-void link(const HullFaces& faces, const Edges& edges) {
-  const std::size_t vertices = edges.leaving.size();
-  std::vector<Index> previous(faces.corners.size()), next_leaving(faces.corners.size()), towards(vertices, none);
-  std::ranges::fill(edges.leaving, 0);
-  std::vector<Index> first_leaving(vertices, none);
-  for (std::size_t f = faces.first.size() - 1; f-- > 0;)
-    for (Index h = faces.first[f + 1]; h-- > faces.first[f];) {
-      edges.face[h] = static_cast<Index>(f);
-      previous[h] = h == faces.first[f] ? faces.first[f + 1] - 1 : h - 1;
-      next_leaving[h] = std::exchange(first_leaving[faces.corners[h]], h);
-    }
-  const auto target = [&](Index h) {
-    const Index f = edges.face[h];
-    return faces.corners[h + 1 == faces.first[f + 1] ? faces.first[f] : h + 1];
-  };
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if (first_leaving[v] != none) edges.leaving[v] = first_leaving[v];
-    for (Index h = first_leaving[v]; h != none; h = next_leaving[h]) towards[target(h)] = h;
-    for (Index h = first_leaving[v]; h != none; h = next_leaving[h])
-      edges.twin[previous[h]] = towards[faces.corners[previous[h]]];
-  }
-}
-
 std::vector<double> padded(std::span<const Vec3> points, const std::vector<Index>& sources) {
   const std::size_t count = sources.size(), padded_count = (count + 7) / 8 * 8;
   std::vector<double> result;
@@ -155,9 +127,9 @@ ConvexHull::ConvexHull(std::span<const Vec3> points) {
   std::ranges::copy(sources, parts->indices.begin());
   std::ranges::copy(faces.first, parts->at(parts->face_start_offset(), parts->faces + std::size_t{1}).begin());
   std::ranges::copy(faces.corners, parts->at(parts->origin_offset(), parts->half_edges).begin());
-  link(faces, {parts->at(parts->vertices, parts->vertices),
-               parts->at(parts->origin_offset() + parts->half_edges, parts->half_edges),
-               parts->at(parts->origin_offset() + std::size_t{2} * parts->half_edges, parts->half_edges)});
+  link_faces(faces, {parts->at(parts->vertices, parts->vertices),
+                     parts->at(parts->origin_offset() + parts->half_edges, parts->half_edges),
+                     parts->at(parts->origin_offset() + std::size_t{2} * parts->half_edges, parts->half_edges)});
   parts_ = parts;
   fill_guide(*this, parts->at(parts->guide_offset(), parts->guides));
 }

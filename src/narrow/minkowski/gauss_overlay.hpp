@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "narrow/minkowski/sum_operand.hpp"
+#include "toccata/narrow/minkowski.hpp"
+
+namespace toccata {
+
+/// An edge of one operand that lies in the plane of a facet.
+struct PlaneVector {
+  bool of_b = false;
+  Index head = 0;  ///< points of that operand
+  Index tail = 0;
+};
+
+/// The facets of a sum, in the order of topology(): each a polygon, counter-clockwise seen from outside.
+struct SumFacets {
+  std::vector<SumVertex> corners;  ///< points of the operands
+  std::vector<Index> first{0};     ///< facet i has the corners [first[i], first[i + 1])
+  std::vector<SumFaceKind> kinds;
+  std::vector<std::array<PlaneVector, 2>> planes;  ///< whose cross product is the outward normal
+
+  void close(SumFaceKind kind, const PlaneVector& u, const PlaneVector& v) {
+    first.push_back(static_cast<Index>(corners.size()));
+    kinds.push_back(kind);
+    planes.push_back({u, v});
+  }
+};
+
+/// None for a sum that is a point or a segment; two for a flat one.
+[[nodiscard]] SumFacets overlay(const SumOperand& a, const SumOperand& b);
+
+}  // namespace toccata

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <utility>
+
+#include "narrow/minkowski/sum_parts.hpp"
+#include "narrow/minkowski/sum_side.hpp"
+#include "shapes/hull_links.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+using Parts = MinkowskiSum::Parts;
+
+constexpr std::size_t large_table = 1U << 16;
+
+/// The pairs that are corners, each once and in order, and in `corners` their numbers.
+std::vector<SumVertex> number_pairs(const SumFacets& facets, std::size_t points_of_a, std::size_t points_of_b,
+                                    std::vector<Index>& corners) {
+  const auto key = [&](const SumVertex& v) { return std::size_t{v.on_a} * points_of_b + v.on_b; };
+  std::vector<SumVertex> vertices;
+  corners.resize(facets.corners.size());
+  if (points_of_a * points_of_b <= large_table) {
+    std::vector<Index> number(points_of_a * points_of_b, no_index);
+    for (const SumVertex& v : facets.corners) number[key(v)] = 0;
+    for (std::size_t k = 0; k < number.size(); ++k)
+      if (number[k] == 0) {
+        number[k] = static_cast<Index>(vertices.size());
+        vertices.push_back({static_cast<Index>(k / points_of_b), static_cast<Index>(k % points_of_b)});
+      }
+    for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = number[key(facets.corners[c])];
+    return vertices;
+  }
+  const auto before = [&](const SumVertex& v, const SumVertex& w) { return key(v) < key(w); };
+  vertices = facets.corners;
+  std::ranges::sort(vertices, before);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    corners[c] = static_cast<Index>(std::ranges::lower_bound(vertices, facets.corners[c], before) - vertices.begin());
+  return vertices;
+}
+
+/// The ends of a sum without facets: of a point, or of parallel segments.
+SumVertex end_of_line(const SumOperand& a, const SumOperand& b, bool least) {
+  const auto end = [&](const SumOperand& operand) {
+    const auto points = operand.points();
+    const auto at = least ? std::ranges::min_element(points, lexicographically_less)
+                          : std::ranges::max_element(points, lexicographically_less);
+    return static_cast<Index>(at - points.begin());
+  };
+  return {end(a), end(b)};
+}
+
+/// As HullTopology describes points and segments.
+SumFacets facets_of_line(const SumOperand& a, const SumOperand& b) {
+  SumFacets line;
+  line.corners = {end_of_line(a, b, true), end_of_line(a, b, false)};
+  const auto key = [](const SumVertex& v) { return std::pair(v.on_a, v.on_b); };
+  if (key(line.corners[1]) < key(line.corners[0])) std::swap(line.corners[0], line.corners[1]);
+  if (line.corners[0] == line.corners[1]) {
+    line.corners.pop_back();
+  } else {
+    line.close(a.dimension() == 0   ? SumFaceKind::of_b
+               : b.dimension() == 0 ? SumFaceKind::of_a
+                                    : SumFaceKind::of_both,
+               {}, {});
+  }
+  return line;
+}
+
+void take_facets(Parts& parts, SumFacets&& facets) {
+  parts.kinds = std::move(facets.kinds);
+  parts.planes = std::move(facets.planes);
+  parts.face_start = std::move(facets.first);
+  parts.vertices = number_pairs(facets, parts.a.points().size(), parts.b.points().size(), parts.origin);
+  if (parts.kinds.empty()) {
+    parts.origin.clear();
+    parts.leaving.assign(1, 0);
+    return;
+  }
+  HullFaces faces{parts.dimension, std::move(parts.origin), std::move(parts.face_start)};
+  parts.twin.resize(faces.corners.size());
+  parts.face.resize(faces.corners.size());
+  parts.leaving.resize(parts.vertices.size());
+  link_faces(faces, {parts.leaving, parts.twin, parts.face});
+  parts.origin = std::move(faces.corners);
+  parts.face_start = std::move(faces.first);
+}
+
+void require_finite(const Parts& parts) {
+  for (Index i = 0; i < parts.vertices.size(); ++i)
+    if (!is_finite(parts.rounded_vertex(i)))
+      throw Error("the sum of vertex " + std::to_string(parts.a.source(parts.vertices[i].on_a)) + " of A and vertex " +
+                  std::to_string(parts.b.source(parts.vertices[i].on_b)) +
+                  " of B is not finite; use smaller coordinates or a smaller scale");
+}
+
+std::vector<Vec3> rounded_vertices(const Parts& parts) {
+  std::vector<Vec3> result;
+  result.reserve(parts.vertices.size());
+  for (Index i = 0; i < parts.vertices.size(); ++i) result.push_back(parts.rounded_vertex(i));
+  return result;
+}
+
+MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
+  auto parts = std::make_shared<Parts>(a, b, negated);
+  SumFacets facets = overlay(parts->a, parts->b);
+  if (facets.kinds.empty()) {
+    facets = facets_of_line(parts->a, parts->b);
+    parts->dimension = facets.kinds.empty() ? 0 : 1;
+  } else {
+    parts->dimension = facets.kinds.size() == 2 ? 2 : 3;
+  }
+  take_facets(*parts, std::move(facets));
+  require_finite(*parts);
+  if (parts->radius_a + parts->radius_b > 0) parts->rounded_core = ConvexHull(rounded_vertices(*parts));
+  return MinkowskiSum(std::move(parts));
+}
+
+}  // namespace
+
+MinkowskiSum minkowski_sum(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, false); }
+MinkowskiSum minkowski_difference(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, true); }
+
+MinkowskiSum::MinkowskiSum(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+Index MinkowskiSum::vertex_count() const { return static_cast<Index>(parts_->vertices.size()); }
+SumVertex MinkowskiSum::pair(Index vertex) const {
+  const SumVertex& v = parts_->vertices[vertex];
+  return {parts_->a.source(v.on_a), parts_->b.source(v.on_b)};
+}
+Vec3 MinkowskiSum::vertex(Index i) const { return parts_->rounded_vertex(i); }
+int MinkowskiSum::dimension() const { return parts_->dimension; }
+HullTopology MinkowskiSum::topology() const { return parts_->topology(); }
+SumFaceKind MinkowskiSum::face_kind(Index face) const { return parts_->kinds[face]; }
+double MinkowskiSum::radius() const { return parts_->radius_a + parts_->radius_b; }
+
+ConvexHull MinkowskiSum::as_hull() const { return ConvexHull(rounded_vertices(*parts_)); }
+
+TriangleMesh MinkowskiSum::as_mesh() const {
+  if (parts_->dimension < 2)
+    throw Error("the sum is a point or a segment, which has no faces; give it an operand with an area");
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> face_of;
+  const HullTopology t = topology();
+  for (Index f = 0; f < t.face_count(); ++f)
+    for (Index h = t.face_start[f] + 1; h + 1 < t.face_start[f + 1]; ++h) {
+      triangles.push_back({t.origin[t.face_start[f]], t.origin[h], t.origin[h + 1]});
+      face_of.push_back(f);
+    }
+  return {rounded_vertices(*parts_), std::move(triangles), std::move(face_of)};
+}
+
+}  // namespace toccata

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "toccata/math/predicates.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+
+namespace toccata {
+
+inline constexpr Index no_index = std::numeric_limits<Index>::max();
+
+/// The hull of the world vertices of a shape, or of their negatives, with its exact boundary, as the overlay of Gauss
+/// maps reads it. A vertex of it is a region of the Gauss map, an edge an arc, a face a point.
+class SumOperand {
+ public:
+  SumOperand(const PosedConvex& shape, bool negated);
+
+  struct HalfEdge {
+    Vec3 along;  ///< target − origin, rounded
+    Index origin, target, next, previous, twin;
+    Index face;  ///< no_index: of a segment, which has no face
+  };
+  struct Face {
+    Vec3 normal{};         ///< outwards, of any length, rounded
+    double magnitude = 0;  ///< of what the normal was rounded from (math/filter.hpp)
+    std::array<Index, 3> corners{};
+    Index first = 0;  ///< half-edge
+    Index size = 0;
+  };
+
+  [[nodiscard]] std::span<const Vec3> points() const { return points_; }
+  /// The number of a point among the shape's vertices.
+  [[nodiscard]] Index source(Index point) const { return source_[point]; }
+  [[nodiscard]] int dimension() const { return dimension_; }
+  [[nodiscard]] std::span<const HalfEdge> half_edges() const { return half_edges_; }
+  [[nodiscard]] std::span<const Face> faces() const { return faces_; }
+  /// A half-edge that starts at the point; no_index: of a single point.
+  [[nodiscard]] Index leaving(Index point) const { return leaving_[point]; }
+  [[nodiscard]] Index next_leaving(Index half_edge) const { return half_edges_[half_edges_[half_edge].twin].next; }
+
+  [[nodiscard]] Difference along(Index half_edge) const {
+    return {points_[half_edges_[half_edge].target], points_[half_edges_[half_edge].origin]};
+  }
+  /// Two edges that span a face's plane; their cross product is its outward normal, exactly.
+  [[nodiscard]] std::array<Difference, 2> plane_of(Index face) const {
+    const auto& [p, q, r] = faces_[face].corners;
+    return {Difference{points_[q], points_[p]}, Difference{points_[r], points_[p]}};
+  }
+
+  /// The sign of (normal of this one's face) · (edge of the other), exactly.
+  [[nodiscard]] Sign slope(Index face, const SumOperand& other, Index half_edge) const;
+
+ private:
+  void take_hull(const HullTopology& topology, bool reversed);
+  void measure();
+
+  std::vector<Vec3> points_;
+  std::vector<Index> source_;
+  std::vector<HalfEdge> half_edges_;
+  std::vector<Face> faces_;
+  std::vector<Index> leaving_;
+  double reach_ = 0;  ///< the greatest magnitude of a coordinate of an edge
+  int dimension_ = 0;
+};
+
+}  // namespace toccata

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "narrow/minkowski/sum_parts.hpp"
+
+namespace toccata {
+
+/// In the sum's frame.
+[[nodiscard]] SumPlane plane_in_frame(const MinkowskiSum::Parts& sum, Index face);
+
+/// The sign of a point's height above the plane of a face, exactly.
+[[nodiscard]] Sign exact_height(const MinkowskiSum::Parts& sum, Index face, const Vec3& point);
+
+/// Of a core that is flat: zero in it, else positive; exactly.
+[[nodiscard]] Sign exact_side_of_flat(const MinkowskiSum::Parts& sum, const Vec3& point);
+
+/// The sign of (distance of a point outside from the core) − (sum of the radii), exactly.
+[[nodiscard]] Sign compare_with_radius(const MinkowskiSum::Parts& sum, const Vec3& point);
+
+}  // namespace toccata

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "shapes/hull_faces.hpp"
+
+namespace toccata {
+
+/// Where the links of faces go: as HullTopology describes them, one of `leaving` for each vertex, one of the others for
+/// each corner.
+struct HullLinks {
+  std::span<Index> leaving, twin, face;
+};
+
+/// Links the half-edges of faces of which every directed edge belongs to one alone. Of each vertex, the least half-edge
+/// leaves it; of a vertex without any, 0.
+void link_faces(const HullFaces& faces, const HullLinks& links);
+
+}  // namespace toccata
