@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "broad/own_bounds.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -47,6 +49,13 @@ void require_sound(std::span<const Bound> bounds, const char* what) {
     if (!is_sound(bounds[i])) throw Error(fmt::format(fmt::runtime(what), i));
 }
 
+template <class Bound>
+void require_no_complaint(std::span<const Bound> bounds, std::string_view what) {
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    if (const std::string complaint = complaint_about(bounds[i]); !complaint.empty())
+      throw Error(fmt::format("{} {}: {}", what, i, complaint));
+}
+
 }  // namespace
 
 std::vector<IndexPair> overlapping_pairs(std::span<const LineInterval> intervals, const BroadPhaseOptions& options) {
@@ -60,10 +69,12 @@ std::vector<IndexPair> overlapping_pairs(std::span<const Rectangle> rectangles, 
 }
 
 std::vector<IndexPair> overlapping_pairs(std::span<const Ball> balls, const BroadPhaseOptions& options) {
+  require_no_complaint(balls, "ball");
   return cleaned(candidates(balls, options), balls);
 }
 
 std::vector<IndexPair> overlapping_pairs(std::span<const Obb> boxes, const BroadPhaseOptions& options) {
+  require_no_complaint(boxes, "oriented box");
   return cleaned(candidates(boxes, options), boxes);
 }
 

@@ -7,38 +7,41 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "broad/own_bounds.hpp"
 #include "broad/pair_finder.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+template <class Bound>
+constexpr std::string_view word_for = "box";
+template <>
+constexpr std::string_view word_for<Ball> = "ball";
+template <>
+constexpr std::string_view word_for<Obb> = "oriented box";
 
 /// Empty, or lower ≤ upper along every axis, which what is no number is not.
 bool is_sound(const Aabb& box) {
   return (box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z) || box == Aabb{};
 }
-
-/// What is wrong with a box that is not sound.
-std::string complaint_about(const Aabb& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lower = box.lower.*coordinates[axis], upper = box.upper.*coordinates[axis];
-    if (std::isnan(lower) || std::isnan(upper)) return fmt::format("its {} is not a number", "xyz"[axis]);
-    if (!(lower <= upper))
-      return fmt::format("its lower {0} {1} is above its upper {0} {2}", "xyz"[axis], lower, upper);
-  }
-  return {};
+template <class Bound>
+bool is_sound(const Bound& bound) {
+  return complaint_about(bound).empty();
 }
 
-void require_boxes(std::span<const Aabb> boxes) {
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (!is_sound(boxes[i]))
-      throw Error(fmt::format("box {} of the {} to add: {}", i, boxes.size(), complaint_about(boxes[i])));
+template <class Bound>
+void require_sound(std::span<const Bound> bounds) {
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    if (!is_sound(bounds[i]))
+      throw Error(
+          fmt::format("{} {} of the {} to add: {}", word_for<Bound>, i, bounds.size(), complaint_about(bounds[i])));
 }
 
 const BroadPhaseOptions& checked(const BroadPhaseOptions& options) {
@@ -57,16 +60,34 @@ PairList without(std::span<const IndexPair> a, std::span<const IndexPair> b) {
 double moved_down(double value, double by) {
   return by == 0 ? value : std::nextafter(value - by, -std::numeric_limits<double>::infinity());
 }
+double moved_up(double value, double by) { return -moved_down(-value, by); }
+
+void require_margin(double margin) {
+  if (!(margin >= 0)) throw Error(fmt::format("a margin of {}: it must not be negative", margin));
+}
 
 }  // namespace
 
 Aabb grown(const Aabb& box, double margin) {
-  if (!(margin >= 0)) throw Error(fmt::format("a margin of {}: it must not be negative", margin));
+  require_margin(margin);
   if (is_empty(box)) return box;
   const auto down = [&](double value) { return moved_down(value, margin); };
-  const auto up = [&](double value) { return -moved_down(-value, margin); };
+  const auto up = [&](double value) { return moved_up(value, margin); };
   return {{down(box.lower.x), down(box.lower.y), down(box.lower.z)},
           {up(box.upper.x), up(box.upper.y), up(box.upper.z)}};
+}
+
+Ball grown(const Ball& ball, double margin) {
+  require_margin(margin);
+  return is_empty(ball) ? ball : Ball{ball.centre, moved_up(ball.radius, margin)};
+}
+
+Obb grown(const Obb& box, double margin) {
+  require_margin(margin);
+  if (is_empty(box)) return box;
+  // Axes are of unit length and at right angles but for 2^-46 each.
+  const double by = margin * (1 + 0x1p-40);
+  return {box.centre, box.axes, {moved_up(box.half.x, by), moved_up(box.half.y, by), moved_up(box.half.z, by)}};
 }
 
 class BroadPhase::State {
@@ -83,17 +104,20 @@ class BroadPhase::State {
         pairs_(other.pairs_),
         before_(other.before_),
         nothing_moved_(other.nothing_moved_),
+        own_(other.own_ ? std::make_unique<OwnBounds>(*other.own_) : nullptr),
         finder_(make_pair_finder(options_)) {}
 
-  std::vector<Index> add(std::span<const Aabb> boxes) {
-    require_boxes(boxes);
-    const std::size_t reused = std::min(boxes.size(), free_.size());
-    if (boxes_.size() + (boxes.size() - reused) > std::numeric_limits<Index>::max())
-      throw Error("more boxes than 2^32 - 1");
+  template <class Bound>
+  std::vector<Index> add(std::span<const Bound> bounds) {
+    require_sound(bounds);
+    const std::size_t reused = std::min(bounds.size(), free_.size());
+    const std::size_t count = boxes_.size() + (bounds.size() - reused);
+    if (count > std::numeric_limits<Index>::max()) throw Error("more boxes than 2^32 - 1");
     std::vector<Index> numbers;
-    numbers.reserve(boxes.size());
-    reserve(boxes_.size() + (boxes.size() - reused), changed_.size() + boxes.size());
-    for (const Aabb& box : boxes) numbers.push_back(next_number(box));
+    numbers.reserve(bounds.size());
+    reserve(count, changed_.size() + bounds.size());
+    make_room_aside<Bound>(count, bounds.size());
+    for (const Bound& bound : bounds) numbers.push_back(next_number(bound));
     return numbers;
   }
 
@@ -112,24 +136,29 @@ class BroadPhase::State {
     }
   }
 
-  void move(std::span<const Index> numbers, std::span<const Aabb> boxes) {
-    if (numbers.size() != boxes.size())
-      throw Error(fmt::format("{} numbers with {} boxes to move to", numbers.size(), boxes.size()));
+  template <class Bound>
+  void move(std::span<const Index> numbers, std::span<const Bound> bounds) {
+    if (numbers.size() != bounds.size())
+      throw Error(fmt::format("{} numbers with {} boxes to move to", numbers.size(), bounds.size()));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       check_in_use(numbers[i]);
-      if (!is_sound(boxes[i])) throw Error(fmt::format("box {}: {}", numbers[i], complaint_about(boxes[i])));
+      if (!is_sound(bounds[i]))
+        throw Error(fmt::format("{} {}: {}", word_for<Bound>, numbers[i], complaint_about(bounds[i])));
     }
     reserve(boxes_.size(), std::min(changed_.size() + numbers.size(), boxes_.size()));
+    make_room_aside<Bound>(boxes_.size(), count_of_other_kinds<Bound>(numbers));
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (boxes_[numbers[i]] != boxes[i]) place(numbers[i], boxes[i]);
+      if (!is_at(numbers[i], bounds[i])) place(numbers[i], bounds[i]);
   }
 
   std::span<const IndexPair> update() {
     nothing_moved_ = changed_.empty();
     if (!nothing_moved_) {
       has_found_ = true;
-      PairList now = finder_->find({boxes_, changed_, pairs_, options_.threads}, std::move(before_));
+      PairList now =
+          own_ ? find_cleaned() : finder_->find({boxes_, changed_, pairs_, options_.threads}, std::move(before_));
       before_ = std::exchange(pairs_, std::move(now));
+      if (own_ && own_->is_without_any()) own_.reset();
       for (const Index number : changed_) marks_[number] = static_cast<std::uint8_t>(marks_[number] & ~changed);
       changed_.clear();
     }
@@ -152,6 +181,10 @@ class BroadPhase::State {
     if (number >= boxes_.size()) throw Error(fmt::format("there is no box {}: there are {}", number, boxes_.size()));
     return boxes_[number];
   }
+  [[nodiscard]] AnyBound bound(Index number) const {
+    const Aabb& around = box(number);
+    return own_ ? own_->bound(number, around) : around;
+  }
   [[nodiscard]] bool in_use(Index number) const { return number < marks_.size() && (marks_[number] & used) != 0; }
   [[nodiscard]] BroadPhaseMethod method() const {
     return options_.method == BroadPhaseMethod::automatic ? finder_->chosen() : options_.method;
@@ -164,7 +197,8 @@ class BroadPhase::State {
   }
   [[nodiscard]] std::size_t bytes() const {
     return boxes_.capacity() * sizeof(Aabb) + marks_.capacity() +
-           (changed_.capacity() + free_.capacity() + freed_.capacity()) * sizeof(Index) + finder_->bytes();
+           (changed_.capacity() + free_.capacity() + freed_.capacity()) * sizeof(Index) + finder_->bytes() +
+           (own_ ? own_->bytes() : 0);
   }
 
  private:
@@ -187,13 +221,41 @@ class BroadPhase::State {
     make_room(changed_, changes);
   }
 
-  void place(Index number, const Aabb& box) {
-    boxes_[number] = box;
+  /// The same of what is kept of bounds that are no boxes; nothing is as long as there are none.
+  template <class Bound>
+  void make_room_aside(std::size_t numbers, std::size_t more) {
+    if (!own_ && !std::is_same_v<Bound, Aabb> && more > 0) own_ = std::make_unique<OwnBounds>(pairs_);
+    if (own_) own_->make_room<Bound>(numbers, more);
+  }
+  template <class Bound>
+  [[nodiscard]] std::size_t count_of_other_kinds(std::span<const Index> numbers) const {
+    if (!own_) return numbers.size();
+    return static_cast<std::size_t>(std::count_if(
+        numbers.begin(), numbers.end(), [&](Index number) { return !own_->template has_kind<Bound>(number); }));
+  }
+  template <class Bound>
+  [[nodiscard]] bool is_at(Index number, const Bound& bound) const {
+    if constexpr (std::is_same_v<Bound, Aabb>)
+      return boxes_[number] == bound && (!own_ || own_->has_kind<Aabb>(number));
+    else
+      return own_->has_kind<Bound>(number) && std::get<Bound>(own_->bound(number, boxes_[number])) == bound;
+  }
+
+  PairList find_cleaned() {
+    PairList found = finder_->find({boxes_, changed_, own_->box_pairs(), options_.threads}, own_->take_storage());
+    return own_->cleaned(std::move(found), pairs_, {boxes_, marks_, changed, options_.threads}, std::move(before_));
+  }
+
+  template <class Bound>
+  void place(Index number, const Bound& bound) {
+    boxes_[number] = box_around(bound);
+    if (own_) own_->set(number, bound);
     if ((marks_[number] & changed) == 0) changed_.push_back(number);
     marks_[number] |= changed;
   }
 
-  Index next_number(const Aabb& box) {
+  template <class Bound>
+  Index next_number(const Bound& bound) {
     Index number = static_cast<Index>(boxes_.size());
     if (free_.empty()) {
       boxes_.emplace_back();
@@ -203,7 +265,7 @@ class BroadPhase::State {
       free_.pop_back();
     }
     marks_[number] |= used;
-    place(number, box);
+    place(number, bound);
     return number;
   }
 
@@ -216,7 +278,8 @@ class BroadPhase::State {
   PairList pairs_;
   PairList before_;
   bool nothing_moved_ = true;
-  bool has_found_ = false;  ///< this finder, ever
+  bool has_found_ = false;          ///< this finder, ever
+  std::unique_ptr<OwnBounds> own_;  ///< null as long as all are boxes
   std::unique_ptr<PairFinder> finder_;
 };
 
@@ -230,13 +293,18 @@ BroadPhase& BroadPhase::operator=(BroadPhase other) noexcept {
 BroadPhase::~BroadPhase() = default;
 
 std::vector<Index> BroadPhase::add(std::span<const Aabb> boxes) { return state_->add(boxes); }
+std::vector<Index> BroadPhase::add(std::span<const Ball> balls) { return state_->add(balls); }
+std::vector<Index> BroadPhase::add(std::span<const Obb> boxes) { return state_->add(boxes); }
 void BroadPhase::remove(std::span<const Index> numbers) { state_->remove(numbers); }
 void BroadPhase::move(std::span<const Index> numbers, std::span<const Aabb> boxes) { state_->move(numbers, boxes); }
+void BroadPhase::move(std::span<const Index> numbers, std::span<const Ball> balls) { state_->move(numbers, balls); }
+void BroadPhase::move(std::span<const Index> numbers, std::span<const Obb> boxes) { state_->move(numbers, boxes); }
 std::span<const IndexPair> BroadPhase::update() { return state_->update(); }
 std::span<const IndexPair> BroadPhase::pairs() const { return state_->pairs(); }
 PairChanges BroadPhase::changes() const { return state_->changes(); }
 std::size_t BroadPhase::size() const { return state_->size(); }
 const Aabb& BroadPhase::box(Index number) const { return state_->box(number); }
+AnyBound BroadPhase::bound(Index number) const { return state_->bound(number); }
 bool BroadPhase::in_use(Index number) const { return state_->in_use(number); }
 BroadPhaseMethod BroadPhase::method() const { return state_->method(); }
 std::string BroadPhase::reason() const { return state_->reason(); }
@@ -247,7 +315,7 @@ namespace {
 
 std::vector<IndexPair> pairs_of(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                 const PairFilter* wanted) {
-  require_boxes(boxes);
+  require_sound(boxes);
   if (boxes.size() > std::numeric_limits<Index>::max()) throw Error("more boxes than 2^32 - 1");
   std::vector<Index> all(boxes.size());
   std::iota(all.begin(), all.end(), Index{0});

@@ -5,9 +5,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/bounds/ball.hpp"
+#include "toccata/bounds/obb.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/broad/broad_phase_cells.hpp"
 #include "toccata/core/index.hpp"
@@ -53,6 +56,16 @@ struct BroadPhaseOptions {
 /// a distance each overlap wherever the boxes are that near along every axis. An empty box stays empty. Throws Error
 /// where the margin is negative or no number.
 [[nodiscard]] Aabb grown(const Aabb& box, double margin);
+/// The same of the radius, and of the half extents: all that is within the margin of it is inside.
+[[nodiscard]] Ball grown(const Ball& ball, double margin);
+[[nodiscard]] Obb grown(const Obb& box, double margin);
+
+/// What a body may be bounded by.
+using AnyBound = std::variant<Aabb, Ball, Obb>;
+
+/// Whether two overlap, touching included, as the boxes around them and as they are themselves: boxes along the axes
+/// exactly; of the others false is proved, and true may also be said of two that are apart by a hair. No number is NaN.
+[[nodiscard]] bool bounds_overlap(const AnyBound& a, const AnyBound& b);
 
 /// What an update has changed, both ascending. The pairs kept are those of now without those begun.
 struct PairChanges {
@@ -60,13 +73,16 @@ struct PairChanges {
   std::vector<IndexPair> ended;
 };
 
-/// Boxes that move, and the pairs of them that overlap; touching counts.
+/// Boxes that move, and the pairs of them that overlap; touching counts. A body may be bounded by a ball or an oriented
+/// box as well: methods compare the boxes around them, and of the pairs found those stay that overlap themselves
+/// (`bounds_overlap`). So all methods find the same pairs then too.
 ///
 /// Boxes have numbers that stay the same until they are removed. They are dense: the numbers of removed boxes are given
 /// out again, the least first, but never before the next `update`, so that no pair of an update means two objects. A
 /// box may have infinite sides; an empty one (`Aabb{}`) overlaps nothing; any other must have lower ≤ upper along every
-/// axis, else Error names it. What throws Error has changed nothing; where memory runs out in an update, give the boxes
-/// to another.
+/// axis, else Error names it, as it does a ball or an oriented box whose centre is not finite, or whose extent is NaN,
+/// or whose axes are not as `Obb` says. What throws Error has changed nothing; where memory runs out in an update, give
+/// the boxes to another.
 ///
 /// Const functions may be called from many threads at once. A copy has the same boxes, pairs and changes.
 class BroadPhase {
@@ -79,11 +95,15 @@ class BroadPhase {
 
   /// The numbers given to the boxes, in their order.
   std::vector<Index> add(std::span<const Aabb> boxes);
+  std::vector<Index> add(std::span<const Ball> balls);
+  std::vector<Index> add(std::span<const Obb> boxes);
   /// Throws Error naming a number that is in use no more, or given twice.
   void remove(std::span<const Index> numbers);
   /// Gives box `numbers[i]` the place `boxes[i]`; of several for one number the last counts. Throws Error naming a
-  /// number that is not in use, and where the spans differ in length.
+  /// number that is not in use, and where the spans differ in length. What was a ball may become a box, and so on.
   void move(std::span<const Index> numbers, std::span<const Aabb> boxes);
+  void move(std::span<const Index> numbers, std::span<const Ball> balls);
+  void move(std::span<const Index> numbers, std::span<const Obb> boxes);
 
   /// Finds the pairs of the boxes as they are now: all of them, ascending, each once. The span is valid until the next
   /// update.
@@ -95,8 +115,10 @@ class BroadPhase {
 
   /// How many numbers there are, those of removed boxes included: every number is less.
   [[nodiscard]] std::size_t size() const;
-  /// Where the box is now. Empty for a number that is not in use.
+  /// Where the box is now, or that around a ball or an oriented box. Empty for a number that is not in use.
   [[nodiscard]] const Aabb& box(Index number) const;
+  /// As it was given.
+  [[nodiscard]] AnyBound bound(Index number) const;
   [[nodiscard]] bool in_use(Index number) const;
 
   /// The method of the last update: never `automatic`.
@@ -108,7 +130,8 @@ class BroadPhase {
   /// which `automatic` tried a method that it has given up since. What is too large for cells is in none. Throws Error
   /// where boxes have come, gone or moved since the update.
   [[nodiscard]] BroadPhaseCells cells() const;
-  /// Memory of the boxes and of what the method keeps, without the pairs.
+  /// Memory of the boxes and of what the method keeps, without the pairs. Balls and oriented boxes are counted with the
+  /// pairs of boxes around them, which they need besides.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
