@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
+
+// Cylinders, cones and ellipsoids (affine images included) against each other, every bounded convex shape, and
+// half-spaces. Everything is in world coordinates and units, and about the real image of the shape.
+namespace toccata {
+
+/// Apart and contact are proved. Undecided: the sets meet, or lie within 10⁻¹² of the size of the pair of touching (its
+/// depth or its gap is no larger); it counts as contact.
+enum class SmoothContact : std::uint8_t { apart, contact, undecided };
+
+[[nodiscard]] SmoothContact smooth_contact(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] SmoothContact smooth_contact(const PosedSmooth& a, const PosedConvex& b);
+[[nodiscard]] SmoothContact smooth_contact(const PosedConvex& a, const PosedSmooth& b);
+[[nodiscard]] SmoothContact smooth_contact(const PosedSmooth& a, const PosedHalfSpace& b);
+[[nodiscard]] SmoothContact smooth_contact(const PosedHalfSpace& a, const PosedSmooth& b);
+
+// Do they have a point in common? Touching counts, and what is undecided.
+[[nodiscard]] bool overlap(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] bool overlap(const PosedSmooth& a, const PosedConvex& b);
+[[nodiscard]] bool overlap(const PosedConvex& a, const PosedSmooth& b);
+[[nodiscard]] bool overlap(const PosedSmooth& a, const PosedHalfSpace& b);
+[[nodiscard]] bool overlap(const PosedHalfSpace& a, const PosedSmooth& b);
+
+// The exact distance lies in [lower, upper]; on_a and on_b are points of the shapes, rounded, that are no farther apart
+// than upper. Status:
+//   exact          apart, upper − lower at most 10⁻¹² · upper; or 0 and 0, as the shapes certainly meet
+//   undecided      see SmoothContact; lower is 0
+//   not_converged  the interval holds, but is wider
+// Exchanging the shapes exchanges the points and changes no other bit.
+[[nodiscard]] Distance distance(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] Distance distance(const PosedSmooth& a, const PosedConvex& b);
+[[nodiscard]] Distance distance(const PosedConvex& a, const PosedSmooth& b);
+[[nodiscard]] Distance distance(const PosedSmooth& a, const PosedHalfSpace& b);
+[[nodiscard]] Distance distance(const PosedHalfSpace& a, const PosedSmooth& b);
+
+}  // namespace toccata

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+
+#include "narrow/smooth/smooth_nearest.hpp"
+#include "narrow/smooth/smooth_order.hpp"
+#include "toccata/narrow/smooth.hpp"
+
+namespace toccata {
+namespace {
+
+struct Pair {
+  Pair(const PosedSmooth& first, const PosedSmooth& second)
+      : frame(pair_frame(first, second)), a(first, frame), b(second, frame) {}
+  Pair(const PosedSmooth& first, const PosedConvex& second)
+      : frame(pair_frame(first, second)), a(first, frame), b(second, frame, support_kernels()) {}
+
+  PairFrame frame;
+  SmoothBody a;
+  SmoothBody b;
+};
+
+Status status_of(const SmoothNearest& found) {
+  if (found.narrow) return Status::exact;
+  // The size of the pair is about 1.
+  return found.contact == SmoothContact::undecided && found.upper <= 1e-12 ? Status::undecided : Status::not_converged;
+}
+
+Distance in_world(const SmoothNearest& found, const PairFrame& frame) {
+  Distance result;
+  if (found.contact == SmoothContact::apart) {
+    const double back = 1 / frame.factor;
+    // A power of two, but what is multiplied by it may leave the range of normal numbers.
+    result.lower = found.lower * back;
+    result.upper = found.upper * back;
+    if (result.lower < 0x1p-1000) result.lower = std::nextafter(result.lower, 0);
+    if (result.upper < 0x1p-1000) result.upper = std::nextafter(result.upper, HUGE_VAL);
+  } else {
+    result.upper = found.upper / frame.factor;
+  }
+  result.on_a = frame.back(found.on_a);
+  result.on_b = frame.back(found.on_b);
+  result.status = status_of(found);
+  return result;
+}
+
+Distance exchanged(const Distance& d) {
+  Distance result = d;
+  std::swap(result.on_a, result.on_b);
+  return result;
+}
+
+template <class B>
+SmoothContact contact_of(const PosedSmooth& a, const B& b) {
+  const Pair pair(a, b);
+  return nearest_of(pair.a, pair.b, SmoothQuestion::meeting).contact;
+}
+
+template <class B>
+Distance distance_of(const PosedSmooth& a, const B& b) {
+  const Pair pair(a, b);
+  return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance), pair.frame);
+}
+
+}  // namespace
+
+bool comes_before(const PosedSmooth& a, const PosedSmooth& b) {
+  if (a.kind() != b.kind()) return a.kind() < b.kind();
+  if (!(a.half() == b.half())) return lexicographically_less(a.half(), b.half());
+  return a.pose().numbers() < b.pose().numbers();
+}
+
+SmoothContact smooth_contact(const PosedSmooth& a, const PosedSmooth& b) {
+  return comes_before(b, a) ? contact_of(b, a) : contact_of(a, b);
+}
+SmoothContact smooth_contact(const PosedSmooth& a, const PosedConvex& b) { return contact_of(a, b); }
+SmoothContact smooth_contact(const PosedConvex& a, const PosedSmooth& b) { return contact_of(b, a); }
+
+bool overlap(const PosedSmooth& a, const PosedSmooth& b) { return smooth_contact(a, b) != SmoothContact::apart; }
+bool overlap(const PosedSmooth& a, const PosedConvex& b) { return smooth_contact(a, b) != SmoothContact::apart; }
+bool overlap(const PosedConvex& a, const PosedSmooth& b) { return overlap(b, a); }
+
+Distance distance(const PosedSmooth& a, const PosedSmooth& b) {
+  return comes_before(b, a) ? exchanged(distance_of(b, a)) : distance_of(a, b);
+}
+Distance distance(const PosedSmooth& a, const PosedConvex& b) { return distance_of(a, b); }
+Distance distance(const PosedConvex& a, const PosedSmooth& b) { return exchanged(distance_of(b, a)); }
+
+}  // namespace toccata

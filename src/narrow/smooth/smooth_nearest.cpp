@@ -1,0 +1,179 @@
+#include "narrow/smooth/smooth_nearest.hpp"
+
+#include <cmath>
+
+namespace toccata {
+namespace {
+
+constexpr double relative_width = 1e-12;
+
+Vec3 plain_point(const VectorOf<BoundedDouble>& p) { return {p[0].value, p[1].value, p[2].value}; }
+Vec3 plain_point(const VectorOf<BoundedNumber>& p) { return plain(p); }
+
+/// One question.
+class NearestSearch {
+ public:
+  NearestSearch(const SmoothBody& a, const SmoothBody& b)
+      : a_(a), b_(b), search_(a, b, plain(a.middle_point()) - plain(b.middle_point())), polish_(a, b) {}
+
+  SmoothNearest meeting() {
+    search_.run_until_apart();
+    if (search_.best_gap() > 0 && improve_lower<BoundedDouble>(fine(search_.best_direction()))) return best_;
+    return distance();
+  }
+
+  SmoothNearest distance() {
+    for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
+      search_.run(part);
+      if (search_.inside() && is_meeting_proved()) return best_;
+      if (try_polished(search_.nearest())) return best_;
+      if (search_.inside() || search_.stalled()) break;
+    }
+    if (best_.contact != SmoothContact::undecided) return best_;
+    if (is_meeting_proved() || try_polished(search_.best_direction()) || is_met_from_elsewhere()) return best_;
+    improve_lower<BoundedNumber>(fine(search_.best_direction()));
+    improve_upper<BoundedNumber>(joined(true), joined(false));
+    return best_;
+  }
+
+ private:
+  /// The corners of the simplex as points of a body, joined with the weights.
+  [[nodiscard]] BodyPoint joined(bool of_a) const { return joined(of_a, search_); }
+
+  [[nodiscard]] BodyPoint joined(bool of_a, const SmoothSearch& search) const {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search.corners(corner);
+    BodyPoint point;
+    Vec3 round;
+    double grown = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const SmoothSupport& support = of_a ? corner[i].a : corner[i].b;
+      point.append(support.atom, {corner[i].weight, 0});
+      if (!(of_a ? a_ : b_).grown(support.atom)) continue;
+      round = round + corner[i].weight * support.round;
+      grown += corner[i].weight;
+    }
+    for (std::size_t j = 0; j < 3; ++j) point.round[j] = {grown > 0 ? round[static_cast<int>(j)] / grown : 0, 0};
+    return point;
+  }
+
+  /// Newton's method from here, and what it proves. True when nothing more is to be asked.
+  bool try_polished(const Vec3& direction) {
+    if (direction == Vec3{}) return false;
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search_.corners(corner);
+    polish_.begin({corner.data(), count}, direction);
+    // Where the distance is small, doubles do not tell what is the direction.
+    const bool settled = polish_.settle();
+    if (!settled && !(std::fabs(polish_.signed_distance()) < 0x1p-16)) return false;
+    if (settled && polish_.signed_distance() > 0x1p-12 && prove<BoundedDouble>()) return true;
+    polish_.refine();
+    return prove<BoundedNumber>() || is_shallow_meeting();
+  }
+
+  template <class Number>
+  bool prove() {
+    improve_lower<Number>(polish_.direction());
+    if (best_.contact == SmoothContact::apart || polish_.signed_distance() < 0x1p-40)
+      improve_upper<Number>(polish_.on_a(), polish_.on_b());
+    best_.narrow = best_.contact == SmoothContact::apart && best_.upper - best_.lower <= relative_width * best_.upper;
+    return best_.narrow;
+  }
+
+  template <class Number>
+  bool improve_lower(const FineDirection& direction) {
+    const double lower = gap_along<Number>(a_, b_, direction);
+    if (!(lower > best_.lower)) return false;
+    best_.lower = lower;
+    best_.direction = direction;
+    best_.contact = SmoothContact::apart;
+    return true;
+  }
+
+  template <class Number>
+  void improve_upper(const BodyPoint& on_a, const BodyPoint& on_b) {
+    const VectorOf<Number> x = point_of<Number>(a_, on_a), y = point_of<Number>(b_, on_b);
+    const double upper = distance_at_most(x, y);
+    if (!(upper < best_.upper)) return;
+    best_.upper = upper;
+    best_.on_a = plain_point(x);
+    best_.on_b = plain_point(y);
+  }
+
+  /// A common point: the simplex contains the origin, or a point of B lies within A.
+  bool is_meeting_proved() {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search_.corners(corner);
+    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
+      return met(point_of<BoundedNumber>(b_, joined(false)));
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false)),
+                        of_a = point_of<BoundedNumber>(a_, joined(true));
+    if (is_common(of_a, of_b)) return true;
+    for (const double part : {0.125, 0.5, 1.0})
+      if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
+    return false;
+  }
+
+  /// Symmetric shapes that overlap leave the origin on a face of every simplex that their symmetry offers.
+  bool is_met_from_elsewhere() {
+    for (const Vec3& direction : {Vec3{0.36, 0.48, 0.8}, Vec3{-0.6, 0.7, -0.3}, Vec3{0.5, -0.2, -0.84}}) {
+      SmoothSearch other(a_, b_, direction);
+      other.run(0);
+      std::array<SmoothSearch::Corner, 4> corner;
+      if (other.corners(corner) < 4 || !is_simplex_around<BoundedNumber>(corner)) continue;
+      return met(point_of<BoundedNumber>(b_, joined(false, other)));
+    }
+    return false;
+  }
+
+  static BoundedVector towards(const BoundedVector& from, const BoundedVector& to, double part) {
+    return from + exactly(part) * (to - from);
+  }
+
+  template <class Number>
+  [[nodiscard]] bool is_simplex_around(const std::array<SmoothSearch::Corner, 4>& corner) const {
+    std::array<VectorOf<Number>, 4> point;
+    for (std::size_t i = 0; i < 4; ++i)
+      point[i] =
+          difference(point_of<Number>(a_, body_point(corner[i].a)), point_of<Number>(b_, body_point(corner[i].b)));
+    return is_origin_within(point);
+  }
+
+  /// Where the shapes overlap a little, their deepest points lie within each other.
+  bool is_shallow_meeting() {
+    if (!(polish_.signed_distance() < 0)) return false;
+    const BoundedVector x = point_of<BoundedNumber>(a_, polish_.on_a()),
+                        y = point_of<BoundedNumber>(b_, polish_.on_b());
+    return is_common(x, y);
+  }
+
+  /// Points of A and of B; is one of them, or that of B which the other side offers, in both?
+  bool is_common(const BoundedVector& of_a, const BoundedVector& of_b) {
+    if (is_within(a_, of_b)) return met(of_b);
+    return b_.smooth_kind() && is_within(b_, of_a) && met(of_a);
+  }
+
+  bool met(const BoundedVector& point) {
+    best_.contact = SmoothContact::contact;
+    best_.lower = best_.upper = 0;
+    best_.on_a = best_.on_b = plain(point);
+    best_.overlapping = true;
+    best_.narrow = true;
+    return true;
+  }
+
+  const SmoothBody& a_;
+  const SmoothBody& b_;
+  SmoothSearch search_;
+  SmoothPolish polish_;
+  SmoothNearest best_;
+};
+
+}  // namespace
+
+SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question) {
+  NearestSearch search(a, b);
+  return question == SmoothQuestion::meeting ? search.meeting() : search.distance();
+}
+
+}  // namespace toccata

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "narrow/smooth/smooth_polish.hpp"
+#include "toccata/narrow/smooth.hpp"
+
+namespace toccata {
+
+/// What is proved of two bodies, in the pair's frame.
+struct SmoothNearest {
+  double lower = 0;         ///< no less far apart
+  double upper = HUGE_VAL;  ///< no farther, as the two points show
+  Vec3 on_a;
+  Vec3 on_b;
+  /// From B to A, as `SmoothPolish` has it: across it they are `lower` apart, or what was the best there is.
+  FineDirection direction;
+  SmoothContact contact = SmoothContact::undecided;
+  bool overlapping = false;  ///< they certainly have a common point that is inside both
+  bool narrow = false;       ///< the interval is as narrow as is promised
+};
+
+/// How much is asked: whether they meet, or how far apart they are.
+enum class SmoothQuestion : std::uint8_t { meeting, distance };
+
+/// A is made of a smooth shape.
+[[nodiscard]] SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question);
+
+}  // namespace toccata

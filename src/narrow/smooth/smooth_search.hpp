@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "narrow/convex/gjk_simplex.hpp"
+#include "narrow/smooth/smooth_body.hpp"
+
+namespace toccata {
+
+/// The search of GJK for the point of the difference A − B that is nearest to the origin, on points of smooth bodies,
+/// in doubles: a guess that is to be proved. It goes on where it was left.
+class SmoothSearch {
+ public:
+  SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction);
+
+  /// Goes on until a step would bring the nearest point nearer by less than this part of its distance, the origin
+  /// seems to be inside, or nothing is gained. At most 128 steps in all.
+  void run(double part);
+  /// Goes on until the newest direction separates, or as `run`.
+  void run_until_apart();
+
+  struct Corner {
+    SmoothSupport a;
+    SmoothSupport b;
+    double weight = 0;  ///< of the nearest point
+  };
+  /// Of the simplex of up to four points, with weights.
+  [[nodiscard]] std::size_t corners(std::array<Corner, 4>& found) const;
+
+  [[nodiscard]] const Vec3& nearest() const { return nearest_; }
+  [[nodiscard]] bool inside() const { return inside_; }
+  /// The direction along which all of A − B lay farthest before the origin.
+  [[nodiscard]] const Vec3& best_direction() const { return best_direction_; }
+  [[nodiscard]] double best_gap() const { return best_gap_; }
+  [[nodiscard]] bool stalled() const { return stalled_; }
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+ private:
+  /// Tells whether the search may go on.
+  bool step(double part);
+
+  const SmoothBody& a_;
+  const SmoothBody& b_;
+  GjkSimplex simplex_;  // the pairs name slots
+  std::array<SmoothSupport, 5> slot_a_;
+  std::array<SmoothSupport, 5> slot_b_;
+  Vec3 nearest_;
+  Vec3 direction_;
+  Vec3 best_direction_;
+  double best_gap_ = -HUGE_VAL;
+  double squared_ = 0;
+  double size_ = 0;
+  std::uint64_t steps_ = 0;
+  bool inside_ = false;
+  bool stalled_ = false;
+};
+
+}  // namespace toccata

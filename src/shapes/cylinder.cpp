@@ -1,0 +1,12 @@
+#include "toccata/shapes/cylinder.hpp"
+
+#include "shapes/validation.hpp"
+
+namespace toccata {
+
+Cylinder::Cylinder(double radius, double half_height) : radius_(radius), half_height_(half_height) {
+  require_positive(radius, "the radius of a cylinder");
+  require_positive(half_height, "the half height of a cylinder");
+}
+
+}  // namespace toccata

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include "narrow/convex_cells.hpp"
+#include "narrow/smooth_cases.hpp"
+#include "toccata/core/error.hpp"
+
+// Smooth shapes against 60 digits: what is said to be apart, to meet or to be undecided, and the interval.
+namespace toccata::test {
+namespace {
+
+using oracle::Fine;
+
+std::vector<std::string> smooth_cells() {
+  std::vector<std::string> cells;
+  for (const std::string& a : smooth_kinds())
+    for (const std::string& b : smooth_other_kinds()) cells.push_back(a + "/" + b);
+  return cells;
+}
+
+/// About how large the pair is: what undecided is measured with.
+double size_of(const oracle::FineSet& set) {
+  double largest = 0;
+  for (const auto& axis : set.axis)
+    for (const Fine& x : {axis.x, axis.y, axis.z}) largest = std::max(largest, std::abs(x.convert_to<double>()));
+  return largest;
+}
+
+std::string fault_of(const Distance& d, const SmoothContact contact, const oracle::FineNearness& truth, double size) {
+  if (d.status == Status::exact && d.upper - d.lower > 1e-12 * d.upper) return "interval too wide";
+  if (d.lower > d.upper) return "interval turned round";
+  if (Fine(d.lower) > truth.upper) return fmt::format("lower {} above {}", d.lower, truth.upper.str(30));
+  if (Fine(d.upper) < truth.lower) return fmt::format("upper {} below {}", d.upper, truth.lower.str(30));
+  const bool apart = truth.lower > Fine(1e-12) * Fine(size);
+  if (apart && (contact != SmoothContact::apart || !(d.lower > 0))) return "not seen to be apart";
+  if (contact == SmoothContact::apart && truth.meet) return "apart, but they meet";
+  if (contact == SmoothContact::contact && truth.lower > 0) return "contact, but they are apart";
+  const bool deep = truth.meet && truth.depth > Fine(1e-12) * Fine(size);
+  if (deep && (contact != SmoothContact::contact || d.status != Status::exact)) return "not seen to meet";
+  // Nearer than this the interval may be wider, and says so.
+  const bool hair = d.upper <= 1e-9 * size;
+  if (d.status == Status::not_converged && !hair) return fmt::format("not converged: [{}, {}]", d.lower, d.upper);
+  return "";
+}
+
+template <class B>
+std::string check_pair(const PlacedSmooth& placed_a, const B& placed_b) {
+  const PosedSmooth a = posed(placed_a);
+  const auto b = posed(placed_b);
+  const Distance d = distance(a, b), back = distance(b, a);
+  const SmoothContact contact = smooth_contact(a, b);
+  if (back.lower != d.lower || back.upper != d.upper || !(back.on_a == d.on_b) || !(back.on_b == d.on_a))
+    return "exchanged";
+  if (overlap(a, b) != (contact != SmoothContact::apart) || smooth_contact(b, a) != contact) return "overlap";
+  const oracle::FineSet set_a = fine_set(placed_a), set_b = fine_set(placed_b);
+  const oracle::FineNearness truth = oracle::fine_nearness(set_a, set_b, 1e-14, 400);
+  return fault_of(d, contact, truth, size_of(set_a));
+}
+
+std::string text_of(const PlacedSmooth& placed) {
+  const PosedSmooth seen = posed(placed);
+  std::string text = fmt::format("{} half {:.17g} {:.17g} {:.17g} pose", static_cast<int>(seen.kind()), seen.half().x,
+                                 seen.half().y, seen.half().z);
+  for (const double x : placed.pose.numbers()) text += fmt::format(" {:.17g}", x);
+  return text;
+}
+
+std::string text_of(const PlacedConvex& placed) {
+  const PosedConvex seen = posed(placed);
+  std::string text = fmt::format("radius {:.17g} vertices", seen.radius());
+  for (Index i = 0; i < seen.vertex_count(); ++i)
+    text += fmt::format(" ({:.17g}, {:.17g}, {:.17g})", seen.vertex(i).x, seen.vertex(i).y, seen.vertex(i).z);
+  return text;
+}
+
+SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random random = random_of_cell(cell, seed);
+  const std::size_t slash = cell.find('/');
+  for (; result.cases < cases; ++result.cases) {
+    const std::string& regime = smooth_regimes()[result.cases % smooth_regimes().size()];
+    const SmoothCase pair = smooth_case(cell.substr(0, slash), cell.substr(slash + 1), regime, random);
+    const std::string wrong = std::visit([&](const auto& other) { return check_pair(pair.a, other); }, pair.b);
+    if (wrong.empty()) continue;
+    if (result.wrong++ == 0)
+      result.first_failure = fmt::format("{}, case {} ({}): {}; {}", wrong, result.cases, regime, text_of(pair.a),
+                                         std::visit([](const auto& other) { return text_of(other); }, pair.b));
+  }
+  return result;
+}
+
+const bool known = register_sweep({"smooth", smooth_cells(), 10'000, 44, run, 1100, 11});
+
+}  // namespace
+}  // namespace toccata::test

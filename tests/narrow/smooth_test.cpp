@@ -1,0 +1,86 @@
+#include "toccata/narrow/smooth.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
+
+namespace toccata::test {
+namespace {
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SmoothShape, RefusesWhatIsNoSolid) {
+  EXPECT_EQ(message_of([] { Cylinder(0, 1); }), "the radius of a cylinder is 0; give a positive finite number");
+  EXPECT_EQ(message_of([] { Cylinder(1, -1); }), "the half height of a cylinder is -1; give a positive finite number");
+  EXPECT_EQ(message_of([] { Cone(HUGE_VAL, 1); }), "the radius of a cone is inf; give a positive finite number");
+  EXPECT_EQ(message_of([] {
+              Ellipsoid({1, 0, 1});
+            }),
+            "the half axis along y of an ellipsoid is 0; give a positive finite number");
+  Pose flat;
+  flat.linear[2] = {0, 0, 0};
+  EXPECT_NE(message_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("the cone: the pose"), std::string::npos);
+  EXPECT_NE(message_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("singular"), std::string::npos);
+  EXPECT_NE(message_of([] {
+              PosedSmooth(Ellipsoid({1e308, 1, 1}), Pose::translation(1e308, 0, 0));
+            }).find("beyond the finite numbers"),
+            std::string::npos);
+}
+
+// Exactly touching: none of these may be called apart.
+TEST(Smooth, TouchingCountsAsContact) {
+  const PosedConvex box(Box({1, 1, 1}));
+  const PosedSmooth standing(Cylinder(1, 2), Pose::translation(0, 0, 3));
+  EXPECT_TRUE(overlap(standing, box));
+  EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 1), Pose::translation(3, 0, 0)), box));
+  EXPECT_TRUE(overlap(PosedSmooth(Cylinder(1, 2)), PosedSmooth(Cylinder(3, 2), Pose::translation(4, 0, 1))));
+  EXPECT_TRUE(overlap(PosedSmooth(Cylinder(1, 2)), PosedSmooth(Cylinder(1, 2), Pose::translation(0.5, 0, 4))));
+  const PosedHalfSpace floor(HalfSpace({0, 0, 0}, {0, 0, 1}));
+  Pose upside_down = Pose::translation(5, 7, 2);
+  upside_down.linear = rotation_about({1, 0, 0}, 180);
+  EXPECT_TRUE(overlap(PosedSmooth(Cone(1, 2), upside_down), floor));
+  EXPECT_TRUE(overlap(box, PosedSmooth(Ellipsoid({2, 3, 4}), Pose::translation(3, 0.25, 0.5))));
+  EXPECT_TRUE(
+      overlap(PosedSmooth(Ellipsoid({2, 3, 4})), PosedSmooth(Ellipsoid({1, 5, 2}), Pose::translation(3, 0, 0))));
+  EXPECT_NE(smooth_contact(standing, box), SmoothContact::apart);
+}
+
+TEST(Smooth, ALastPlaceAwayIsApart) {
+  const PosedConvex box(Box({1, 1, 1}));
+  const double height = std::nextafter(3.0, 4);
+  const PosedSmooth standing(Cylinder(1, 2), Pose::translation(0, 0, height));
+  EXPECT_EQ(smooth_contact(standing, box), SmoothContact::apart);
+  const Distance gap = distance(standing, box);
+  EXPECT_LE(gap.lower, height - 3);
+  EXPECT_GE(gap.upper, height - 3);
+  EXPECT_EQ(gap.status, Status::exact);
+  EXPECT_EQ(smooth_contact(PosedSmooth(Cylinder(1, 2), Pose::translation(0, 0, std::nextafter(3.0, 2))), box),
+            SmoothContact::contact);
+}
+
+TEST(Smooth, DistancesOfSimplePairs) {
+  const PosedSmooth ball(Ellipsoid({1, 1, 1}), Pose::translation(3, 4, 0));
+  const Distance d = distance(ball, PosedConvex(Point({0, 0, 0})));
+  EXPECT_LE(d.lower, 4);
+  EXPECT_GE(d.upper, 4);
+  EXPECT_LE(d.upper - d.lower, 4e-12);
+  EXPECT_EQ(d.status, Status::exact);
+  const Distance above =
+      distance(PosedSmooth(Cone(1, 1), Pose::translation(0, 0, 5)), PosedHalfSpace(HalfSpace({0, 0, 1}, {0, 0, 2})));
+  EXPECT_LE(above.lower, 3);
+  EXPECT_GE(above.upper, 3);
+  EXPECT_NEAR(above.on_b.z, 1, 1e-15);
+}
+
+}  // namespace
+}  // namespace toccata::test
