@@ -95,12 +95,11 @@ struct NearestArguments : PosedArguments {
   bool sides = false;  ///< tells on which side of the surface each point is
 };
 
-struct InspectArguments {
-  InputArguments input;
+struct InspectArguments : PosedArguments {
   bool volumes = false;     ///< every bounding volume and hierarchy of meshes, too
   bool partitions = false;  ///< every partition of space over the triangles of meshes, too
+  bool faults = false;      ///< where the faults of meshes are, too
   bool hierarchy = false;   ///< the tree of nodes instead of the objects
-  Format format = Format::table;
 };
 
 struct TreeArguments {

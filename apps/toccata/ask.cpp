@@ -19,10 +19,11 @@ SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, int th
   return ask(input.models, question, {threads, bar.callback()});
 }
 
-/// The same question with the faces that meet, which are drawn whether they are listed or not.
+/// The same question with the faces that meet, and faults, which are drawn whether they are listed or not.
 SceneQuestion with_faces(SceneQuestion question) {
   if (auto* check = std::get_if<CheckQuestion>(&question)) check->faces = true;
   if (auto* self = std::get_if<SelfQuestion>(&question)) self->faces = true;
+  if (auto* inspect = std::get_if<InspectQuestion>(&question)) inspect->faults = true;
   return question;
 }
 
@@ -58,9 +59,17 @@ void print_answer(const CheckInput& input, const SceneQuestion& question, const 
 void list_faces(SceneAnswer& answer, const SceneQuestion& question) {
   if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = std::get<CheckQuestion>(question).faces;
   if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = std::get<SelfQuestion>(question).faces;
+  auto* inspected = std::get_if<InspectReport>(&answer);
+  if (inspected == nullptr || std::get<InspectQuestion>(question).faults) return;
+  for (InspectedObject& object : inspected->objects) object.faults.clear();
 }
 
 std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer& answer) {
+  if (std::holds_alternative<InspectReport>(answer)) {
+    SceneAnswer as_asked = answer;
+    list_faces(as_asked, question);
+    return report_json(input.loaded.scene, input.models, as_asked);
+  }
   const bool lists_faces = has_faces(answer);
   list_faces(answer, question);
   std::string json = report_json(input.loaded.scene, input.models, answer);

@@ -8,8 +8,8 @@
 
 namespace toccata::command {
 
-/// Lists the faces of an answer as this question asks: those of one that is drawn are found whether they are listed or
-/// not.
+/// Lists the faces, or the faults, of an answer as this question asks: those of one that is drawn are found whether
+/// they are listed or not.
 void list_faces(SceneAnswer& answer, const SceneQuestion& question);
 
 /// The answer in JSON, with its faces listed as this question asks.
@@ -40,5 +40,6 @@ std::string table_of(const CheckInput& input, const DistancePosesReport& report)
 std::string table_of(const CheckInput& input, const RayReport& report);
 std::string table_of(const CheckInput& input, const FacesReport& report);
 std::string table_of(const CheckInput& input, const NearestReport& report);
+std::string table_of(const CheckInput& input, const InspectReport& report);
 
 }  // namespace toccata::command

@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "table_names.hpp"
 #include "toccata/io/relation_words.hpp"
 #include "view.hpp"
 #include "words.hpp"
@@ -13,12 +14,11 @@
 namespace toccata::command {
 
 std::string table_of(const CheckInput& input, const PosesReport& report) {
-  const std::vector<SceneObject>& objects = input.loaded.scene.objects;
-  const std::string a = printable(objects[0].name), b = printable(objects[1].name);
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.relations.size(); ++i) {
     const Relation& relation = report.relations[i];
-    rows.push_back({fmt::format("query {}", i), a, verb_of(relation), b, remark_on(relation)});
+    rows.push_back({fmt::format("query {}", i), names[0], verb_of(relation), names[1], remark_on(relation)});
     const bool has_depth = relation.kind != RelationKind::apart;
     if (!report.penetrations.empty()) rows.back().push_back(has_depth ? depth_text(report.penetrations[i]) : "");
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");

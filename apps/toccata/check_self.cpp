@@ -5,6 +5,7 @@
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
+#include "table_names.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
@@ -12,12 +13,12 @@ namespace toccata::command {
 
 std::string table_of(const CheckInput& input, const SelfReport& report) {
   const Scene& scene = input.loaded.scene;
+  const std::vector<std::string> names = table_names(scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.objects.size(); ++i) {
     const std::size_t pairs = report.objects[i].face_pairs;
-    rows.push_back(
-        {printable(scene.objects[i].name),
-         pairs == 0 ? "does not meet itself" : fmt::format("meets itself in {} of faces", counted(pairs, "pair"))});
+    rows.push_back({names[i], pairs == 0 ? "does not meet itself"
+                                         : fmt::format("meets itself in {} of faces", counted(pairs, "pair"))});
   }
   const std::size_t meeting = self_meeting_count(report);
   const std::string last = meeting == 0 ? "Nothing meets itself, decided exactly.\n"

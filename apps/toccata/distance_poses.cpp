@@ -4,18 +4,18 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "table_names.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 
 std::string table_of(const CheckInput& input, const DistancePosesReport& report) {
-  const std::vector<SceneObject>& objects = input.loaded.scene.objects;
-  const std::string a = printable(objects[0].name), b = printable(objects[1].name);
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.distances.size(); ++i)
-    rows.push_back(
-        {fmt::format("query {}", i), a, b, distance_text(report.distances[i]), nearest_text(report.distances[i])});
+    rows.push_back({fmt::format("query {}", i), names[0], names[1], distance_text(report.distances[i]),
+                    nearest_text(report.distances[i])});
   return columns(rows, 2) +
          fmt::format("{} of {} meet.\n", grouped(meeting_count(report)), counted(rows.size(), "query", "queries"));
 }

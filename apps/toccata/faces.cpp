@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "view.hpp"
 #include "words.hpp"
@@ -15,6 +16,7 @@ namespace toccata::command {
 /// The first faces of every object, and how many there are.
 std::string table_of(const CheckInput& input, const FacesReport& report) {
   constexpr std::size_t shown = 12;
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   std::size_t total = 0;
   for (const ReportedFaces& of_object : report.found) {
@@ -24,7 +26,7 @@ std::string table_of(const CheckInput& input, const FacesReport& report) {
     for (std::size_t i = 0; i < std::min(shown, faces.size()); ++i)
       list += fmt::format("{}{}", i == 0 ? "" : " ", faces[i]);
     if (faces.size() > shown) list += " … (all with --csv or --json)";
-    rows.push_back({printable(input.models[of_object.object].name), counted(faces.size(), "face"), list});
+    rows.push_back({names[of_object.object], counted(faces.size(), "face"), list});
   }
   return columns(rows, 2) + fmt::format("{} within, decided exactly.\n", counted(total, "face"));
 }

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
+#include "check_input.hpp"
 #include "cost_words.hpp"
-#include "load.hpp"
-#include "output.hpp"
-#include "progress_bar.hpp"
 #include "shape_text.hpp"
 #include "toccata/io/inspect_report.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -50,25 +53,47 @@ std::string place_text(const InspectedObject& object, const std::string& unit) {
   return object.world_box ? box_text(*object.world_box) + " " + unit : "without end";
 }
 
-Rows rows_of(const InspectedObject& inspected, const std::string& unit) {
-  const SceneObject& object = inspected.object;
+/// Edges by their two vertices, triangles and vertices by their numbers; at most so many.
+std::vector<std::string> elements_of(const MeshFault& fault, std::size_t most) {
+  std::vector<std::string> elements;
+  for (const auto& [from, to] : fault.edges) {
+    if (elements.size() == most) return elements;
+    elements.push_back(fmt::format("{}–{}", from, to));
+  }
+  for (const std::vector<Index>* numbers : {&fault.triangles, &fault.vertices})
+    for (const Index number : *numbers) {
+      if (elements.size() == most) return elements;
+      elements.push_back(fmt::format("{}", number));
+    }
+  return elements;
+}
+
+/// Where faults are: the first few, each by its first few elements.
+void add_faults(Rows& rows, const InspectedObject& inspected) {
+  constexpr std::size_t shown = 10;
+  const std::vector<MeshFault>& faults = inspected.faults;
+  for (std::size_t i = 0; i < std::min(shown, faults.size()); ++i) {
+    std::string kind = name_of(faults[i].kind), list;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    const std::vector<std::string> elements = elements_of(faults[i], shown);
+    for (const std::string& element : elements) list += " " + element;
+    rows.push_back({kind, fmt::format("{} together:{}{}", grouped(faults[i].count()), list,
+                                      faults[i].count() > elements.size() ? " …" : "")});
+  }
+  if (faults.size() > shown)
+    rows.push_back({"…", counted(faults.size() - shown, "more place") + " (--json lists all)"});
+}
+
+Rows rows_of(const InspectedObject& inspected, const SceneObject& object, const std::string& unit) {
   Rows rows = {{"from", printable(object.source)}};
   if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(object.shape)) {
     rows.push_back({"shape", shape_text(object.shape)});
     rows.push_back({"taken as", inspected.solid ? "a solid" : "a surface"});
   }
   if (inspected.health) add_mesh_rows(rows, inspected);
+  add_faults(rows, inspected);
   if (!inspected.health || !(object.pose == Pose{})) rows.push_back({"in the world", place_text(inspected, unit)});
   return rows;
-}
-
-std::string inspect_table(const std::vector<InspectedObject>& objects, const std::string& unit) {
-  std::string text;
-  for (const InspectedObject& inspected : objects)
-    text += printable(inspected.object.name) + "\n" + columns(rows_of(inspected, unit), 2) +
-            (inspected.volumes.empty() ? "" : volume_table(inspected.volumes)) +
-            (inspected.partitions.empty() ? "" : partition_table(inspected.partitions));
-  return text;
 }
 
 /// What is measured of meshes alone is asked about these too.
@@ -80,26 +105,25 @@ void warn_of_other_shapes(LoadedScene& loaded, const std::string& option) {
 
 }  // namespace
 
-int run_inspect(const InspectArguments& arguments) {
-  LoadedScene loaded = load(arguments.input);
-  if (arguments.volumes) warn_of_other_shapes(loaded, "--volumes");
-  if (arguments.partitions) warn_of_other_shapes(loaded, "--partitions");
-  std::vector<InspectedObject> objects;
-  ProgressBar bar("measuring");
-  CostOptions options;
-  options.progress = bar.callback();
-  for (const SceneObject& object : loaded.scene.objects) {
-    objects.push_back(inspect(object));
-    if (const auto mesh = object.mesh(); mesh && arguments.volumes)
-      objects.back().volumes = measure_volumes(*mesh, options);
-    if (const auto mesh = object.mesh(); mesh && arguments.partitions)
-      objects.back().partitions = measure_partitions(PartitionItems(*mesh), {1000, 1, bar.callback()});
+std::string table_of(const CheckInput& input, const InspectReport& report) {
+  std::string text;
+  const Scene& scene = input.loaded.scene;
+  for (std::size_t i = 0; i < report.objects.size(); ++i) {
+    const InspectedObject& inspected = report.objects[i];
+    text += printable(scene.objects[i].name) + "\n" + columns(rows_of(inspected, scene.objects[i], scene.unit), 2) +
+            (inspected.volumes.empty() ? "" : volume_table(inspected.volumes)) +
+            (inspected.partitions.empty() ? "" : partition_table(inspected.partitions));
   }
-  const std::string text = arguments.format == Format::json
-                               ? inspect_report_json(objects, loaded.scene.unit, loaded.warnings)
-                               : inspect_table(objects, loaded.scene.unit);
-  print_warnings(loaded.warnings);
-  print_answer(text);
+  return text;
+}
+
+int run_inspect(const InspectArguments& arguments) {
+  require_view(arguments);
+  CheckInput input = read_check_input(arguments);
+  if (arguments.volumes) warn_of_other_shapes(input.loaded, "--volumes");
+  if (arguments.partitions) warn_of_other_shapes(input.loaded, "--partitions");
+  const InspectQuestion question{arguments.volumes, arguments.partitions, arguments.faults};
+  (void)answer_to(question, input, arguments, "measuring");
   return 0;
 }
 

@@ -41,21 +41,34 @@ std::string unit_text(const std::string& file, const Scene& scene) {
   return scene.unit == "unit" ? file + " states no unit" : fmt::format("{} is in {}", file, scene.unit);
 }
 
-/// `name`; or, where an object of another file has it, the file's path; or with a number behind, whichever is free
-/// first.
-std::string free_name(const std::set<std::string>& taken, const std::string& name, const std::string& file,
-                      bool file_is_new) {
-  if (!taken.contains(name)) return name;
-  std::string longer = file + ":" + name;
-  if (file_is_new && !is_generator_specification(file) && !taken.contains(longer)) return longer;
-  for (int number = 2;; ++number) {
-    std::string numbered = fmt::format("{} #{}", name, number);
-    if (!taken.contains(numbered)) return numbered;
+/// Tells the objects of all files apart by their names.
+class FreeNames {
+ public:
+  /// `name`; or, where an object of another file has it, the file's path; or with a number behind, whichever is free
+  /// first. It is taken then.
+  std::string take(const std::string& name, const std::string& file, bool file_is_new) {
+    std::string free = free_one(name, file, file_is_new);
+    taken_.insert(free);
+    return free;
   }
-}
+
+ private:
+  std::string free_one(const std::string& name, const std::string& file, bool file_is_new) {
+    if (!taken_.contains(name)) return name;
+    std::string longer = file + ":" + name;
+    if (file_is_new && !is_generator_specification(file) && !taken_.contains(longer)) return longer;
+    for (int& number = next_number_.try_emplace(name, 2).first->second;; ++number) {
+      std::string numbered = fmt::format("{} #{}", name, number);
+      if (!taken_.contains(numbered)) return numbered;
+    }
+  }
+
+  std::set<std::string> taken_;
+  std::map<std::string, int> next_number_;  ///< of each name; those below are taken, and stay so
+};
 
 /// Appends `part` to `whole`; its node and parent numbers move with it.
-void append(Scene& whole, const Scene& part, const std::string& file, bool file_is_new, std::set<std::string>& taken) {
+void append(Scene& whole, const Scene& part, const std::string& file, bool file_is_new, FreeNames& names) {
   const Index node_offset = static_cast<Index>(whole.nodes.size());
   for (SceneNode node : part.nodes) {
     if (node.parent) *node.parent += node_offset;
@@ -63,8 +76,7 @@ void append(Scene& whole, const Scene& part, const std::string& file, bool file_
   }
   for (SceneObject object : part.objects) {
     if (object.node) *object.node += node_offset;
-    object.name = free_name(taken, object.name, file, file_is_new);
-    taken.insert(object.name);
+    object.name = names.take(object.name, file, file_is_new);
     whole.objects.push_back(std::move(object));
   }
 }
@@ -84,7 +96,7 @@ LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   LoadedScene loaded;
   std::map<std::string, Scene> read;
-  std::set<std::string> taken;
+  FreeNames names;
   const ReadOptions options = read_options(input);
   for (const std::string& file : input.files) {
     const bool file_is_new = !read.contains(file);
@@ -98,7 +110,7 @@ LoadedScene load(const InputArguments& input) {
           fmt::format("{}, but {}: coordinates are compared as they are; say what the unit is with "
                       "--unit, or in a scene file",
                       unit_text(file, scene), unit_text(input.files.front(), loaded.scene)));
-    append(loaded.scene, scene, file, file_is_new, taken);
+    append(loaded.scene, scene, file, file_is_new, names);
   }
   loaded.first_object.push_back(loaded.scene.objects.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));

@@ -7,6 +7,7 @@
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/points_file.hpp"
 #include "view.hpp"
@@ -31,10 +32,10 @@ std::string side_text(const std::optional<SignedDistance>& from) {
   return (from->side == Side::inside ? "inside" : "outside") + by;
 }
 
-std::vector<std::string> row_of(const CheckInput& input, const ReportedSurfacePoint& one, const std::string& point) {
-  const Posed& surface = input.models[one.object];
+std::vector<std::string> row_of(const Posed& surface, const std::string& name, const ReportedSurfacePoint& one,
+                                const std::string& point) {
   return {point,
-          printable(surface.name),
+          name,
           surface.model.face_count() > 1 || surface.model.has_mesh() ? fmt::format("face {}", one.nearest.face) : "",
           fmt::format("{:.12g} away", one.nearest.upper),
           "at " + point_text(one.nearest.point),
@@ -42,22 +43,24 @@ std::vector<std::string> row_of(const CheckInput& input, const ReportedSurfacePo
 }
 
 /// Where there are several objects: that which holds the point may be another than the nearest.
-std::string holder_text(const CheckInput& input, const ReportedPoint& point) {
-  if (input.models.size() < 2 || !point.in_scene || !point.in_scene->inside_of) return "";
+std::string holder_text(const std::vector<std::string>& names, const ReportedPoint& point) {
+  if (names.size() < 2 || !point.in_scene || !point.in_scene->inside_of) return "";
   const char* how = point.in_scene->distance.status == Status::undecided ? "may be inside " : "is inside ";
-  return how + printable(input.models[*point.in_scene->inside_of].name);
+  return how + names[*point.in_scene->inside_of];
 }
 
 }  // namespace
 
 std::string table_of(const CheckInput& input, const NearestReport& report) {
   const std::vector<ReportedPoint>& points = report.points;
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string point = fmt::format("point {}", i);
-    for (const ReportedSurfacePoint& one : points[i].nearest) rows.push_back(row_of(input, one, point));
+    for (const ReportedSurfacePoint& one : points[i].nearest)
+      rows.push_back(row_of(input.models[one.object], names[one.object], one, point));
     if (points[i].nearest.empty()) rows.push_back({point, "nothing within the greatest distance", "", "", "", ""});
-    if (const std::string holder = holder_text(input, points[i]); !holder.empty())
+    if (const std::string holder = holder_text(names, points[i]); !holder.empty())
       rows.push_back({point, holder, "", "", "", ""});
   }
   return columns(rows, 2);

@@ -68,9 +68,10 @@ CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made) {
 }
 
 void add_save_case(CLI::App& app, std::string& file, const char* what) {
-  app.add_option("--save-case", file, what)
-      ->check([](const std::string& name) { return name.empty() ? "a file must be named" : std::string(); })
-      ->type_name("FILE.json");
+  constexpr const char* usual =
+      "write the shapes, the question and the answer into one file, for a bug report or a test; `replay` asks it again "
+      "(docs/reference/case-file.md)";
+  add_file(app, "--save-case", file, what == nullptr ? usual : what, "FILE.json");
 }
 
 void add_pages(CLI::App& app, PosedArguments& arguments) {
@@ -82,9 +83,7 @@ void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, con
   add_formats(app, options, report);
   add_threads(app, arguments.threads, "answer");
   add_pages(app, arguments);
-  add_save_case(app, arguments.save_case,
-                "write the shapes, the question and the answer into one file, for a bug report or a test; `replay` "
-                "asks it again (docs/reference/case-file.md)");
+  add_save_case(app, arguments.save_case);
 }
 
 CLI::Option* add_solid(CLI::App& app, Options& options) {
@@ -109,7 +108,7 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
   return {clearance, clearance_of};
 }
 
-CLI::Option* add_glb(CLI::App& app, CheckArguments& arguments) {
+CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments) {
   return add_file(app, "--glb", arguments.glb,
                   "write the objects and what was found as a GLB file, for Blender (docs/reference/glb-file.md)",
                   "FILE.glb");

@@ -45,7 +45,8 @@ void add_formats(CLI::App& app, Options& options, const std::string& report);
 /// `made` is what does not depend on the threads.
 CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made);
 
-void add_save_case(CLI::App& app, std::string& file, const char* what);
+/// `what` is told in place of the usual help.
+void add_save_case(CLI::App& app, std::string& file, const char* what = nullptr);
 
 /// What shows the answer besides telling it.
 void add_pages(CLI::App& app, PosedArguments& arguments);
@@ -57,7 +58,7 @@ CLI::Option* add_solid(CLI::App& app, Options& options);
 /// --clearance and --clearance-of; returns both.
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments);
 
-CLI::Option* add_glb(CLI::App& app, CheckArguments& arguments);
+CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments);
 
 /// Of `look` and `size` where there is a picture.
 void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look);

@@ -94,7 +94,13 @@ void add_inspect(CLI::App& app, Options& options) {
                  "how good the tree of nodes is as a hierarchy, and what rebalancing it gains")
       ->excludes(volumes)
       ->excludes(partitions);
+  inspect->add_flag("--faults", options.inspect.faults,
+                    "where the edges, triangles and vertices are that are out of order");
   inspect->add_flag("--json", options.json, "write JSON (docs/reference/inspect-report.md)");
+  add_threads(*inspect, options.inspect.threads, "answer");
+  add_pages(*inspect, options.inspect);
+  add_glb(*inspect, options.inspect);
+  add_save_case(*inspect, options.inspect.save_case);
   inspect->footer(
       with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
                 "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"

@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/rays_file.hpp"
 #include "view.hpp"
@@ -31,6 +32,7 @@ std::vector<RayQuery> rays_asked(const RayArguments& arguments) {
 
 std::string table_of(const CheckInput& input, const RayReport& report) {
   const std::vector<ReportedRay>& rays = report.rays;
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   std::size_t met = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -40,7 +42,7 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
     ++met;
     const Posed& target = input.models[ray.object];
     const std::string where = target.model.has_mesh() ? fmt::format("face {}", ray.hit.face) : "";
-    rows.back() = {rows.back()[0], "meets " + printable(target.name), where, "at " + point_text(ray.hit.point),
+    rows.back() = {rows.back()[0], "meets " + names[ray.object], where, "at " + point_text(ray.hit.point),
                    fmt::format("after {:.12g} of the way", ray.hit.upper)};
   }
   for (auto& row : rows) row.resize(5);

@@ -153,6 +153,12 @@ struct FindingsTold {
   std::string operator()(const RayReport& r) const { return counted(r.rays.size(), "ray"); }
   std::string operator()(const FacesReport& r) const { return counted(r.found.size(), "object") + " in the region"; }
   std::string operator()(const NearestReport& r) const { return counted(r.points.size(), "point"); }
+  std::string operator()(const InspectReport& r) const {
+    std::size_t faults = 0;
+    for (const InspectedObject& object : r.objects)
+      for (const MeshFault& fault : object.faults) faults += fault.count();
+    return counted(faults, "fault");
+  }
 };
 
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }

@@ -135,6 +135,7 @@
 #include "toccata/shapes/half_space.hpp"
 #include "toccata/shapes/height_field.hpp"
 #include "toccata/shapes/hull_topology.hpp"
+#include "toccata/shapes/mesh_faults.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/point.hpp"

@@ -125,6 +125,9 @@ def inspections(folder):
     """What meshes and shapes are, with all volumes and partitions and without."""
     yield asked(folder, "inspect", "shapes.json", "scenes/a.obj", "bow.off", "scenes/shelf/scene.json")
     yield asked(folder, "inspect", "zoo.json")
+    with_faults = asked(folder, "inspect", "bow.off", "--faults")
+    assert with_faults["objects"][0]["faults"], with_faults
+    yield with_faults
     with_volumes = asked(folder, "inspect", "gen:box", "--volumes")
     assert with_volumes["objects"][0]["volumes"], with_volumes
     yield with_volumes
@@ -181,7 +184,7 @@ def main():
 
 def check_asked(kind, report):
     """A report of a question says what was asked."""
-    if kind in ("cost", "inspect", "hierarchy", "crowd"):
+    if kind in ("cost", "hierarchy", "crowd"):
         assert "asked" not in report, report
         return
     validator("asked.schema.json").validate(report["asked"])

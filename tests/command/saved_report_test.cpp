@@ -44,7 +44,8 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
       {{"distance", "gen:box", "bow.off", "--poses", "poses.txt"}, "2 objects and 2 poses"},
       {{"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"}, "1 object and 1 ray"},
       {{"faces", "bow.off", "--ball", "0", "0", "0", "1"}, "1 object and 1 object in the region"},
-      {{"nearest", "gen:box", "bow.off", "--point", "0", "0", "9"}, "2 objects and 1 point"}};
+      {{"nearest", "gen:box", "bow.off", "--point", "0", "0", "9"}, "2 objects and 1 point"},
+      {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 6 faults"}};
   for (const auto& [words, told] : questions) {
     SCOPED_TRACE(words[0] + " " + words.back());
     const TemporaryFolder elsewhere;
@@ -174,8 +175,9 @@ TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
   std::string text = text_of(report);
   text.erase(text.find(",\n  \"asked\""));
   refused(drawn(elsewhere.write("old.json", text + "\n}\n")), "does not say what was asked");
-  const fs::path inspected = elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--json"}).out);
-  refused(drawn(inspected), "toccata view FILE --hierarchy");
+  const fs::path inspected =
+      elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--hierarchy", "--json"}).out);
+  refused(drawn(inspected), "toccata view FILE");
   folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
   const fs::path poses = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off", "--poses", "poses.txt"});
   refused(drawn(poses, {"--glb", "a.glb"}), "a page shows them: view_page, or -o FILE.html");
@@ -200,7 +202,8 @@ TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {
                                  {"distance", "gen:box", "bow.off", "--poses", "poses.txt"},
                                  {"ray", "bow.off", "--from", "0", "0", "9", "--to", "0", "0", "-9"},
                                  {"faces", "bow.off", "--box", "0", "0", "0", "1", "1", "1"},
-                                 {"nearest", "bow.off", "--point", "0", "0", "9"}}) {
+                                 {"nearest", "bow.off", "--point", "0", "0", "9"},
+                                 {"inspect", "bow.off"}}) {
     SCOPED_TRACE(question[0] + " " + question.back());
     Asking words = question;
     words.insert(words.end(), {"--html", "page.html"});

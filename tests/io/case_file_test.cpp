@@ -143,7 +143,7 @@ std::vector<PairQuery> queries(Random& random, const Scene& of) {
 SceneQuestion question(Random& random, const Scene& of) {
   const bool yes = random.below(2) == 0;
   const double reach = random.below(3) == 0 ? std::numeric_limits<double>::infinity() : length(random);
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0: {
       CheckQuestion check{yes ? Touching::ignore : Touching::count, random.below(2) == 0, random.below(2) == 0, {}, {}};
       if (!yes) check.clearance = reach;
@@ -171,6 +171,8 @@ SceneQuestion question(Random& random, const Scene& of) {
       if (yes) return FacesQuestion{Ball{lower, length(random)}};
       return FacesQuestion{Aabb{lower, lower + Vec3{length(random), 0, length(random)}}};
     }
+    case 7:
+      return InspectQuestion{false, random.below(4) == 0, yes};
     default:
       return NearestQuestion{points(random, 4, true), 1 + random.below(3), reach, yes};
   }

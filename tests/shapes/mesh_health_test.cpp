@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
+
+#include "toccata/shapes/mesh_faults.hpp"
 
 namespace toccata {
 namespace {
@@ -15,12 +19,46 @@ const std::vector<Vec3> cube_vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1,
 const Triangles cube_triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
                                   {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
 
+/// The faults of a kind are as many as were counted, and in different places.
+void expect_faults(const TriangleMesh& mesh, const MeshHealth& health) {
+  std::array<std::size_t, 6> counts{};
+  std::set<std::pair<MeshFaultKind, std::array<Index, 2>>> edges;
+  for (const MeshFault& fault : mesh_faults(mesh)) {
+    counts[static_cast<std::size_t>(fault.kind)] += fault.count();
+    EXPECT_GT(fault.count(), 0U);
+    for (const auto& edge : fault.edges) EXPECT_TRUE(edges.insert({fault.kind, edge}).second);
+  }
+  EXPECT_EQ(counts, (std::array{health.boundary_edges, health.non_manifold_edges, health.flipped_edges,
+                                health.degenerate_triangles, health.duplicate_triangles, health.unused_vertices}));
+}
+
 MeshHealth health_of(const std::vector<Vec3>& vertices, const Triangles& triangles) {
   const TriangleMesh mesh(vertices, triangles);
   const MeshHealth health = inspect(mesh);
   EXPECT_EQ(is_closed(mesh), health.closed);
   EXPECT_EQ(health.closed, health.unbalanced_edges == 0);
+  expect_faults(mesh, health);
   return health;
+}
+
+/// A triangle alone, and a square of which one half is there twice.
+TEST(MeshFaults, WhatHangsTogetherIsOneFault) {
+  const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {6, 1, 0}, {9, 9, 9}},
+                          {{0, 1, 2}, {3, 4, 5}, {4, 6, 5}, {0, 0, 1}, {3, 4, 5}});
+  using Edges = std::vector<std::array<Index, 2>>;
+  using Numbers = std::vector<Index>;
+  const std::vector<MeshFault> faults = mesh_faults(mesh);
+  ASSERT_EQ(faults.size(), 7U);
+  EXPECT_EQ(faults[0].edges, (Edges{{0, 2}, {0, 1}, {2, 1}}));
+  EXPECT_EQ(faults[1].edges, (Edges{{5, 6}, {4, 6}}));
+  EXPECT_EQ(faults[2].edges, (Edges{{5, 4}}));
+  EXPECT_EQ(faults[3].edges, (Edges{{3, 5}, {3, 4}}));
+  EXPECT_EQ(faults[4].triangles, Numbers{3});
+  EXPECT_EQ(faults[5].triangles, Numbers{4});
+  EXPECT_EQ(faults[6].vertices, Numbers{7});
+  EXPECT_EQ(faults[1].kind, MeshFaultKind::boundary_edges);
+  EXPECT_EQ(faults[2].kind, MeshFaultKind::non_manifold_edges);
+  EXPECT_EQ(faults[3].kind, MeshFaultKind::flipped_edges);
 }
 
 TEST(MeshHealth, Cube) {

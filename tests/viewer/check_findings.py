@@ -191,6 +191,33 @@ def check_distances(checks, browser):
         checks.quiet(browser, name)
 
 
+def check_inspect(checks, browser):
+    """Objects in words, and each fault where it is."""
+    box = "OFF\n9 11 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n3 3 3\n"
+    faces = ["0 2 1", "0 3 2", "4 5 6", "4 6 7", "0 1 5", "0 5 4", "2 3 7", "2 7 6", "3 0 4", "3 0 4", "0 0 1"]
+    (checks.folder / "open-box.off").write_text(box + "".join(f"3 {face}\n" for face in faces))
+    report = drawn_report(checks, browser, "inspect", "inspect", "open-box.off", "gen:icosphere", "--faults")
+    broken, whole = report["objects"]
+    kinds = [fault["kind"] for fault in broken["faults"]]
+    checks.expect("boundary_edges" in kinds and "duplicate_triangles" in kinds and "degenerate_triangles" in kinds and "unused_vertices" in kinds, f"{kinds}")
+    checks.expect(len(rows(browser)) == 2 + len(kinds), f"a row for each object and fault: {rows(browser)}")
+    sentence, facts = told(browser, 0)
+    checks.expect(sentence == f"open-box is open: {broken['unbalanced_edges']} unbalanced edges; taken as a surface.", sentence)
+    checks.expect(f"{broken['vertices']} vertices, {broken['distinct_vertices']} distinct" in facts, f"{facts}")
+    sentence, facts = told(browser, 1 + len(kinds))
+    checks.expect(sentence == "icosphere is closed: may be a solid." and is_close(number_in(r"volume ([-\d.e]+)", facts), whole["signed_volume"]), f"{sentence} {facts}")
+    vertices = [[float(x) for x in line.split()] for line in box.splitlines()[2:]]
+    for number, fault in enumerate(broken["faults"], start=1):
+        sentence, _ = told(browser, number)
+        checks.expect(sentence.startswith(f"open-box has {fault['count']} "), sentence)
+        drawn = segments_of(browser, number, fault["kind"])
+        wanted = [vertices[vertex] for edge in fault.get("edges", []) for vertex in edge]
+        if wanted:
+            checks.expect(len(drawn) == len(wanted) and all(map(is_near, drawn, wanted)), f"{fault['kind']}: {drawn}")
+        checks.expect(fault["kind"] == "unused_vertices" or drawn, f"{fault['kind']} is drawn")
+    checks.quiet(browser, "inspect")
+
+
 def check_names(checks, browser):
     """Names are text, whatever was asked."""
     checks.write_scene("wicked.json", [{"name": WICKED, "shape": BOX}, {"name": "b", "shape": BOX, "pose": moved(3)}])
@@ -200,6 +227,7 @@ def check_names(checks, browser):
         ("faces", ["faces", "wicked.json", "--ball", "0", "0", "0", "1.5"]),
         ("self", ["check", "wicked.json", "--self"]),
         ("distance", ["distance", "wicked.json"]),
+        ("inspect", ["inspect", "wicked.json"]),
     ]:
         drawn_report(checks, browser, f"wicked-{name}", *words)
         sentence, _ = told(browser, 0)
@@ -214,7 +242,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, Browser() as browser:
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
-        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_names]:
+        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_names]:
             check(checks, browser)
     print(f"findings: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

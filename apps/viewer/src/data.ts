@@ -87,6 +87,9 @@ export interface Words {
   object?: number;
   faces?: number;
   triangles?: number;
+  fault?: string; // of `inspect`: what kind, how many, and how many places are told together
+  count?: number;
+  groups?: number;
 }
 
 export interface Header {
@@ -196,7 +199,20 @@ export interface ReportObject {
   solid: boolean;
   group: string;
   pose: number[];
+  // Of `inspect`; the first few of meshes alone.
+  vertices?: number;
+  distinct_vertices?: number;
+  components?: number;
+  unbalanced_edges?: number;
+  signed_volume?: number;
+  world_box?: { lower: Vec; upper: Vec } | null;
+  refusal?: string;
+  volumes?: { volume: string; fill: number; bytes: number }[];
+  partitions?: { partition: string; cells: number; items_per_cell: number; copies_per_item: number }[];
 }
+
+/// What a report leaves out of objects that are no meshes.
+const plainObject = { triangles: 0, faces: 0, closed: false, solid: false, group: '' };
 
 /// What the subcommand writes with --json (docs/reference), without the faces.
 export interface Report {
@@ -223,7 +239,9 @@ export class PageData {
   static read(): PageData {
     const header = JSON.parse(textOf('toccata-header'), visible) as Header;
     if (header.format !== 'toccata/view/2') throw new Error(`this page cannot show ${header.format}`);
-    return new PageData(header, JSON.parse(textOf('toccata-report'), visible) as Report, bytesOf(textOf('toccata-data')));
+    const report = JSON.parse(textOf('toccata-report'), visible) as Report;
+    report.objects = report.objects.map((object) => ({ ...plainObject, ...object }));
+    return new PageData(header, report, bytesOf(textOf('toccata-data')));
   }
 
   floats(place: ArrayPlace): Float32Array {

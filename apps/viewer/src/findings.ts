@@ -1,6 +1,7 @@
 // What the page lists: a finding for each entry of the report, whatever was asked. Every sentence is put together here,
 // of the engine's words and numbers; nothing is computed but how a number is written.
 import type { Distance, Header, Pair, PageData, Penetration, Report } from './data';
+import { ofInspected } from './inspected';
 import { countText, directionText, lengthText, numberText, vectorText } from './words';
 
 /// A text, or the name of an object, which is untrusted.
@@ -307,6 +308,7 @@ const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/ray/1': ofRays,
   'toccata/faces/1': ofFaces,
   'toccata/nearest/1': ofPoints,
+  'toccata/inspect/1': ofInspected,
 };
 
 export function findingsOf(data: PageData): Findings {

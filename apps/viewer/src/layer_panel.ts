@@ -19,6 +19,12 @@ const roleNames: Record<string, string> = {
   hit: 'What is met',
   region: 'Region',
   within: 'Faces in it',
+  boundary_edges: 'Open edges',
+  non_manifold_edges: 'Non-manifold edges',
+  flipped_edges: 'Flipped edges',
+  degenerate_triangles: 'Degenerate triangles',
+  duplicate_triangles: 'Duplicate triangles',
+  unused_vertices: 'Unused vertices',
 };
 
 export class LayerPanel {

@@ -39,8 +39,18 @@ interface Drawing {
 
 type Draw = (layer: Layer, drawing: Drawing, style: LayerStyle) => Object3D;
 
+/// Of what `inspect` found out of order.
+const faultColours = (theme: Theme) => ({
+  boundary_edges: theme.depth,
+  non_manifold_edges: theme.normal,
+  flipped_edges: theme.distance,
+  degenerate_triangles: theme.contact,
+  duplicate_triangles: theme.within,
+  unused_vertices: theme.contact,
+});
+
 export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
-  const ofRole = { ...theme, pairs: theme.contact, bodies: bodyColours[1] } as unknown as Record<string, number>;
+  const ofRole = { ...theme, ...faultColours(theme), pairs: theme.contact, bodies: bodyColours[1] } as unknown as Record<string, number>;
   return ofRole[role] ?? stepColours[stepNumber % stepColours.length];
 }
 

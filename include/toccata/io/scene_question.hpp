@@ -10,6 +10,7 @@
 #include "toccata/core/progress.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"
+#include "toccata/io/inspect_report.hpp"
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/poses_report.hpp"
 #include "toccata/io/ray_report.hpp"
@@ -65,8 +66,15 @@ struct NearestQuestion {
   bool sides = false;  ///< on which side of the surface each point is
 };
 
+/// What the objects are, and what is out of order in their meshes: `inspect`.
+struct InspectQuestion {
+  bool volumes = false;     ///< every bounding volume and hierarchy of each mesh, too
+  bool partitions = false;  ///< every partition of space over each mesh, too
+  bool faults = false;      ///< where the faults are that are counted
+};
+
 using SceneQuestion = std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion,
-                                   DistancePosesQuestion, RayQuestion, FacesQuestion, NearestQuestion>;
+                                   DistancePosesQuestion, RayQuestion, FacesQuestion, NearestQuestion, InspectQuestion>;
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -83,9 +91,13 @@ struct NearestReport {
   bool sides = false;  ///< with the side on which each is
 };
 
+struct InspectReport {
+  std::vector<InspectedObject> objects;  ///< those of the scene, in its order
+};
+
 /// What a question found, in the order of SceneQuestion's alternatives.
 using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
-                                 FacesReport, NearestReport>;
+                                 FacesReport, NearestReport, InspectReport>;
 
 struct AskOptions {
   int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
@@ -97,14 +109,15 @@ struct AskOptions {
 [[nodiscard]] SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
-/// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest".
+/// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
 [[nodiscard]] std::string report_json(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                       std::span<const std::string> warnings = {});
 
-/// The same as comma-separated values with a header line.
+/// The same as comma-separated values with a header line. Throws Error for the answer to `inspect`, which has no such
+/// form.
 [[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
 
 }  // namespace toccata

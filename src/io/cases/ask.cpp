@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/cases/ask_inspect.hpp"
 #include "io/cases/ask_nearest.hpp"
 #include "io/cases/asked_of.hpp"
 #include "toccata/core/error.hpp"
@@ -110,6 +111,10 @@ class Asking {
 
   SceneAnswer operator()(const NearestQuestion& question) const { return io::ask_nearest(models_, question, batch()); }
 
+  SceneAnswer operator()(const InspectQuestion& question) const {
+    return io::ask_inspect(models_, question, options_.progress);
+  }
+
  private:
   void require_two() const {
     if (models_.size() != 2)
@@ -159,6 +164,9 @@ struct ReportWriter {
   std::string operator()(const NearestReport& r) const {
     return nearest_report_json(scene, models, r.points, warnings);
   }
+  std::string operator()(const InspectReport& r) const {
+    return inspect_report_json(io::with_sources(r, scene).objects, scene.unit, warnings);
+  }
 };
 
 struct CsvWriter {
@@ -172,6 +180,9 @@ struct CsvWriter {
   std::string operator()(const RayReport& r) const { return ray_report_csv(scene, r.rays); }
   std::string operator()(const FacesReport& r) const { return faces_report_csv(scene, r.found); }
   std::string operator()(const NearestReport& r) const { return nearest_report_csv(scene, r.points, r.sides); }
+  std::string operator()(const InspectReport&) const {
+    throw Error("what inspect tells has no form in lines of values; take JSON");
+  }
 };
 
 }  // namespace
@@ -182,7 +193,7 @@ SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question, co
 
 std::string name_of(const SceneQuestion& question) {
   constexpr std::array<const char*, std::variant_size_v<SceneQuestion>> names = {
-      "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest"};
+      "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect"};
   return names[question.index()];
 }
 

@@ -28,6 +28,9 @@ const json* member(const json& object, const std::string& key) {
   return found == object.end() ? nullptr : &*found;
 }
 
+/// What a clock told is another each time.
+bool is_time(std::string_view key) { return key.ends_with("_ns") || key.ends_with("_ms"); }
+
 std::string difference(const json& recorded, const json& now, const std::string& place, bool is_top);
 
 std::string difference_of_objects(const json& recorded, const json& now, const std::string& place, bool is_top) {
@@ -36,6 +39,7 @@ std::string difference_of_objects(const json& recorded, const json& now, const s
   for (const auto& item : keys.items()) {
     const std::string& key = item.key();
     if (is_top && (key == "version" || key == "warnings" || key == "asked")) continue;
+    if (is_time(key)) continue;
     const json *before = member(recorded, key), *after = member(now, key);
     const std::string here = place + "/" + key;
     if (before == nullptr || after == nullptr) return told(here, before, after);

@@ -90,6 +90,9 @@ struct Writer {
     return {
         {"points", json_of_rows(numbers, 3)}, {"k", q.k}, {"within", json_of_length(q.within)}, {"signed", q.sides}};
   }
+  Json operator()(const InspectQuestion& q) const {
+    return {{"volumes", q.volumes}, {"partitions", q.partitions}, {"faults", q.faults}};
+  }
 };
 
 template <class Word>
@@ -206,6 +209,12 @@ SceneQuestion nearest_of(const JsonValue& value) {
   return q;
 }
 
+SceneQuestion inspect_of(const JsonValue& value) {
+  value.expect_keys({"question", "volumes", "partitions", "faults"});
+  return InspectQuestion{value.flag_or("volumes", false), value.flag_or("partitions", false),
+                         value.flag_or("faults", false)};
+}
+
 }  // namespace
 
 Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
@@ -219,8 +228,9 @@ Json json_of(const SceneQuestion& question) {
 SceneQuestion question_of(const JsonValue& value) {
   using Reading = SceneQuestion (*)(const JsonValue&);
   static const std::map<std::string, Reading, std::less<>> readings = {
-      {"check", check_of}, {"check-poses", check_poses_of},       {"check-self", self_of}, {"distance", distance_of},
-      {"ray", ray_of},     {"distance-poses", distance_poses_of}, {"faces", faces_of},     {"nearest", nearest_of}};
+      {"check", check_of},    {"check-poses", check_poses_of},       {"check-self", self_of}, {"distance", distance_of},
+      {"ray", ray_of},        {"distance-poses", distance_poses_of}, {"faces", faces_of},     {"nearest", nearest_of},
+      {"inspect", inspect_of}};
   const std::string name = value.at("question").text();
   const auto found = readings.find(name);
   if (found != readings.end()) return found->second(value);

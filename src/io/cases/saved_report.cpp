@@ -94,7 +94,6 @@ void require_answer(const io::JsonValue& top, const SceneQuestion& question) {
 
 /// Reports that are about files rather than a question to them: what shows the same.
 constexpr std::pair<std::string_view, std::string_view> shown_otherwise[] = {
-    {"toccata/inspect/1", "draw the mesh itself, with a hierarchy over it: toccata view FILE --hierarchy aabb"},
     {"toccata/hierarchy/1", "draw the scene itself, with its tree of nodes: toccata view FILE"},
     {"toccata/cost/1", "draw bars or lines of it: toccata plot"},
     {"toccata/crowd/1", "let the crowd move on a page: toccata crowd --html FILE.html"},

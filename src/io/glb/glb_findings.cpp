@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "io/glb/glb_scene.hpp"
 #include "io/view/contact_geometry.hpp"
+#include "io/view/drawn_faults.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/relation_words.hpp"
 
@@ -15,6 +17,7 @@ using Json = GlbWriter::Json;
 const GlbPaint first_faces{"faces of the first that meet", 0x0072b2};
 const GlbPaint second_faces{"faces of the second that meet", 0xd55e00};
 const GlbPaint curves{"where they meet", 0x000000};
+const GlbPaint faults{"faults of meshes", 0xd55e00};
 const GlbPaint lengths{"depths, distances and rays", 0xcc79a7};
 
 /// Points of a finding, in the world, and how they are shown.
@@ -87,10 +90,31 @@ class FindingNodes {
     glb_.add_group("points", nodes_);
   }
 
+  void operator()(const InspectReport& report) {
+    for (const InspectFinding& finding : inspect_findings(report)) {
+      if (!finding.fault) continue;
+      const SceneObject& object = report.objects[finding.object].object;
+      FaultGeometry found = geometry_of(*finding.fault, *object.mesh(), object.pose);
+      add_node(fmt::format("{} of {}", words_of(finding.fault->kind), glb_.name_of(finding.object)),
+               std::vector<Shown>{{std::move(found.triangles), GlbMode::triangles, faults},
+                                  {std::move(found.segments), GlbMode::lines, faults},
+                                  {std::move(found.points), GlbMode::points, faults}},
+               {{"count", finding.fault->count()}});
+    }
+    glb_.add_group("faults", nodes_);
+  }
+
   void operator()(const PosesReport&) { refuse_poses(); }
   void operator()(const DistancePosesReport&) { refuse_poses(); }
 
  private:
+  /// "boundary edges".
+  static std::string words_of(MeshFaultKind kind) {
+    std::string words = toccata::name_of(kind);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+  }
+
   [[noreturn]] static void refuse_poses() {
     throw Error(
         "a GLB file has one place for each object, and here they have many; a page shows them: view_page, or -o "

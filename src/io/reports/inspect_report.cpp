@@ -1,5 +1,6 @@
 #include "toccata/io/inspect_report.hpp"
 
+#include <array>
 #include <utility>
 
 #include "io/formats/utf8.hpp"
@@ -66,6 +67,14 @@ Json json_of(const PartitionCost& cost) {
           {"candidate_pairs", cost.candidate_pairs},
           {"pairs", cost.pairs},
           {"pairs_ns", cost.pairs_ns}};
+}
+
+Json json_of(const MeshFault& fault) {
+  Json json = {{"kind", name_of(fault.kind)}, {"count", fault.count()}};
+  if (!fault.edges.empty()) json["edges"] = fault.edges;
+  if (!fault.triangles.empty()) json["triangles"] = fault.triangles;
+  if (!fault.vertices.empty()) json["vertices"] = fault.vertices;
+  return json;
 }
 
 Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
@@ -146,6 +155,12 @@ InspectedObject inspect(const SceneObject& object) {
   return result;
 }
 
+std::string name_of(MeshFaultKind kind) {
+  constexpr std::array names = {"boundary_edges",       "non_manifold_edges",  "flipped_edges",
+                                "degenerate_triangles", "duplicate_triangles", "unused_vertices"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
                                 std::span<const std::string> warnings) {
   Json json = {{"schema", "toccata/inspect/1"}, {"version", version}, {"unit", unit}, {"warnings", warnings}};
@@ -159,6 +174,7 @@ std::string inspect_report_json(std::span<const InspectedObject> objects, const 
     if (inspected.health) item.update(json_of(*inspected.health));
     item["world_box"] = inspected.world_box ? json_of(*inspected.world_box) : Json();
     if (!inspected.refusal.empty()) item["refusal"] = io::as_utf8(inspected.refusal);
+    for (const MeshFault& fault : inspected.faults) item["faults"].push_back(json_of(fault));
     for (const VolumeCost& cost : inspected.volumes) item["volumes"].push_back(json_of(cost));
     for (const PartitionCost& cost : inspected.partitions) item["partitions"].push_back(json_of(cost));
     list.push_back(std::move(item));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/view/contact_geometry.hpp"
+#include "io/view/drawn_faults.hpp"
 #include "io/view/layer_writer.hpp"
 
 namespace toccata::io {
@@ -143,6 +144,20 @@ struct FindingMarks {
       layers.add_points("asked", std::array{report.points[i].point});
       for (const ReportedSurfacePoint& one : report.points[i].nearest)
         layers.add_length("distance", report.points[i].point, one.nearest.point, one.nearest.upper);
+    }
+  }
+
+  void operator()(const InspectReport& report) const {
+    const std::vector<InspectFinding> findings = inspect_findings(report);
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      if (!findings[i].fault) continue;
+      layers.begin(i);
+      const SceneObject& object = report.objects[findings[i].object].object;
+      const FaultGeometry shown = geometry_of(*findings[i].fault, *object.mesh(), object.pose);
+      const std::string role = name_of(findings[i].fault->kind);
+      layers.add_triangles(role.c_str(), shown.triangles);
+      layers.add_segments(role.c_str(), shown.segments);
+      layers.add_points(role.c_str(), shown.points);
     }
   }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "io/view/drawn_faults.hpp"
 #include "toccata/io/relation_words.hpp"
 #include "toccata/query/pairs.hpp"
 
@@ -96,6 +97,18 @@ struct Words {
     for (const ReportedFaces& found : report.found)
       words.push_back(
           {{"object", found.object}, {"faces", distinct_faces(found.found).size()}, {"triangles", found.found.size()}});
+    return words;
+  }
+
+  Json operator()(const InspectReport& report) const {
+    Json words = Json::array();
+    for (const InspectFinding& finding : inspect_findings(report)) {
+      Json& entry = words.emplace_back(Json{{"object", finding.object}});
+      if (!finding.fault) continue;
+      entry["fault"] = name_of(finding.fault->kind);
+      entry["count"] = finding.fault->count();
+      entry["groups"] = finding.groups;
+    }
     return words;
   }
 

@@ -24,6 +24,8 @@ std::string report_of(const Scene& scene, std::span<const Posed> models, SceneAn
   if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = false;
   if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = false;
   if (auto* faces = std::get_if<FacesReport>(&answer)) faces->found.clear();
+  if (auto* inspected = std::get_if<InspectReport>(&answer))
+    for (InspectedObject& object : inspected->objects) object.faults.clear();
   return report_json(scene, models, answer, warnings);
 }
 
