@@ -81,6 +81,10 @@ WANTED = {
     "levels-ball": ([KNOT], ["--hierarchy", "ball"], "steps=0:4"),
     "levels-wide": ([KNOT], ["--hierarchy", "wide"], "steps=0:2"),
     "levels-dop": ([KNOT], ["--hierarchy", "26-dop"], "steps=0:4"),
+    "partition-grid": ([KNOT], ["--partition", "grid"], "steps=0:0&grid=0"),
+    "partition-octree": ([KNOT], ["--partition", "octree"], "steps=0:4&grid=0"),
+    "partition-kd-tree": ([KNOT], ["--partition", "kd-tree"], "steps=0:7&grid=0"),
+    "partition-r-tree": ([KNOT], ["--partition", "r-tree"], "steps=0:2&grid=0"),
 }
 
 # Crowds: words of the command, and how they are shown.
@@ -97,6 +101,7 @@ CROWDS = {
     "crowd-rectangles": ("--scene uniform --count 40 --frames 2 --method rectangle-sweeps", "moment=2&grid=0"),
     "crowd-tree": ("--scene uniform --count 200 --frames 2 --method morton-tree", "moment=2&off=pairs&grid=0"),
     "crowd-dynamic-tree": ("--scene static --count 30 --frames 4 --method dynamic-tree", "moment=4&off=pairs&grid=0&through=1"),
+    "crowd-tracked": ("--scene fast --count 12 --frames 8 --method grid --cells tracked", "moment=4&off=pairs&grid=0&camera=0,0,0,7,-0.9,0.45"),
     "crowd-auto": ("--scene clustered --count 6000 --frames 4", "moment=4&off=pairs&grid=0"),
 }
 

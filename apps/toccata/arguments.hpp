@@ -53,6 +53,7 @@ struct CheckArguments : PosedArguments {
 struct ViewArguments : CheckArguments {
   std::string up;         ///< "y" or "z"; empty: as the files say
   std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
+  std::string partition;  ///< the name of a partition of space; empty: none is drawn
   std::string size;       ///< of the picture, "1200x800"; empty: that
   std::string look;       ///< what the picture shows: the end of a link to the page
 };
@@ -120,10 +121,11 @@ struct CrowdArguments {
   std::string method = "auto";
   bool compare = false;  ///< all methods instead of the one
   std::uint64_t seed = 1;
-  std::string html;  ///< a page to write; empty: none
-  std::string png;   ///< a picture of that page; empty: none
-  std::string size;  ///< of the picture; empty: as it is
-  std::string look;  ///< what the picture shows
+  std::string html;              ///< a page to write; empty: none
+  std::string png;               ///< a picture of that page; empty: none
+  std::string size;              ///< of the picture; empty: as it is
+  std::string look;              ///< what the picture shows
+  std::string cells = "method";  ///< those that the page shows, or "tracked"
   int threads = 1;
   Format format = Format::table;
 };

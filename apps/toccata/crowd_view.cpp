@@ -13,6 +13,7 @@
 #include "toccata/generate/crowds.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
+#include "tracked_cells.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -27,7 +28,15 @@ CrowdRecording recorded(const CrowdArguments& arguments) {
   phase.add(crowd.boxes());
   phase.update();
   CrowdRecording recording;
-  recording.add(phase);
+  std::optional<TrackedCells> tracked;
+  if (arguments.cells == "tracked") tracked.emplace(crowd.boxes());
+  const auto record = [&] {
+    if (tracked)
+      recording.add(phase, tracked->frame(crowd.boxes()));
+    else
+      recording.add(phase);
+  };
+  record();
   std::vector<Aabb> to;
   for (std::size_t frame = 0; frame < arguments.frames; ++frame) {
     const std::span<const Index> moved = crowd.step();
@@ -35,7 +44,7 @@ CrowdRecording recorded(const CrowdArguments& arguments) {
     for (const Index number : moved) to.push_back(crowd.boxes()[number]);
     phase.move(moved, to);
     phase.update();
-    recording.add(phase);
+    record();
     if (progress) progress(frame + 1, arguments.frames);
   }
   return recording;
@@ -54,7 +63,11 @@ std::string told_of(const CrowdRecording& recording) {
 CrowdView::CrowdView(const CrowdArguments& arguments) : arguments_(arguments) {
   if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
-  if (arguments.html.empty() && arguments.png.empty()) return;
+  if (arguments.html.empty() && arguments.png.empty()) {
+    if (arguments.cells != "method")
+      throw Error("--cells is of a page: say where it shall be written with --html FILE.html");
+    return;
+  }
   if (arguments.compare) throw Error("a page shows one method: name it with --method, or leave --compare out");
   if (arguments.count > CrowdRecording::most_boxes)
     throw Error(fmt::format("a page holds at most {}, not {}: say a smaller --count, or leave --html and --png out",

@@ -143,6 +143,12 @@ void add_crowd(CLI::App& app, Options& options) {
   add_threads(*crowd, options.crowd.threads, "pairs")->capture_default_str();
   add_file(*crowd, "--html", options.crowd.html,
            "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
+  crowd
+      ->add_option(
+          "--cells", options.crowd.cells,
+          "which cells the page shows: those of the method, or of a grid those that boxes enter, keep and leave")
+      ->check(CLI::IsMember({"method", "tracked"}))
+      ->capture_default_str();
   add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(

@@ -64,6 +64,11 @@ void add_view(CLI::App& app, Options& options) {
            "rss, ellipsoid, hull; wide: the tree that queries use",
            "a volume must be named")
       ->type_name("VOLUME");
+  add_text(*view, "--partition", arguments.partition,
+           "also the cells of a partition over each mesh, depth by depth: grid, grid-2d, octree, kd-tree, r-tree, "
+           "inserted-r-tree",
+           "a partition must be named")
+      ->type_name("PARTITION");
   add_picture(*view, arguments.png, arguments.size, arguments.look);
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
@@ -75,6 +80,7 @@ void add_view(CLI::App& app, Options& options) {
                 "  {0} view a.stl b.obj -o touch.html\n"
                 "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
                 "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+                "  {0} view bunny.ply --partition octree -o octree.html\n"
                 "  {0} view scene.json --glb scene.glb\n"
                 "  {0} ray part.stl --from 0 0 5 --to 0 0 -5 --json > report.json\n"
                 "  {0} view report.json -o report.html\n"

@@ -43,15 +43,17 @@ std::string short_name(const std::string& file) {
   return (is_telling ? path.filename() : path.parent_path().filename() / path.filename()).string();
 }
 
-/// Of its name; none for an empty one.
-std::optional<CostVolume> volume_of(const std::string& name) {
+/// The one of that name; none for an empty name.
+template <class Kinds>
+std::optional<typename Kinds::value_type> kind_of_name(const std::string& name, const Kinds& kinds,
+                                                       const std::string& option) {
   if (name.empty()) return std::nullopt;
   std::vector<std::string> known;
-  for (const CostVolume volume : all_cost_volumes) {
-    if (name == name_of(volume)) return volume;
-    known.emplace_back(name_of(volume));
+  for (const auto kind : kinds) {
+    if (name == name_of(kind)) return kind;
+    known.emplace_back(name_of(kind));
   }
-  throw Error(fmt::format("--hierarchy: there is no volume '{}'{}", name, suggestion(name, known)));
+  throw Error(fmt::format("{} '{}'{}", option, name, suggestion(name, known)));
 }
 
 ViewTarget page_target_of(const ViewArguments& arguments) {
@@ -64,7 +66,10 @@ ViewTarget page_target_of(const ViewArguments& arguments) {
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   const std::vector<std::string>& files = arguments.input.files;
   const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
-  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up, volume_of(arguments.hierarchy)}, {}};
+  const ViewOptions options{
+      title_of(files), up, kind_of_name(arguments.hierarchy, all_cost_volumes, "--hierarchy: there is no volume"),
+      kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space")};
+  ViewTarget target{arguments.html, arguments.glb, options, {}};
   if (arguments.png.empty()) return target;
   require_known_keys(arguments.look);
   target.picture = PictureTarget{arguments.png, arguments.look};
@@ -192,7 +197,7 @@ std::string title_of(const std::vector<std::string>& files) {
 
 ViewTarget target_of(const PosedArguments& arguments) {
   const std::vector<std::string>& files = arguments.input.files;
-  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(files), {}}, {}};
+  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(files), {}, {}}, {}};
   if (!arguments.png.empty()) target.picture = PictureTarget{arguments.png, ""};
   return target;
 }

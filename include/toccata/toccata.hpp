@@ -92,6 +92,7 @@
 #include "toccata/partitions/grid_cells.hpp"
 #include "toccata/partitions/grid_walk.hpp"
 #include "toccata/partitions/kd_tree.hpp"
+#include "toccata/partitions/levels.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/partitions/moving_box.hpp"
 #include "toccata/partitions/octree.hpp"

@@ -115,6 +115,7 @@ KdTree::~KdTree() = default;
 std::vector<Index> KdTree::candidates(const Aabb& box) const { return state_->tree.candidates(state_->items, box); }
 std::vector<IndexPair> KdTree::candidate_pairs() const { return state_->tree.candidate_pairs(state_->items); }
 std::vector<PartitionCell> KdTree::cells() const { return state_->tree.cells(); }
+std::vector<PartitionCell> KdTree::cells_at(Index depth) const { return state_->tree.cells_at(depth); }
 Index KdTree::greatest_depth() const { return state_->tree.greatest_depth(); }
 std::size_t KdTree::bytes() const { return state_->tree.bytes(); }
 

@@ -7,12 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "partitions/partition_makers.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/partitions/kd_tree.hpp"
-#include "toccata/partitions/octree.hpp"
-#include "toccata/partitions/r_tree.hpp"
-#include "toccata/partitions/uniform_grid.hpp"
 
 namespace toccata {
 namespace {
@@ -130,28 +127,8 @@ Answers measure(const Make& make, const PartitionItems& items, std::span<const A
   return ask(partition, items, boxes, cost);
 }
 
-RTree inserted(const PartitionItems& items) {
-  RTree tree;
-  for (Index item = 0; item < items.size(); ++item) tree.insert(item, items.boxes()[item]);
-  return tree;
-}
-
 Answers measure(const PartitionItems& items, std::span<const Aabb> boxes, PartitionCost& cost) {
-  switch (cost.kind) {
-    case PartitionKind::grid_2d:
-      return measure([&] { return UniformGrid<2>(items); }, items, boxes, cost);
-    case PartitionKind::grid:
-      return measure([&] { return UniformGrid<3>(items); }, items, boxes, cost);
-    case PartitionKind::octree:
-      return measure([&] { return Octree(items); }, items, boxes, cost);
-    case PartitionKind::kd_tree:
-      return measure([&] { return KdTree(items); }, items, boxes, cost);
-    case PartitionKind::r_tree:
-      return measure([&] { return RTree(items); }, items, boxes, cost);
-    case PartitionKind::inserted_r_tree:
-      break;
-  }
-  return measure([&] { return inserted(items); }, items, boxes, cost);
+  return with_maker(cost.kind, items, [&](const auto& make) { return measure(make, items, boxes, cost); });
 }
 
 }  // namespace

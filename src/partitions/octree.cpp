@@ -56,6 +56,7 @@ Octree::~Octree() = default;
 std::vector<Index> Octree::candidates(const Aabb& box) const { return state_->tree.candidates(state_->items, box); }
 std::vector<IndexPair> Octree::candidate_pairs() const { return state_->tree.candidate_pairs(state_->items); }
 std::vector<PartitionCell> Octree::cells() const { return state_->tree.cells(); }
+std::vector<PartitionCell> Octree::cells_at(Index depth) const { return state_->tree.cells_at(depth); }
 Index Octree::greatest_depth() const { return state_->tree.greatest_depth(); }
 std::size_t Octree::bytes() const { return state_->tree.bytes(); }
 

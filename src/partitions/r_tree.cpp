@@ -80,15 +80,26 @@ std::vector<IndexPair> RTree::candidate_pairs() const {
   return pairs;
 }
 
-std::vector<PartitionCell> RTree::cells() const {
+std::vector<PartitionCell> RTree::cells() const { return cells_at(greatest_depth()); }
+
+std::vector<PartitionCell> RTree::cells_at(Index depth) const {
+  const std::uint32_t height = greatest_depth(), level = height - std::min<std::uint32_t>(depth, height);
   std::vector<PartitionCell> cells;
+  // A node is followed by all that is below it, before its next sibling.
   state_->nodes.each_node([&](const RTreeNodes::Node& node) {
+    if (node.level == level && node.count > 0) cells.push_back({RTreeNodes::box_of(node), {}});
     if (node.level > 0 || node.count == 0) return;
-    PartitionCell cell{RTreeNodes::box_of(node), {node.child.begin(), node.child.begin() + node.count}};
-    std::sort(cell.items.begin(), cell.items.end());
-    cells.push_back(std::move(cell));
+    std::vector<Index>& items = cells.back().items;
+    items.insert(items.end(), node.child.begin(), node.child.begin() + node.count);
   });
+  for (PartitionCell& cell : cells) std::sort(cell.items.begin(), cell.items.end());
   return cells;
+}
+
+Index RTree::greatest_depth() const {
+  Index height = 0;
+  state_->nodes.each_node([&](const RTreeNodes::Node& node) { height = std::max(height, Index{node.level}); });
+  return height;
 }
 
 std::size_t RTree::bytes() const { return state_->nodes.bytes(); }

@@ -104,12 +104,22 @@ std::vector<IndexPair> RegionTree::candidate_pairs(const PartitionItems& items) 
   return pairs_sharing_lists(leaves, items.size(), {}, [&](Index a, Index b) { return overlap(boxes[a], boxes[b]); });
 }
 
-std::vector<PartitionCell> RegionTree::cells() const {
+std::vector<PartitionCell> RegionTree::cells_at(Index depth) const {
   std::vector<PartitionCell> cells;
-  for (const Node& node : nodes) {
-    if (node.children > 0 || leaves[node.leaf].empty()) continue;
-    cells.push_back({node.box, {leaves[node.leaf].begin(), leaves[node.leaf].end()}});
+  std::vector<Index> cell_of(nodes.size());  // children come after their parent
+  for (Index i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    if (node.depth == depth || (node.depth < depth && node.children == 0)) {
+      cell_of[i] = static_cast<Index>(cells.size());
+      cells.push_back({node.box, {}});
+    }
+    for (Index child = 0; child < node.children; ++child) cell_of[node.first_child + child] = cell_of[i];
+    if (node.children > 0) continue;
+    std::vector<Index>& items = cells[cell_of[i]].items;
+    items.insert(items.end(), leaves[node.leaf].begin(), leaves[node.leaf].end());
   }
+  for (PartitionCell& cell : cells) sort_unique(cell.items);
+  std::erase_if(cells, [](const PartitionCell& cell) { return cell.items.empty(); });
   return cells;
 }
 

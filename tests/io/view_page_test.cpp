@@ -19,6 +19,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
+#include "toccata/partitions/levels.hpp"
 #include "toccata/query/pairs.hpp"
 #include "toccata/query/scene_models.hpp"
 
@@ -314,6 +315,37 @@ TEST(ViewPage, ManyRoundShapesAreDrawnCoarsely) {
   };
   EXPECT_GT(triangles_of(10), 400U);
   EXPECT_LT(triangles_of(3000), 60U);
+}
+
+/// The page's boxes are those of the partition, to within the rounding that the page tells.
+TEST(ViewPage, DrawsTheCellsOfAPartition) {
+  Scene scene;
+  const auto mesh = std::make_shared<const TriangleMesh>(icosphere_mesh(1, 3));
+  scene.objects.push_back({"ball", mesh, Pose::translation(9, 0, 0), Solid::automatic, "", {}, ""});
+  const Page page = page_of(scene, {}, {"ball", UpAxis::z, {}, PartitionKind::octree});
+  ASSERT_EQ(page.header["layers"].size(), 1U);
+  const Json& layer = page.header["layers"][0];
+  EXPECT_EQ(layer["kind"], "cells");
+  EXPECT_EQ(layer["object"], 0);
+  const auto numbers = page.numbers<std::uint16_t>(layer["data"]);
+  const auto coordinate = [&](std::size_t box, std::size_t side, std::size_t axis) {
+    const Json& place = layer["data"];
+    return place["lower"][axis].get<double>() + place["step"][axis].get<double>() * numbers[7 * box + 3 * side + axis];
+  };
+  const std::vector<PartitionLevel> levels = partition_levels(PartitionKind::octree, PartitionItems(*mesh));
+  ASSERT_EQ(layer["steps"].size(), levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Json& step = layer["steps"][i];
+    const std::vector<PartitionCell>& cells = levels[i].cells;
+    ASSERT_EQ(step["count"], cells.size());
+    EXPECT_EQ(step["note"].get<std::string>().find(std::to_string(cells.size()) + " cell"), 0U);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t box = step["first"].get<std::size_t>() + k;
+        EXPECT_NEAR(coordinate(box, 0, static_cast<std::size_t>(axis)), cells[k].box.lower[axis], 4e-5);
+        EXPECT_NEAR(coordinate(box, 1, static_cast<std::size_t>(axis)), cells[k].box.upper[axis], 4e-5);
+      }
+  }
 }
 
 TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {

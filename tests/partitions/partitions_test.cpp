@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 #include "partitions/partition_families.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/partitions/kd_tree.hpp"
+#include "toccata/partitions/levels.hpp"
 #include "toccata/partitions/octree.hpp"
 #include "toccata/partitions/r_tree.hpp"
 #include "toccata/partitions/uniform_grid.hpp"
@@ -75,6 +77,53 @@ TEST(Octree, PartsWhatCanBePartedAndLeavesTheRestWhole) {
   EXPECT_GE(tree.greatest_depth(), 2U);
   EXPECT_EQ(Octree(PartitionItems(std::vector<Aabb>(100, Aabb{{0, 0, 0}, {1, 1, 1}}))).greatest_depth(), 0U);
   EXPECT_EQ(Octree(items, {8, 0, 8}).cells().size(), 1U);
+}
+
+/// The items of all cells, each once.
+std::vector<Index> items_of(const std::vector<PartitionCell>& cells) {
+  std::vector<Index> items;
+  for (const PartitionCell& cell : cells) items.insert(items.end(), cell.items.begin(), cell.items.end());
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return items;
+}
+
+bool are_same(const std::vector<PartitionCell>& a, const std::vector<PartitionCell>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PartitionCell& one, const PartitionCell& other) {
+    return one.box == other.box && one.items == other.items;
+  });
+}
+
+TEST(PartitionLevels, HoldAllItemsAtEveryDepth) {
+  const PartitionItems items(generate_mesh("icosphere", {{"subdivisions", 3}}));
+  for (const PartitionKind kind : all_partition_kinds) {
+    const std::vector<PartitionLevel> levels = partition_levels(kind, items);
+    ASSERT_FALSE(levels.empty());
+    const bool is_grid = kind == PartitionKind::grid || kind == PartitionKind::grid_2d;
+    EXPECT_EQ(levels.size() == 1, is_grid) << name_of(kind);
+    std::size_t before = 0;
+    for (const PartitionLevel& level : levels) {
+      EXPECT_EQ(items_of(level.cells).size(), items.size()) << name_of(kind) << " at " << level.depth;
+      EXPECT_GE(level.cells.size(), before) << name_of(kind) << " at " << level.depth;
+      before = level.cells.size();
+      for (const PartitionCell& cell : level.cells)
+        for (const Index item : cell.items) ASSERT_TRUE(overlap(cell.box, items.boxes()[item])) << name_of(kind);
+    }
+    EXPECT_EQ(partition_levels(kind, items, 1).size(), is_grid ? 1U : 2U) << name_of(kind);
+  }
+}
+
+TEST(PartitionLevels, AreTreesThatWereCutNoDeeper) {
+  const PartitionItems items(generate_mesh("torus-knot"));
+  const Octree octree(items);
+  const KdTree kd_tree(items);
+  ASSERT_GT(octree.greatest_depth(), 2U);
+  for (Index depth = 0; depth <= octree.greatest_depth() + 1; ++depth)
+    EXPECT_TRUE(are_same(octree.cells_at(depth), Octree(items, {.most_depth = depth}).cells())) << depth;
+  for (const Index depth : {0U, 3U, 6U})
+    EXPECT_TRUE(are_same(kd_tree.cells_at(depth), KdTree(items, {.most_depth = depth}).cells())) << depth;
+  EXPECT_TRUE(RTree().cells_at(0).empty());
+  EXPECT_EQ(RTree().greatest_depth(), 0U);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ export class LayerPanel {
       this.changed();
     };
     say();
-    whole.append(name, slider, tell);
+    whole.append(name, slider, tell, ...this.classes(layer));
     return whole;
   }
 }

@@ -1,10 +1,11 @@
 // Layers of many boxes that change as time goes on: bodies, the cells that hold them, and links between two of them.
 // All of a layer at one moment is one drawing, joined on the page: a card that is a program draws thousands of copies
 // one after the other, and takes long.
-import { Box3, BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Object3D, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, Vector3 } from 'three';
 import { bodyColours, stepColours, type Theme } from './colours';
 import type { BoxesPlace, Layer, LayerStep, PageData } from './data';
 import { segments } from './layers';
+import { matrixOf, shownPlace } from './place';
 
 const width = 7; // numbers of a box: its lower and upper corner, and its class
 
@@ -24,10 +25,16 @@ export function colourOfClass(layer: Layer, one: number): number {
   return colours[one % colours.length];
 }
 
+/// From the numbers of boxes to what is drawn.
+function placeOf(layer: Layer, { header, report }: PageData): Matrix4 {
+  const { lower, step } = layer.data as BoxesPlace;
+  const inner = [step[0], 0, 0, 0, step[1], 0, 0, 0, step[2], ...lower];
+  return matrixOf(layer.object === undefined ? inner : shownPlace(header.frame, report.objects[layer.object].pose, inner));
+}
+
 /// Eight corners for each box, in the colour of its class, and the index that `pattern` makes of them.
 function joined(layer: Layer, data: PageData, step: LayerStep, pattern: number[]): BufferGeometry {
   const boxes = boxesOf(layer, data, step);
-  const { lower, step: size } = layer.data as BoxesPlace;
   const positions = new Float32Array(24 * step.count);
   const colours = new Float32Array(24 * step.count);
   const index = new Uint32Array(pattern.length * step.count);
@@ -38,7 +45,7 @@ function joined(layer: Layer, data: PageData, step: LayerStep, pattern: number[]
     const colour = classes[boxes[at + 6] % classes.length];
     for (let corner = 0; corner < 8; ++corner) {
       const place = 24 * drawn + 3 * corner;
-      for (let axis = 0; axis < 3; ++axis) positions[place + axis] = lower[axis] + size[axis] * boxes[at + axis + 3 * ((corner >> axis) & 1)];
+      for (let axis = 0; axis < 3; ++axis) positions[place + axis] = boxes[at + axis + 3 * ((corner >> axis) & 1)];
       colour.toArray(colours, place);
     }
     for (let i = 0; i < pattern.length; ++i) index[pattern.length * drawn + i] = 8 * drawn + pattern[i];
@@ -51,18 +58,22 @@ function joined(layer: Layer, data: PageData, step: LayerStep, pattern: number[]
   return geometry;
 }
 
-export function bodies(layer: Layer, data: PageData, step: LayerStep, through: boolean): Object3D {
-  const seeThrough = through ? { transparent: true, opacity: 0.3, depthWrite: false } : {};
-  const material = new MeshLambertMaterial({ vertexColors: true, flatShading: true, ...seeThrough });
-  const drawn = new Mesh(joined(layer, data, step, sides), material);
+function placed<T extends Object3D>(drawn: T, layer: Layer, data: PageData): T {
+  drawn.matrixAutoUpdate = false;
+  drawn.matrix.copy(placeOf(layer, data));
   drawn.frustumCulled = false;
   return drawn;
 }
 
+export function bodies(layer: Layer, data: PageData, step: LayerStep, through: boolean): Object3D {
+  const seeThrough = through ? { transparent: true, opacity: 0.3, depthWrite: false } : {};
+  const material = new MeshLambertMaterial({ vertexColors: true, flatShading: true, ...seeThrough });
+  return placed(new Mesh(joined(layer, data, step, sides), material), layer, data);
+}
+
 export function cells(layer: Layer, data: PageData, step: LayerStep): Object3D {
   const material = new LineBasicMaterial({ vertexColors: true, transparent: true, opacity: step.count > 1000 ? 0.45 : 0.8 });
-  const drawn = new LineSegments(joined(layer, data, step, edges), material);
-  drawn.frustumCulled = false;
+  const drawn = placed(new LineSegments(joined(layer, data, step, edges), material), layer, data);
   drawn.renderOrder = 1;
   return drawn;
 }

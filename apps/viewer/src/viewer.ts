@@ -27,6 +27,13 @@ function knownOf({ header, report }: PageData, findings: Findings): Known {
   };
 }
 
+/// The level at which a hierarchy is first seen; of other layers the last step that is not too much to be looked at.
+function firstStep({ kind, steps = [] }: Layer): number {
+  if (kind === 'hierarchy') return Math.min(3, steps.length - 1);
+  const few = steps.filter(({ count }) => count <= 500).length;
+  return Math.max(0, few - 1);
+}
+
 const objectsOf = ({ a, b }: Finding) => [...new Set([a, b])].filter((object): object is number => object !== undefined);
 
 export class Viewer {
@@ -65,7 +72,7 @@ export class Viewer {
     this.tellSummary();
     this.noticeIfEmpty();
     this.complain(complaints);
-    this.openHierarchy();
+    this.openLevels();
     this.show();
     this.panels.markFinding();
     this.placeCamera();
@@ -86,12 +93,12 @@ export class Viewer {
     return this.state.finding === undefined ? undefined : this.findings.all[this.state.finding];
   }
 
-  /// A page without findings that has a hierarchy shows it at once, unless a link says otherwise.
-  private openHierarchy(): void {
+  /// A page without findings that has levels shows one at once, unless a link says otherwise.
+  private openLevels(): void {
     const { header } = this.data;
-    const layer = header.layers.findIndex((one) => one.kind === 'hierarchy');
+    const layer = header.layers.findIndex((one) => one.steps && one.steps.length > 0);
     if (layer < 0 || this.findings.all.length > 0 || location.hash.length > 1) return;
-    this.state.steps.set(layer, Math.min(3, (header.layers[layer].steps?.length ?? 1) - 1));
+    this.state.steps.set(layer, firstStep(header.layers[layer]));
   }
 
   private noticeIfEmpty(): void {

@@ -31,6 +31,8 @@ class CrowdRecording {
   /// The boxes, pairs and cells of the last update. Throws Error when boxes have come, gone or moved since, and when
   /// this frame alone is more than a page may hold.
   void add(const BroadPhase& phase);
+  /// With these cells in place of those of the method.
+  void add(const BroadPhase& phase, BroadPhaseCells space);
 
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }  ///< those that are kept
   /// How many updates were shown to it, and each how many-th of them is kept.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "toccata/io/scene_question.hpp"
+#include "toccata/partitions/measure.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -21,6 +22,9 @@ struct ViewOptions {
   /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, of the tree
   /// that queries use.
   std::optional<CostVolume> hierarchy{};
+  /// Of every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down to
+  /// 4,096 of them, and all as they are.
+  std::optional<PartitionKind> partition{};
 };
 
 /// One HTML page that shows a scene and what was found in it, whatever was asked: self-contained, so that it opens from
@@ -29,8 +33,8 @@ struct ViewOptions {
 /// distances, their segments and numbers; ways of rays and what they meet, nearest points, faces in a region; of many
 /// poses the objects at the one that is chosen. `models` are the scene's, in its order. Meshes are rounded for display
 /// to 1/65535 of their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold
-/// anything. Throws Error when an object reaches beyond the doubles, and when hierarchies of more than 32 meshes are
-/// asked for.
+/// anything. Throws Error when an object reaches beyond the doubles, and when hierarchies or partitions of more than 32
+/// meshes are asked for.
 [[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                     const ViewOptions& options = {}, std::span<const std::string> warnings = {});
 

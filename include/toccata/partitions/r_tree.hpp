@@ -45,6 +45,10 @@ class RTree {
   [[nodiscard]] std::vector<IndexPair> candidate_pairs() const;
   /// The groups of boxes.
   [[nodiscard]] std::vector<PartitionCell> cells() const;
+  /// The groups at that depth, with all boxes below; those of `cells` are at the greatest depth, and at all beyond.
+  [[nodiscard]] std::vector<PartitionCell> cells_at(Index depth) const;
+  /// 0 where there is one group or none.
+  [[nodiscard]] Index greatest_depth() const;
   [[nodiscard]] std::size_t bytes() const;
   /// For tests: which of what should hold of groups and their boxes does not; empty when all is well.
   [[nodiscard]] std::string complaint() const;

@@ -12,6 +12,7 @@
 #include "io/view/display_frame.hpp"
 #include "io/view/drawn_cells.hpp"
 #include "io/view/filled_page.hpp"
+#include "io/view/quantised_boxes.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/report.hpp"
@@ -48,43 +49,6 @@ Aabb bounds_of(std::span<const Frame> frames) {
   return around;
 }
 
-/// Boxes in 65,535 steps along each axis, each with the number of its class.
-class QuantisedBoxes {
- public:
-  explicit QuantisedBoxes(const Aabb& around) : around_(around) {}
-
-  /// An empty box has its lower end above its upper one.
-  void add(const Aabb& box, std::size_t its_class) {
-    for (const auto coordinate : coordinates) numbers_.push_back(step_of(box.lower.*coordinate, coordinate));
-    for (const auto coordinate : coordinates) numbers_.push_back(step_of(box.upper.*coordinate, coordinate));
-    numbers_.push_back(static_cast<std::uint16_t>(its_class));
-  }
-  [[nodiscard]] std::size_t size() const { return numbers_.size() / 7; }
-
-  [[nodiscard]] Json written(const io::DisplayFrame& frame, io::ViewData& data) const {
-    Json array = data.add(std::span<const std::uint16_t>(numbers_));
-    const std::array<float, 3> lower = frame.shown(around_.lower), upper = frame.shown(around_.upper);
-    array["bytes"] = 2;
-    array["lower"] = lower;
-    Json& step = array["step"] = Json::array();
-    for (std::size_t axis = 0; axis < 3; ++axis) step.push_back((double{upper[axis]} - double{lower[axis]}) / most);
-    return array;
-  }
-
- private:
-  static constexpr double most = 65535;
-
-  [[nodiscard]] std::uint16_t step_of(double value, double Vec3::*coordinate) const {
-    const double lower = around_.lower.*coordinate, upper = around_.upper.*coordinate;
-    // A quarter, so that no difference overflows.
-    const double share = upper > lower ? (0.25 * value - 0.25 * lower) / (0.25 * upper - 0.25 * lower) : 0;
-    return static_cast<std::uint16_t>(share > 0 ? std::round(most * std::min(share, 1.0)) : 0);
-  }
-
-  Aabb around_;
-  std::vector<std::uint16_t> numbers_;
-};
-
 /// Which items of a layer are of each moment: the first and how many.
 class Moments {
  public:
@@ -117,7 +81,7 @@ class CrowdLayers {
 
  private:
   Json bodies() {
-    QuantisedBoxes boxes(scene_);
+    io::QuantisedBoxes boxes(scene_);
     Moments moments;
     std::vector<bool> is_in_pair;
     for (const Frame& frame : recording_.frames()) {
@@ -173,7 +137,7 @@ class CrowdLayers {
       drawn.push_back(io::drawn_cells(frame.space, scene_));
       for (const Aabb& cell : drawn.back()) widen(around, cell);
     }
-    QuantisedBoxes boxes(around);
+    io::QuantisedBoxes boxes(around);
     Moments moments;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const BroadPhaseCells& space = recording_.frames()[i].space;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "toccata/core/error.hpp"
 #include "toccata/io/crowd_page.hpp"
@@ -27,13 +28,13 @@ void require_room(std::size_t boxes, std::size_t bytes) {
                                            static_cast<double>(bytes))));
 }
 
-CrowdRecording::Frame frame_of(const BroadPhase& phase, std::size_t number) {
+CrowdRecording::Frame frame_of(const BroadPhase& phase, std::size_t number, BroadPhaseCells space) {
   const PairChanges changes = phase.changes();
   CrowdRecording::Frame frame{.number = number,
                               .begun = changes.begun.size(),
                               .ended = changes.ended.size(),
                               .method = phase.method(),
-                              .space = phase.cells()};
+                              .space = std::move(space)};
   frame.boxes.reserve(phase.size());
   for (Index i = 0; i < phase.size(); ++i) frame.boxes.push_back(phase.box(i));
   frame.pairs.assign(phase.pairs().begin(), phase.pairs().end());
@@ -42,11 +43,13 @@ CrowdRecording::Frame frame_of(const BroadPhase& phase, std::size_t number) {
 
 }  // namespace
 
-void CrowdRecording::add(const BroadPhase& phase) {
+void CrowdRecording::add(const BroadPhase& phase) { add(phase, phase.cells()); }
+
+void CrowdRecording::add(const BroadPhase& phase, BroadPhaseCells space) {
   const bool is_kept = seen_ % stride_ == 0;
   if (is_kept) {
     require_room(phase.size(), bytes_of(phase.size(), phase.pairs().size(), 0));
-    Frame frame = frame_of(phase, seen_);
+    Frame frame = frame_of(phase, seen_, std::move(space));
     require_room(phase.size(), bytes_of(frame));
     bytes_ += bytes_of(frame);
     frames_.push_back(std::move(frame));

@@ -8,6 +8,7 @@
 #include "io/view/finding_layers.hpp"
 #include "io/view/finding_words.hpp"
 #include "io/view/hierarchy_layers.hpp"
+#include "io/view/partition_layers.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "toccata/core/error.hpp"
@@ -63,6 +64,9 @@ std::string view_page(const Scene& scene, std::span<const Posed> models, const S
   header["layers"] = io::finding_layers(answer, meshes, data);
   if (options.hierarchy)
     for (Json& layer : io::hierarchy_layers(models, *options.hierarchy, data))
+      header["layers"].push_back(std::move(layer));
+  if (options.partition)
+    for (Json& layer : io::partition_layers(models, *options.partition, data))
       header["layers"].push_back(std::move(layer));
   return io::filled_page(header, report_of(scene, models, answer, warnings), data);
 }

@@ -1,0 +1,107 @@
+#include "io/view/partition_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include "io/formats/utf8.hpp"
+#include "io/view/quantised_boxes.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/partitions/levels.hpp"
+
+namespace toccata::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Cells = std::vector<PartitionCell>;
+
+/// By how many triangles a cell holds: up to each of these.
+constexpr std::array<std::size_t, 4> fullness{4, 16, 64, 256};
+
+std::size_t class_of(const PartitionCell& cell) {
+  return static_cast<std::size_t>(std::lower_bound(fullness.begin(), fullness.end(), cell.items.size()) -
+                                  fullness.begin());
+}
+
+Json class_names() {
+  Json names = Json::array();
+  std::size_t from = 1;
+  for (const std::size_t to : fullness) {
+    names.push_back(fmt::format("{} to {} triangles", from, to));
+    from = to + 1;
+  }
+  names.push_back("more");
+  return names;
+}
+
+std::string counted(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+std::string note_of(const Cells& cells, std::size_t triangles) {
+  std::size_t copies = 0, most = 0;
+  for (const PartitionCell& cell : cells) {
+    copies += cell.items.size();
+    most = std::max(most, cell.items.size());
+  }
+  const auto share = [&](std::size_t of) {
+    return static_cast<double>(copies) / static_cast<double>(std::max<std::size_t>(of, 1));
+  };
+  return fmt::format("{} with {:.1f} triangles on average, {} at most; a triangle is in {:.2f}",
+                     counted(cells.size(), "cell"), share(cells.size()), most, share(triangles));
+}
+
+Aabb bounds_of(const std::vector<PartitionLevel>& levels) {
+  Aabb around;
+  for (const PartitionLevel& level : levels)
+    for (const PartitionCell& cell : level.cells) around = merge(around, cell.box);
+  return is_empty(around) ? Aabb{{0, 0, 0}, {0, 0, 0}} : around;
+}
+
+std::string label_of(const PartitionLevel& level, std::size_t levels) {
+  return levels == 1 ? "all cells" : fmt::format("depth {}", level.depth);
+}
+
+Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
+  const std::vector<PartitionLevel> levels = partition_levels(kind, PartitionItems(mesh));
+  QuantisedBoxes boxes(bounds_of(levels));
+  Json steps = Json::array();
+  for (const PartitionLevel& level : levels) {
+    const std::size_t first = boxes.size();
+    for (const PartitionCell& cell : level.cells) boxes.add(cell.box, class_of(cell));
+    steps.push_back({{"label", label_of(level, levels.size())},
+                     {"note", note_of(level.cells, mesh.triangle_count())},
+                     {"first", first},
+                     {"count", level.cells.size()}});
+  }
+  return {{"kind", "cells"},
+          {"role", "partition"},
+          {"data", boxes.written(data)},
+          {"classes", class_names()},
+          {"steps", steps}};
+}
+
+constexpr std::size_t most_meshes = 32;
+
+}  // namespace
+
+std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind kind, ViewData& data) {
+  std::map<const TriangleMesh*, Json> layer_of_mesh;
+  std::vector<Json> layers;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!models[i].model.has_mesh()) continue;
+    const auto [found, is_new] = layer_of_mesh.try_emplace(&models[i].model.mesh());
+    if (layer_of_mesh.size() > most_meshes)
+      throw Error(fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most_meshes));
+    if (is_new) found->second = layer_of(models[i].model.mesh(), kind, data);
+    Json& layer = layers.emplace_back(found->second);
+    layer["object"] = i;
+    layer["name"] = fmt::format("{}: cells of the {}", as_utf8(models[i].name), name_of(kind));
+  }
+  return layers;
+}
+
+}  // namespace toccata::io
