@@ -88,6 +88,8 @@
 #include "toccata/narrow/smooth.hpp"
 #include "toccata/narrow/sphere.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
+#include "toccata/narrow/voronoi_regions.hpp"
+#include "toccata/narrow/voronoi_walk.hpp"
 #include "toccata/partitions/cell_tracker.hpp"
 #include "toccata/partitions/grid_cells.hpp"
 #include "toccata/partitions/grid_walk.hpp"

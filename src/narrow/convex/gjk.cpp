@@ -197,11 +197,24 @@ SupportScan SupportSearch::scan(const Vec3& direction, double spread) const {
   return scan;
 }
 
+double SupportSearch::close_depth(const Vec3& direction, double spread, const Vec3& vertex) const {
+  const double highest = dot(direction, vertex) + spread * sum_of_magnitudes(vertex);
+  return (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
+}
+
+/// A depth is its height less what the spread adds, at most that of the extent along all axes; both are rounded.
+SupportSearch::Level SupportSearch::close_level(const Vec3& direction, double slack, const Vec3& vertex) const {
+  const double spread = spread_of(direction, slack), extent = shape_->stored_extent();
+  const SupportScan along = scan(direction, spread);
+  const double depth = close_depth(direction, spread, vertex);
+  const double own = (sum_of_magnitudes(along.spread) + 0x1p-49 * sum_of_magnitudes(along.direction)) * extent;
+  return {along.direction, (depth + 0x1p-49 * std::fabs(depth)) + (1.0625 * own + lost_per_height)};
+}
+
 Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                            std::span<Index> found) const {
   const double spread = spread_of(direction, slack);
-  const double highest = dot(direction, vertex) + spread * sum_of_magnitudes(vertex);
-  const double bound = (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
+  const double bound = close_depth(direction, spread, vertex);
   const SupportScan along = scan(direction, spread);
   if (trail_.walks) return walked_close(along, bound, own, found);
   trail_.heights += along.count;

@@ -35,6 +35,13 @@ class SupportSearch {
   [[nodiscard]] Index close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                             std::span<Index> found) const;
 
+  /// What `close` takes for close: no vertex of which the height along `direction`, in the shape's own frame, is more.
+  struct Level {
+    Vec3 direction;
+    double height = 0;
+  };
+  [[nodiscard]] Level close_level(const Vec3& direction, double slack, const Vec3& vertex) const;
+
   /// No world vertex is lower; NaN where nothing is certain.
   [[nodiscard]] double lower_bound(const Vec3& direction) const;
 
@@ -54,6 +61,8 @@ class SupportSearch {
 
   /// `spread` is what each coordinate of a world vertex lets its height be off by.
   [[nodiscard]] SupportScan scan(const Vec3& direction, double spread) const;
+  /// The depth that is close to a vertex along a direction.
+  [[nodiscard]] double close_depth(const Vec3& direction, double spread, const Vec3& vertex) const;
   [[nodiscard]] double least_depth(const SupportScan& scan) const;
   template <class Question>
   auto walked(const SupportScan& scan, Question question) const;

@@ -90,9 +90,9 @@ NearestFormula::NearestFormula(const SupportSearch& a, const SupportSearch& b, c
   for (std::size_t i = 1; i < features.count_b; ++i) edge_[edge++] = {first_b_, b.vertex(features.b[i])};
 }
 
-bool NearestFormula::prove() {
+bool NearestFormula::solve() {
   const bool solved = edges_ == 2 ? on_plane() : edges_ == 1 ? on_edge() : at_vertices();
-  return solved && !is_along_axis(nearest_.difference) && others_beyond();
+  return solved && !is_along_axis(nearest_.difference);
 }
 
 bool NearestFormula::at_vertices() {

@@ -44,7 +44,17 @@ class NearestFormula {
   /// No where rounding leaves any doubt that the two features are the only nearest ones. Whether they are proved to be,
   /// and every bit of the numbers, depends on the shapes and the features alone; exchanging the shapes exchanges the
   /// points and turns the difference round.
-  [[nodiscard]] bool prove();
+  [[nodiscard]] bool prove() { return solve() && others_beyond(); }
+
+  /// The two halves of the proof: that the nearest points lie inside the features, and, after that, that every other
+  /// vertex lies beyond them.
+  [[nodiscard]] bool solve();
+  [[nodiscard]] bool others_beyond();
+
+  /// After `solve`: a positive multiple of the exact difference, and what each of its coordinates may be off by. Where
+  /// `close` finds no vertex of A along it and none of B against it, but those of the features, all others are beyond.
+  [[nodiscard]] const Vec3& across() const { return across_; }
+  [[nodiscard]] double slack() const { return slack_; }
 
   /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
   /// rounding has bent: which.
@@ -63,7 +73,6 @@ class NearestFormula {
   [[nodiscard]] bool at_vertices();
   [[nodiscard]] bool on_edge();
   [[nodiscard]] bool on_plane();
-  [[nodiscard]] bool others_beyond();
   [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
   const SupportSearch& a_;

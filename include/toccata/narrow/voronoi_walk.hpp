@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/voronoi_regions.hpp"
+
+namespace toccata {
+
+/// How questions about a tracked pair were answered.
+struct VoronoiCounts {
+  std::uint64_t questions = 0;
+  std::uint64_t kept = 0;      ///< of them: the features of the time before were still the nearest
+  std::uint64_t walked = 0;    ///< others were found by walking
+  std::uint64_t searched = 0;  ///< rounding left a doubt or the cores meet: GJK took over, from where the walk ended
+  std::uint64_t steps = 0;     ///< from region to region
+  friend constexpr bool operator==(const VoronoiCounts&, const VoronoiCounts&) = default;
+};
+
+/// Two convex shapes that move, and what the caller keeps of them from one question to the next: the last nearest
+/// features. Anything may be in it; it saves time and changes no answer. One thread may use it at a time.
+struct TrackedPair {
+  ConvexFeature on_a{};
+  ConvexFeature on_b{};
+  enum class State : std::uint8_t {
+    unknown,  ///< never asked: a walk begins anywhere
+    apart,    ///< at the last question
+    meeting,  ///< at the last question the shapes met; the features are what is known
+  } state = State::unknown;
+  bool cores_meet = false;  ///< at the last question, the shapes without their radii
+  ConvexWorkspace workspace{};
+  VoronoiCounts counts{};
+};
+
+/// The distance by walking from one Voronoi region to the next, from the nearest features of the last question: where
+/// shapes move little, a few steps lead to the present ones, however many features there are (M. Lin, J. Canny, "A Fast
+/// Algorithm for Incremental Distance Calculation", 1991; B. Mirtich, "V-Clip: Fast and Robust Polyhedral Collision
+/// Detection", 1998). A walk cannot loop: each step counts only if the distance falls. What it finds is proved, with
+/// the planes around the features; where that fails, and where shapes penetrate, GJK takes over.
+///
+/// All that `distance_by_gjk` promises, bit by bit. `regions_a` and `regions_b` are those of the shapes, without radii,
+/// in their own frames; throws Error where they are of another number of vertices. Regions of another shape cost time
+/// and change nothing.
+[[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
+                                                const PosedConvex& b, const VoronoiRegions& regions_b,
+                                                TrackedPair& tracked);
+
+}  // namespace toccata

@@ -1,0 +1,302 @@
+#include "narrow/voronoi/feature_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/vec3_measures.hpp"
+#include "math/world_vertex.hpp"
+
+namespace toccata {
+namespace {
+
+using Parts = VoronoiRegions::Parts;
+using Kind = ConvexFeature::Kind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vec3 transposed_times(const Mat3& m, const Vec3& v) { return v.x * m[0] + v.y * m[1] + v.z * m[2]; }
+Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+/// Of a matrix that turns and scales evenly, within what a walk can bear, the square of its scale; else 0.
+double squared_scale(const Mat3& m) {
+  const double xx = dot(m[0], m[0]), yy = dot(m[1], m[1]), zz = dot(m[2], m[2]);
+  const double off = std::max({std::fabs(dot(m[0], m[1])), std::fabs(dot(m[1], m[2])), std::fabs(dot(m[2], m[0])),
+                               std::fabs(xx - yy), std::fabs(yy - zz)});
+  return off <= 0x1p-30 * xx ? xx : 0;
+}
+
+/// A face with the planes through its edges, in a frame in which they are at right angles to it: the shape's own,
+/// where the pose keeps angles, else the world.
+class FacePrism {
+ public:
+  FacePrism(const WalkBody& body, Index face) : parts_(*body.parts), pose_(*body.pose), face_(face) {
+    squared_scale_ = squared_scale(pose_.linear);
+    if (squared_scale_ > 0) {
+      side_ = parts_.sides[face].plane;
+      return;
+    }
+    // Normals turn by the matrix of cofactors, and round where the pose mirrors.
+    const Mat3& r = pose_.linear;
+    const Mat3 cofactors{{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])}};
+    turn_ = dot(r[0], cofactors[0]) < 0 ? -1 : 1;
+    side_.normal = turn_ * unit_or_zero(times(cofactors, parts_.sides[face].plane.normal));
+    side_.offset = dot(side_.normal, world(parts_.topology.origin[begin()]));
+  }
+
+  [[nodiscard]] Index begin() const { return parts_.topology.face_start[face_]; }
+  [[nodiscard]] Index end() const { return parts_.topology.face_start[face_ + 1]; }
+
+  [[nodiscard]] Vec3 own_point(const Vec3& p) const {
+    if (squared_scale_ == 0) return p;
+    return (1 / squared_scale_) * transposed_times(pose_.linear, p - pose_.offset);
+  }
+  [[nodiscard]] Vec3 own_vector(const Vec3& v) const {
+    return squared_scale_ == 0 ? v : (1 / squared_scale_) * transposed_times(pose_.linear, v);
+  }
+  [[nodiscard]] Vec3 world_vector(const Vec3& v) const { return squared_scale_ == 0 ? v : times(pose_.linear, v); }
+  [[nodiscard]] const RegionPlane& side() const { return side_; }
+  [[nodiscard]] RegionPlane rim(Index half_edge) const {
+    if (squared_scale_ > 0) return parts_.rims[half_edge].plane;
+    const Vec3 start = world(parts_.topology.origin[half_edge]);
+    const Vec3 along = world(parts_.topology.target(half_edge)) - start;
+    const Vec3 normal = turn_ * unit_or_zero(cross(side_.normal, along));
+    return {normal, dot(normal, start)};
+  }
+
+ private:
+  [[nodiscard]] Vec3 world(Index vertex) const { return world_vertex(pose_, parts_.vertices[vertex]); }
+
+  const Parts& parts_;
+  const Pose& pose_;
+  Index face_;
+  double squared_scale_;
+  double turn_ = 1;
+  RegionPlane side_;
+};
+
+double height(const RegionPlane& plane, const Vec3& p) { return dot(plane.normal, p) - plane.offset; }
+
+/// A step of the walk: through which plane, and how steeply it leads down.
+struct Descent {
+  std::size_t of = 0;  // whose feature becomes larger: 0, A; 1, B
+  ConvexFeature to;
+  double slope = 0;  // of the distance; negative
+};
+
+class Walk {
+ public:
+  Walk(const WalkBody& a, const WalkBody& b) : body_{a, b} {}
+
+  /// The nearest points of two features; nothing where a vertex lies behind a face.
+  std::optional<FeaturesNear> nearest(const ConvexFeature& on_a, const ConvexFeature& on_b) {
+    best_.squared = infinity;
+    if (on_a.kind == Kind::face) {
+      if (!at_face(0, on_a.index, on_b.index)) return {};
+    } else if (on_b.kind == Kind::face) {
+      if (!at_face(1, on_b.index, on_a.index)) return {};
+    } else {
+      at_low_features(on_a, on_b);
+    }
+    return best_;
+  }
+
+  /// The steepest way from the nearest points of two features to something nearer. `slope` is 0 where there is none;
+  /// `below` tells that one leads behind a face.
+  Descent steepest(const FeaturesNear& near, bool& below) const {
+    Descent best;
+    for (std::size_t of = 0; of < 2; ++of) {
+      const Vec3 outward = of == 0 ? near.between : -near.between;
+      const Vec3 own = transposed_times(body_[of].pose->linear, outward);
+      const ConvexFeature& feature = near.feature[of];
+      if (feature.kind == Kind::vertex) from_vertex(of, feature.index, own, best);
+      if (feature.kind == Kind::edge && parts(of).has_faces()) below |= !from_edge(of, feature.index, own, best);
+    }
+    return best;
+  }
+
+  /// The nearest that the larger feature has; nothing where the way leads behind a face.
+  std::optional<FeaturesNear> after(const FeaturesNear& near, const Descent& step) {
+    best_.squared = infinity;
+    const std::size_t of = step.of, other = 1 - of;
+    const ConvexFeature beside = near.feature[other];
+    if (step.to.kind == Kind::face) {
+      const bool found = beside.kind == Kind::vertex ? at_face(of, step.to.index, beside.index)
+                                                     : along_face(of, step.to.index, beside.index, near.on[other]);
+      if (!found) return {};
+    } else if (beside.kind == Kind::face) {
+      if (!along_face(other, beside.index, step.to.index, near.on[of])) return {};
+    } else {
+      at_low_features(of == 0 ? step.to : beside, of == 0 ? beside : step.to);
+    }
+    return best_;
+  }
+
+ private:
+  [[nodiscard]] const Parts& parts(std::size_t of) const { return *body_[of].parts; }
+  [[nodiscard]] Vec3 world(std::size_t of, Index vertex) const {
+    return world_vertex(*body_[of].pose, parts(of).vertices[vertex]);
+  }
+  [[nodiscard]] Index start_of(std::size_t of, Index half_edge) const { return parts(of).topology.origin[half_edge]; }
+  [[nodiscard]] Index end_of(std::size_t of, Index half_edge) const { return parts(of).topology.target(half_edge); }
+
+  void offer(std::size_t of, const ConvexFeature& feature, const ConvexFeature& other, const Vec3& on,
+             const Vec3& on_other, const Vec3& from_other) {
+    const double squared = dot(from_other, from_other);
+    if (!(squared < best_.squared)) return;
+    if (of == 0)
+      best_ = {{feature, other}, {on, on_other}, from_other, squared};
+    else
+      best_ = {{other, feature}, {on_other, on}, -from_other, squared};
+  }
+
+  void at_vertices(Index a, Index b) {
+    const Vec3 on_a = world(0, a), on_b = world(1, b);
+    offer(0, {Kind::vertex, a}, {Kind::vertex, b}, on_a, on_b, on_a - on_b);
+  }
+
+  /// The edge is of one shape, the vertex of the other.
+  void at_edge_and_vertex(std::size_t of, Index half_edge, Index vertex) {
+    const Index start = start_of(of, half_edge), end = end_of(of, half_edge);
+    const Vec3 from = world(of, start), along = world(of, end) - from, on_other = world(1 - of, vertex);
+    const Vec3 first = from - on_other;
+    const double forth = -dot(first, along), whole = dot(along, along);
+    const ConvexFeature other{Kind::vertex, vertex};
+    if (!(forth > 0)) return offer(of, {Kind::vertex, start}, other, from, on_other, first);
+    if (!(forth < whole)) return offer(of, {Kind::vertex, end}, other, from + along, on_other, first + along);
+    const Vec3 moved = (forth / whole) * along;
+    offer(of, {Kind::edge, parts(of).edge_of(half_edge)}, other, from + moved, on_other, first + moved);
+  }
+
+  void at_edges(Index a, Index b) {
+    const Vec3 from_a = world(0, start_of(0, a)), from_b = world(1, start_of(1, b)), first = from_a - from_b;
+    const Vec3 along_a = world(0, end_of(0, a)) - from_a, along_b = world(1, end_of(1, b)) - from_b;
+    const Vec3 normal = cross(along_a, along_b);
+    const double squared = dot(normal, normal);
+    const double share_a = dot(cross(along_b, first), normal), share_b = dot(cross(along_a, first), normal);
+    if (share_a > 0 && share_a < squared && share_b > 0 && share_b < squared) {
+      const Vec3 between = (dot(normal, first) / squared) * normal;
+      offer(0, {Kind::edge, parts(0).edge_of(a)}, {Kind::edge, parts(1).edge_of(b)},
+            from_a + (share_a / squared) * along_a, from_b + (share_b / squared) * along_b, between);
+      return;
+    }
+    at_edge_and_vertex(0, a, start_of(1, b));
+    at_edge_and_vertex(0, a, end_of(1, b));
+    at_edge_and_vertex(1, b, start_of(0, a));
+    at_edge_and_vertex(1, b, end_of(0, a));
+  }
+
+  void at_low_features(const ConvexFeature& a, const ConvexFeature& b) {
+    if (a.kind == Kind::vertex && b.kind == Kind::vertex) return at_vertices(a.index, b.index);
+    if (a.kind == Kind::vertex) return at_edge_and_vertex(1, b.index, a.index);
+    if (b.kind == Kind::vertex) return at_edge_and_vertex(0, a.index, b.index);
+    at_edges(a.index, b.index);
+  }
+
+  /// A vertex over a face, or beside it; no where it lies behind.
+  [[nodiscard]] bool at_face(std::size_t of, Index face, Index vertex) {
+    const FacePrism prism(body_[of], face);
+    const Vec3 p = world(1 - of, vertex), own = prism.own_point(p);
+    const double above = height(prism.side(), own);
+    if (!(above > 0)) return false;
+    bool inside = true;
+    for (Index h = prism.begin(); h < prism.end(); ++h) {
+      if (height(prism.rim(h), own) > 0) continue;
+      inside = false;
+      at_edge_and_vertex(of, h, vertex);
+    }
+    if (!inside) return true;
+    const Vec3 up = prism.world_vector(above * prism.side().normal);
+    offer(of, {Kind::face, face}, {Kind::vertex, vertex}, p - up, p, -up);
+    return true;
+  }
+
+  /// An edge over a face, from one of its points downhill to its end or to where it leaves the face; no where it goes
+  /// behind before.
+  [[nodiscard]] bool along_face(std::size_t of, Index face, Index half_edge, const Vec3& start) {
+    const FacePrism prism(body_[of], face);
+    const std::size_t other = 1 - of;
+    const Vec3 from = world(other, start_of(other, half_edge)), to = world(other, end_of(other, half_edge));
+    const Vec3 own = prism.own_point(start);
+    bool inside = true;
+    for (Index h = prism.begin(); h < prism.end(); ++h) {
+      if (!(height(prism.rim(h), own) < 0)) continue;
+      inside = false;
+      beside_face(of, h, half_edge);
+    }
+    if (!inside) return true;
+    const bool forth = dot(prism.side().normal, prism.own_vector(to - from)) < 0;
+    const Vec3 way = prism.own_vector(forth ? to - start : from - start);
+    double share = 1;
+    std::optional<Index> out;
+    for (Index h = prism.begin(); h < prism.end(); ++h) {
+      const RegionPlane rim = prism.rim(h);
+      const double falls = -dot(rim.normal, way);
+      if (!(falls > 0) || !(height(rim, own) < share * falls)) continue;
+      share = height(rim, own) / falls;
+      out = h;
+    }
+    if (!(height(prism.side(), own + share * way) > 0)) return false;
+    if (!out) return at_face(of, face, forth ? end_of(other, half_edge) : start_of(other, half_edge));
+    beside_face(of, *out, half_edge);
+    return true;
+  }
+
+  /// Two edges: one of the face that is left, and the one that leaves it.
+  void beside_face(std::size_t of, Index rim, Index half_edge) {
+    at_edges(of == 0 ? rim : half_edge, of == 0 ? half_edge : rim);
+  }
+
+  void from_vertex(std::size_t of, Index vertex, const Vec3& outward, Descent& best) const {
+    for (const Parts::Spoke& spoke : parts(of).spokes_at(vertex))
+      if (const double slope = dot(outward, spoke.plane.normal); slope < best.slope)
+        best = {of, {Kind::edge, parts(of).edge_of(spoke.half_edge)}, slope};
+  }
+
+  /// No where every way into a face leads behind it.
+  [[nodiscard]] bool from_edge(std::size_t of, Index edge, const Vec3& outward, Descent& best) const {
+    const Parts& p = parts(of);
+    bool falls = false, stays = false;
+    for (const Index h : {edge, p.topology.twin[edge]}) {
+      const double slope = dot(outward, p.rims[h].plane.normal);
+      if (!(slope < 0)) continue;
+      falls = true;
+      const Index face = p.topology.face[h];
+      if (!(dot(outward, p.sides[face].plane.normal) < 0)) continue;
+      stays = true;
+      if (slope < best.slope) best = {of, {Kind::face, face}, slope};
+    }
+    return stays || !falls;
+  }
+
+  std::array<WalkBody, 2> body_;
+  FeaturesNear best_;
+};
+
+}  // namespace
+
+FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a, const ConvexFeature& on_b) {
+  Walk walk(a, b);
+  FeatureWalk result;
+  const std::optional<FeaturesNear> start = walk.nearest(on_a, on_b);
+  if (!start) {
+    result.end = WalkEnd::below;
+    result.near.feature = {on_a, on_b};
+    return result;
+  }
+  result.near = *start;
+  while (true) {
+    bool below = false;
+    const Descent step = walk.steepest(result.near, below);
+    result.end = below ? WalkEnd::below : WalkEnd::nearest;
+    if (!(step.slope < 0)) return result;
+    ++result.steps;
+    const std::optional<FeaturesNear> next = walk.after(result.near, step);
+    result.end = next ? WalkEnd::tie : WalkEnd::below;
+    // Strictly: the squares of distances that were reached never come again, and there are finitely many.
+    if (!next || !(next->squared < result.near.squared)) return result;
+    result.near = *next;
+  }
+}
+
+}  // namespace toccata

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "narrow/voronoi/region_parts.hpp"
+#include "toccata/math/pose.hpp"
+
+namespace toccata {
+
+/// A polytope at its place, as the walk sees it.
+struct WalkBody {
+  const VoronoiRegions::Parts* parts;
+  const Pose* pose;
+};
+
+/// A feature of each shape and the nearest points of the two, inside both, as far as doubles tell.
+struct FeaturesNear {
+  std::array<ConvexFeature, 2> feature;
+  std::array<Vec3, 2> on;  ///< in the world
+  Vec3 between;            ///< on[0] − on[1]
+  double squared = 0;      ///< between · between
+};
+
+/// Where a walk has ended.
+enum class WalkEnd : std::uint8_t {
+  nearest,  ///< no plane of either region is violated
+  tie,      ///< one is, but beyond it nothing is nearer in doubles
+  below,    ///< a feature has come to lie behind a face: the shapes seem to meet
+};
+
+struct FeatureWalk {
+  FeaturesNear near;
+  WalkEnd end = WalkEnd::nearest;
+  std::uint64_t steps = 0;
+};
+
+/// Walks from a vertex, an edge or a face of each, not two faces nor a face and an edge, to the nearest features; after
+/// B. Mirtich, "V-Clip: Fast and Robust Polyhedral Collision Detection", 1998. Every step leads through a plane that is
+/// violated to a feature of one dimension more, and from there to whatever of its boundary is nearest; it counts only
+/// when the distance has become less. So it ends, whatever rounding does.
+[[nodiscard]] FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a,
+                                        const ConvexFeature& on_b);
+
+}  // namespace toccata

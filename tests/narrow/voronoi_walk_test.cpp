@@ -1,0 +1,86 @@
+#include "toccata/narrow/voronoi_walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include "narrow/voronoi_walks.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+TEST(VoronoiWalk, TellsWhatGjkTellsInEveryFamily) {
+  Random random(7);
+  for (const std::string& family : test::walk_families())
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(test::fault_of_walks(family, random, 8), "") << family << " " << i;
+}
+
+struct Moved {
+  ConvexHull hull;
+  VoronoiRegions regions;
+};
+
+Moved moved_hull(std::uint64_t seed, int vertices) {
+  Random random(seed);
+  const ConvexHull hull = test::walked_hull(random, vertices, false);
+  return {hull, VoronoiRegions(hull)};
+}
+
+// The lecture: "easy to exploit coherence (remember the closest feature from the last frame)".
+TEST(VoronoiWalk, SmallStepsNeedFewStepsWhateverTheNumberOfFeatures) {
+  const Moved a = moved_hull(1, 512), b = moved_hull(2, 512);
+  TrackedPair tracked;
+  const auto ask = [&](int i) {
+    const Pose pose{rotation_about({1, 2, 3}, 0.2 * i), {2.5, 0.002 * i, 0}};
+    return distance_by_voronoi_walk(PosedConvex(a.hull), a.regions, PosedConvex(b.hull, pose), b.regions, tracked);
+  };
+  ask(0);
+  const VoronoiCounts cold = tracked.counts;
+  for (int i = 1; i <= 200; ++i) ask(i);
+  EXPECT_GT(cold.steps, 5U);
+  EXPECT_LT(tracked.counts.steps - cold.steps, 200U);
+  EXPECT_GT(tracked.counts.kept, 100U);
+  EXPECT_LT(tracked.counts.searched, 10U);
+  EXPECT_EQ(tracked.counts.questions, 201U);
+}
+
+TEST(VoronoiWalk, PenetrationIsDetectedAndLeft) {
+  const Moved a = moved_hull(3, 32), b = moved_hull(4, 32);
+  TrackedPair tracked;
+  const auto ask = [&](double x) {
+    const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(x, 0.1, 0.2));
+    const Distance distance = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked);
+    EXPECT_EQ(distance, distance_by_gjk(posed_a, posed_b));
+    EXPECT_EQ(distance.upper == 0, overlap(posed_a, posed_b));
+    return distance.upper;
+  };
+  for (double x = 3; x > 0; x -= 0.1) ask(x);
+  EXPECT_EQ(tracked.state, TrackedPair::State::meeting);
+  for (double x = 0; x < 3; x += 0.1) ask(x);
+  EXPECT_EQ(tracked.state, TrackedPair::State::apart);
+}
+
+TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
+  Random random(9);
+  const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);
+  const PosedConvex posed_big(big.hull), posed_small(small.hull, Pose::translation(2, 1, 1));
+  const Distance truth = distance_by_gjk(posed_big, posed_small);
+  for (int i = 0; i < 100; ++i) {
+    TrackedPair any;
+    any.state = static_cast<TrackedPair::State>(random.below(3));
+    any.cores_meet = random.below(4) == 0;
+    any.on_a = {static_cast<ConvexFeature::Kind>(random.below(3)), static_cast<Index>(random.below(400))};
+    any.on_b = {static_cast<ConvexFeature::Kind>(random.below(3)), static_cast<Index>(random.below(40))};
+    EXPECT_EQ(distance_by_voronoi_walk(posed_big, big.regions, posed_small, small.regions, any), truth);
+  }
+}
+
+TEST(VoronoiWalk, RegionsOfAnotherShapeAreRefused) {
+  const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);
+  TrackedPair tracked;
+  EXPECT_THROW((void)distance_by_voronoi_walk(PosedConvex(big.hull), small.regions, PosedConvex(small.hull),
+                                              small.regions, tracked),
+               Error);
+}
+
+}  // namespace
+}  // namespace toccata
