@@ -78,7 +78,8 @@ struct WalkedPair {
 inline ConvexShape walked_shape(const std::string& family, Random& random) {
   if (family.starts_with("hull-")) return walked_hull(random, std::stoi(family.substr(5)), false);
   if (family == "boxes") return Box({0.5 + 0.5 * static_cast<double>(random.below(2)), 0.5, 1});
-  if (family == "degenerate" || family == "parallel") return walked_hull(random, 12 + static_cast<int>(random.below(40)), true);
+  if (family == "degenerate" || family == "parallel")
+    return walked_hull(random, 12 + static_cast<int>(random.below(40)), true);
   if (family == "kinds") return random_convex(convex_kinds()[random.below(convex_kinds().size())], random);
   return walked_hull(random, 6 + static_cast<int>(random.below(40)), random.below(3) == 0);
 }
