@@ -101,8 +101,8 @@ struct AskManifold {
 };
 
 struct AskCast {
-  using Answer = Cast;
-  Cast operator()(const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) const {
+  using Answer = ShapeHit;
+  ShapeHit operator()(const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) const {
     return cast_shape(a, query.motion, b, query.poses, workspace);
   }
 };
@@ -266,12 +266,12 @@ std::vector<Manifold> manifold_each(std::span<const ModelPair> pairs, const Batc
   return ask_of_pairs<AskManifold>(pairs, options);
 }
 
-std::vector<Cast> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
-                                  const BatchOptions& options) {
+std::vector<ShapeHit> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
+                                      const BatchOptions& options) {
   return ask_at_poses<AskCast>(a, b, queries, options);
 }
 
-std::vector<Cast> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options) {
+std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options) {
   return ask_of_pairs<AskCast>(pairs, options);
 }
 

@@ -16,6 +16,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
 #include "trees/near_walk.hpp"
+#include "trees/swept_walk.hpp"
 #include "trees/wide_point.hpp"
 #include "trees/wide_walk.hpp"
 
@@ -60,6 +61,7 @@ struct SearchScratch {
   std::vector<Index> triangles;                 ///< that meet a shape
   std::vector<std::pair<Index, Index>> faces;   ///< that meet
   NearFrontier near;
+  SweptFrontier swept;
   std::vector<NearCandidate> candidates;  ///< for the nearest pair
   WalkCounts counts;
   ConvexWorkspace convex;                    ///< of the last pair of convex shapes

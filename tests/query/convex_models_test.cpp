@@ -138,7 +138,7 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
       const Model a = compound_of(shapes[0], shapes[2]), b = compound_of(shapes[1], shapes[3]);
       const Vec3 motion = test::random_motion({shapes[0], shapes[1]}, random);
       std::optional<Distance> least;
-      std::optional<Cast> earliest;
+      std::optional<ShapeHit> earliest;
       std::vector<std::pair<Index, Index>> meeting;
       for (const std::size_t i : {0U, 2U})
         for (const std::size_t j : {1U, 3U}) {
@@ -148,7 +148,10 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
           d.element_b = d.face_b = static_cast<Index>(j / 2);
           if (!least || d.upper < least->upper) least = d;
           const Cast cast = cast_shape(part_a, motion, part_b);
-          if (!earliest || (cast.hit && (!earliest->hit || cast.upper < earliest->upper))) earliest = cast;
+          if (!earliest || (cast.hit && (!earliest->hit || cast.upper < earliest->upper))) {
+            const auto part = [&](std::size_t number) { return cast.hit ? static_cast<Index>(number / 2) : 0; };
+            earliest = ShapeHit{cast, part(i), part(j), part(i), part(j)};
+          }
           if (oracle::overlap(test::set_of(shapes[i]), test::set_of(shapes[j]))) meeting.emplace_back(i / 2, j / 2);
         }
       EXPECT_EQ(distance(a, b), *least);

@@ -130,11 +130,12 @@ TEST(WorldQueries, AreNotAskedAboutASnapshotThatHasTakenThePlaceOfTheirWorld) {
 
 TEST(WorldQueries, ErrorsNameTheBody) {
   World world = row_of_balls();
-  Body rock{Model(test::box_mesh({9, -1, -1}, {10, 1, 1}))};
+  const Model ground(HalfSpace({0, 0, -9}, {0, 0, 1}));
+  Body rock{ground};
   rock.name = "rock";
   world.add(rock);
   const WorldQueries queries(world);
-  const MovingShape moving{{Model(Sphere(1)), Pose::translation(20, 0, 0)}, {-20, 0, 0}};
+  const MovingShape moving{{ground, Pose::translation(0, 0, -20)}, {0, 0, 5}};
   EXPECT_NE(message_of([&] { static_cast<void>(queries.cast_shape(moving)); }).find("body 3 (generation 1) (\"rock\")"),
             std::string::npos);
 }

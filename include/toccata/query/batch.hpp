@@ -110,9 +110,9 @@ struct CastPair {
   CastQuery query;
 };
 
-[[nodiscard]] std::vector<Cast> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
-                                                const BatchOptions& options = {});
-[[nodiscard]] std::vector<Cast> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options = {});
+[[nodiscard]] std::vector<ShapeHit> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
+                                                    const BatchOptions& options = {});
+[[nodiscard]] std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options = {});
 
 /// A question for `cast_ray`: from `origin` to `origin + motion` (world), at a target where `pose` places it.
 struct RayQuery {

@@ -24,18 +24,30 @@ struct RayHit : Cast {
 [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose = {},
                               Solid solid = Solid::automatic);
 
-/// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of compounds
-/// the earliest of their parts, by (upper, element of A, element of B). Throws like `overlap`, Error when the motion is
+/// The first meeting of a model that moves with one that stands, and with what of either: the element (the triangle of
+/// a mesh) and the face of the file. All are 0 where nothing is met, and of a solid mesh that holds the other, or a
+/// part of it, at the start.
+struct ShapeHit : Cast {
+  Index element_a = 0;
+  Index element_b = 0;
+  Index face_a = 0;
+  Index face_b = 0;
+  friend constexpr bool operator==(const ShapeHit&, const ShapeHit&) = default;
+};
+
+/// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of meshes,
+/// height fields and compounds it is the earliest of their elements, by (upper, element of A, element of B); a solid
+/// that holds the other, or a part of it, at the start is met at once. Throws like `overlap`, Error when the motion is
 /// not finite, and Error for what the table of pairs.hpp does not define.
-[[nodiscard]] Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query = {});
+[[nodiscard]] ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.
-[[nodiscard]] Cast cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
-                              Workspace& workspace);
+[[nodiscard]] ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
+                                  Workspace& workspace);
 
 /// Shapes of types for which it is not defined are refused by the compiler.
 template <PlainShape A, PlainShape B>
-requires(!Answered<ShapeQuestion::cast_shape, A, B>) Cast
+requires(!Answered<ShapeQuestion::cast_shape, A, B>) ShapeHit
     cast_shape(const A&, const Vec3&, const B&, const PairQuery& = {})
 = delete;
 

@@ -74,9 +74,6 @@ inline constexpr PairCell always_met{
     PairState::not_defined, "two half-spaces meet wherever they are, unless their normals are opposite: ask overlap"};
 inline constexpr PairCell many_manifolds{PairState::not_defined,
                                          "there is one for each contact: ask contacts, and the manifold of each"};
-inline constexpr PairCell mesh_later{PairState::later,
-                                     "this version answers it for convex shapes and half-spaces only; ask overlap, "
-                                     "relation, contacts or distance"};
 inline constexpr PairCell by_parts{PairState::defined, "as its parts"};
 inline constexpr PairCell least_part{PairState::defined, "the least of its parts"};
 inline constexpr PairCell earliest_part{PairState::defined, "the earliest of its parts"};
@@ -92,6 +89,7 @@ inline constexpr PairCell by_tree_alone{PairState::defined, "tree, exact pairs"}
 inline constexpr PairCell nearest_by_tree{PairState::defined, "turned boxes, nearest first; certified pairs"};
 inline constexpr PairCell one_contact{PairState::defined, "one pair, by overlap; its points are the manifold"};
 inline constexpr PairCell by_advance{PairState::defined, "certified interval, else exact arithmetic"};
+inline constexpr PairCell first_by_tree{PairState::defined, "moving boxes, first met first; certified pairs"};
 
 constexpr bool has(ShapeClass wanted, ShapeClass a, ShapeClass b) { return a == wanted || b == wanted; }
 
@@ -123,8 +121,8 @@ constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
 }
 
 constexpr PairCell cast(ShapeClass a, ShapeClass b) {
-  if (has(ShapeClass::triangles, a, b)) return mesh_later;
   if (has(ShapeClass::compound, a, b)) return earliest_part;
+  if (has(ShapeClass::triangles, a, b)) return first_by_tree;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return always_met;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_advance;
 }

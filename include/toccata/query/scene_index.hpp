@@ -30,7 +30,8 @@ struct ObjectRayHit : RayHit {
   friend constexpr bool operator==(const ObjectRayHit&, const ObjectRayHit&) = default;
 };
 
-struct ObjectCast : Cast {
+/// A is the shape that moves, and B the object.
+struct ObjectCast : ShapeHit {
   Index object = 0;
   friend constexpr bool operator==(const ObjectCast&, const ObjectCast&) = default;
 };
@@ -78,7 +79,7 @@ class SceneIndex {
   [[nodiscard]] std::vector<ObjectRayHit> cast_ray_through(const Ray& ray, const ObjectFilter& filter = {}) const;
 
   /// The first that the shape meets on its way. Throws like `cast_shape`: also where an object that it could meet is
-  /// one for which pairs.hpp does not define it.
+  /// one for which pairs.hpp does not define it, as of two half-spaces.
   [[nodiscard]] std::optional<ObjectCast> cast_shape(const MovingShape& moving, const ObjectFilter& filter = {}) const;
 
   /// Those that have a point in common with the shape, ascending. Throws like `overlap`.

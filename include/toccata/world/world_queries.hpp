@@ -20,7 +20,7 @@ struct BodyRayHit : RayHit {
   friend constexpr bool operator==(const BodyRayHit&, const BodyRayHit&) = default;
 };
 
-struct BodyCast : Cast {
+struct BodyCast : ShapeHit {
   BodyId body;
   friend constexpr bool operator==(const BodyCast&, const BodyCast&) = default;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "math/bounded_number.hpp"
+#include "narrow/convex/cast_until.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/swept_meeting.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
@@ -14,8 +15,11 @@
 namespace toccata {
 namespace {
 
-/// The interval's width, of the whole way.
+/// The interval's width, of the whole way; and at most.
 constexpr double time_width = 0x1p-42;
+constexpr double greatest_width = 2 * time_width;
+/// The same where coordinates are so large that less is lost in their last places: less than 10^-12.
+constexpr double width_far_out = 4 * time_width;
 constexpr int most_steps = 40;
 
 /// A plane across `direction` that keeps the shapes apart until `time`; both proved.
@@ -30,6 +34,7 @@ double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y
 struct Meeting {
   double time = 0;
   Vec3 point;
+  Vec3 across{};  ///< a direction at right angles to both there
 };
 
 /// One cast: A is moved, B stands.
@@ -42,11 +47,20 @@ class ShapeCast {
         kernels_(support_kernels()),
         reach_(std::nextafter(a.radius() + b.radius(), HUGE_VAL)) {}
 
-  /// Are they apart all the way, with a plane across the direction between them?
-  [[nodiscard]] bool is_kept_apart(const Vec3& direction) const {
+  /// Are they apart until a time, with a plane across the direction between them?
+  [[nodiscard]] bool is_kept_apart(const Vec3& direction, double until) const {
     if (direction == Vec3{}) return false;
     const Separation found = separation(scaled_direction(direction));
-    return found.for_ever || found.time > 1;
+    return found.for_ever || found.time > until;
+  }
+
+  /// The same by the plane between their nearest points at that time, if it is known to do so.
+  [[nodiscard]] std::optional<Vec3> parting_until(double time) const {
+    const PosedConvex moved = a_.moved(time * motion_);
+    const GjkEnd end = search_nearest({moved, kernels_}, {b_, kernels_}, {}, {std::nan("")});
+    if (end.inside || end.nearest == Vec3{} || !is_finite(end.nearest)) return {};
+    const Vec3 direction = scaled_direction(-end.nearest);
+    return is_kept_apart(direction, time) ? std::optional(direction) : std::nullopt;
   }
 
   /// The direction that has kept them apart all the way.
@@ -108,17 +122,77 @@ class ShapeCast {
     return {gap > 0 ? (1 - 0x1p-50) * (gap / speed) : 0, false};
   }
 
+  /// The same in double words, for shapes so large that what doubles round takes a while to pass by: the time until
+  /// which the direction certainly keeps them apart, or 0.
+  [[nodiscard]] double sharp_time(const Vec3& direction) const {
+    const auto of_a = sharp_height(a_, -direction), of_b = sharp_height(b_, direction);
+    if (!of_a || !of_b) return 0;
+    const BoundedNumber reach = exactly(a_.radius()) + exactly(b_.radius());
+    const BoundedNumber speed = dot(exactly(direction), exactly(motion_));
+    const BoundedNumber gap = (*of_a + *of_b) - reach * length(exactly(direction));
+    if (!gap.is_positive() || !speed.is_positive()) return 0;
+    const BoundedNumber time = gap / speed;
+    const double certain = std::nextafter(time.value.high - distance_from_high(time), -HUGE_VAL);
+    return certain > 0 ? certain : 0;
+  }
+
+  /// The least height of a vertex along a direction; nothing where too many may be the lowest.
+  [[nodiscard]] std::optional<BoundedNumber> sharp_height(const PosedConvex& shape, const Vec3& direction) const {
+    const SupportSearch support(shape, kernels_);
+    std::array<Index, 16> lowest{};
+    const Index first = support.least(direction);
+    const Index count = support.close(direction, 0, support.vertex(first), {}, lowest);
+    if (count > lowest.size()) return {};
+    BoundedNumber least = dot(exactly(direction), exactly(support.vertex(first)));
+    for (Index i = 0; i < count; ++i) {
+      const BoundedNumber height = dot(exactly(direction), exactly(support.vertex(lowest[i])));
+      if (!(height - least).is_positive()) least = lower_of(least, height);
+    }
+    return least;
+  }
+
+  /// A number that is not above either, and with either's error at least.
+  static BoundedNumber lower_of(const BoundedNumber& a, const BoundedNumber& b) {
+    const bool is_a = (a.value - b.value).high < 0;
+    return {is_a ? a.value : b.value, std::fmax(a.error, b.error)};
+  }
+
+  /// Free until the plane across a direction, both ways of which are the same, no longer keeps them apart.
+  void sharpen(const Vec3& across) {
+    if (across == Vec3{} || !is_finite(across)) return;
+    const Vec3 scaled = scaled_direction(across), direction = dot(scaled, motion_) < 0 ? -scaled : scaled;
+    const double time = in_certain_range(direction) ? sharp_time(direction) : 0;
+    if (!(time > free_until_) || time > 1) return;
+    free_until_ = time;
+    normal_ = -direction;
+  }
+
+  [[nodiscard]] bool is_soon(const std::optional<Meeting>& meeting, double width) const {
+    return meeting && meeting->time <= 1 && meeting->time - free_until_ <= width;
+  }
+
   /// A time by which the shapes have certainly met, soon enough after the one until which they are free.
-  [[nodiscard]] std::optional<Meeting> certain_meeting() const {
-    const auto met = a_.radius() + b_.radius() > 0 ? met_by_nearness() : met_by_triangles();
-    return met && met->time <= 1 && met->time - free_until_ <= 2 * time_width ? met : std::nullopt;
+  std::optional<Meeting> certain_meeting() {
+    if (a_.radius() + b_.radius() == 0) return met_by_triangles();
+    const auto met = met_by_nearness(time_width);
+    if (is_soon(met, greatest_width)) return met;
+    sharpen(across_at(free_until_));
+    const auto later = met_by_nearness(width_far_out);
+    return is_soon(later, width_far_out) ? later : std::nullopt;
+  }
+
+  /// From core to core, at a time; zero where it is not certain.
+  [[nodiscard]] Vec3 across_at(double time) const {
+    const PosedConvex moved = a_.moved(time * motion_);
+    const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
+    return nearest && nearest->unique() ? high_parts(nearest->difference) : Vec3{};
   }
 
   /// The cores are nearer than the radii reach, a little later. Moved vertices are rounded twice, so they are off by
   /// less than 2^-52 of the coordinates that meet.
-  [[nodiscard]] std::optional<Meeting> met_by_nearness() const {
+  [[nodiscard]] std::optional<Meeting> met_by_nearness(double width) const {
     if (!a_.in_world()) return {};
-    const double late = std::fmin(1, free_until_ + time_width);
+    const double late = std::fmin(1, free_until_ + width);
     const PosedConvex moved = a_.moved(late * motion_);
     const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
     if (!nearest || !nearest->unique()) return {};
@@ -131,15 +205,18 @@ class ShapeCast {
     return Meeting{late, high_parts(nearest->on_b) + grown};
   }
 
-  /// The way passes through a triangle of the Minkowski difference: three exact signs. When, is enclosed.
-  [[nodiscard]] std::optional<Meeting> met_by_triangles() const {
+  /// The way passes through a triangle of the Minkowski difference: three exact signs. When, is enclosed; and its plane
+  /// is the one that keeps the shapes apart until then, if it is a face of the difference.
+  std::optional<Meeting> met_by_triangles() {
     for (std::size_t without = 0; without < 4 && last_.size >= 3; ++without) {
       VertexPairs triangle;
       for (std::size_t i = 0; i < last_.size; ++i)
         if (i != without && triangle.size < 3) triangle.append(last_.a[i], last_.b[i]);
       if (last_.size == 3 && without > 0) break;
       if (last_.size == 3) triangle = last_;
-      if (const auto late = met_by_triangle(triangle)) return late;
+      const auto met = met_by_triangle(triangle);
+      if (met && met->time <= 1 && !is_soon(met, greatest_width)) sharpen(met->across);
+      if (is_soon(met, greatest_width)) return met;
     }
     return {};
   }
@@ -161,7 +238,7 @@ class ShapeCast {
     if (!time.is_positive()) return {};  // the triangle lies behind
     const double late = time.value.high + distance_from_high(time);
     if (!std::isfinite(late)) return {};
-    return Meeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c)};
+    return Meeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c), high_parts(normal)};
   }
 
   /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.
@@ -227,10 +304,21 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, 
   if (motion == Vec3{}) return {};
   ShapeCast cast(a, motion, b);
   // What keeps the shapes apart all the way mostly does so the next time.
-  if (workspace != nullptr && cast.is_kept_apart(workspace->direction)) return {};
+  if (workspace != nullptr && cast.is_kept_apart(workspace->direction, 1)) return {};
   const Cast answer = cast.answer();
   if (workspace != nullptr && !(cast.parting() == Vec3{})) workspace->direction = cast.parting();
   return answer;
+}
+
+std::optional<Cast> cast_shape_until(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, double limit,
+                                     ConvexWorkspace& workspace) {
+  const ShapeCast cast(a, motion, b);
+  if (cast.is_kept_apart(workspace.direction, limit)) return {};
+  if (const auto direction = cast.parting_until(limit)) {
+    workspace.direction = *direction;
+    return {};
+  }
+  return cast_shape(a, motion, b, &workspace);
 }
 
 Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target) {

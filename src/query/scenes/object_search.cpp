@@ -7,6 +7,8 @@
 #include <limits>
 #include <tuple>
 
+#include "query/casts/cast_until.hpp"
+#include "query/casts/mesh_casts.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
@@ -16,9 +18,6 @@
 
 namespace toccata {
 namespace {
-
-/// Wider than the interval of any cast, as part of the way.
-constexpr double widest_cast = 0x1p-38;
 
 /// Keeps the first by (upper, object), and widens it so that the least of all exact numbers lies in it.
 template <class Found>
@@ -136,9 +135,12 @@ std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const Movin
   if (is_empty(asked.box())) return first;
   objects.tree.visit_along(asked.box(), motion, 1, [&](Index object) {
     if (!objects.accepts(object) || is_settled(first, object)) return last_time(first);
-    const Cast found = asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query,
-                                              Workspace& memory) { return cast_shape(a, motion, b, query, memory); });
-    if (found.hit) keep_first(first, ObjectCast{found, object});
+    const double limit = std::min(1.0, last_time(first));
+    const auto found =
+        asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
+          return cast_until(a, motion, b, query, limit, memory);
+        });
+    if (found) keep_first(first, ObjectCast{*found, object});
     return last_time(first);
   });
   return first;

@@ -1,0 +1,78 @@
+#include "toccata/query/casts.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include "query/ask.hpp"
+#include "query/casts/cast_until.hpp"
+#include "query/casts/mesh_casts.hpp"
+#include "query/search_scratch.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+ShapeHit whole(const Cast& cast) { return {cast, 0, 0, 0, 0}; }
+
+struct AskCast {
+  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedConvex& b) const {
+    return whole(cast_shape(a, motion, b, &scratch.convex));
+  }
+  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedHalfSpace& b) const {
+    return whole(cast_shape(a, motion, b));
+  }
+  std::optional<ShapeHit> operator()(const PosedHalfSpace& a, const PosedConvex& b) const {
+    return whole(seen_from_target(cast_shape(b, -motion, a), motion));
+  }
+  std::optional<ShapeHit> operator()(const PosedHalfSpace&, const PosedHalfSpace&) const {
+    return {};  // the table was asked before
+  }
+  template <class A, class B>
+  std::optional<ShapeHit> operator()(const A& a, const B& b) const {
+    return cast_until(a, motion, b, limit, scratch);
+  }
+
+  const Vec3& motion;
+  double limit;
+  SearchScratch& scratch;
+};
+
+/// Elements and faces counted from where those of the parts begin.
+ShapeHit numbered(ShapeHit hit, const PosedPart& a, const PosedPart& b) {
+  hit.element_a += a.first_element;
+  hit.element_b += b.first_element;
+  hit.face_a += a.first_face;
+  hit.face_b += b.first_face;
+  return hit;
+}
+
+}  // namespace
+
+std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
+                                   double limit, Workspace& workspace) {
+  if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
+  const PosedModels models(a, b, query, workspace.scratch());
+  std::optional<ShapeHit> first;
+  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+    require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);
+    const auto found = std::visit(AskCast{motion, limit, workspace.scratch()}, part_a.shape, part_b.shape);
+    if (found && found->hit) {
+      keep_first(first, numbered(*found, part_a, part_b));
+      limit = std::min(limit, first->upper + widest_cast);
+    }
+    return true;
+  });
+  return first;
+}
+
+ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return cast_shape(a, motion, b, query, workspace);
+}
+
+ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query, Workspace& workspace) {
+  return cast_until(a, motion, b, query, 1, workspace).value_or(ShapeHit{});
+}
+
+}  // namespace toccata

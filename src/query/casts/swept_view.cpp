@@ -1,0 +1,121 @@
+#include "query/casts/swept_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/convex/gjk.hpp"
+#include "query/meshes/cull_bounds.hpp"
+#include "query/meshes/pair_cull.hpp"
+
+// The names and the bounds are those of docs/design/culling.md.
+namespace toccata {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Numbers below this neither overflow nor are they the differences of such that did.
+constexpr double largest_size = 0x1p1000;
+
+/// One thing along a direction.
+struct Along {
+  Vec3 form{};
+  double offset = 0;
+  HeightRange whole;
+  double size = 0;         ///< Σ |L_k| S_k, and what the tree's units add
+  double coordinates = 0;  ///< what smallest doubles are multiplied with
+};
+
+Along along(const PosedMesh& mesh, const Vec3& direction) {
+  const WideTree& tree = mesh.model().wide_tree();
+  const Mat3& linear = mesh.pose().linear;
+  const Vec3 on{dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
+  const double at_origin = dot(direction, mesh.pose().offset);
+  const Range range = range_of(on, tree.box);
+  // A box of a flat tree may be as thick as a last place of the tree's unit, and much is made of that by such a pose.
+  const Vec3 units{sum_of_magnitudes(linear[0]), sum_of_magnitudes(linear[1]), sum_of_magnitudes(linear[2])};
+  return {tree.unit * on,
+          dot(on, tree.origin) + at_origin,
+          {range.low + at_origin, range.high + at_origin},
+          dot(magnitudes(direction), world_sizes(mesh) + (2 * tree.unit) * units),
+          sum_of_magnitudes(largest_coordinates(mesh))};
+}
+
+Along along(const PosedConvex& shape, const Vec3& direction) {
+  const SupportKernels kernels = support_kernels();
+  const SupportSearch support(shape, kernels);
+  const double reach = shape.radius() * plain_length(direction) * (1 + 0x1p-50);
+  const double low = support.lower_bound(direction) - reach, high = -support.lower_bound(-direction) + reach;
+  Along result;
+  const bool is_known = in_certain_range(direction) && std::isfinite(low) && std::isfinite(high);
+  result.whole = is_known ? HeightRange{low, high} : HeightRange{-infinity, infinity};
+  // Both are certain; what is computed with them is not.
+  result.size = is_known ? std::max(std::fabs(low), std::fabs(high)) : 0;
+  return result;
+}
+
+Along along(const PosedHalfSpace& half_space, const Vec3& direction) {
+  const double height = dot(direction, half_space.point);
+  Along result;
+  const bool is_above = dot(direction, half_space.normal) < 0;
+  result.whole = is_above ? HeightRange{height, infinity} : HeightRange{-infinity, height};
+  result.size = dot(magnitudes(direction), magnitudes(half_space.point));
+  return result;
+}
+
+/// Of length near 1, by a power of two: it stays what it is.
+Vec3 near_unit(const Vec3& normal) {
+  const int exponent = -std::ilogb(largest_magnitude(normal));
+  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
+}
+
+bool is_usable(const SweptDirection& d, double size) {
+  return size < largest_size && d.pad < largest_size && std::isfinite(d.per_speed) && is_finite(d.form[0]) &&
+         is_finite(d.form[1]) && std::isfinite(d.offset[0]) && std::isfinite(d.offset[1]);
+}
+
+}  // namespace
+
+/// The pad: four times that of two things that stand, for heights are computed from the trees' units, and as much again
+/// so that the speed need not be 0.
+template <class A, class B>
+void SweptView::add(const A& a, const Vec3& motion, const B& b, const Vec3& direction) {
+  const Vec3 upwards = dot(direction, motion) < 0 ? -direction : direction;
+  const Along of_a = along(a, upwards), of_b = along(b, upwards);
+  const double speed = dot(upwards, motion), moved = dot(magnitudes(upwards), magnitudes(motion));
+  const double size = (of_a.size + of_b.size) + moved;
+  const double underflowed = (1 + sum_of_magnitudes(upwards)) + (of_a.coordinates + of_b.coordinates);
+  const double pad = 64 * unit_roundoff * size + (64 * smallest_double * underflowed + 0x1p-960);
+  SweptDirection result;
+  result.form = {of_a.form, of_b.form};
+  result.offset = {of_a.offset, of_b.offset};
+  result.whole = {of_a.whole, of_b.whole};
+  result.pad = 2 * pad;
+  result.per_speed = 1 / std::max(speed, pad);
+  if (is_usable(result, size) && count_ < directions_.size()) directions_[count_++] = result;
+}
+
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b) {
+  const PairCull cull(a, b);
+  for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
+}
+
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b) {
+  const PairCull cull(a, a);
+  for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
+}
+
+SweptView::SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b) {
+  const PairCull cull(b, b);
+  for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
+}
+
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b) {
+  add(a, motion, b, near_unit(b.normal));
+}
+
+SweptView::SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b) {
+  add(a, motion, b, near_unit(a.normal));
+}
+
+}  // namespace toccata

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "query/posed_shape.hpp"
+#include "trees/swept_walk.hpp"
+
+namespace toccata {
+
+/// World directions along which a thing that moves is compared with one that stands: those for which the tests are
+/// certain (docs/design/culling.md). One of two is a mesh.
+class SweptView {
+ public:
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b);
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b);
+  SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b);
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b);
+  SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b);
+
+  [[nodiscard]] std::span<const SweptDirection> directions() const { return {directions_.data(), count_}; }
+
+ private:
+  template <class A, class B>
+  void add(const A& a, const Vec3& motion, const B& b, const Vec3& direction);
+
+  std::array<SweptDirection, SweptWalk::most_directions> directions_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace toccata
