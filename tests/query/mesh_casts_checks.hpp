@@ -114,7 +114,7 @@ inline MeshCastCase mesh_cast_case(const std::string& family, Random& random) {
   if (family == "at a face") c.motion = 2 * (inside - from);
   if (family == "ends on a corner") c.motion = t[1] - from;
   if (family == "away") c.motion = from - inside;
-  if (family == "far") c.motion = 1e-6 * c.motion;
+  if (family == "short") c.motion = 1e-6 * c.motion;
   if (family == "long") c.motion = 1e6 * c.motion;
   if (family == "still") c.motion = {};
   if (family == "along a face" || family == "starts on a corner")
