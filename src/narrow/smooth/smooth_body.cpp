@@ -108,6 +108,18 @@ SmoothBody::SmoothBody(const PosedConvex& shape, const PairFrame& frame, const S
   for (Index i = 0; i < std::min<Index>(count_, 8); ++i) middle_ = middle_ + part * centre(i);
 }
 
+SmoothBody::SmoothBody(const BoundedVector& point) : count_(1), middle_(point) {
+  centre_[0] = point;
+  plain_centre_[0] = plain(point);
+}
+
+Mat3 SmoothBody::roundness() const {
+  const Vec3 x = plain(axes_[0]), y = plain(axes_[1]), z = plain(axes_[2]);
+  const Vec3 normal = cross(y, z);
+  const double part = 1 / dot(normal, x);
+  return {{part * normal, part * cross(z, x), part * cross(x, y)}};
+}
+
 BoundedVector SmoothBody::centre(Index atom) const {
   return hull_ == nullptr ? centre_[atom] : frame_.place(hull_->vertex(atom));
 }
@@ -153,7 +165,7 @@ SmoothSupport SmoothBody::support(const Vec3& direction) const {
 Index SmoothBody::highest_atoms(const Vec3& direction, std::span<Index> found) const {
   if (search_) {
     const Vec3 highest = search_->vertex(search_->least(-direction));
-    return search_->close(-direction, 0, highest, {}, found);
+    return search_->close(-direction, 0x1p-52, highest, {}, found);
   }
   if (count_ <= 2) {
     for (Index i = 0; i < count_; ++i) found[i] = i;

@@ -40,6 +40,7 @@ class SmoothBody {
  public:
   SmoothBody(const PosedSmooth& shape, const PairFrame& frame);
   SmoothBody(const PosedConvex& shape, const PairFrame& frame, const SupportKernels& kernels);
+  explicit SmoothBody(const BoundedVector& point);
 
   [[nodiscard]] Index atom_count() const { return count_; }
   [[nodiscard]] std::size_t column_count() const { return columns_; }
@@ -50,6 +51,8 @@ class SmoothBody {
   /// Of a smooth shape: the images of its half axes, of the radius twice and the half height.
   [[nodiscard]] const std::array<BoundedVector, 3>& axes() const { return axes_; }
   [[nodiscard]] const std::optional<PosedSmooth::Kind>& smooth_kind() const { return kind_; }
+  /// Of a smooth shape: the map that makes it as long as it is wide, rounded.
+  [[nodiscard]] Mat3 roundness() const;
   [[nodiscard]] const BoundedVector& middle_point() const { return middle_; }
 
   // In doubles, in the pair's frame.

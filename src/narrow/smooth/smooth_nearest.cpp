@@ -26,11 +26,11 @@ class NearestSearch {
     for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
       search_.run(part);
       if (search_.inside() && is_meeting_proved()) return best_;
-      if (try_polished(search_.nearest())) return best_;
+      if (try_polished(search_, search_.nearest())) return best_;
       if (search_.inside() || search_.stalled()) break;
     }
-    if (best_.contact != SmoothContact::undecided) return best_;
-    if (is_meeting_proved() || try_polished(search_.best_direction()) || is_met_from_elsewhere()) return best_;
+    if (best_.contact != SmoothContact::apart && is_meeting_proved()) return best_;
+    if (try_polished(search_, search_.best_direction()) || is_decided_from_elsewhere()) return best_;
     improve_lower<BoundedNumber>(fine(search_.best_direction()));
     improve_upper<BoundedNumber>(joined(true), joined(false));
     return best_;
@@ -58,11 +58,16 @@ class NearestSearch {
   }
 
   /// Newton's method from here, and what it proves. True when nothing more is to be asked.
-  bool try_polished(const Vec3& direction) {
+  bool try_polished(const SmoothSearch& search, const Vec3& direction) {
     if (direction == Vec3{}) return false;
+    return attempt(search, direction, SmoothPolish::Attempt::first) ||
+           (polish_.doubtful() && attempt(search, direction, SmoothPolish::Attempt::second));
+  }
+
+  bool attempt(const SmoothSearch& search, const Vec3& direction, SmoothPolish::Attempt which) {
     std::array<SmoothSearch::Corner, 4> corner;
-    const std::size_t count = search_.corners(corner);
-    polish_.begin({corner.data(), count}, direction);
+    const std::size_t count = search.corners(corner);
+    polish_.begin({corner.data(), count}, direction, which);
     // Where the distance is small, doubles do not tell what is the direction.
     const bool settled = polish_.settle();
     if (!settled && !(std::fabs(polish_.signed_distance()) < 0x1p-16)) return false;
@@ -100,30 +105,52 @@ class NearestSearch {
     best_.on_b = plain_point(y);
   }
 
-  /// A common point: the simplex contains the origin, or a point of B lies within A.
-  bool is_meeting_proved() {
+  bool is_meeting_proved() { return is_meeting_proved(search_); }
+
+  /// A common point: the simplex contains the origin, or a point of one body lies within the other.
+  bool is_meeting_proved(const SmoothSearch& search) {
     std::array<SmoothSearch::Corner, 4> corner;
-    const std::size_t count = search_.corners(corner);
+    const std::size_t count = search.corners(corner);
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
+                        of_a = point_of<BoundedNumber>(a_, joined(true, search));
     if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
-      return met(point_of<BoundedNumber>(b_, joined(false)));
-    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false)),
-                        of_a = point_of<BoundedNumber>(a_, joined(true));
+      return met(of_b);
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
       if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
     return false;
   }
 
-  /// Symmetric shapes that overlap leave the origin on a face of every simplex that their symmetry offers.
-  bool is_met_from_elsewhere() {
+  /// Symmetric shapes that overlap leave the origin on a face of every simplex that their symmetry offers; and of slim
+  /// ones all simplices are flat.
+  bool is_decided_from_elsewhere() {
     for (const Vec3& direction : {Vec3{0.36, 0.48, 0.8}, Vec3{-0.6, 0.7, -0.3}, Vec3{0.5, -0.2, -0.84}}) {
-      SmoothSearch other(a_, b_, direction);
-      other.run(0);
-      std::array<SmoothSearch::Corner, 4> corner;
-      if (other.corners(corner) < 4 || !is_simplex_around<BoundedNumber>(corner)) continue;
-      return met(point_of<BoundedNumber>(b_, joined(false, other)));
+      SmoothSearch other(a_, b_, direction), rounder(a_, b_, direction, a_.roundness());
+      if (is_decided_by(other) || is_decided_by(rounder)) return true;
+      if (!b_.smooth_kind()) continue;
+      SmoothSearch roundest(a_, b_, direction, b_.roundness());
+      if (is_decided_by(roundest)) return true;
     }
     return false;
+  }
+
+  bool is_decided_by(SmoothSearch& search) {
+    search.run(0);
+    if (best_.contact != SmoothContact::apart && is_meeting_proved(search)) return true;
+    return try_polished(search, search.in_pair(search.nearest())) ||
+           try_polished(search, search.in_pair(search.best_direction()));
+  }
+
+  /// A point of A lies within B, which need not be smooth.
+  bool is_point_within_b(const BoundedVector& point) const {
+    const SmoothBody alone(point);
+    SmoothSearch search(alone, b_, plain(point) - plain(b_.middle_point()));
+    search.run(0);
+    std::array<SmoothSearch::Corner, 4> corner;
+    if (search.corners(corner) < 4) return false;
+    std::array<BoundedVector, 4> difference_at;
+    for (std::size_t i = 0; i < 4; ++i) difference_at[i] = point - point_of<BoundedNumber>(b_, body_point(corner[i].b));
+    return is_origin_within(difference_at);
   }
 
   static BoundedVector towards(const BoundedVector& from, const BoundedVector& to, double part) {
@@ -150,7 +177,8 @@ class NearestSearch {
   /// Points of A and of B; is one of them, or that of B which the other side offers, in both?
   bool is_common(const BoundedVector& of_a, const BoundedVector& of_b) {
     if (is_within(a_, of_b)) return met(of_b);
-    return b_.smooth_kind() && is_within(b_, of_a) && met(of_a);
+    if (b_.smooth_kind()) return is_within(b_, of_a) && met(of_a);
+    return b_.atom_count() >= 4 && is_point_within_b(of_a) && met(of_a);
   }
 
   bool met(const BoundedVector& point) {

@@ -94,8 +94,9 @@ SmoothPolish::SmoothPolish(const SmoothBody& a, const SmoothBody& b) {
   side_[1].outward = 1;
 }
 
-void SmoothPolish::begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, bool of_a) {
+void SmoothPolish::begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, Attempt attempt) {
   const SmoothBody& body = *side.body;
+  const bool of_a = &side == side_.data();
   side.size = 0;
   Vec3 round;
   double grown = 0;
@@ -121,17 +122,22 @@ void SmoothPolish::begin_side(Side& side, std::span<const SmoothSearch::Corner> 
   const Vec3 along = side.outward * body.along_columns(d);
   const double slope = plain_length(along), length = plain_length(round);
   const double widest = std::fmax(plain_length(body.plain_column(0)), plain_length(body.plain_column(1)));
-  side.kind = body.column_count() == 2 && length < 0.999 && slope < 0.01 * widest ? Round::cap : Round::side;
+  const bool may_be_cap = body.column_count() == 2 && length < 1 && slope < 0.1 * widest;
+  bool is_cap = may_be_cap && (slope < 0x1p-30 * widest || (length < 0.999 && slope < 0.01 * widest));
+  doubtful_ = doubtful_ || may_be_cap;
+  if (may_be_cap && attempt == Attempt::second) is_cap = !is_cap;
+  side.kind = is_cap ? Round::cap : Round::side;
   if (side.kind == Round::side)
     round = length > 0.5 ? (1 / length) * round : slope > 0 ? (1 / slope) * along : Vec3{1, 0, 0};
   side.slope = {side.kind == Round::side ? slope : 0, 0};
   for (std::size_t j = 0; j < 3; ++j) side.round[j] = {round[static_cast<int>(j)], 0};
 }
 
-void SmoothPolish::begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction) {
+void SmoothPolish::begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction, Attempt attempt) {
+  doubtful_ = false;
   direction_ = fine(unit_or_zero(direction));
-  begin_side(side_[0], corners, true);
-  begin_side(side_[1], corners, false);
+  begin_side(side_[0], corners, attempt);
+  begin_side(side_[1], corners, attempt);
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
   const VectorOf<double> exact = direction_as<double>(direction_);
   const auto x = Values<double>(side_[0], exact).point, y = Values<double>(side_[1], exact).point;

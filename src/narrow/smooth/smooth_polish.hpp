@@ -20,7 +20,13 @@ class SmoothPolish {
  public:
   SmoothPolish(const SmoothBody& a, const SmoothBody& b);
 
-  void begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction);
+  /// Near a rim the corners do not tell whether the points lie on it or within the cap; the doubtful ones are taken the
+  /// other way round the second time.
+  enum class Attempt { first, second };
+
+  void begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction, Attempt attempt);
+  /// A second attempt would begin otherwise.
+  [[nodiscard]] bool doubtful() const { return doubtful_; }
 
   /// With doubles; tells whether the conditions hold for the active set that it ends with.
   bool settle();
@@ -57,7 +63,7 @@ class SmoothPolish {
   template <class Number>
   [[nodiscard]] std::array<Number, 20> residuals() const;
 
-  void begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, bool of_a);
+  void begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, Attempt attempt);
   void number_unknowns();
   /// One step of Newton's; tells how large the residuals were.
   template <class Number>
@@ -75,6 +81,7 @@ class SmoothPolish {
   DoubleWord distance_;
   std::array<Side, 2> side_;
   std::size_t unknowns_ = 0;
+  bool doubtful_ = false;
   double slack_ = 0;  ///< what is rounding, of weights and of round parts
 };
 

@@ -10,6 +10,11 @@ namespace {
 /// More atoms than this in one height are not told apart by rounding; then all are looked at.
 constexpr std::size_t most_atoms = 16;
 
+bool is_more(const BoundedDouble& a, const BoundedDouble& b) { return a.value > b.value; }
+bool is_more(const BoundedNumber& a, const BoundedNumber& b) {
+  return a.value.high > b.value.high || (a.value.high == b.value.high && a.value.low > b.value.low);
+}
+
 template <class Number>
 VectorOf<Number> direction_as(const FineDirection& d) {
   return {number_as<Number>(d[0]), number_as<Number>(d[1]), number_as<Number>(d[2])};
@@ -77,20 +82,19 @@ Number height_of(const SmoothBody& body, const FineDirection& direction) {
   std::array<Index, most_atoms> found;
   const Index count = body.highest_atoms(rounded(direction), found);
   Number highest;
-  double ceiling = -HUGE_VAL;
+  double widest = -1;
   const auto look_at = [&](Index atom) {
     Number height = inner(d, vector_as<Number>(body.centre(atom)));
     if (body.grown(atom)) height = height + growth;
-    const double own = ceiling_of(height);
-    // Asked so that NaN is kept.
-    if (own < ceiling || ceiling != ceiling) return;
-    highest = height;
-    ceiling = own;
+    if (widest < 0 || is_more(height, highest)) highest = height;
+    // The greatest lies no higher than the highest value and the widest bound; asked so that NaN is kept.
+    if (!(height.error <= widest) && widest == widest) widest = height.error;
   };
   if (count <= most_atoms)
     for (Index i = 0; i < count; ++i) look_at(found[i]);
   else
     for (Index i = 0; i < body.atom_count(); ++i) look_at(i);
+  highest.error = widest;
   return highest;
 }
 

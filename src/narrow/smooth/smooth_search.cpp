@@ -53,6 +53,11 @@ std::array<double, 4> weights_of(const std::array<Vec3, 4>& p, std::size_t size,
 SmoothSearch::SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction)
     : a_(a), b_(b), direction_(first_direction == Vec3{} ? Vec3{0, 0, 1} : first_direction) {}
 
+SmoothSearch::SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction, const Mat3& map)
+    : SmoothSearch(a, b, first_direction) {
+  map_ = map;
+}
+
 bool SmoothSearch::step(double part) {
   if (inside_ || stalled_ || steps_ >= most_steps) return false;
   ++steps_;
@@ -63,9 +68,11 @@ bool SmoothSearch::step(double part) {
   }
   const Vec3 d = (1 / length) * direction_;
   const Index slot = free_slot(simplex_.pairs);
-  slot_a_[slot] = a_.support(-d);
-  slot_b_[slot] = b_.support(d);
-  const Vec3 point = slot_a_[slot].point - slot_b_[slot].point;
+  const Vec3 along = in_pair(d);
+  slot_a_[slot] = a_.support(-along);
+  slot_b_[slot] = b_.support(along);
+  Vec3 point = slot_a_[slot].point - slot_b_[slot].point;
+  if (map_) point = {dot((*map_)[0], point), dot((*map_)[1], point), dot((*map_)[2], point)};
   size_ = std::fmax(size_, largest_magnitude(point));
   const double gap = dot(d, point);
   if (gap > best_gap_) {

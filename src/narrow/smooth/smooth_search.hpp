@@ -3,9 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "narrow/convex/gjk_simplex.hpp"
 #include "narrow/smooth/smooth_body.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata {
 
@@ -14,6 +16,9 @@ namespace toccata {
 class SmoothSearch {
  public:
   SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction);
+  /// The same in the image of the pair's frame under a linear map, where slim shapes may be round: what is nearest is
+  /// another point there, but whether they meet is the same.
+  SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction, const Mat3& map);
 
   /// Goes on until a step would bring the nearest point nearer by less than this part of its distance, the origin
   /// seems to be inside, or nothing is gained. At most 128 steps in all.
@@ -30,6 +35,10 @@ class SmoothSearch {
   [[nodiscard]] std::size_t corners(std::array<Corner, 4>& found) const;
 
   [[nodiscard]] const Vec3& nearest() const { return nearest_; }
+  /// A direction of the search as one of the pair's frame.
+  [[nodiscard]] Vec3 in_pair(const Vec3& d) const {
+    return map_ ? d.x * (*map_)[0] + d.y * (*map_)[1] + d.z * (*map_)[2] : d;
+  }
   [[nodiscard]] bool inside() const { return inside_; }
   /// The direction along which all of A − B lay farthest before the origin.
   [[nodiscard]] const Vec3& best_direction() const { return best_direction_; }
@@ -43,6 +52,7 @@ class SmoothSearch {
 
   const SmoothBody& a_;
   const SmoothBody& b_;
+  std::optional<Mat3> map_;
   GjkSimplex simplex_;  // the pairs name slots
   std::array<SmoothSupport, 5> slot_a_;
   std::array<SmoothSupport, 5> slot_b_;
