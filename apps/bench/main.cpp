@@ -177,12 +177,16 @@ void add_partitions(CLI::App& app, PartitionsArguments& arguments) {
   CLI::App* partitions =
       app.add_subcommand("partitions", "partitions of space over the boxes of a mesh's triangles: who is in a place?");
   add_mesh_file(*partitions, "--mesh", arguments.mesh)->required();
-  partitions->add_option("--task", arguments.task, "the triangles whose boxes reach into a box, or all pairs of boxes")
-      ->check(CLI::IsMember({"box", "pairs"}))
+  partitions
+      ->add_option("--task", arguments.task,
+                   "the triangles whose boxes reach into a box, all pairs of boxes, or the cells that boxes are in as "
+                   "they move")
+      ->check(CLI::IsMember({"box", "pairs", "cells"}))
       ->capture_default_str();
-  add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about");
+  add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about; with cells, how many ways");
   partitions->add_option("--seed", arguments.seed, "another seed, other boxes")->capture_default_str();
-  add_number(*partitions, "--rounds", arguments.rounds, "how often each is asked; the fastest counts");
+  add_number(*partitions, "--rounds", arguments.rounds,
+             "how often each is asked, of which the fastest counts; with cells, frames");
   partitions->add_option("--clock", arguments.clock, "whose time is measured: of the wall, or of the thread")
       ->check(CLI::IsMember({"wall", "thread"}))
       ->capture_default_str();
@@ -366,7 +370,9 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
-  if (app.got_subcommand("partitions")) return run_partitions(options.partitions);
+  if (app.got_subcommand("partitions"))
+    return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
+                                              : run_partitions(options.partitions);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

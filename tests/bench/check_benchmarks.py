@@ -240,6 +240,14 @@ def check_world_queries(peers):
             assert row["library"] != "toccata" or row["wrong"] == 0, row
 
 
+def check_cells():
+    """Kept cells are those of a grid made anew, and moving little costs the cells that change only."""
+    made = report("partitions", "--mesh", "gen:torus?around=12&sides=6", "--task", "cells", "--rounds", "2")
+    assert made["wrong"] == 0 and all(row["wrong"] == 0 for row in made["tracks"] + made["walks"]), made
+    assert all(row["changed"] < row["cells"] for row in made["tracks"] if row["step_cells"] < 0.2), made["tracks"]
+    assert all(1 <= row["walked"] <= row["in_box"] for row in made["walks"]), made["walks"]
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -264,6 +272,7 @@ def main():
     check_world(peers)
     check_parts(peers)
     check_world_queries(peers)
+    check_cells()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
