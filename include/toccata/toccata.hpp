@@ -87,6 +87,7 @@
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/narrow/smooth.hpp"
 #include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/sum_locator.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 #include "toccata/narrow/voronoi_regions.hpp"
 #include "toccata/narrow/voronoi_walk.hpp"

@@ -10,6 +10,7 @@
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/sum_locator.hpp"
 
 namespace toccata {
 namespace {
@@ -135,6 +136,26 @@ TEST(MinkowskiSum, TellsTheSideOfAPointAsTheOracleDoes) {
       }
     }
   for (const int count : seen) EXPECT_GT(count, 1000);
+}
+
+TEST(SumLocator, AnswersAsTheSumDoes) {
+  std::array<int, 3> seen{};
+  for (const std::string& kind : test::convex_kinds())
+    for (std::uint64_t number = 0; number < 210; ++number) {
+      Random random(number);
+      const test::ConvexCase pair = test::numbered_case(kind, number, random);
+      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const MinkowskiSum sum = minkowski_sum(a, b);
+      const SumLocator locator(sum);
+      for (int round = 0; round < 4; ++round)
+        for (const Vec3& p : questions_to(sum, random)) {
+          ASSERT_EQ(locator.side_of(p), sum.side_of(p)) << kind << " " << number << ": " << test::to_text(pair);
+          ++seen[static_cast<std::size_t>(static_cast<int>(sum.side_of(p)) + 1)];
+        }
+    }
+  for (const int count : seen) EXPECT_GT(count, 1000);
+  const MinkowskiSum sum = minkowski_sum(PosedConvex(Box{{1, 1, 1}}), PosedConvex(Box{{1, 1, 1}}));
+  EXPECT_THROW(static_cast<void>(SumLocator(sum).side_of({0, HUGE_VAL, 0})), Error);
 }
 
 TEST(MinkowskiDifference, HoldsTheOriginExactlyWhenTheShapesMeet) {

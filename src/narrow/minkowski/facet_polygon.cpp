@@ -20,13 +20,9 @@ Sign normal_component(const SumOperand& operand, Index face, int axis) {
 
 FacetPolygon::FacetPolygon(const SumOperand& first, Index face, const SumOperand& second, const FarFeature& far)
     : first_(first), second_(second), face_(first.faces()[face]) {
-  corners_.reserve(face_.size + far.cycle.size());
-  if (far.cycle.empty()) {
-    for (Index i = 0; i < face_.size; ++i) corners_.push_back({first.half_edges()[face_.first + i].origin, far.vertex});
-    return;
-  }
+  corners_.reserve(std::size_t{face_.size} + far.size);
   while ((upwards_ = normal_component(first, face, axis_)) == Sign::zero) ++axis_;
-  merge(far.cycle);
+  merge(far);
 }
 
 /// Positive: the second edge's direction lies less than half a turn on from the first's.
@@ -45,15 +41,15 @@ bool FacetPolygon::same_way(Index half_edge_of_first, Index half_edge_of_second)
 
 /// The place in the cycle of the first edge from the direction of the face's first edge on, which is less than half a
 /// turn on: the one before it, if the cycle is that of a face, lies more than half a turn on.
-std::size_t FacetPolygon::start(std::span<const Index> cycle) const {
-  if (cycle.size() == 2) {
-    const Sign sign = turn(face_.first, cycle[0]);
-    if (sign == Sign::zero) return same_way(face_.first, cycle[0]) ? 0 : 1;
+Index FacetPolygon::start(const FarFeature& far) const {
+  if (!far.is_face()) {
+    const Sign sign = turn(face_.first, far.first);
+    if (sign == Sign::zero) return same_way(face_.first, far.first) ? 0 : 1;
     return sign == Sign::positive ? 0 : 1;
   }
-  Sign before = turn(face_.first, cycle.back());
-  for (std::size_t i = 0; i < cycle.size(); ++i) {
-    const Sign here = turn(face_.first, cycle[i]);
+  Sign before = turn(face_.first, far.half_edge(far.size - 1));
+  for (Index i = 0; i < far.size; ++i) {
+    const Sign here = turn(face_.first, far.half_edge(i));
     if (before == Sign::negative && here != Sign::negative) return i;
     before = here;
   }
@@ -62,15 +58,15 @@ std::size_t FacetPolygon::start(std::span<const Index> cycle) const {
 
 // The next edges of both lie at most half a turn on from the last one taken, and not both at its ends; so equal
 // directions are the only parallel ones that meet here.
-void FacetPolygon::merge(std::span<const Index> cycle) {
-  const std::size_t begin = start(cycle);
-  const auto of_second = [&](std::size_t i) { return cycle[(begin + i) % cycle.size()]; };
-  const auto of_first = [&](std::size_t i) { return face_.first + static_cast<Index>(i % face_.size); };
-  for (std::size_t i = 0, j = 0; i < face_.size || j < cycle.size();) {
+void FacetPolygon::merge(const FarFeature& far) {
+  const Index begin = start(far);
+  const auto of_second = [&](Index i) { return far.half_edge(begin + i); };
+  const auto of_first = [&](Index i) { return face_.first + i % face_.size; };
+  for (Index i = 0, j = 0; i < face_.size || j < far.size;) {
     corners_.push_back({first_.half_edges()[of_first(i)].origin, second_.half_edges()[of_second(j)].origin});
-    const Sign sign = i == face_.size     ? Sign::negative
-                      : j == cycle.size() ? Sign::positive
-                                          : turn(of_first(i), of_second(j));
+    const Sign sign = i == face_.size ? Sign::negative
+                      : j == far.size ? Sign::positive
+                                      : turn(of_first(i), of_second(j));
     i += sign != Sign::negative;
     j += sign != Sign::positive;
   }

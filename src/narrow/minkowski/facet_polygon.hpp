@@ -7,11 +7,19 @@
 
 namespace toccata {
 
-/// Where an operand is farthest along a normal: the edges there in a cycle that turns counter-clockwise round the
-/// normal. A face has all of its own, an edge both half-edges, a vertex none.
+/// Where an operand is farthest along a normal, and the half-edges there, a cycle that turns counter-clockwise round
+/// the normal: a face's own, both of an edge, none of a vertex.
 struct FarFeature {
   Index vertex = 0;
-  std::vector<Index> cycle;
+  Index first = 0;   ///< of the cycle
+  Index second = 0;  ///< of an edge
+  Index size = 0;
+
+  [[nodiscard]] bool is_face() const { return size > 2; }
+  [[nodiscard]] Index half_edge(Index i) const {
+    const Index place = i % size;
+    return is_face() ? first + place : place == 0 ? first : second;
+  }
 };
 
 /// A corner of the sum of two polygons.
@@ -20,8 +28,8 @@ struct PolygonCorner {
   Index on_second = 0;
 };
 
-/// The sum of a face and of what the other operand has farthest along the face's normal: a polygon in a plane. Edges
-/// are merged by their direction; parallel ones become one.
+/// The sum of a face and of what the other operand has farthest along the face's normal, an edge or a face: a polygon
+/// in a plane. Edges are merged by their direction; parallel ones become one.
 class FacetPolygon {
  public:
   FacetPolygon(const SumOperand& first, Index face, const SumOperand& second, const FarFeature& far);
@@ -31,8 +39,8 @@ class FacetPolygon {
  private:
   [[nodiscard]] Sign turn(Index half_edge_of_first, Index half_edge_of_second) const;
   [[nodiscard]] bool same_way(Index half_edge_of_first, Index half_edge_of_second) const;
-  [[nodiscard]] std::size_t start(std::span<const Index> cycle) const;
-  void merge(std::span<const Index> cycle);
+  [[nodiscard]] Index start(const FarFeature& far) const;
+  void merge(const FarFeature& far);
 
   const SumOperand& first_;
   const SumOperand& second_;

@@ -1,5 +1,6 @@
 #include "narrow/minkowski/gauss_overlay.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "narrow/minkowski/facet_polygon.hpp"
@@ -13,67 +14,57 @@ bool same(Sign p, Sign q) { return p == q && p != Sign::zero; }
 class FarSearch {
  public:
   FarSearch(const SumOperand& own, const SumOperand& other) : own_(own), other_(other) {
-    vertex_.reserve(own.faces().size());
-    for (Index f = 0; f < own.faces().size(); ++f) vertex_.push_back(climb(f, start(f)));
+    far_.reserve(own.faces().size());
+    for (Index f = 0; f < own.faces().size(); ++f) {
+      far_.push_back(climb(f, start(f)));
+      if (far_.back().size > 0 && other.dimension() > 1) widen(f, far_.back());
+    }
   }
 
-  [[nodiscard]] Index vertex(Index face) const { return vertex_[face]; }
-
-  [[nodiscard]] FarFeature feature(Index face) const {
-    FarFeature far{vertex_[face], {}};
-    const Index first = other_.leaving(far.vertex);
-    if (first == no_index) return far;
-    Index h = first;
-    do {
-      if (other_.dimension() > 1 && is_parallel_face(face, h)) {
-        const SumOperand::Face& parallel = other_.faces()[other_.half_edges()[h].face];
-        far.cycle.clear();
-        for (Index i = 0; i < parallel.size; ++i) far.cycle.push_back(parallel.first + i);
-        return far;
-      }
-      if (far.cycle.empty() && own_.slope(face, other_, h) == Sign::zero) far.cycle = {h, other_.half_edges()[h].twin};
-      h = other_.next_leaving(h);
-    } while (h != first);
-    return far;
-  }
+  [[nodiscard]] const FarFeature& feature(Index face) const { return far_[face]; }
 
  private:
-  /// The one for a neighbour that has one, or else for the face before.
+  /// The vertex for a neighbour that has one, or else for the face before.
   [[nodiscard]] Index start(Index face) const {
     const auto edges = own_.half_edges();
     for (Index i = 0; i < own_.faces()[face].size; ++i) {
       const Index across = edges[edges[own_.faces()[face].first + i].twin].face;
-      if (across < vertex_.size()) return vertex_[across];
+      if (across < far_.size()) return far_[across].vertex;
     }
-    return vertex_.empty() ? 0 : vertex_.back();
+    return far_.empty() ? 0 : far_.back().vertex;
   }
 
-  /// Every step is upwards, and what has no neighbour above it is farthest.
-  [[nodiscard]] Index climb(Index face, Index vertex) const {
-    for (bool higher = true; higher;) {
-      const Index first = other_.leaving(vertex);
-      if (first == no_index) return vertex;
-      higher = false;
-      Index h = first;
-      do {
-        if (own_.slope(face, other_, h) == Sign::positive) {
-          vertex = other_.half_edges()[h].target;
-          higher = true;
-          break;
-        }
-        h = other_.next_leaving(h);
-      } while (h != first);
+  /// Every step is upwards, and what has no neighbour above it is farthest: a vertex, or an edge if a neighbour is as
+  /// high.
+  [[nodiscard]] FarFeature climb(Index face, Index vertex) const {
+    FarFeature far{.vertex = vertex};
+    const Index first = other_.leaving(vertex);
+    if (first == no_index) return far;
+    for (Index h = first, last = first;;) {
+      const Sign slope = own_.slope(face, other_, h);
+      if (slope == Sign::positive) {
+        far = {.vertex = other_.half_edges()[h].target};
+        h = last = other_.leaving(far.vertex);
+        continue;
+      }
+      if (slope == Sign::zero)
+        far = {.vertex = far.vertex, .first = h, .second = other_.half_edges()[h].twin, .size = 2};
+      h = other_.next_leaving(h);
+      if (h == last) return far;
     }
-    return vertex;
   }
 
-  /// The face of the half-edge, at the farthest vertex, has the same normal. Of a flat operand both its faces lie in
-  /// the plane then, and one has it.
-  [[nodiscard]] bool is_parallel_face(Index face, Index half_edge) const {
-    const Index before = other_.half_edges()[half_edge].previous;
-    if (own_.slope(face, other_, half_edge) != Sign::zero || own_.slope(face, other_, before) != Sign::zero)
-      return false;
-    return other_.dimension() == 3 || normals_agree(face, other_.half_edges()[half_edge].face);
+  /// From an edge that lies across the normal to the face that does, if one does.
+  void widen(Index face, FarFeature& far) const {
+    for (const Index h : {far.first, far.second}) {
+      const SumOperand::HalfEdge& edge = other_.half_edges()[h];
+      const SumOperand::Face& beside = other_.faces()[edge.face];
+      if (own_.slope(face, other_, edge.next) != Sign::zero) continue;
+      // Of a flat operand both faces lie in the plane then, and one has the normal.
+      if (other_.dimension() == 2 && !normals_agree(face, edge.face)) continue;
+      far = {.vertex = far.vertex, .first = beside.first, .size = beside.size};
+      return;
+    }
   }
 
   [[nodiscard]] bool normals_agree(Index face, Index of_other) const {
@@ -90,7 +81,7 @@ class FarSearch {
 
   const SumOperand& own_;
   const SumOperand& other_;
-  std::vector<Index> vertex_;
+  std::vector<FarFeature> far_;
 };
 
 class Overlay {
@@ -99,25 +90,36 @@ class Overlay {
 
   [[nodiscard]] SumFacets facets() {
     for (Index f = 0; f < a_.faces().size(); ++f) {
-      const FarFeature far = far_of_a_.feature(f);
-      const FacetPolygon polygon(a_, f, b_, far);
-      for (const PolygonCorner& c : polygon.corners()) facets_.corners.push_back({c.on_first, c.on_second});
-      close_face(false, f, far.cycle.size() > 2 ? SumFaceKind::of_both : SumFaceKind::of_a);
+      const FarFeature& far = far_of_a_.feature(f);
+      add_polygon(a_, f, b_, far, [](Index on_a, Index on_b) { return SumVertex{on_a, on_b}; });
+      close_face(false, f, far.is_face() ? SumFaceKind::of_both : SumFaceKind::of_a);
     }
     for (Index f = 0; f < b_.faces().size(); ++f) {
-      const FarFeature far = far_of_b_.feature(f);
-      if (far.cycle.size() > 2) continue;  // a face of A, which has made this one
-      const FacetPolygon polygon(b_, f, a_, far);
-      for (const PolygonCorner& c : polygon.corners()) facets_.corners.push_back({c.on_second, c.on_first});
+      const FarFeature& far = far_of_b_.feature(f);
+      if (far.is_face()) continue;  // of A, which has made this one
+      add_polygon(b_, f, a_, far, [](Index on_b, Index on_a) { return SumVertex{on_a, on_b}; });
       close_face(true, f, SumFaceKind::of_b);
     }
     seen_.assign(b_.points().size(), no_index);
+    tried_.assign(b_.half_edges().size(), no_index);
     for (Index h = 0; h < a_.half_edges().size(); ++h)
       if (h < a_.half_edges()[h].twin) cross_with_edge(h);
     return std::move(facets_);
   }
 
  private:
+  template <class Pair>
+  void add_polygon(const SumOperand& own, Index face, const SumOperand& other, const FarFeature& far, Pair pair) {
+    const SumOperand::Face& f = own.faces()[face];
+    if (far.size == 0) {
+      for (Index h = f.first; h < f.first + f.size; ++h)
+        facets_.corners.push_back(pair(own.half_edges()[h].origin, far.vertex));
+    } else {
+      const FacetPolygon polygon(own, face, other, far);
+      for (const PolygonCorner& c : polygon.corners()) facets_.corners.push_back(pair(c.on_first, c.on_second));
+    }
+  }
+
   void close_face(bool of_b, Index face, SumFaceKind kind) {
     const auto& [p, q, r] = (of_b ? b_ : a_).faces()[face].corners;
     facets_.close(kind, {of_b, q, p}, {of_b, r, p});
@@ -127,10 +129,11 @@ class Overlay {
   /// comparisons of regions are with closed arcs, so it does not matter whether the arc passes through ends of others.
   void cross_with_edge(Index e) {
     if (a_.dimension() == 1) {  // its arc is a whole circle
-      for (Index f = 0; f < b_.half_edges().size(); ++f) cross(e, f);
+      for (Index f = 0; f < b_.half_edges().size(); ++f)
+        if (f < b_.half_edges()[f].twin) cross(e, f);
       return;
     }
-    waiting_.assign(1, far_of_a_.vertex(a_.half_edges()[e].face));
+    waiting_.assign(1, far_of_a_.feature(a_.half_edges()[e].face).vertex);
     seen_[waiting_.back()] = e;
     while (!waiting_.empty()) {
       const Index first = b_.leaving(waiting_.back());
@@ -138,18 +141,21 @@ class Overlay {
       if (first == no_index) return;
       Index f = first;
       do {
-        const Index target = b_.half_edges()[f].target;
-        if (cross(e, f) && seen_[target] != e) {
-          seen_[target] = e;
-          waiting_.push_back(target);
+        const SumOperand::HalfEdge& on_b = b_.half_edges()[f];
+        const Index edge = std::min(f, on_b.twin);
+        if (tried_[edge] != e) {  // not from its other end
+          tried_[edge] = e;
+          if (cross(e, edge) && seen_[on_b.target] != e) {
+            seen_[on_b.target] = e;
+            waiting_.push_back(on_b.target);
+          }
         }
-        f = b_.next_leaving(f);
+        f = b_.half_edges()[on_b.twin].next;
       } while (f != first);
     }
   }
 
-  /// The closed arcs may meet. Where they cross within both, the edges make a facet with the normal ±e × f, and it is
-  /// made when f comes first of the two half-edges.
+  /// The closed arcs may meet. Where they cross within both, the edges make a facet with the normal ±e × f.
   bool cross(Index e, Index f) {
     const SumOperand::HalfEdge &on_a = a_.half_edges()[e], &on_b = b_.half_edges()[f];
     Sign left = Sign::zero, right = Sign::zero;
@@ -164,7 +170,7 @@ class Overlay {
       right_b = b_.slope(b_.half_edges()[on_b.twin].face, a_, e);
       if (same(left_b, right_b) || same(left, left_b) || same(right, right_b)) return false;
     }
-    if (f < on_b.twin) add_where_inside(e, f, {left, -right, -left_b, right_b});
+    add_where_inside(e, f, {left, -right, -left_b, right_b});
     return true;
   }
 
@@ -216,7 +222,8 @@ class Overlay {
   FarSearch far_of_a_;
   FarSearch far_of_b_;
   SumFacets facets_;
-  std::vector<Index> seen_;  ///< of each point of B, the last edge whose arc met its region
+  std::vector<Index> seen_;   ///< of each point of B, the last edge whose arc met its region
+  std::vector<Index> tried_;  ///< of each edge of B, the last edge whose arc it was compared with
   std::vector<Index> waiting_;
 };
 

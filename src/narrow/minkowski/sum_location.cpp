@@ -26,11 +26,14 @@ Sign side_of_core(const MinkowskiSum::Parts& sum, const Vec3& point) {
 
 }  // namespace
 
+Sign with_radius(const MinkowskiSum::Parts& sum, Sign side, const Vec3& point) {
+  if (!sum.rounded_core) return side;
+  return side == Sign::positive ? compare_with_radius(sum, point) : Sign::negative;
+}
+
 Sign MinkowskiSum::side_of(const Vec3& point) const {
   if (!is_finite(point)) throw Error("a point whose side of a sum is asked for has a coordinate that is not finite");
-  const Sign side = side_of_core(*parts_, point);
-  if (!(radius() > 0)) return side;
-  return side == Sign::positive ? compare_with_radius(*parts_, point) : Sign::negative;
+  return with_radius(*parts_, side_of_core(*parts_, point), point);
 }
 
 }  // namespace toccata

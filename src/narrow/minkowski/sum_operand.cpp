@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "math/filter.hpp"
 #include "math/vec3_measures.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 
@@ -84,13 +83,7 @@ void SumOperand::measure() {
   }
 }
 
-// The bound is that of `filtered_triple_product` for the longest edge, twice, for its own rounding.
-Sign SumOperand::slope(Index face, const SumOperand& other, Index half_edge) const {
-  const Face& f = faces_[face];
-  const double value = dot(f.normal, other.half_edges_[half_edge].along);
-  const double error = 2 * filter::triple_product_bound * (f.magnitude * other.reach_ + filter::floor);
-  if (value > error) return Sign::positive;
-  if (value < -error) return Sign::negative;
+Sign SumOperand::exact_slope(Index face, const SumOperand& other, Index half_edge) const {
   const auto [u, v] = plane_of(face);
   return triple_product_sign(u, v, other.along(half_edge));
 }

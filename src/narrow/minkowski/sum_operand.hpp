@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "math/filter.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 
@@ -50,10 +51,19 @@ class SumOperand {
     return {Difference{points_[q], points_[p]}, Difference{points_[r], points_[p]}};
   }
 
-  /// The sign of (normal of this one's face) · (edge of the other), exactly.
-  [[nodiscard]] Sign slope(Index face, const SumOperand& other, Index half_edge) const;
+  /// The sign of (normal of this one's face) · (edge of the other), exactly. The bound is that of
+  /// `filtered_triple_product` for the longest edge, twice, for its own rounding.
+  [[nodiscard]] Sign slope(Index face, const SumOperand& other, Index half_edge) const {
+    const Face& f = faces_[face];
+    const double value = dot(f.normal, other.half_edges_[half_edge].along);
+    const double error = 2 * filter::triple_product_bound * (f.magnitude * other.reach_ + filter::floor);
+    if (value > error) return Sign::positive;
+    if (value < -error) return Sign::negative;
+    return exact_slope(face, other, half_edge);
+  }
 
  private:
+  [[nodiscard]] Sign exact_slope(Index face, const SumOperand& other, Index half_edge) const;
   void take_hull(const HullTopology& topology, bool reversed);
   void measure();
 
