@@ -57,6 +57,9 @@ NEAR_BODIES = scene(
     ("ball", sphere(0.6), UPRIGHT, [0.3, 0.2, 0.1]), ("small ball", sphere(0.3), UPRIGHT, [1.1, 0.7, 0.3]),
     ("far ball", sphere(0.4), UPRIGHT, [2.4, -1.5, 0]),
     ("capsule", {"type": "capsule", "start": [-1, -1.4, -0.4], "end": [0.9, -1, 0.4], "radius": 0.25}, UPRIGHT, [0, 0, 0]))
+SUMMED = scene(
+    ("A", {"type": "convex-hull", "points": [[-1, -0.8, -0.5], [1, -0.8, -0.5], [0, 1, -0.5], [-1, -0.8, 0.5], [1, -0.8, 0.5], [0, 1, 0.5]]}, UPRIGHT, [3.4, -1, 0]),
+    ("B", {"type": "convex-hull", "points": [[-0.6, -0.5, -0.5], [0.7, -0.4, -0.5], [0, 0.7, -0.4], [0.1, 0, 0.9]]}, UPRIGHT, [0.4, 3, 0]))
 KNOT, RING = "gen:torus-knot", "gen:torus"
 HERE = "1 0 0 0 1 0 0 0 1".split()
 NEAR = ["--penetration", "--clearance", "all"]
@@ -105,6 +108,9 @@ CROWDS = {
     "crowd-auto": ("--scene clustered --count 6000 --frames 4", "moment=4&off=pairs&grid=0"),
 }
 
+# A sum: a scene of two, and how it is shown.
+SUMS = {"minkowski": (SUMMED, "grid=0")}
+
 # Reports beside the pictures that are drawn of them.
 PLOTS = ["cost"]
 
@@ -123,6 +129,9 @@ def asked_for(picture, folder):
     if picture in CROWDS:
         words, look = CROWDS[picture]
         return ["crowd", *words.split()], look
+    if picture in SUMS:
+        shown, look = SUMS[picture]
+        return ["minkowski", *words_for(shown, picture, folder)], look
     shown, options, look = WANTED[picture]
     return ["view", *words_for(shown, picture, folder), *options], look
 
@@ -135,7 +144,7 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)

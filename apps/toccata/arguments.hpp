@@ -96,6 +96,15 @@ struct NearestArguments : PosedArguments {
   bool sides = false;  ///< tells on which side of the surface each point is
 };
 
+struct MinkowskiArguments : PosedArguments {
+  std::string mesh;         ///< a file for the boundary; empty: none
+  bool difference = false;  ///< A − B instead of A + B
+  bool hull = false;        ///< of meshes, their convex hulls are taken
+  std::optional<Vec3> point;
+  std::string size;  ///< of the picture; empty: as it is
+  std::string look;  ///< what the picture shows
+};
+
 struct InspectArguments : PosedArguments {
   bool volumes = false;     ///< every bounding volume and hierarchy of meshes, too
   bool partitions = false;  ///< every partition of space over the triangles of meshes, too
@@ -152,6 +161,7 @@ int run_cost(const CostArguments& arguments);
 int run_plot(const PlotArguments& arguments);
 int run_tree(const TreeArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
+int run_minkowski(const MinkowskiArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_crowd(const CrowdArguments& arguments);
 int run_demo(const DemoArguments& arguments);

@@ -76,6 +76,11 @@ int run(const CLI::App& app, Options& options) {
     if (!options.point.empty()) options.nearest.point = parse_point(options.point, "--point");
     return run_nearest(options.nearest);
   }
+  if (app.got_subcommand("minkowski")) {
+    take_poses_and_format(options.minkowski, options);
+    if (!options.point.empty()) options.minkowski.point = parse_point(options.point, "--point");
+    return run_minkowski(options.minkowski);
+  }
   if (app.got_subcommand("replay")) {
     options.replay.format = format_of(options);
     return run_replay(options.replay);

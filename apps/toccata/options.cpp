@@ -51,6 +51,27 @@ void add_cost(CLI::App& app, Options& options) {
                 "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
 }
 
+void add_minkowski(CLI::App& app, Options& options) {
+  MinkowskiArguments& arguments = options.minkowski;
+  CLI::App* minkowski = app.add_subcommand("minkowski", "the Minkowski sum or difference of two convex shapes, exact");
+  add_input(*minkowski, arguments.input, "two convex shapes: files of one object each, or a scene file of two");
+  add_pose_pair(*minkowski, options);
+  minkowski->add_flag("--difference", arguments.difference, "A − B, all a − b, instead of A + B, all a + b");
+  minkowski->add_flag("--hull", arguments.hull, "of meshes that are not convex take the convex hulls");
+  add_point(*minkowski, "--point", options.point, "tell whether this point lies in it, exactly");
+  add_file(*minkowski, "-o,--output", arguments.mesh,
+           "write the boundary as a mesh (OBJ, OFF, STL, PLY), or for Blender as GLB", "FILE");
+  add_file(*minkowski, "--html", arguments.html, "also write a page that shows both shapes and the result",
+           "FILE.html");
+  add_picture(*minkowski, arguments.png, arguments.size, arguments.look);
+  minkowski->add_flag("--json", options.json, "write JSON (docs/reference/minkowski-report.md)");
+  minkowski->footer(
+      with_name("B moved by a vector meets A exactly when the vector lies in A − B (docs/methods/minkowski.md).\n\n"
+                "Exit code: 0; with --point 1 where it lies outside; 2 for trouble.\n\nExample:\n"
+                "  {0} minkowski part.stl tool.obj -o sum.obj\n"
+                "  {0} minkowski part.stl tool.obj --difference --point 0 0 0.5"));
+}
+
 void add_plot(CLI::App& app, Options& options) {
   CLI::App* plot = app.add_subcommand("plot", "draw a report of `cost` or of a benchmark");
   plot->add_option("file", options.plot.file, "the report in JSON")->required()->type_name("FILE.json");
@@ -177,6 +198,7 @@ void add_subcommands(CLI::App& app, Options& options) {
   add_cost(app, options);
   add_plot(app, options);
   add_nearest(app, options);
+  add_minkowski(app, options);
   add_replay(app, options);
   add_pairs(app, options);
   add_inspect(app, options);

@@ -28,6 +28,7 @@ struct Options {
   PlotArguments plot;
   CostWords cost_words;
   NearestArguments nearest;
+  MinkowskiArguments minkowski;
   std::vector<std::string> point;
   InspectArguments inspect;
   TreeArguments tree;

@@ -74,6 +74,15 @@ def faces(folder):
     yield asked(folder, "faces", "scenes/a.obj", "--ball", "90", "90", "90", "0")
 
 
+def sums(folder):
+    """A sum and a difference, of solids, of a segment and a ball, and of points."""
+    (folder / "pair.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
+                                      '{"name": "needle", "shape": {"type": "segment", "start": [0, 0, -9], "end": [0, 0, 9]}},'
+                                      '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
+    yield asked(folder, "minkowski", "gen:box", "gen:tetrahedron")
+    yield asked(folder, "minkowski", "pair.json", "--difference", "--point", "0", "0", "9")
+
+
 def costs(folder):
     """What volumes and hierarchies cost, in every task."""
     (folder / "poses.txt").write_text(f"{ROWS} 0.1 0 0\n{ROWS} 100 0 0 {ROWS} 0 0 0\n")
@@ -160,6 +169,7 @@ EVERY_REPORT = {
     "inspect": inspections,
     "hierarchy": hierarchies,
     "crowd": crowds,
+    "minkowski": sums,
 }
 
 
@@ -184,7 +194,7 @@ def main():
 
 def check_asked(kind, report):
     """A report of a question says what was asked."""
-    if kind in ("cost", "hierarchy", "crowd"):
+    if kind in ("cost", "hierarchy", "crowd", "minkowski"):
         assert "asked" not in report, report
         return
     validator("asked.schema.json").validate(report["asked"])

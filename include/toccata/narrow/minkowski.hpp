@@ -71,6 +71,8 @@ class MinkowskiSum {
 
   /// The hull of the rounded vertices, without the radius. Vertices may be fewer where rounding made a face bend.
   [[nodiscard]] ConvexHull as_hull() const;
+  /// The sum as a shape, its vertices rounded: a point, a segment, a hull, or with a radius these grown by it.
+  [[nodiscard]] Shape as_shape() const;
   /// The faces as fans of triangles over the rounded vertices: closed, with this boundary's own faces and edges;
   /// without the radius. Throws Error when the sum is a point or a segment.
   [[nodiscard]] TriangleMesh as_mesh() const;

@@ -8,8 +8,8 @@
 namespace toccata {
 
 /// Where points lie in a Minkowski sum, for many points: of a difference A − B, whether B meets A after many
-/// translations. The same answers as `MinkowskiSum::side_of`, exact, in time that grows with the logarithm of the number
-/// of faces. Immutable; copies share all, and any number of threads may ask.
+/// translations. The same answers as `MinkowskiSum::side_of`, exact, in time that grows with the logarithm of the
+/// number of faces. Immutable; copies share all, and any number of threads may ask.
 ///
 /// Seen from a point inside, every direction leaves through one face. Directions are divided as the sides of a cube
 /// are into squares, the squares into four where they have many faces, down to 1/1024 of a side; a point is compared

@@ -136,6 +136,14 @@ double MinkowskiSum::radius() const { return parts_->radius_a + parts_->radius_b
 
 ConvexHull MinkowskiSum::as_hull() const { return ConvexHull(rounded_vertices(*parts_)); }
 
+Shape MinkowskiSum::as_shape() const {
+  Rounded::Core core = as_hull();
+  if (dimension() == 0) core = Point{vertex(0)};
+  if (dimension() == 1) core = Segment{vertex(0), vertex(1)};
+  if (radius() > 0) return Rounded(std::move(core), radius());
+  return std::visit([](auto& shape) -> Shape { return std::move(shape); }, core);
+}
+
 TriangleMesh MinkowskiSum::as_mesh() const {
   if (parts_->dimension < 2)
     throw Error("the sum is a point or a segment, which has no faces; give it an operand with an area");

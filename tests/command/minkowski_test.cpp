@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+
+bool sum_says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+constexpr const char* two_boxes = R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "left", "shape": {"type": "box", "half_extents": [1, 2, 3]}},
+  {"name": "right", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": [1,0,0, 0,1,0, 0,0,1, 2,0,0]}]})";
+
+TEST(MinkowskiCommand, WritesWhatItComputes) {
+  const TemporaryFolder folder;
+  folder.write("boxes.json", two_boxes);
+  const auto sum = run_command({"minkowski", "boxes.json", "-o", "sum.obj", "--html", "sum.html"}, folder.path());
+  EXPECT_EQ(sum.exit_code, 0) << sum.err;
+  EXPECT_TRUE(sum_says(sum.out, "8 vertices and 6 faces: 0 of A, 0 of B, 6 of both, 0 of edges")) << sum.out;
+  const auto measured = run_command({"inspect", "sum.obj", "--json"}, folder.path());
+  EXPECT_TRUE(sum_says(measured.out, "192")) << measured.out;  // 4 × 6 × 8
+  const auto glb = run_command({"minkowski", "boxes.json", "--difference", "-o", "sum.glb"}, folder.path());
+  EXPECT_EQ(glb.exit_code, 0) << glb.err;
+  EXPECT_EQ(run_command({"inspect", "sum.glb"}, folder.path()).exit_code, 0);
+}
+
+TEST(MinkowskiCommand, TellsWhereAPointLies) {
+  const TemporaryFolder folder;
+  folder.write("boxes.json", two_boxes);
+  const auto side = [&](const std::string& x, int exit_code) {
+    const auto result =
+        run_command({"minkowski", "boxes.json", "--difference", "--json", "--point", x, "0", "0"}, folder.path());
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    return nlohmann::json::parse(result.out)["point"]["side"].get<std::string>();
+  };
+  EXPECT_EQ(side("0", 0), "boundary");
+  EXPECT_EQ(side("-0.5", 0), "inside");
+  EXPECT_EQ(side("0.5", 1), "outside");
+}
+
+TEST(MinkowskiCommand, RefusesWhatItCannotDo) {
+  const TemporaryFolder folder;
+  const auto trouble = [&](const std::vector<std::string>& words, const std::string& part) {
+    const auto result = run_command(words, folder.path());
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(sum_says(result.err, part)) << result.err;
+    EXPECT_EQ(result.out, "");
+  };
+  trouble({"minkowski", "gen:torus", "gen:box"}, "--hull takes its convex hull");
+  trouble({"minkowski", "gen:box"}, "two objects");
+  trouble({"minkowski", "gen:box", "gen:box", "-o", "sum.xyz"}, "sum.xyz");
+  folder.write("plane.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "floor", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]})");
+  trouble({"minkowski", "gen:box", "plane.json"}, "bounded convex shapes");
+  EXPECT_EQ(run_command({"minkowski", "gen:torus", "gen:box", "--hull"}, folder.path()).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace toccata
