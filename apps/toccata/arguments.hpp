@@ -119,6 +119,11 @@ struct TreeArguments {
   int threads = 0;
 };
 
+struct DecomposeArguments : PosedArguments {
+  std::size_t parts = 32;  ///< at most
+  double concavity = 0;    ///< in units of the file
+};
+
 struct PairsArguments {
   Format format = Format::table;
 };
@@ -160,6 +165,7 @@ int run_faces(const FacesArguments& arguments);
 int run_cost(const CostArguments& arguments);
 int run_plot(const PlotArguments& arguments);
 int run_tree(const TreeArguments& arguments);
+int run_decompose(const DecomposeArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_minkowski(const MinkowskiArguments& arguments);
 int run_pairs(const PairsArguments& arguments);

@@ -71,6 +71,10 @@ int run(const CLI::App& app, Options& options) {
   }
   if (app.got_subcommand("plot")) return run_plot(options.plot);
   if (app.got_subcommand("tree")) return run_tree(options.tree);
+  if (app.got_subcommand("decompose")) {
+    options.decompose.format = format_of(options);
+    return run_decompose(options.decompose);
+  }
   if (app.got_subcommand("nearest")) {
     options.nearest.format = format_of(options);
     if (!options.point.empty()) options.nearest.point = parse_point(options.point, "--point");

@@ -140,6 +140,29 @@ void add_tree(CLI::App& app, Options& options) {
                 "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
 }
 
+void add_decompose(CLI::App& app, Options& options) {
+  DecomposeArguments& arguments = options.decompose;
+  CLI::App* decompose = app.add_subcommand("decompose", "cut a closed mesh into convex parts that contain it");
+  add_input(*decompose, arguments.input, "a file with one closed mesh");
+  decompose->add_option("--parts", arguments.parts, "at most so many")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  decompose
+      ->add_option("--concavity", arguments.concavity,
+                   "cut no further where no point of a part is farther than this from the solid, in units of the file")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  add_file(*decompose, "-o,--output,--glb", arguments.glb, "write the parts as a GLB file, a node each", "FILE.glb");
+  add_pages(*decompose, arguments);
+  add_threads(*decompose, arguments.threads, "parts");
+  decompose->add_flag("--json", options.json, "write JSON (docs/reference/decompose-report.md)");
+  decompose->footer(with_name(
+      "Each part is convex, and together they contain the whole solid; how much more they are is told "
+      "(docs/methods/convex-decomposition.md).\n\nExit code: 0, or 2 for trouble.\n\n"
+      "Example:\n  {0} decompose part.stl -o parts.glb\n  {0} decompose gen:torus --parts 16 --html parts.html"));
+}
+
 void add_crowd(CLI::App& app, Options& options) {
   std::vector<std::string> scenes, methods;
   for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
@@ -203,6 +226,7 @@ void add_subcommands(CLI::App& app, Options& options) {
   add_pairs(app, options);
   add_inspect(app, options);
   add_tree(app, options);
+  add_decompose(app, options);
   add_crowd(app, options);
   add_demo(app, options);
 }

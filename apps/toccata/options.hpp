@@ -32,6 +32,7 @@ struct Options {
   std::vector<std::string> point;
   InspectArguments inspect;
   TreeArguments tree;
+  DecomposeArguments decompose;
   CrowdArguments crowd;
   DemoArguments demo;
   bool json = false;

@@ -108,6 +108,7 @@
 #include "toccata/query/closer_than.hpp"
 #include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/convex_parts.hpp"
 #include "toccata/query/cost.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/distance_cache.hpp"

@@ -159,6 +159,13 @@ def crowds(folder):
     yield asked(folder, "crowd", "--count", "50", "--frames", "1", "--compare", "--threads", "0")
 
 
+def decompositions(folder):
+    """Parts with corners and faces."""
+    report = asked(folder, "decompose", "gen:gear", "--parts", "4")
+    assert len(report["parts"]) == 4 and report["excess"] > 0, report
+    yield report
+
+
 EVERY_REPORT = {
     "check": reports,
     "distance": distances,
@@ -170,6 +177,7 @@ EVERY_REPORT = {
     "hierarchy": hierarchies,
     "crowd": crowds,
     "minkowski": sums,
+    "decompose": decompositions,
 }
 
 
@@ -194,7 +202,7 @@ def main():
 
 def check_asked(kind, report):
     """A report of a question says what was asked."""
-    if kind in ("cost", "hierarchy", "crowd", "minkowski"):
+    if kind in ("cost", "hierarchy", "crowd", "minkowski", "decompose"):
         assert "asked" not in report, report
         return
     validator("asked.schema.json").validate(report["asked"])

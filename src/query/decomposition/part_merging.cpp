@@ -1,0 +1,125 @@
+#include "query/decomposition/part_merging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "query/decomposition/solid_piece.hpp"
+#include "toccata/core/parallel.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+ConvexHull joined_hull(const ConvexHull& a, const ConvexHull& b) {
+  std::vector<Vec3> points;
+  for (const ConvexHull* hull : {&a, &b})
+    for (Index v = 0; v < hull->vertex_count(); ++v) points.push_back(hull->vertex(v));
+  return ConvexHull(points);
+}
+
+std::vector<Vec3> joined_corners(const GrowingPart& a, const GrowingPart& b) {
+  std::vector<Vec3> corners = a.corners;
+  corners.insert(corners.end(), b.corners.begin(), b.corners.end());
+  return snapped(std::move(corners));
+}
+
+class Merging {
+ public:
+  Merging(std::vector<GrowingPart> parts, int threads)
+      : parts_(std::move(parts)), threads_(threads), growth_(parts_.size()) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      growth_[i].resize(i);
+      alive_.push_back(i);
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) measure(i);
+  }
+
+  [[nodiscard]] std::size_t count() const { return alive_.size(); }
+
+  /// The pair whose hull grows least; of several the first.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> best() const {
+    std::pair<std::size_t, std::size_t> result{0, 0};
+    double least = never;
+    for (const std::size_t i : alive_)
+      for (const std::size_t j : alive_)
+        if (j < i && growth_[i][j] < least) {
+          least = growth_[i][j];
+          result = {i, j};
+        }
+    return result;
+  }
+
+  [[nodiscard]] GrowingPart joined(const std::pair<std::size_t, std::size_t>& pair) const {
+    const GrowingPart &a = parts_[pair.first], &b = parts_[pair.second];
+    GrowingPart part{joined_hull(a.hull, b.hull), joined_corners(a, b), 0, a.solid_volume + b.solid_volume, a.faces};
+    part.volume = hull_volume(part.corners);
+    part.faces.insert(part.faces.end(), b.faces.begin(), b.faces.end());
+    std::ranges::sort(part.faces);
+    part.faces.erase(std::unique(part.faces.begin(), part.faces.end()), part.faces.end());
+    return part;
+  }
+
+  void merge(const std::pair<std::size_t, std::size_t>& pair, GrowingPart part) {
+    parts_[pair.second] = std::move(part);
+    std::erase(alive_, pair.first);
+    measure(pair.second);
+    for (const std::size_t i : alive_)
+      if (i > pair.second) growth_[i][pair.second] = growth_of(i, pair.second);
+  }
+
+  void forbid(const std::pair<std::size_t, std::size_t>& pair) { growth_[pair.first][pair.second] = never; }
+
+  [[nodiscard]] std::vector<GrowingPart> result() const {
+    std::vector<GrowingPart> parts;
+    for (const std::size_t i : alive_) parts.push_back(parts_[i]);
+    return parts;
+  }
+
+ private:
+  [[nodiscard]] double growth_of(std::size_t i, std::size_t j) const {
+    return hull_volume(joined_corners(parts_[i], parts_[j])) - (parts_[i].volume + parts_[j].volume);
+  }
+
+  /// With those before it.
+  void measure(std::size_t i) {
+    std::vector<std::size_t> others;
+    for (const std::size_t j : alive_)
+      if (j < i) others.push_back(j);
+    parallel_for(others.size(), threads_, [&](std::size_t k) { growth_[i][others[k]] = growth_of(i, others[k]); });
+  }
+
+  std::vector<GrowingPart> parts_;
+  int threads_;
+  std::vector<std::vector<double>> growth_;  // by the greater number, then the lesser
+  std::vector<std::size_t> alive_;
+};
+
+}  // namespace
+
+std::vector<Vec3> snapped(std::vector<Vec3> points) {
+  const auto on_grid = [](double c) { return std::nearbyint(c * 0x1p30) * 0x1p-30; };
+  for (Vec3& p : points) p = {on_grid(p.x), on_grid(p.y), on_grid(p.z)};
+  std::ranges::sort(points, lexicographically_less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+std::vector<GrowingPart> merged_parts(std::vector<GrowingPart> parts, std::size_t most, int threads,
+                                      const std::function<bool(const GrowingPart&)>& allowed) {
+  Merging merging(std::move(parts), threads);
+  while (merging.count() > 1) {
+    const auto pair = merging.best();
+    if (pair.first == pair.second) break;
+    GrowingPart part = merging.joined(pair);
+    if (merging.count() > most || allowed(part))
+      merging.merge(pair, std::move(part));
+    else
+      merging.forbid(pair);
+  }
+  return merging.result();
+}
+
+}  // namespace toccata
