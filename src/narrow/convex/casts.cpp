@@ -188,19 +188,36 @@ class ShapeCast {
     return nearest && nearest->unique() ? high_parts(nearest->difference) : Vec3{};
   }
 
-  /// The cores are nearer than the radii reach, a little later. Moved vertices are rounded twice, so they are off by
-  /// less than 2^-52 of the coordinates that meet.
+  /// No vertex of A moved is farther than this from where it is exactly: roughly, as each is rounded twice.
+  [[nodiscard]] double roughly_rounded_by() const {
+    double greatest = 0;
+    for (Index i = 0; i < a_.vertex_count(); ++i) greatest = std::fmax(greatest, sum_of_magnitudes(a_.vertex(i)));
+    return 0x1p-50 * ((greatest + sum_of_magnitudes(motion_)) + reach_) + 0x1p-1000;
+  }
+
+  /// The same, by looking at each.
+  [[nodiscard]] double rounded_by(double time, const PosedConvex& moved) const {
+    const BoundedVector way = exactly(time) * exactly(motion_);
+    double greatest = 0;
+    for (Index i = 0; i < a_.vertex_count(); ++i) {
+      const BoundedVector off = (exactly(a_.vertex(i)) + way) - exactly(moved.vertex(i));
+      double sum = 0x1p-1000;
+      for (const BoundedNumber& along : off) sum += std::fabs(along.value.high) + distance_from_high(along);
+      greatest = std::fmax(greatest, sum);
+    }
+    return greatest;
+  }
+
+  /// The cores are nearer than the radii reach, a little later.
   [[nodiscard]] std::optional<Meeting> met_by_nearness(double width) const {
     if (!a_.in_world()) return {};
     const double late = std::fmin(1, free_until_ + width);
     const PosedConvex moved = a_.moved(late * motion_);
     const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
     if (!nearest || !nearest->unique()) return {};
-    double greatest = 0;
-    for (Index i = 0; i < a_.vertex_count(); ++i) greatest = std::fmax(greatest, sum_of_magnitudes(a_.vertex(i)));
-    const double error = 0x1p-50 * ((greatest + sum_of_magnitudes(motion_)) + reach_) + 0x1p-1000;
     const double distance = nearest->distance.value.high + 4 * nearest->distance.error;
-    if (!(distance + error < (1 - 0x1p-50) * reach_)) return {};
+    const double least_reach = (1 - 0x1p-50) * reach_;
+    if (!(distance + roughly_rounded_by() < least_reach) && !(distance + rounded_by(late, moved) < least_reach)) return {};
     const Vec3 grown = (b_.radius() / distance) * high_parts(nearest->difference);
     return Meeting{late, high_parts(nearest->on_b) + grown};
   }

@@ -7,6 +7,7 @@
 #include "query/index_set.hpp"
 #include "query/meshes/world_search.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "query/relation/relation_quadrants.hpp"
 #include "query/relation/relation_samples.hpp"
 
 namespace toccata {
@@ -43,7 +44,8 @@ FirstLook look_at_contacts(const SolidPair& pair, VisitContacts visit) {
     of_b.add(contact.triangle_b);
     if (!contact.meeting.crossing || ++glances > most_glances) return true;
     const Triangle a = pair.a.triangle(contact.triangle_a), b = pair.b.triangle(contact.triangle_b);
-    look.seen = look.seen | glance(pair, a, b);
+    look.seen = look.seen | glance_at_quadrants(pair, a, b, contact.meeting);
+    if (!look.seen.all()) look.seen = look.seen | glance(pair, a, b);
     if (!look.seen.all()) look.seen = look.seen | glance(pair, b, a);
     return !look.seen.all();
   });
