@@ -5,7 +5,10 @@
 #include <limits>
 
 #include "arguments.hpp"
+#include "float_mesh.hpp"
 #include "report.hpp"
+#include "single_mesh.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/query/overlap.hpp"
@@ -42,11 +45,41 @@ class Places {
 };
 
 WorldTask task_of(const std::string& name) {
+  if (name == "cast") return WorldTask::cast;
   return name == "ray" ? WorldTask::ray : name == "nearest" ? WorldTask::nearest : WorldTask::overlap;
 }
 
-/// Rays begin outside of all bodies, as Bullet meets no body from within.
+/// A ball and a box in turn.
+Model moving_model(std::size_t i, double size) {
+  return i % 2 == 0 ? Model(Sphere(size)) : Model(Box({size, 0.75 * size, 0.5 * size}));
+}
+
+/// From a sphere of twice the size of the mesh's box, through a point of the box and beyond: balls and boxes of a
+/// fiftieth of its size.
+WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
+  if (arguments.task != "cast")
+    throw Error("--mesh: shapes are cast at one mesh (--task cast), and nothing else is asked");
+  WorldWork work;
+  work.task = WorldTask::cast;
+  const auto mesh = single_mesh(arguments.mesh);
+  const Aabb box = fit_aabb(mesh->vertices());
+  const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
+  const double reach = std::sqrt(dot(size, size));
+  work.bodies.push_back({Model(mesh), {}, Solid::none, ""});
+  Random random(arguments.seed);
+  for (std::size_t i = 0; i < arguments.count; ++i) {
+    const Vec3 from = centre + reach * random_direction(random);
+    Vec3 through;
+    for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
+    const Pose pose{rotation_about(random_direction(random), random.between(0, 360)), from};
+    work.moving.push_back({{moving_model(i, reach / 50), pose}, 3.0 * (through - from)});
+  }
+  return work;
+}
+
+/// Rays and moving shapes begin outside of all bodies, as Bullet meets no body from within.
 WorldWork work_of(const WorldQueriesArguments& arguments) {
+  if (!arguments.mesh.empty()) return work_at_mesh(arguments);
   Places places(arguments.bodies, arguments.seed);
   WorldWork work;
   work.task = task_of(arguments.task);
@@ -55,6 +88,11 @@ WorldWork work_of(const WorldQueriesArguments& arguments) {
   while (work.size() < arguments.count) {
     if (work.task == WorldTask::nearest) work.shapes.push_back({Model(Sphere(0.1)), places.pose()});
     if (work.task == WorldTask::overlap) work.shapes.push_back({Model(Box({1, 1, 1})), places.pose()});
+    if (work.task == WorldTask::cast) {
+      const Posed shape{moving_model(work.size(), 0.2), places.pose()};
+      const Vec3 motion = places.place() - shape.pose.offset;
+      if (index.overlapping(shape).empty()) work.moving.push_back({shape, motion});
+    }
     if (work.task != WorldTask::ray) continue;
     const Vec3 from = places.place();
     if (index.overlapping({Model(Point(from)), {}}).empty()) work.rays.push_back({from, places.place() - from});
@@ -106,9 +144,21 @@ double time_of(const WorldWork& work, const Ray& ray) {
   return first;
 }
 
+double time_of(const WorldWork& work, const MovingShape& moving) {
+  double first = 1;
+  for (const Posed& body : work.bodies) {
+    if (!body.model.has_mesh() && is_beside({moving.shape.pose.offset, moving.motion}, body)) continue;
+    const PairQuery query{moving.shape.pose, body.pose, Solid::automatic, body.solid};
+    const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, body.model, query);
+    if (hit.hit) first = std::min(first, hit.upper);
+  }
+  return first;
+}
+
 /// Every body by itself.
 double truth(const WorldWork& work, std::size_t i) {
   if (work.task == WorldTask::ray) return time_of(work, work.rays[i]);
+  if (work.task == WorldTask::cast) return time_of(work, work.moving[i]);
   const Posed& shape = work.shapes[i];
   double nearest = std::numeric_limits<double>::infinity(), count = 0;
   for (const Posed& body : work.bodies) {
@@ -160,7 +210,8 @@ int run_world_queries(const WorldQueriesArguments& arguments) {
   Measurements measurements;
   for (const Measured& one : all) measurements.results.push_back(one.result);
   auto report = report_of("world-queries", {{"task", arguments.task},
-                                            {"bodies", arguments.bodies},
+                                            {"bodies", work.bodies.size()},
+                                            {"mesh", arguments.mesh},
                                             {"seed", arguments.seed},
                                             {"block", block},
                                             {"rounds", arguments.rounds}});

@@ -292,10 +292,13 @@ void add_parts(CLI::App& app, PartsArguments& arguments) {
 void add_world_queries(CLI::App& app, WorldQueriesArguments& arguments) {
   CLI::App* queries = app.add_subcommand("world-queries", "questions to all bodies of a World");
   queries
-      ->add_option("--task", arguments.task,
-                   "what a ray meets first; how far the nearest is from a ball; how many a box overlaps")
-      ->check(CLI::IsMember({"ray", "nearest", "overlap"}))
+      ->add_option(
+          "--task", arguments.task,
+          "what a ray meets first; what a ball or box that moves does; how far the nearest is from a ball; how "
+          "many a box overlaps")
+      ->check(CLI::IsMember({"ray", "cast", "nearest", "overlap"}))
       ->capture_default_str();
+  add_mesh_file(*queries, "--mesh", arguments.mesh)->description("one mesh instead of bodies, taken as a surface");
   add_number(*queries, "--bodies", arguments.bodies, "boxes, spheres and capsules");
   add_number(*queries, "--count", arguments.count, "questions");
   add_peers(*queries, arguments.peers, {"bullet", "fcl"});

@@ -19,7 +19,10 @@ class ToccataWorld : public WorldQueryLibrary {
   void build(const WorldWork& work) override {
     std::vector<Body> bodies;
     bodies.reserve(work.bodies.size());
-    for (const Posed& body : work.bodies) bodies.push_back({body.model, body.pose});
+    for (const Posed& body : work.bodies) {
+      bodies.push_back({body.model, body.pose});
+      bodies.back().solid = body.solid;
+    }
     world_.add(bodies);
     queries_.update();
   }
@@ -30,6 +33,9 @@ class ToccataWorld : public WorldQueryLibrary {
     std::size_t next = 0;
     if (work_->task == WorldTask::ray)
       for (const auto& hit : queries_.cast_ray_each(of(work_->rays, first, answers), {}, options))
+        answers[next++] = hit ? hit->upper : 1;
+    if (work_->task == WorldTask::cast)
+      for (const auto& hit : queries_.cast_shape_each(of(work_->moving, first, answers), {}, options))
         answers[next++] = hit ? hit->upper : 1;
     if (work_->task == WorldTask::nearest)
       for (const auto& one : queries_.nearest_each(of(work_->shapes, first, answers), HUGE_VAL, {}, options))

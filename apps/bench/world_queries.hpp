@@ -10,17 +10,18 @@
 
 namespace toccata::bench {
 
-/// What all bodies are asked: where a ray from a point first meets one, the distance of the nearest from a ball, or how
-/// many a box overlaps.
-enum class WorldTask { ray, nearest, overlap };
+/// What all bodies are asked: where a ray from a point first meets one, where a ball or box that moves does, the
+/// distance of the nearest from a ball, or how many a box overlaps.
+enum class WorldTask { ray, cast, nearest, overlap };
 
-/// Boxes, spheres and capsules, and questions to all of them.
+/// Boxes, spheres and capsules, or one mesh taken as a surface, and questions to all of them.
 struct WorldWork {
   WorldTask task = WorldTask::ray;
   std::vector<Posed> bodies;
-  std::vector<Ray> rays;      ///< of `ray`
-  std::vector<Posed> shapes;  ///< of `nearest` and `overlap`
-  [[nodiscard]] std::size_t size() const { return task == WorldTask::ray ? rays.size() : shapes.size(); }
+  std::vector<Ray> rays;            ///< of `ray`
+  std::vector<MovingShape> moving;  ///< of `cast`
+  std::vector<Posed> shapes;        ///< of `nearest` and `overlap`
+  [[nodiscard]] std::size_t size() const { return rays.size() + moving.size() + shapes.size(); }
 };
 
 /// A library that answers questions to all bodies at once: Toccata, or a peer.

@@ -3,11 +3,15 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 
+#include <ranges>
 #include <set>
 
+#include "toccata/query/contacts.hpp"
 #include "world_queries.hpp"
 
 namespace toccata::bench {
@@ -31,12 +35,23 @@ std::unique_ptr<btCollisionShape> converted(const Shape& shape) {
   return box;
 }
 
-/// An object and its shape.
+/// An object and its shape, which refers to its triangles.
 struct BulletObject {
-  explicit BulletObject(const Posed& posed) : shape(converted(posed.model.shape())) {
+  explicit BulletObject(const Posed& posed) {
+    if (posed.model.has_mesh()) {
+      for (const Index i : std::views::iota(Index{0}, posed.model.element_count())) {
+        const Triangle t = world_triangle(posed.model, {}, i);
+        triangles.addTriangle(converted(t[0]), converted(t[1]), converted(t[2]));
+      }
+      shape = std::make_unique<btBvhTriangleMeshShape>(&triangles, true);
+      shape->setMargin(0);
+    } else {
+      shape = converted(posed.model.shape());
+    }
     object.setCollisionShape(shape.get());
     object.setWorldTransform(converted(posed.pose));
   }
+  btTriangleMesh triangles;
   std::unique_ptr<btCollisionShape> shape;
   btCollisionObject object;
 };
@@ -80,12 +95,20 @@ class BulletWorld : public WorldQueryLibrary {
   void prepare(const WorldWork& work) override {
     task_ = work.task;
     for (const Ray& ray : work.rays) rays_.push_back({converted(ray.origin), converted(ray.origin + ray.motion)});
+    for (const MovingShape& moving : work.moving) {
+      shapes_.push_back(std::make_unique<BulletObject>(moving.shape));
+      Pose to = moving.shape.pose;
+      to.offset = to.offset + moving.motion;
+      ends_.push_back(converted(to));
+    }
     for (const Posed& shape : work.shapes) shapes_.push_back(std::make_unique<BulletObject>(shape));
   }
 
   void answer(std::size_t first, std::span<double> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i)
-      answers[i] = task_ == WorldTask::ray ? time_of(rays_[first + i]) : count_of(*shapes_[first + i]);
+      answers[i] = task_ == WorldTask::ray    ? time_of(rays_[first + i])
+                   : task_ == WorldTask::cast ? time_of(*shapes_[first + i], ends_[first + i])
+                                              : count_of(*shapes_[first + i]);
   }
 
  private:
@@ -97,6 +120,12 @@ class BulletWorld : public WorldQueryLibrary {
   double time_of(const Way& way) const {
     btCollisionWorld::ClosestRayResultCallback closest(way.from, way.to);
     world_.rayTest(way.from, way.to, closest);
+    return closest.m_closestHitFraction;
+  }
+  double time_of(const BulletObject& moving, const btTransform& to) const {
+    const btTransform& from = moving.object.getWorldTransform();
+    btCollisionWorld::ClosestConvexResultCallback closest(from.getOrigin(), to.getOrigin());
+    world_.convexSweepTest(static_cast<const btConvexShape*>(moving.shape.get()), from, to, closest);
     return closest.m_closestHitFraction;
   }
   double count_of(BulletObject& shape) {
@@ -113,6 +142,7 @@ class BulletWorld : public WorldQueryLibrary {
   WorldTask task_ = WorldTask::ray;
   std::vector<Way> rays_;
   std::vector<std::unique_ptr<BulletObject>> shapes_;
+  std::vector<btTransform> ends_;
 };
 
 }  // namespace

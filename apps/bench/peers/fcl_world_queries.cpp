@@ -93,10 +93,10 @@ class FclWorld : public WorldQueryLibrary {
 
 }  // namespace
 
-/// It has no rays.
+/// It has neither rays nor casts at all bodies.
 WorldQueryLibraries fcl_world_query_libraries(WorldTask task) {
   WorldQueryLibraries libraries;
-  if (task != WorldTask::ray) libraries.push_back(std::make_unique<FclWorld>());
+  if (task == WorldTask::nearest || task == WorldTask::overlap) libraries.push_back(std::make_unique<FclWorld>());
   return libraries;
 }
 
