@@ -54,6 +54,15 @@ Model moving_model(std::size_t i, double size) {
   return i % 2 == 0 ? Model(Sphere(size)) : Model(Box({size, 0.75 * size, 0.5 * size}));
 }
 
+/// The mesh around the origin and a hundred long: Bullet's tolerances are lengths.
+Model hundred_long(const TriangleMesh& mesh) {
+  const Aabb box = fit_aabb(mesh.vertices());
+  const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
+  std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  for (Vec3& v : vertices) v = (100 / std::sqrt(dot(size, size))) * (v - centre);
+  return Model(TriangleMesh(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()}));
+}
+
 /// From a sphere of twice the size of the mesh's box, through a point of the box and beyond: balls and boxes of a
 /// fiftieth of its size.
 WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
@@ -61,14 +70,13 @@ WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
     throw Error("--mesh: shapes are cast at one mesh (--task cast), and nothing else is asked");
   WorldWork work;
   work.task = WorldTask::cast;
-  const auto mesh = single_mesh(arguments.mesh);
-  const Aabb box = fit_aabb(mesh->vertices());
-  const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
-  const double reach = std::sqrt(dot(size, size));
-  work.bodies.push_back({Model(mesh), {}, Solid::none, ""});
+  const Model mesh = hundred_long(*single_mesh(arguments.mesh));
+  const Aabb box = mesh.vertex_box();
+  const double reach = 100;
+  work.bodies.push_back({mesh, {}, Solid::none, ""});
   Random random(arguments.seed);
   for (std::size_t i = 0; i < arguments.count; ++i) {
-    const Vec3 from = centre + reach * random_direction(random);
+    const Vec3 from = reach * random_direction(random);
     Vec3 through;
     for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
     const Pose pose{rotation_about(random_direction(random), random.between(0, 360)), from};
