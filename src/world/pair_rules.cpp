@@ -1,11 +1,24 @@
 #include "world/pair_rules.hpp"
 
-#include <algorithm>
+#include <limits>
 
 namespace toccata {
+namespace {
+
+bool has_margin(const PairRules::Rule& rule) { return !rule.excluded && rule.margin.has_value(); }
+
+}  // namespace
+
+void PairRules::rank(Index body, Index other, const Rule& before, const Rule& now) {
+  if (has_margin(before)) by_margin_.erase({body, -*before.margin, other});
+  if (has_margin(now)) by_margin_.insert({body, -*now.margin, other});
+}
 
 void PairRules::set(Index a, Index b, const Rule& rule) {
+  const Rule* known = find(a, b);
+  const Rule before = known != nullptr ? *known : Rule{};
   for (const auto& key : {std::pair{a, b}, std::pair{b, a}}) {
+    rank(key.first, key.second, before, rule);
     if (rule.is_empty())
       rules_.erase(key);
     else
@@ -24,10 +37,8 @@ bool PairRules::has_any(Index body) const {
 }
 
 double PairRules::largest_margin(Index body) const {
-  double largest = 0;
-  for (auto at = rules_.lower_bound({body, 0}); at != rules_.end() && at->first.first == body; ++at)
-    if (!at->second.excluded) largest = std::max(largest, at->second.margin.value_or(0));
-  return largest;
+  const auto at = by_margin_.lower_bound({body, -std::numeric_limits<double>::infinity(), 0});
+  return at != by_margin_.end() && std::get<0>(*at) == body ? -std::get<1>(*at) : 0;
 }
 
 }  // namespace toccata

@@ -2,6 +2,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "toccata/core/index.hpp"
@@ -25,8 +27,11 @@ class PairRules {
     const auto first = rules_.lower_bound({body, 0});
     auto last = first;
     for (; last != rules_.end() && last->first.first == body; ++last) {
-      rules_.erase({last->first.second, body});
-      partner_of(last->first.second);
+      const Index partner = last->first.second;
+      rank(body, partner, last->second, Rule{});
+      rank(partner, body, last->second, Rule{});
+      rules_.erase({partner, body});
+      partner_of(partner);
     }
     rules_.erase(first, last);
   }
@@ -34,11 +39,16 @@ class PairRules {
   /// Null where nothing is said.
   [[nodiscard]] const Rule* find(Index a, Index b) const;
   [[nodiscard]] bool has_any(Index body) const;
-  /// The greatest margin of its rules, or 0.
+  /// The greatest margin of its rules, or 0. However many there are, few are looked at.
   [[nodiscard]] double largest_margin(Index body) const;
 
  private:
+  /// Puts a body's margin with another where it belongs among all of the body's.
+  void rank(Index body, Index other, const Rule& before, const Rule& now);
+
   std::map<std::pair<Index, Index>, Rule> rules_;  ///< each in both orders
+  /// (body, −margin, other) of rules that let pairs be: a body's greatest margin comes first.
+  std::set<std::tuple<Index, double, Index>> by_margin_;
 };
 
 }  // namespace toccata

@@ -202,6 +202,45 @@ TEST(BoxTree, KeptThroughALifeAnswersAsANewOne) {
   }
 }
 
+/// In the order in which the tree comes by.
+std::vector<Index> order_of(const BoxTree& tree) {
+  std::vector<Index> order;
+  tree.visit_overlapping({{-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}}, [&](Index number) {
+    order.push_back(number);
+    return true;
+  });
+  return order;
+}
+
+TEST(BoxTree, IsBuiltAnewWhereAllMoveUponOneThatStays) {
+  Random random(7);
+  const auto some_box = [&] {
+    const double x = random.between(0, 100), y = random.between(0, 100), z = random.between(0, 100);
+    return Aabb{{x, y, z}, {x + 1, y + 1, z + 1}};
+  };
+  std::vector<Aabb> boxes{{{-1e6, -1e6, -1e6}, {1e6, 1e6, 0}}};  // by far the largest node is the one around it
+  for (int i = 0; i < 500; ++i) boxes.push_back(some_box());
+  BoxTree tree(boxes);
+  const std::vector<Index> first = order_of(tree);
+  for (Aabb& box : boxes)
+    if (&box != boxes.data()) box = {box.lower + Vec3{0.125, 0, 0}, box.upper + Vec3{0.125, 0, 0}};
+  tree.update(boxes);
+  EXPECT_EQ(order_of(tree), first);  // kept
+  std::generate(boxes.begin() + 1, boxes.end(), some_box);
+  tree.update(boxes);
+  EXPECT_NE(order_of(tree), first);
+  EXPECT_EQ(order_of(tree), order_of(BoxTree(boxes)));
+}
+
+TEST(BoxTree, FindsNoEmptyBoxInOneWithoutEnd) {
+  const Aabb everything{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  EXPECT_TRUE(overlap(Aabb{}, everything));  // its comparisons do
+  EXPECT_FALSE(overlap(Aabb{}, Aabb{{-1e308, -1e308, -1e308}, {1e308, 1e308, 1e308}}));
+  const std::vector<Aabb> boxes{{}, everything, {{0, 0, 0}, {1, 1, 1}}};
+  EXPECT_EQ(BoxTree(boxes).overlapping(everything), (std::vector<Index>{1, 2}));
+  EXPECT_TRUE(BoxTree(boxes).overlapping({}).empty());
+}
+
 TEST(BoxTree, EndsWhenToldTo) {
   const std::vector<Aabb> boxes(50, Aabb{{0, 0, 0}, {1, 1, 1}});
   const BoxTree tree(boxes);

@@ -32,6 +32,32 @@ TEST(Cast, AgreesWithTheOracleForEveryKindAndRegime) {
   EXPECT_GT(hits, 100);
 }
 
+TEST(Cast, AtAShapeMuchLargerThanItsWayTakesNoExactArithmetic) {
+  Random random(17);
+  const auto within = [&](double size) { return random.between(-size, size); };
+  for (const double size : {1e2, 1e3, 1e4})
+    for (int i = 0; i < 30; ++i) {
+      const double axis_x = within(1), axis_y = within(1);
+      const Pose pose{rotation_about({axis_x, axis_y, 1}, random.between(0, 180)), {}};
+      const Vec3 up = pose.linear.column(2);
+      const double along_x = within(0.3 * size), along_y = within(0.3 * size);
+      const Vec3 from = (size + 6) * up + along_x * pose.linear.column(0) + along_y * pose.linear.column(1);
+      const Vec3 motion = -10.0 * up + Vec3{within(2), within(2), within(2)};
+      const test::PlacedConvex large{Box({size, size, size}), pose};
+      const std::vector<test::PlacedConvex> moving{
+          {Point(from), {}},
+          {Sphere(0.5, from), {}},
+          {Box({0.5, 0.4, 0.3}), {rotation_about({1, 2, 3}, within(90)), from}}};
+      for (const test::PlacedConvex& a : moving) {
+        ConvexWorkspace workspace;
+        const Cast cast = cast_shape(test::posed(a), motion, test::posed(large), &workspace);
+        EXPECT_TRUE(cast.hit);
+        EXPECT_EQ(workspace.counts.exact, 0U) << size << ", case " << i;
+        ASSERT_EQ(test::cast_fault(cast, test::set_of(a), motion, test::set_of(large)), "") << size << ", case " << i;
+      }
+    }
+}
+
 TEST(Cast, AgainstAHalfSpaceAgreesWithTheOracle) {
   std::uint64_t number = 0;
   for (const std::string& kind : test::convex_kinds())

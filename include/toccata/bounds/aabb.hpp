@@ -32,7 +32,7 @@ struct Aabb {
 
 [[nodiscard]] Aabb fit_aabb(std::span<const Vec3> points);
 
-/// The closed boxes have a point in common; compares the corner coordinates, so it is exact.
+/// The closed boxes have a point in common; compares corners, so it is exact. True of an empty one and one without end.
 [[nodiscard]] constexpr bool overlap(const Aabb& a, const Aabb& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
          a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;

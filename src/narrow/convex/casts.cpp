@@ -63,6 +63,9 @@ class ShapeCast {
     return is_kept_apart(direction, time) ? std::optional(direction) : std::nullopt;
   }
 
+  /// The answer took exact arithmetic.
+  [[nodiscard]] bool was_exact() const { return was_exact_; }
+
   /// The direction that has kept them apart all the way.
   [[nodiscard]] const Vec3& parting() const { return parting_; }
 
@@ -217,7 +220,8 @@ class ShapeCast {
     if (!nearest || !nearest->unique()) return {};
     const double distance = nearest->distance.value.high + 4 * nearest->distance.error;
     const double least_reach = (1 - 0x1p-50) * reach_;
-    if (!(distance + roughly_rounded_by() < least_reach) && !(distance + rounded_by(late, moved) < least_reach)) return {};
+    if (!(distance + roughly_rounded_by() < least_reach) && !(distance + rounded_by(late, moved) < least_reach))
+      return {};
     const Vec3 grown = (b_.radius() / distance) * high_parts(nearest->difference);
     return Meeting{late, high_parts(nearest->on_b) + grown};
   }
@@ -269,7 +273,10 @@ class ShapeCast {
     return point;
   }
 
-  [[nodiscard]] bool reaches(double time) const { return swept_meets(a_, motion_, time, b_); }
+  [[nodiscard]] bool reaches(double time) {
+    was_exact_ = true;
+    return swept_meets(a_, motion_, time, b_);
+  }
 
   /// The first meeting lies between the time that is known to be free and one that is known to be late enough: makes
   /// the first of them later until they are near each other, and returns the second.
@@ -302,6 +309,7 @@ class ShapeCast {
   double reach_;
   VertexPairs last_;
   double free_until_ = 0;
+  bool was_exact_ = false;
   Vec3 normal_{};
   Vec3 parting_{};
 };
@@ -323,6 +331,7 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, 
   // What keeps the shapes apart all the way mostly does so the next time.
   if (workspace != nullptr && cast.is_kept_apart(workspace->direction, 1)) return {};
   const Cast answer = cast.answer();
+  if (workspace != nullptr) workspace->counts.exact += cast.was_exact() ? 1 : 0;
   if (workspace != nullptr && !(cast.parting() == Vec3{})) workspace->direction = cast.parting();
   return answer;
 }
