@@ -9,8 +9,11 @@ namespace {
 using Maker = ConvexOffer (*)(const ConvexWork&);
 
 const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{
-      {"fcl", fcl_convex}, {"bullet", bullet_convex}, {"ode", ode_convex}, {"ways", toccata_ways}};
+  static const std::map<std::string, Maker> all{{"fcl", fcl_convex},
+                                                {"bullet", bullet_convex},
+                                                {"ode", ode_convex},
+                                                {"tracked", toccata_tracked},
+                                                {"ways", toccata_ways}};
   return all;
 }
 

@@ -81,6 +81,9 @@ std::vector<std::string> convex_pairs();
 ConvexOffer toccata_convex(const ConvexWork& work);
 /// The methods that can be called on their own; the peer "ways".
 ConvexOffer toccata_ways(const ConvexWork& work);
+/// For hulls that move by small steps: by Voronoi regions, by GJK from nothing, by the kept separating axis; the peer
+/// "tracked".
+ConvexOffer toccata_tracked(const ConvexWork& work);
 ConvexOffer fcl_convex(const ConvexWork& work);
 ConvexOffer bullet_convex(const ConvexWork& work);
 ConvexOffer ode_convex(const ConvexWork& work);

@@ -205,10 +205,11 @@ double SupportSearch::close_depth(const Vec3& direction, double spread, const Ve
 /// A depth is its height less what the spread adds, at most that of the extent along all axes; both are rounded.
 SupportSearch::Level SupportSearch::close_level(const Vec3& direction, double slack, const Vec3& vertex) const {
   const double spread = spread_of(direction, slack), extent = shape_->stored_extent();
-  const SupportScan along = scan(direction, spread);
+  const Vec3 along = times(world_in_local_, direction);
   const double depth = close_depth(direction, spread, vertex);
-  const double own = (sum_of_magnitudes(along.spread) + 0x1p-49 * sum_of_magnitudes(along.direction)) * extent;
-  return {along.direction, (depth + 0x1p-49 * std::fabs(depth)) + (1.0625 * own + lost_per_height)};
+  const double depths = (spread * sum_of_magnitudes(stretch_) + 3 * lost_per_coordinate) * extent;
+  const double own = depths + 0x1p-49 * sum_of_magnitudes(along) * extent;
+  return {along, (depth + 0x1p-49 * std::fabs(depth)) + (1.0625 * own + lost_per_height)};
 }
 
 Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,

@@ -55,6 +55,9 @@ class NearestFormula {
   /// `close` finds no vertex of A along it and none of B against it, but those of the features, all others are beyond.
   [[nodiscard]] const Vec3& across() const { return across_; }
   [[nodiscard]] double slack() const { return slack_; }
+  /// The first vertices of the features, in the world.
+  [[nodiscard]] const Vec3& first_a() const { return first_a_; }
+  [[nodiscard]] const Vec3& first_b() const { return first_b_; }
 
   /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
   /// rounding has bent: which.

@@ -28,31 +28,37 @@ struct Along {
   double rounding;  // of any product of the direction and a way between vertices
 };
 
-double rise_from_vertex(const Along& d, Index vertex) {
+/// How much higher any other vertex is at least, and a height that one has, both from that of the feature.
+struct Rise {
+  double least = -std::numeric_limits<double>::infinity();
+  double seen = 0;
+};
+
+Rise rise_from_vertex(const Along& d, Index vertex) {
   double least = std::numeric_limits<double>::infinity();
   for (const Parts::Spoke& spoke : d.parts.spokes_at(vertex))
     least = std::min(least, dot(d.direction, spoke.plane.normal) * spoke.length);
-  return least - d.rounding;
+  return {least - d.rounding, least};
 }
 
-double rise_from_edge(const Along& d, Index edge) {
-  const Parts::Spoke& spoke = d.parts.spokes[d.parts.spoke_of[edge]];
-  const double left = 4 * d.parts.extent * std::fabs(dot(d.direction, spoke.plane.normal)) + d.rounding;
+Rise rise_from_edge(const Along& d, Index edge) {
+  const Vec3& unit = d.parts.spokes[d.parts.spoke_of[edge]].plane.normal;
+  const double left = 4 * d.parts.extent * std::fabs(dot(d.direction, unit)) + d.rounding;
   const Parts::Rim &one = d.parts.rims[edge], &other = d.parts.rims[d.parts.topology.twin[edge]];
-  const double of_one = one.least_share * (dot(d.direction, one.into) - left);
-  const double of_other = other.least_share * (dot(d.direction, other.into) - left);
-  return std::min(of_one, of_other) - left;
+  const double in_one = dot(d.direction, one.into), in_other = dot(d.direction, other.into);
+  const double least = std::min(one.least_share * (in_one - left), other.least_share * (in_other - left));
+  return {least - left, std::min(in_one, in_other) + left};
 }
 
-double rise_from_face(const Along& d, Index face) {
+Rise rise_from_face(const Along& d, Index face) {
   const Parts::Side& side = d.parts.sides[face];
   const double unsure = 2 * side.error * sum_of_magnitudes(d.direction);
   const double against = -dot(d.direction, side.plane.normal) - unsure;
   const double left = plain_length(cross(d.direction, side.plane.normal)) + unsure;
-  return against * side.clearance - (4 * d.parts.extent * left + d.rounding);
+  return {against * side.clearance - (4 * d.parts.extent * left + d.rounding)};
 }
 
-double rise_from(const Along& d, const ConvexFeature& feature) {
+Rise rise_from(const Along& d, const ConvexFeature& feature) {
   if (feature.kind == ConvexFeature::Kind::vertex) return rise_from_vertex(d, feature.index);
   return feature.kind == ConvexFeature::Kind::edge ? rise_from_edge(d, feature.index)
                                                    : rise_from_face(d, feature.index);
@@ -60,13 +66,16 @@ double rise_from(const Along& d, const ConvexFeature& feature) {
 
 }  // namespace
 
-bool others_clear(const SupportSearch& shape, const Parts& parts, const ConvexFeature& feature, Index first,
-                  const Vec3& direction, double slack) {
-  if (parts.dimension < 3 || has_more_corners(parts, feature)) return false;
-  const SupportSearch::Level level = shape.close_level(direction, slack, shape.vertex(first));
+Others other_vertices(const SupportSearch& shape, const Parts& parts, const ConvexFeature& feature, Index first,
+                      const Vec3& first_in_world, const Vec3& direction, double slack) {
+  if (parts.dimension < 3 || has_more_corners(parts, feature)) return Others::unknown;
+  const SupportSearch::Level level = shape.close_level(direction, slack, first_in_world);
   const Along along{parts, level.direction, 0x1p-47 * (sum_of_magnitudes(level.direction) * parts.extent)};
-  const double base = dot(level.direction, parts.vertices[first]);
-  return base + rise_from(along, feature) > level.height;
+  const double above = level.height - dot(level.direction, parts.vertices[first]);
+  const Rise rise = rise_from(along, feature);
+  if (rise.least > above + along.rounding) return Others::clear;
+  // The scan that this saves would find a vertex lower, too, and it does not matter when not.
+  return rise.seen < -std::fabs(above) ? Others::lower : Others::unknown;
 }
 
 }  // namespace toccata

@@ -84,6 +84,14 @@ ConvexFeature feature_of(const Parts& parts, std::span<const Index> vertices) {
   return first;
 }
 
+void put_in_order(std::array<Index, 3>& vertices, std::size_t count) {
+  auto& [x, y, z] = vertices;
+  if (count == 2 && x > y) std::swap(x, y);
+  if (count < 3) return;
+  const Index least = std::min({x, y, z}), greatest = std::max({x, y, z});
+  vertices = {least, (x ^ y ^ z) ^ (least ^ greatest), greatest};
+}
+
 /// One question about a tracked pair.
 class TrackedQuestion {
  public:
@@ -91,7 +99,6 @@ class TrackedQuestion {
                   const VoronoiRegions& regions_b, TrackedPair& tracked)
       : body_a_{&regions_a.parts(), &a.pose()},
         body_b_{&regions_b.parts(), &b.pose()},
-        kernels_(support_kernels()),
         a_(a, kernels_),
         b_(b, kernels_),
         tracked_(tracked) {}
@@ -125,23 +132,33 @@ class TrackedQuestion {
                                         const std::array<Vec3, 2>& on) const {
     const Corners of_a = corners_of(body_a_, features[0], on[0]), of_b = corners_of(body_b_, features[1], on[1]);
     NearestFeatures result{of_a.vertex, of_b.vertex, of_a.count, of_b.count};
-    std::sort(result.a.begin(), result.a.begin() + static_cast<std::ptrdiff_t>(result.count_a));
-    std::sort(result.b.begin(), result.b.begin() + static_cast<std::ptrdiff_t>(result.count_b));
+    put_in_order(result.a, result.count_a);
+    put_in_order(result.b, result.count_b);
     return result;
   }
 
   /// The answer, if the features are proved to be the only nearest ones. Which corners of a face with more than three
   /// are meant, the points tell.
   [[nodiscard]] std::optional<Distance> proved(const std::array<ConvexFeature, 2>& features,
-                                               const std::array<Vec3, 2>& on) const {
+                                               const std::array<Vec3, 2>& on) {
     const NearestFeatures vertices = corners(features, on);
     NearestFormula formula(a_, b_, vertices);
     if (!formula.solve()) return {};
-    const bool clear =
-        others_clear(a_, *body_a_.parts, features[0], vertices.a[0], formula.across(), formula.slack()) &&
-        others_clear(b_, *body_b_.parts, features[1], vertices.b[0], -formula.across(), formula.slack());
-    if (!clear && !formula.others_beyond()) return {};
+    const Vec3& across = formula.across();
+    const Others of_a =
+        other_vertices(a_, *body_a_.parts, features[0], vertices.a[0], formula.first_a(), across, formula.slack());
+    if (of_a == Others::lower) return {};
+    const Others of_b =
+        other_vertices(b_, *body_b_.parts, features[1], vertices.b[0], formula.first_b(), -across, formula.slack());
+    if (of_b == Others::lower) return {};
+    if (!(of_a == Others::clear && of_b == Others::clear) && !looked_at(formula)) return {};
     return formula.distance();
+  }
+
+  /// All vertices, which is seldom needed, and so the kernels are.
+  bool looked_at(NearestFormula& formula) {
+    kernels_ = support_kernels();
+    return formula.others_beyond();
   }
 
   Distance kept(const Distance& distance) {
@@ -182,8 +199,8 @@ class TrackedQuestion {
   }
 
   WalkBody body_a_, body_b_;
-  SupportKernels kernels_;
-  SupportSearch a_, b_;
+  SupportKernels kernels_{};
+  SupportSearch a_, b_;  // of these kernels
   TrackedPair& tracked_;
 };
 
