@@ -153,7 +153,7 @@ bool is_sensible(BroadPhaseMethod method, std::size_t count) {
   switch (method) {
     case BroadPhaseMethod::interval_sweeps:
     case BroadPhaseMethod::rectangle_sweeps:
-      return count <= 3'000;
+      return count <= 10'000;
     case BroadPhaseMethod::brute_force:
       return count <= 20'000;
     case BroadPhaseMethod::incremental_sweep:

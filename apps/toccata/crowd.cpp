@@ -74,7 +74,7 @@ std::vector<BroadPhaseMethod> methods_for(std::size_t count) {
   std::vector<BroadPhaseMethod> methods;
   for (const BroadPhaseMethod method : broad_phase_methods()) {
     const bool is_for_few = method == BroadPhaseMethod::interval_sweeps || method == BroadPhaseMethod::rectangle_sweeps;
-    if (is_for_few && count > 2'000) continue;
+    if (is_for_few && count > 10'000) continue;
     if (method == BroadPhaseMethod::brute_force && count > 20'000) continue;
     if (method == BroadPhaseMethod::sort_and_sweep && count > 300'000) continue;
     methods.push_back(method);

@@ -1,96 +1,161 @@
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
+#include "broad/pair_buffer.hpp"
+#include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
 
 constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// All overlaps of intervals, in one sweep over the sorted ends: when a lower end comes, its interval overlaps all that
-/// are open.
-class IntervalSweep {
- public:
-  IntervalSweep(std::span<const Aabb> boxes, std::size_t axis) : axis_(axis) {
-    for (Index number = 0; number < boxes.size(); ++number) {
-      if (is_empty(boxes[number])) continue;
-      ends_.push_back({boxes[number].lower.*coordinates[axis], number, false});
-      ends_.push_back({boxes[number].upper.*coordinates[axis], number, true});
-    }
-    // Lower ends first, so that touching counts.
-    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
-      if (a.value != b.value) return a.value < b.value;
-      return a.is_upper != b.is_upper ? b.is_upper : a.number < b.number;
-    });
-  }
+/// An end of a box along an axis: its number twice, and one more for the upper end.
+struct End {
+  double value;
+  std::uint32_t name;
+};
 
-  /// Calls `found(pair)` for each, in no order.
-  template <class Found>
-  void each(std::size_t count, const Found& found) {
-    place_.assign(count, 0);
-    open_.clear();
-    for (const End& end : ends_) {
-      if (end.is_upper) {
-        close(end.number);
-        continue;
-      }
-      for (const Index other : open_) found(IndexPair{std::min(end.number, other), std::max(end.number, other)});
-      place_[end.number] = open_.size();
-      open_.push_back(end.number);
-    }
+/// The ends along an axis; of one value lower ends first, so that touching counts.
+std::vector<End> sorted_ends(std::span<const Aabb> boxes, std::size_t axis) {
+  std::vector<End> ends;
+  for (Index number = 0; number < boxes.size(); ++number) {
+    if (is_empty(boxes[number])) continue;
+    ends.push_back({boxes[number].lower.*coordinates[axis], 2 * number});
+    ends.push_back({boxes[number].upper.*coordinates[axis], 2 * number + 1});
   }
-  [[nodiscard]] std::size_t axis() const { return axis_; }
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    if (a.value != b.value) return a.value < b.value;
+    return (a.name & 1) != (b.name & 1) ? (a.name & 1) < (b.name & 1) : a.name < b.name;
+  });
+  return ends;
+}
+
+/// How many pairs overlap along the axis: those begun before the end of each, less those ended before its start.
+std::size_t count_overlaps(std::span<const End> ends) {
+  std::size_t sum = 0, open = 0;
+  for (const End& end : ends) {
+    if ((end.name & 1) == 0) sum += open;
+    (end.name & 1) == 0 ? ++open : --open;
+  }
+  return sum;
+}
+
+/// Lesser numbers whose pairs are gone through at a time.
+struct Strip {
+  Index begin, end;
+};
+
+/// Intervals that are open in a sweep: those of lesser numbers of the strip, and those of greater numbers than these.
+class OpenIntervals {
+ public:
+  explicit OpenIntervals(std::size_t numbers) : places_(numbers) {}
+  void clear() {
+    within_.clear();
+    behind_.clear();
+  }
+  void open(Index number, const Strip& strip) {
+    std::vector<Index>& list = list_of(number, strip);
+    places_[number] = static_cast<Index>(list.size());
+    list.push_back(number);
+  }
+  void close(Index number, const Strip& strip) {
+    std::vector<Index>& list = list_of(number, strip);
+    const Index place = places_[number];
+    list[place] = list.back();
+    places_[list[place]] = place;
+    list.pop_back();
+  }
+  [[nodiscard]] std::span<const Index> within() const { return within_; }
+  [[nodiscard]] std::span<const Index> behind() const { return behind_; }
 
  private:
-  struct End {
-    double value;
-    Index number;
-    bool is_upper;
-  };
-  void close(Index number) {
-    const std::size_t place = place_[number];
-    open_[place] = open_.back();
-    place_[open_[place]] = place;
-    open_.pop_back();
+  std::vector<Index>& list_of(Index number, const Strip& strip) { return number < strip.end ? within_ : behind_; }
+
+  std::vector<Index> within_, behind_;
+  std::vector<Index> places_;  ///< among those open, by number
+};
+
+/// All overlaps of intervals whose lesser number is in the strip, in one sweep over the sorted ends: when a lower end
+/// comes, its interval overlaps all that are open. Calls `found(lesser, greater)` for each, in no order.
+template <class Found>
+void sweep(std::span<const End> ends, const Strip& strip, OpenIntervals& open, const Found& found) {
+  open.clear();
+  for (const End& end : ends) {
+    const Index number = end.name / 2;
+    if (number < strip.begin) continue;
+    if ((end.name & 1) == 1) {
+      open.close(number, strip);
+      continue;
+    }
+    for (const Index other : open.within()) found(std::min(number, other), std::max(number, other));
+    if (number < strip.end)
+      for (const Index other : open.behind()) found(number, other);
+    open.open(number, strip);
+  }
+}
+
+/// A bit for each pair of a strip.
+class Tags {
+ public:
+  Tags(const Strip& strip, std::size_t numbers)
+      : strip_(strip), numbers_(numbers), words_((std::size_t{strip.end - strip.begin} * numbers + 63) / 64) {}
+  void set(Index lesser, Index greater) { words_[place(lesser, greater) / 64] |= bit(lesser, greater); }
+  [[nodiscard]] bool has(Index lesser, Index greater) const {
+    return (words_[place(lesser, greater) / 64] & bit(lesser, greater)) != 0;
   }
 
-  std::size_t axis_;
-  std::vector<End> ends_;
-  std::vector<Index> open_;
-  std::vector<std::size_t> place_;  ///< among those open, by number
+ private:
+  [[nodiscard]] std::size_t place(Index lesser, Index greater) const {
+    return std::size_t{lesser - strip_.begin} * numbers_ + greater;
+  }
+  [[nodiscard]] std::uint64_t bit(Index lesser, Index greater) const {
+    return std::uint64_t{1} << (place(lesser, greater) % 64);
+  }
+
+  Strip strip_;
+  std::size_t numbers_;
+  std::vector<std::uint64_t> words_;
 };
 
 /// Boxes overlap in space when they do in every problem of fewer dimensions: along each of three axes, or in each of
-/// two planes. Every problem tags the pairs that it finds; those with all tags are the answer. The pairs are gone
-/// through in parts, by their lesser number, so that memory does not grow with the pairs of single problems.
+/// two planes. Every problem tags the pairs that it finds and that those before it have tagged; what the last one finds
+/// with the tags of all others is the answer. The problem that finds the fewest goes first.
+///
+/// The table of tags is made in strips of lesser numbers, so that it stays in a near cache: memory is that of the boxes
+/// and the answer, and each problem goes through each of its pairs once. These are what the method costs.
 class DimensionReduction final : public PairFinder {
  public:
   enum class To { intervals, rectangles };
   explicit DimensionReduction(To to) : to_(to) {}
 
   PairList find(const BoxesNow& now, PairList storage) override {
-    storage.clear();
-    const std::span<const Aabb> boxes = now.boxes;
-    std::vector<IntervalSweep> sweeps;
-    for (std::size_t axis = 0; axis < (to_ == To::intervals ? 3U : 2U); ++axis) sweeps.emplace_back(boxes, axis);
-    for (const auto& [begin, end] : parts_of(boxes, sweeps)) {
-      tagged_.clear();
-      for (std::uint32_t problem = 0; problem < sweeps.size(); ++problem)
-        sweeps[problem].each(boxes.size(), [&, from = begin, to = end](const IndexPair& pair) {
-          if (pair.first >= from && pair.first < to && is_found(boxes, sweeps[problem], pair))
-            tagged_.push_back({pair, 1U << problem});
-        });
-      collect((1U << sweeps.size()) - 1, storage);
-    }
-    return storage;
+    std::vector<Problem> problems;
+    for (std::size_t axis = 0; axis < (to_ == To::intervals ? 3U : 2U); ++axis)
+      problems.push_back({axis, sorted_ends(now.boxes, axis)});
+    std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+      return count_overlaps(a.ends) < count_overlaps(b.ends);
+    });
+    const std::vector<Strip> strips = strips_of(now.boxes.size());
+    // Buffers beyond those in use would be kept.
+    found_.resize(std::min(strips.size(), most_buffers));
+    parallel_for(found_.size(), now.threads, [&](std::size_t part) {
+      found_[part].clear(now.wanted);
+      OpenIntervals open(now.boxes.size());
+      for (std::size_t i = part; i < strips.size(); i += found_.size())
+        find_in(strips[i], now.boxes, problems, open, found_[part]);
+    });
+    return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));
   }
 
-  [[nodiscard]] std::size_t bytes() const override { return tagged_.capacity() * sizeof(Tagged); }
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = 0;
+    for (const PairBuffer& found : found_) sum += found.bytes();
+    return sum;
+  }
 
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
     BroadPhaseCells cells;
@@ -100,54 +165,45 @@ class DimensionReduction final : public PairFinder {
   }
 
  private:
-  static constexpr std::size_t most_at_once = std::size_t{1} << 22;
-  struct Tagged {
-    IndexPair pair;
-    std::uint32_t tag;
+  static constexpr std::size_t tags_in_strip = std::size_t{1} << 23;  ///< 1 MB of them
+  static constexpr std::size_t most_buffers = 16;
+  struct Problem {
+    std::size_t axis;
+    std::vector<End> ends;
   };
 
+  static std::vector<Strip> strips_of(std::size_t numbers) {
+    const std::size_t rows = std::max<std::size_t>(1, tags_in_strip / std::max<std::size_t>(numbers, 1));
+    std::vector<Strip> strips;
+    for (std::size_t begin = 0; begin < numbers; begin += rows)
+      strips.push_back({static_cast<Index>(begin), static_cast<Index>(std::min(begin + rows, numbers))});
+    return strips;
+  }
+
+  void find_in(const Strip& strip, std::span<const Aabb> boxes, std::span<const Problem> problems, OpenIntervals& open,
+               PairBuffer& pairs) const {
+    std::vector<Tags> tags(problems.size() - 1, Tags(strip, boxes.size()));
+    for (std::size_t i = 0; i < problems.size(); ++i)
+      sweep(problems[i].ends, strip, open, [&](Index lesser, Index greater) {
+        if (i > 0 && !tags[i - 1].has(lesser, greater)) return;
+        if (!is_found(boxes, problems[i].axis, lesser, greater)) return;
+        if (i < tags.size())
+          tags[i].set(lesser, greater);
+        else
+          pairs.add(lesser, greater);
+      });
+  }
+
   /// Of a plane: the sweep goes along its first axis, and the second is compared. The planes are xy and yz.
-  [[nodiscard]] bool is_found(std::span<const Aabb> boxes, const IntervalSweep& sweep, const IndexPair& pair) const {
+  [[nodiscard]] bool is_found(std::span<const Aabb> boxes, std::size_t axis, Index one, Index other) const {
     if (to_ == To::intervals) return true;
-    const double Vec3::*second = coordinates[sweep.axis() + 1];
-    const Aabb &a = boxes[pair.first], &b = boxes[pair.second];
+    const double Vec3::*second = coordinates[axis + 1];
+    const Aabb &a = boxes[one], &b = boxes[other];
     return a.lower.*second <= b.upper.*second && b.lower.*second <= a.upper.*second;
   }
 
-  /// Ranges of lesser numbers with not too many pairs each.
-  std::vector<std::pair<Index, Index>> parts_of(std::span<const Aabb> boxes, std::vector<IntervalSweep>& sweeps) const {
-    std::vector<std::size_t> found(boxes.size(), 0);
-    for (IntervalSweep& sweep : sweeps)
-      sweep.each(boxes.size(), [&](const IndexPair& pair) {
-        if (is_found(boxes, sweep, pair)) ++found[pair.first];
-      });
-    std::vector<std::pair<Index, Index>> parts;
-    std::size_t sum = 0;
-    Index begin = 0;
-    for (Index number = 0; number < boxes.size(); ++number) {
-      if (sum > 0 && sum + found[number] > most_at_once) {
-        parts.emplace_back(begin, number);
-        begin = number;
-        sum = 0;
-      }
-      sum += found[number];
-    }
-    parts.emplace_back(begin, static_cast<Index>(boxes.size()));
-    return parts;
-  }
-
-  void collect(std::uint32_t all_tags, PairList& pairs) {
-    std::sort(tagged_.begin(), tagged_.end(), [](const Tagged& a, const Tagged& b) { return a.pair < b.pair; });
-    for (std::size_t first = 0, last; first < tagged_.size(); first = last) {
-      std::uint32_t tags = 0;
-      for (last = first; last < tagged_.size() && tagged_[last].pair == tagged_[first].pair; ++last)
-        tags |= tagged_[last].tag;
-      if (tags == all_tags) pairs.push_back(tagged_[first].pair);
-    }
-  }
-
   To to_;
-  std::vector<Tagged> tagged_;
+  std::vector<PairBuffer> found_;
 };
 
 }  // namespace

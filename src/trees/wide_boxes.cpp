@@ -82,13 +82,4 @@ void set_boxes(WideBlock& block, const std::array<FloatBox, WideBlock::width>& b
   }
 }
 
-double half_areas(const WideBlock& block) {
-  float sum = 0;
-  for (std::size_t lane = 0; lane < WideBlock::width; ++lane) {
-    const float x = block.extent[0][lane], y = block.extent[1][lane], z = block.extent[2][lane];
-    sum += (x * y + y * z) + z * x;
-  }
-  return 4 * double{sum};
-}
-
 }  // namespace toccata

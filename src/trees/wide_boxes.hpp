@@ -17,7 +17,4 @@ void set_box(WideBlock& block, std::size_t lane, const FloatBox& box);
 /// The same for all lanes at once.
 void set_boxes(WideBlock& block, const std::array<FloatBox, WideBlock::width>& boxes);
 
-/// What the half areas of the lanes' boxes add up to, in the tree's units².
-[[nodiscard]] double half_areas(const WideBlock& block);
-
 }  // namespace toccata

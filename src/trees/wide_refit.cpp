@@ -1,5 +1,6 @@
 #include "toccata/trees/refit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -152,10 +153,26 @@ void put_blocks(std::span<WideBlock> blocks, std::vector<FloatBox>& around) {
     }
 }
 
-double half_areas(std::span<const WideBlock> blocks) {
-  double sum = 0;
-  for (const WideBlock& block : blocks) sum += toccata::half_areas(block);
-  return sum;
+double half_area(const WideBlock& block, std::size_t lane) {
+  const double x = block.extent[0][lane], y = block.extent[1][lane], z = block.extent[2][lane];
+  return 4 * ((x * y + y * z) + z * x);
+}
+
+/// Of the boxes around several others, in the mean of logarithms: their sum would tell of the largest alone, of a floor
+/// and not of all that stands upon it. What has no area counts as far less than any other. 0 where there are none.
+double mean_half_area(std::span<const WideBlock> blocks) {
+  constexpr double least = 0x1p-200;
+  double product = 1, count = 0;
+  std::int64_t octaves = 0;
+  for (const WideBlock& block : blocks)
+    for (std::size_t lane = 0; lane < block.count; ++lane) {
+      if (block.is_item(lane)) continue;
+      int octave = 0;
+      product = std::frexp(product * std::max(half_area(block, lane), least), &octave);
+      octaves += octave;
+      ++count;
+    }
+  return count > 0 ? std::exp2((static_cast<double>(octaves) + std::log2(product)) / count) : 0;
 }
 
 std::size_t lane_count(std::span<const WideBlock> blocks) {
@@ -177,7 +194,7 @@ Refit refit(WideTree& tree, const TriangleMesh& mesh, int threads) {
   if (tree.items.size() != mesh.triangle_count())
     throw Error("a tree over " + std::to_string(tree.items.size()) + " triangles is to be refitted to a mesh of " +
                 std::to_string(mesh.triangle_count()) + ": build one for that mesh");
-  if (tree.built_size < 0) tree.built_size = half_areas(tree.blocks);
+  if (tree.built_size < 0) tree.built_size = mean_half_area(tree.blocks);
   tree.box = box_around(mesh, threads);
   const WideFrame frame = frame_around(tree.box);
   move_to(tree, frame);
@@ -189,7 +206,7 @@ Refit refit(WideTree& tree, const TriangleMesh& mesh, int threads) {
     put_items(chunks.of(std::span(tree.blocks), chunk), triangles, around.data() + chunks.first(chunk));
   });
   put_blocks(tree.blocks, around);
-  const double size = half_areas(tree.blocks);
+  const double size = mean_half_area(tree.blocks);
   return {lane_count(tree.blocks), size == tree.built_size ? 1 : size / tree.built_size};
 }
 

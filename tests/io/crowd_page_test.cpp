@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -83,6 +84,17 @@ TEST(CrowdPage, HoldsEverySecondFrameWhenThereAreTooMany) {
   }
   EXPECT_LE(bytes, CrowdRecording::most_bytes);
   EXPECT_GT(bytes, CrowdRecording::most_bytes / 4);
+
+  // What has begun and ended is told against the frame that is shown before.
+  const Json moments = header_of(crowd_page(recording))["time"]["moments"];
+  for (std::size_t i = 1; i < recording.frames().size(); ++i) {
+    const std::vector<IndexPair>&before = recording.frames()[i - 1].pairs, &now = recording.frames()[i].pairs;
+    const auto stays = [&](const IndexPair& pair) { return std::binary_search(before.begin(), before.end(), pair); };
+    const auto kept = static_cast<std::size_t>(std::count_if(now.begin(), now.end(), stays));
+    const std::string told = std::to_string(now.size()) + " pairs, " + std::to_string(now.size() - kept) + " begun, " +
+                             std::to_string(before.size() - kept) + " ended; ";
+    EXPECT_EQ(moments[i]["note"].get<std::string>().find(told), 0U) << moments[i]["note"];
+  }
 }
 
 TEST(CrowdPage, RefusesAFrameThatIsMoreThanAPage) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -93,6 +94,22 @@ TEST(WideRefit, TinyHugeAndFarMeshesKeepTheirDetail) {
       static_cast<void>(refit(tree, placed));
       expect_fits(tree, placed);
     }
+}
+
+TEST(WideRefit, IsNotMisledByAFloorThatStands) {
+  // Far more area than all that stands on it.
+  const TriangleMesh sphere = generate_mesh("noise-sphere");
+  std::vector<Vec3> vertices(sphere.vertices().begin(), sphere.vertices().end());
+  std::vector<std::array<Index, 3>> triangles(sphere.triangles().begin(), sphere.triangles().end());
+  const Index floor = static_cast<Index>(vertices.size());
+  vertices.insert(vertices.end(), {{-1e4, -1e4, -2}, {1e4, -1e4, -2}, {0, 1e4, 2}});
+  triangles.push_back({floor, floor + 1, floor + 2});
+  const TriangleMesh mesh(vertices, triangles);
+  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+  EXPECT_FALSE(refit(tree, mesh).should_rebuild());
+  Random random(3);
+  for (std::size_t i = floor; i > 1; --i) std::swap(vertices[i - 1], vertices[random.below(i)]);
+  EXPECT_TRUE(refit(tree, mesh.with_vertices(vertices)).should_rebuild());
 }
 
 TEST(WideRefit, TellsWhenToRebuild) {

@@ -33,8 +33,8 @@ enum class BroadPhaseMethod {
   incremental_sweep,  ///< ends kept sorted along three axes
   spatial_hash,       ///< cells of one size, by key
   hierarchical_hash,  ///< cells of many sizes, by key
-  interval_sweeps,    ///< overlaps along each axis, each swept by itself, for few boxes
-  rectangle_sweeps,   ///< overlaps in two planes, each swept by itself, for few boxes
+  interval_sweeps,    ///< overlaps along each axis, each swept by itself, for few thousand boxes
+  rectangle_sweeps,   ///< overlaps in two planes, each swept by itself, for few thousand boxes
 };
 
 /// "auto", "brute-force" …
@@ -142,8 +142,7 @@ class BroadPhase {
 /// All pairs of boxes that overlap, as `overlapping_pairs(boxes)` finds them, by any method on any number of threads.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options);
 
-/// Of them those that are wanted. Memory is that of the boxes and of the pairs that are wanted, however many overlap,
-/// except for the methods that keep ends or tags sorted (`incremental_sweep`, `interval_sweeps`, `rectangle_sweeps`).
+/// Of them those that are wanted. Memory is that of the boxes and of the pairs that are wanted, however many overlap.
 /// `wanted` is asked of every pair that overlaps, in any order: once of those that it refuses.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                                        const PairFilter& wanted);

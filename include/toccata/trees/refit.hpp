@@ -7,11 +7,11 @@
 
 namespace toccata {
 
-/// What refitting did. Once the nodes together have grown to twice what they were when the tree was built, walks visit
-/// about twice as many, and building anew pays.
+/// What refitting did. Once the nodes have grown to twice what they were when the tree was built, walks visit about
+/// twice as many, and building anew pays.
 struct Refit {
   std::size_t volumes_updated = 0;
-  double growth = 1;  ///< the sum of half_area over all nodes, relative to that of the tree as built; +∞ where it was 0
+  double growth = 1;  ///< of half_area, as `built_size` tells it, relative to the tree as built; +∞ where it was 0
   [[nodiscard]] bool should_rebuild() const { return !(growth <= 2); }
 };
 

@@ -39,7 +39,7 @@ struct WideTree {
   Aabb box;         ///< around all items, exact
   std::vector<WideBlock> blocks;
   std::vector<Index> items;  ///< item numbers in the order of the leaves
-  double built_size = -1;    ///< what half_area of all lanes' boxes added up to when built, in units²; −1: not known
+  double built_size = -1;  ///< half_area of boxes around several, in the mean of logarithms, as built; −1: not known
 };
 
 struct WideBuildOptions {

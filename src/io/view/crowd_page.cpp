@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -164,15 +165,31 @@ class CrowdLayers {
   io::DisplayFrame frame_;
 };
 
+std::size_t count_without(const std::vector<IndexPair>& a, const std::vector<IndexPair>& b) {
+  std::vector<IndexPair> rest;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  return rest.size();
+}
+
+/// What has begun and ended since the frame that is shown before; of the first, since the update before it.
+std::string changes_of(std::span<const Frame> frames, std::size_t i) {
+  const Frame& frame = frames[i];
+  const std::size_t begun = i == 0 ? frame.begun : count_without(frame.pairs, frames[i - 1].pairs);
+  const std::size_t ended = i == 0 ? frame.ended : count_without(frames[i - 1].pairs, frame.pairs);
+  return fmt::format("{} begun, {} ended", begun, ended);
+}
+
 Json time_of(const CrowdRecording& recording) {
   Json moments = Json::array();
-  for (const Frame& frame : recording.frames())
+  for (std::size_t i = 0; i < recording.frames().size(); ++i) {
+    const Frame& frame = recording.frames()[i];
     moments.push_back(
         {{"label", fmt::format("frame {}", frame.number)},
          {"note",
-          fmt::format("{}, {} begun, {} ended; {}{}", counted(frame.pairs.size(), "pair", "pairs"), frame.begun,
-                      frame.ended, name_of(frame.method),
+          fmt::format("{}, {}; {}{}", counted(frame.pairs.size(), "pair", "pairs"), changes_of(recording.frames(), i),
+                      name_of(frame.method),
                       frame.space.cells.empty() ? "" : ", " + counted(frame.space.cells.size(), "cell", "cells"))}});
+  }
   return {{"per_second", 12}, {"moments", std::move(moments)}};
 }
 
