@@ -6,8 +6,8 @@
 
 #include "arguments.hpp"
 #include "broad.hpp"
-#include "crowd_frames.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/generate/crowd_frames.hpp"
 #include "toccata/generate/crowds.hpp"
 
 namespace toccata::bench {

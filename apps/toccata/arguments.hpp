@@ -128,20 +128,18 @@ struct PairsArguments {
   Format format = Format::table;
 };
 
-struct CrowdArguments {
+struct CrowdArguments : PosedArguments {
+  CrowdArguments() { threads = 1; }
+
   std::string scene = "uniform";
   std::size_t count = 100'000;
   std::size_t frames = 60;
   std::string method = "auto";
   bool compare = false;  ///< all methods instead of the one
   std::uint64_t seed = 1;
-  std::string html;              ///< a page to write; empty: none
-  std::string png;               ///< a picture of that page; empty: none
   std::string size;              ///< of the picture; empty: as it is
   std::string look;              ///< what the picture shows
   std::string cells = "method";  ///< those that the page shows, or "tracked"
-  int threads = 1;
-  Format format = Format::table;
 };
 
 struct DemoArguments {

@@ -16,7 +16,7 @@ void save(const CheckInput& input, const SceneQuestion& question, const std::str
 
 SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, int threads, const std::string& label) {
   ProgressBar bar(label);
-  return ask(input.models, question, {threads, bar.callback()});
+  return ask(input.loaded.scene, input.models, question, {threads, bar.callback()});
 }
 
 /// The same question with the faces that meet, and faults, which are drawn whether they are listed or not.
@@ -33,10 +33,11 @@ bool has_faces(const SceneAnswer& answer) {
   return self != nullptr && self->has_faces;
 }
 
-std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format format) {
+std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format format, const TableText& table = {}) {
   const LoadedScene& loaded = input.loaded;
   if (format == Format::json) return report_json(loaded.scene, input.models, answer, loaded.warnings);
   if (format == Format::csv) return report_csv(loaded.scene, answer);
+  if (table) return table(answer);
   return std::visit([&](const auto& report) { return table_of(input, report); }, answer);
 }
 
@@ -49,9 +50,9 @@ void print_answer(const CheckInput& input, const SceneAnswer& answer, Format for
 }
 
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
-                  const PosedArguments& arguments) {
-  if (arguments.format != Format::json) return print_answer(input, answer, arguments.format);
-  const std::string text = with_asked(text_of(input, answer, Format::json), asked_of(input, arguments, question));
+                  const PosedArguments& arguments, const TableText& table) {
+  std::string text = text_of(input, answer, arguments.format, table);
+  if (arguments.format == Format::json) text = with_asked(std::move(text), asked_of(input, arguments, question));
   print_warnings(input.loaded.warnings);
   print_answer(text);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "arguments.hpp"
@@ -26,10 +27,13 @@ struct Asking {
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const Asking& asking);
 
+/// What people read of an answer, where a subcommand has options about it; else `table_of`.
+using TableText = std::function<std::string(const SceneAnswer&)>;
+
 /// Prints the warnings of the input, and then the answer in that format; JSON as it is, or with what was asked.
 void print_answer(const CheckInput& input, const SceneAnswer& answer, Format format);
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
-                  const PosedArguments& arguments);
+                  const PosedArguments& arguments, const TableText& table = {});
 
 // What people read of each answer.
 std::string table_of(const CheckInput& input, const CheckReport& report);
@@ -41,5 +45,8 @@ std::string table_of(const CheckInput& input, const RayReport& report);
 std::string table_of(const CheckInput& input, const FacesReport& report);
 std::string table_of(const CheckInput& input, const NearestReport& report);
 std::string table_of(const CheckInput& input, const InspectReport& report);
+std::string table_of(const CheckInput& input, const RebalanceReport& report);
+std::string table_of(const CheckInput& input, const CostReport& report);
+std::string table_of(const CheckInput& input, const CrowdReport& report);
 
 }  // namespace toccata::command

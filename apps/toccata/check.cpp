@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
@@ -20,6 +21,10 @@ std::string table_of(const CheckInput& input, const CheckReport& report) {
 }
 
 int run_check(const CheckArguments& arguments) {
+  const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
+                           arguments.touching != Touching::count || !arguments.clearance.empty() ||
+                           !arguments.clearances_of.empty() || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"check", asks_itself, true})) return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
   require_touching_counts(arguments);
@@ -33,8 +38,7 @@ int run_check(const CheckArguments& arguments) {
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
   const CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
-  return std::get<CheckReport>(answer).pairs.empty() ? 0 : 1;
+  return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
 }  // namespace toccata::command

@@ -5,6 +5,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/io/relation_words.hpp"
@@ -39,8 +40,7 @@ int run_check_poses(const CheckArguments& arguments) {
   warn_of_open_meshes(input);
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
                                     arguments.penetration};
-  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
-  return contact_count(std::get<PosesReport>(answer)) == 0 ? 0 : 1;
+  return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
 }  // namespace toccata::command

@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
 #include "table_names.hpp"
@@ -38,8 +39,7 @@ int run_check_self(const CheckArguments& arguments) {
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const SelfQuestion question{arguments.faces};
-  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
-  return self_meeting_count(std::get<SelfReport>(answer)) == 0 ? 0 : 1;
+  return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
 }  // namespace toccata::command

@@ -3,29 +3,23 @@
 #include <algorithm>
 
 #include "arguments.hpp"
+#include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "cost_words.hpp"
 #include "output.hpp"
-#include "progress_bar.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/io/cost_report.hpp"
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/plot.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
 
-const TriangleMesh& mesh_of(const Posed& posed) {
-  if (!posed.model.has_mesh())
-    throw Error(fmt::format("'{}' is a {}; costs are measured of meshes", posed.name, name_of(posed.model.shape())));
-  return posed.model.mesh();
-}
-
+/// Without a file of poses the one that both have; none where there are not two, which is refused when it is asked.
 std::vector<PairQuery> queries_of(const CheckInput& input, const CostArguments& arguments) {
-  if (input.models.size() != 2)
-    throw Error(fmt::format("costs are measured of two meshes; here {} {}: name two files of one mesh each",
-                            input.models.size() == 1 ? "is" : "are", input.models.size()));
+  if (input.models.size() != 2) return {};
   if (!arguments.poses.empty()) return read_queries(input, arguments);
   return {{input.models[0].pose, input.models[1].pose}};
 }
@@ -71,30 +65,45 @@ std::string tables_of(const CostTable& table, std::size_t most, const std::strin
   return text;
 }
 
+/// Nothing was said about what is measured.
+bool is_plain(const CostOptions& given) {
+  const CostOptions plain;
+  return given.task == plain.task && given.workloads == plain.workloads && given.volumes == plain.volumes &&
+         given.arities == plain.arities && given.methods == plain.methods && given.leaf_size == plain.leaf_size &&
+         given.most_work == plain.most_work;
+}
+
 }  // namespace
 
+std::string table_of(const CheckInput&, const CostReport& report) {
+  constexpr std::size_t usual_rows = 10;
+  return tables_of(report.table, usual_rows, remark_on_wide(report.question.options));
+}
+
 int run_cost(const CostArguments& arguments) {
-  require_distinct({{"--svg", arguments.svg}}, arguments.input.files);
+  const bool asks_itself = changes_objects(arguments) || !is_plain(arguments.options);
+  if (const auto code = answered_case(arguments, {"cost", asks_itself})) return *code;
+  require_view(arguments);
+  require_distinct({{"--svg", arguments.svg},
+                    {"--html", arguments.html},
+                    {"--png", arguments.png},
+                    {"--glb", arguments.glb},
+                    {"--save-case", arguments.save_case}},
+                   arguments.input.files);
   if (!arguments.svg.empty()) require_output(arguments.svg, OutputKind::plot);
   const CheckInput input = read_check_input(arguments);
-  const std::vector<PairQuery> queries = queries_of(input, arguments);
-  CostTable table;
-  {
-    ProgressBar bar("measuring");
-    CostOptions options = arguments.options;
-    options.progress = bar.callback();
-    table = measure_costs(mesh_of(input.models[0]), mesh_of(input.models[1]), queries, options);
-  }
-  const LoadedScene& loaded = input.loaded;
-  const std::size_t most = arguments.rows == 0 ? table.rows.size() : arguments.rows;
-  const std::string json = cost_report_json(loaded.scene, input.models, table, loaded.warnings);
-  const std::string text = arguments.format == Format::json ? json
-                           : arguments.format == Format::csv
-                               ? cost_report_csv(table)
-                               : tables_of(table, most, remark_on_wide(arguments.options));
-  print_warnings(loaded.warnings);
-  if (!arguments.svg.empty()) write_output(report_plot_svg(json), arguments.svg, OutputKind::plot);
-  print_answer(text);
+  const CostQuestion question{queries_of(input, arguments), arguments.options};
+  const ViewTarget target = target_of(arguments);
+  const SceneAnswer answer = ask_for(input, question, arguments, {"measuring"});
+  if (draws_something(target)) write_view(target, input, answer);
+  if (!arguments.svg.empty())
+    write_output(report_plot_svg(report_json(input.loaded.scene, input.models, answer)), arguments.svg,
+                 OutputKind::plot);
+  print_answer(input, question, answer, arguments, [&](const SceneAnswer& found) {
+    const CostTable& table = std::get<CostReport>(found).table;
+    return tables_of(table, arguments.rows == 0 ? table.rows.size() : arguments.rows,
+                     remark_on_wide(arguments.options));
+  });
   return 0;
 }
 

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <vector>
+#include <utility>
 
 #include "look.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
-#include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/generate/crowds.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
 #include "tracked_cells.hpp"
@@ -19,35 +17,14 @@
 namespace toccata::command {
 namespace {
 
-/// The first frame is that before anything moves.
-CrowdRecording recorded(const CrowdArguments& arguments) {
+CrowdRecording recorded(const CrowdQuestion& question, const std::string& cells) {
   ProgressBar bar("frames for the page");
-  const Progress progress = bar.callback();
-  Crowd crowd(arguments.scene, arguments.count, arguments.seed);
-  BroadPhase phase({broad_phase_method(arguments.method), arguments.threads});
-  phase.add(crowd.boxes());
-  phase.update();
-  CrowdRecording recording;
   std::optional<TrackedCells> tracked;
-  if (arguments.cells == "tracked") tracked.emplace(crowd.boxes());
-  const auto record = [&] {
-    if (tracked)
-      recording.add(phase, tracked->frame(crowd.boxes()));
-    else
-      recording.add(phase);
+  const auto tracked_cells = [&](const std::vector<Aabb>& boxes) {
+    if (!tracked) tracked.emplace(boxes);
+    return tracked->frame(boxes);
   };
-  record();
-  std::vector<Aabb> to;
-  for (std::size_t frame = 0; frame < arguments.frames; ++frame) {
-    const std::span<const Index> moved = crowd.step();
-    to.clear();
-    for (const Index number : moved) to.push_back(crowd.boxes()[number]);
-    phase.move(moved, to);
-    phase.update();
-    record();
-    if (progress) progress(frame + 1, arguments.frames);
-  }
-  return recording;
+  return record_crowd(question, bar.callback(), cells == "tracked" ? CrowdCells(tracked_cells) : CrowdCells());
 }
 
 std::string told_of(const CrowdRecording& recording) {
@@ -60,7 +37,8 @@ std::string told_of(const CrowdRecording& recording) {
 
 }  // namespace
 
-CrowdView::CrowdView(const CrowdArguments& arguments) : arguments_(arguments) {
+CrowdView::CrowdView(const CrowdArguments& arguments, CrowdQuestion question)
+    : arguments_(arguments), question_(std::move(question)) {
   if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   if (arguments.html.empty() && arguments.png.empty()) {
@@ -72,7 +50,7 @@ CrowdView::CrowdView(const CrowdArguments& arguments) : arguments_(arguments) {
   if (arguments.count > CrowdRecording::most_boxes)
     throw Error(fmt::format("a page holds at most {}, not {}: say a smaller --count, or leave --html and --png out",
                             counted(CrowdRecording::most_boxes, "box", "boxes"), grouped(arguments.count)));
-  require_distinct({{"--html", arguments.html}, {"--png", arguments.png}}, {});
+  require_distinct({{"--html", arguments.html}, {"--png", arguments.png}, {"--save-case", arguments.save_case}}, {});
   if (!arguments.html.empty()) require_output(arguments.html, OutputKind::page);
   if (arguments.png.empty()) return;
   require_known_keys(arguments.look);
@@ -83,7 +61,7 @@ CrowdView::CrowdView(const CrowdArguments& arguments) : arguments_(arguments) {
 
 std::string CrowdView::write() const {
   if (arguments_.html.empty() && !picture_) return {};
-  const CrowdRecording recording = recorded(arguments_);
+  const CrowdRecording recording = recorded(question_, arguments_.cells);
   const std::string page = crowd_page(
       recording, {.title = fmt::format("{}, {}", counted(arguments_.count, "box", "boxes"), arguments_.scene)});
   if (picture_) write_picture(page, *picture_);

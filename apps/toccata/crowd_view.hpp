@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "picture.hpp"
+#include "toccata/io/crowd_report.hpp"
 
 namespace toccata::command {
 
@@ -12,13 +13,14 @@ namespace toccata::command {
 class CrowdView {
  public:
   /// Throws Error, before long work, where what is asked for cannot be written or does not go together.
-  explicit CrowdView(const CrowdArguments& arguments);
+  CrowdView(const CrowdArguments& arguments, CrowdQuestion question);
 
   /// Runs the crowd once more, frame by frame as it was measured, and writes what it was. Gives a line for each file.
   [[nodiscard]] std::string write() const;
 
  private:
   CrowdArguments arguments_;
+  CrowdQuestion question_;
   std::optional<PictureTarget> picture_;
 };
 

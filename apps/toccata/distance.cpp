@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
@@ -21,6 +20,7 @@ std::string table_of(const CheckInput& input, const DistanceReport& report) {
 }
 
 int run_distance(const DistanceArguments& arguments) {
+  if (const auto code = answered_case(arguments, {"distance", changes_objects(arguments)})) return *code;
   if (!arguments.poses.empty()) return run_distance_poses(arguments);
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
@@ -30,12 +30,7 @@ int run_distance(const DistanceArguments& arguments) {
                             arguments.input.files.front()));
   const std::vector<std::size_t>& first_object = loaded.first_object;
   const DistanceQuestion question{first_object.size() == 3 ? first_object[1] : 0};
-  const SceneAnswer answer = answer_to(question, input, arguments, "measuring");
-  const std::vector<ReportedDistance>& distances = std::get<DistanceReport>(answer).pairs;
-  return std::any_of(distances.begin(), distances.end(),
-                     [](const ReportedDistance& pair) { return pair.distance.upper == 0; })
-             ? 1
-             : 0;
+  return exit_code_of(answer_to(question, input, arguments, "measuring"));
 }
 
 }  // namespace toccata::command

@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "view.hpp"
@@ -24,8 +25,7 @@ int run_distance_poses(const DistanceArguments& arguments) {
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const DistancePosesQuestion question{read_queries(input, arguments)};
-  const SceneAnswer answer = answer_to(question, input, arguments, "measuring");
-  return meeting_count(std::get<DistancePosesReport>(answer)) == 0 ? 0 : 1;
+  return exit_code_of(answer_to(question, input, arguments, "measuring"));
 }
 
 }  // namespace toccata::command

@@ -5,6 +5,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
@@ -32,13 +33,14 @@ std::string table_of(const CheckInput& input, const FacesReport& report) {
 }
 
 int run_faces(const FacesArguments& arguments) {
+  const bool asks_itself = arguments.region || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"faces", asks_itself, false, true})) return *code;
   if (!arguments.region)
     throw Error("no region is given: --box X0 Y0 Z0 X1 Y1 Z1, the least corner and the greatest, or --ball X Y Z R");
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const FacesQuestion question{*arguments.region};
-  const SceneAnswer answer = answer_to(question, input, arguments, "looking");
-  return std::get<FacesReport>(answer).found.empty() ? 0 : 1;
+  return exit_code_of(answer_to(question, input, arguments, "looking"));
 }
 
 }  // namespace toccata::command

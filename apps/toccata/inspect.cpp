@@ -5,6 +5,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "cost_words.hpp"
 #include "shape_text.hpp"
@@ -118,6 +119,8 @@ std::string table_of(const CheckInput& input, const InspectReport& report) {
 }
 
 int run_inspect(const InspectArguments& arguments) {
+  const bool asks_itself = arguments.volumes || arguments.partitions || arguments.faults || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"inspect", asks_itself})) return *code;
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   if (arguments.volumes) warn_of_other_shapes(input.loaded, "--volumes");

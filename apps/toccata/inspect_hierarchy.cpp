@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "answer.hpp"
 #include "arguments.hpp"
-#include "load.hpp"
-#include "output.hpp"
+#include "ask.hpp"
+#include "case_asked.hpp"
+#include "check_input.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/io/hierarchy_report.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -48,7 +52,9 @@ double gain(const HierarchyReport& from, const HierarchyReport& to) {
   return to.cost() > 0 ? from.cost() / to.cost() : 1;
 }
 
-std::string hierarchy_text(const RebalanceReport& report) {
+}  // namespace
+
+std::string table_of(const CheckInput&, const RebalanceReport& report) {
   const Rows rows = {{"", "nodes", "depth", "mean", "most children", "siblings that overlap", "N_bv", "N_p", "F"},
                      row_of("as it is", report.as_is),
                      row_of("cured", report.cured),
@@ -63,15 +69,13 @@ std::string hierarchy_text(const RebalanceReport& report) {
   return text;
 }
 
-}  // namespace
-
 int run_inspect_hierarchy(const InspectArguments& arguments) {
-  const LoadedScene loaded = load(arguments.input);
-  const RebalanceReport report = rebalance_report(loaded.scene);
-  const std::string text =
-      arguments.format == Format::json ? hierarchy_report_json(report, loaded.warnings) : hierarchy_text(report);
-  print_warnings(loaded.warnings);
-  print_answer(text);
+  if (arguments.faults)
+    throw Error("--faults is about meshes, and --hierarchy about the tree of nodes: ask one of them");
+  if (const auto code = answered_case(arguments, {"hierarchy", changes_objects(arguments)})) return *code;
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  (void)answer_to(HierarchyQuestion{}, input, arguments, "walking");
   return 0;
 }
 

@@ -102,6 +102,7 @@ LoadedScene load(const InputArguments& input) {
     const bool file_is_new = !read.contains(file);
     if (file_is_new) read.emplace(file, read_scene(path_of(file, input.folder), options));
     loaded.first_object.push_back(loaded.scene.objects.size());
+    loaded.first_node.push_back(loaded.scene.nodes.size());
     const Scene& scene = read.at(file);
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
     loaded.units.push_back(scene.unit);
@@ -113,6 +114,7 @@ LoadedScene load(const InputArguments& input) {
     append(loaded.scene, scene, file, file_is_new, names);
   }
   loaded.first_object.push_back(loaded.scene.objects.size());
+  loaded.first_node.push_back(loaded.scene.nodes.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
   return loaded;
 }

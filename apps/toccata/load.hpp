@@ -13,6 +13,7 @@ namespace toccata::command {
 struct LoadedScene {
   Scene scene;
   std::vector<std::size_t> first_object;  ///< of each file, and one past the last
+  std::vector<std::size_t> first_node;    ///< the same of nodes
   std::vector<std::string> warnings;
   std::vector<std::string> units{};  ///< of each file; the scene has that of the first
 };

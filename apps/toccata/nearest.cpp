@@ -5,6 +5,7 @@
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "table_names.hpp"
@@ -67,13 +68,14 @@ std::string table_of(const CheckInput& input, const NearestReport& report) {
 }
 
 int run_nearest(const NearestArguments& arguments) {
+  const bool asks_itself = arguments.point || !arguments.points.empty() || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"nearest", asks_itself, false, true})) return *code;
   NearestQuestion question{points_asked(arguments), arguments.k};
   question.sides = arguments.sides;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
-  (void)answer_to(question, input, arguments, "looking");
-  return 0;
+  return exit_code_of(answer_to(question, input, arguments, "looking"));
 }
 
 }  // namespace toccata::command

@@ -83,6 +83,7 @@ void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, con
   add_formats(app, options, report);
   add_threads(app, arguments.threads, "answer");
   add_pages(app, arguments);
+  add_glb(app, arguments);
   add_save_case(app, arguments.save_case);
 }
 

@@ -44,6 +44,9 @@ void add_cost(CLI::App& app, Options& options) {
   add_file(*cost, "--svg", options.cost.svg,
            "also draw the cheapest hierarchy of each volume as bars (docs/reference/plots.md)", "FILE.svg");
   add_formats(*cost, options, "docs/reference/cost-report.md");
+  add_pages(*cost, options.cost);
+  add_glb(*cost, options.cost);
+  add_save_case(*cost, options.cost.save_case);
   cost->footer(
       with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
                 "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
@@ -194,6 +197,9 @@ void add_crowd(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"method", "tracked"}))
       ->capture_default_str();
   add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
+  add_save_case(
+      *crowd, options.crowd.save_case,
+      "write the question and the answer into one file; `replay` asks it again (docs/reference/case-file.md)");
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(
       with_name("Exit code: 0, or 2 for trouble.\n\n"

@@ -20,7 +20,6 @@ void add_check(CLI::App& app, Options& options) {
   const auto [clearance, clearance_of] = add_clearances(*check, options.check);
   clearance->excludes(poses);
   clearance_of->excludes(poses);
-  CLI::Option* glb = add_glb(*check, options.check)->excludes(poses);
   check
       ->add_flag("--self", options.check.self,
                  "each object against itself, instead of against the others: where its own faces meet")
@@ -28,7 +27,6 @@ void add_check(CLI::App& app, Options& options) {
       ->excludes(penetration)
       ->excludes(clearance)
       ->excludes(clearance_of)
-      ->excludes(glb)
       ->excludes(solid)
       ->excludes(touching);
   check->add_flag("--faces", options.check.faces,

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
@@ -51,12 +50,12 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
 }
 
 int run_ray(const RayArguments& arguments) {
+  const bool asks_itself = arguments.from || arguments.to || !arguments.rays.empty() || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"ray", asks_itself, false, true})) return *code;
   const RayQuestion question{rays_asked(arguments)};
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
-  const SceneAnswer answer = answer_to(question, input, arguments, "following rays");
-  const std::vector<ReportedRay>& met = std::get<RayReport>(answer).rays;
-  return std::any_of(met.begin(), met.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
+  return exit_code_of(answer_to(question, input, arguments, "following rays"));
 }
 
 }  // namespace toccata::command

@@ -24,10 +24,10 @@ struct Replayed {
 };
 
 Replayed asked_again(const Case& content, int threads) {
-  Replayed now{{{content.scene, {0, content.scene.objects.size()}, {}}, {}}, {}, {}};
+  Replayed now{{{content.scene, {0, content.scene.objects.size()}, {0}, {}}, {}}, {}, {}};
   try {
     now.input.models = scene_models(content.scene, threads);
-    now.answer = ask(now.input.models, *content.question, {threads, {}});
+    now.answer = ask(content.scene, now.input.models, *content.question, {threads, {}});
     now.json = report_json(content.scene, now.input.models, *now.answer);
   } catch (const Error& error) {
     now.json = error_json(error.what());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -14,13 +15,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the objects of each file, as they are asked about.
-std::vector<AskedFile> files_of(const LoadedScene& loaded, const std::vector<std::string>& names) {
+/// What one of the files holds, with its tree of nodes counted from its first.
+Scene part_of(const LoadedScene& loaded, std::size_t file) {
+  const auto from = [](auto& list, const std::vector<std::size_t>& first, std::size_t i) {
+    return std::pair{list.begin() + static_cast<std::ptrdiff_t>(first[i]),
+                     list.begin() + static_cast<std::ptrdiff_t>(first[i + 1])};
+  };
+  const auto objects = from(loaded.scene.objects, loaded.first_object, file);
+  const auto nodes = from(loaded.scene.nodes, loaded.first_node, file);
+  Scene part{{objects.first, objects.second}, {nodes.first, nodes.second}, loaded.units[file]};
+  const auto first = static_cast<Index>(loaded.first_node[file]);
+  for (SceneNode& node : part.nodes)
+    if (node.parent) *node.parent -= first;
+  for (SceneObject& object : part.objects)
+    if (object.node) *object.node -= first;
+  return part;
+}
+
+/// Of the objects of each file, as they are asked about, and of their nodes where these are asked about too.
+std::vector<AskedFile> files_of(const LoadedScene& loaded, const std::vector<std::string>& names,
+                                const SceneQuestion& question) {
+  const bool has_nodes = std::holds_alternative<HierarchyQuestion>(question);
   const std::span<const SceneObject> objects = loaded.scene.objects;
   std::vector<AskedFile> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::size_t first = loaded.first_object[i], end = loaded.first_object[i + 1];
-    files.push_back({names[i], content_digest(objects.subspan(first, end - first), loaded.units[i])});
+    files.push_back({names[i], has_nodes ? content_digest(part_of(loaded, i))
+                                         : content_digest(objects.subspan(first, end - first), loaded.units[i])});
   }
   return files;
 }
@@ -49,7 +70,7 @@ std::optional<fs::path> missing_file(const Asked& asked, const fs::path& folder)
 /// The first of the files that holds something else now.
 std::optional<std::string> changed_file(const Asked& asked, const CheckInput& input,
                                         const std::vector<std::string>& names) {
-  const std::vector<AskedFile> files = files_of(input.loaded, names);
+  const std::vector<AskedFile> files = files_of(input.loaded, names, asked.question);
   for (std::size_t i = 0; i < files.size(); ++i)
     if (files[i].digest != asked.files[i].digest) return files[i].name;
   return std::nullopt;
@@ -96,7 +117,7 @@ std::vector<fs::path> folders_of(const Asked& asked, const std::string& report) 
 Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const SceneQuestion& question) {
   std::error_code trouble;  // where it was deleted
   return {fs::current_path(trouble).string(),
-          files_of(input.loaded, arguments.input.files),
+          files_of(input.loaded, arguments.input.files, question),
           arguments.input.unit,
           arguments.input.scale,
           arguments.pose_a,
@@ -105,7 +126,14 @@ Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const S
           question};
 }
 
+CheckInput about_no_file() {
+  CheckInput input;
+  input.loaded.scene.unit = "unit";
+  return input;
+}
+
 CheckInput read_again(const SavedReport& saved, const std::string& report, int threads) {
+  if (saved.asked.files.empty()) return about_no_file();
   std::string trouble;
   bool had_files = false;
   for (const fs::path& folder : folders_of(saved.asked, report)) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ask.hpp"
+#include "case_asked.hpp"
 #include "look.hpp"
 #include "output.hpp"
 #include "saved.hpp"
@@ -87,8 +88,8 @@ struct Drawn {
 
 /// The options ask about the objects themselves.
 bool asks_itself(const ViewArguments& arguments) {
-  return arguments.penetration || !arguments.clearance.empty() || !arguments.clearances_of.empty() || arguments.solid ||
-         arguments.input.scale != 1 || !arguments.input.unit.empty() || arguments.pose_a || arguments.pose_b;
+  return arguments.penetration || !arguments.clearance.empty() || !arguments.clearances_of.empty() ||
+         changes_objects(arguments);
 }
 
 Drawn drawn_report(const ViewArguments& arguments) {
@@ -132,9 +133,9 @@ Drawn drawn_case(const ViewArguments& arguments) {
 /// A report, or a case, as it asks; everything else as pairs that touch or are as near as the options say.
 Drawn drawn_of(const ViewArguments& arguments) {
   const std::vector<std::string>& files = arguments.input.files;
-  const bool is_json = files.size() == 1 && extension_of(files[0]) == ".json";
-  if (is_json && is_report(files[0])) return drawn_report(arguments);
-  return is_json ? drawn_case(arguments) : drawn_as_asked_here(arguments);
+  const bool is_one_json = files.size() == 1 && is_json(files[0]);
+  if (is_one_json && is_report(files[0])) return drawn_report(arguments);
+  return is_one_json ? drawn_case(arguments) : drawn_as_asked_here(arguments);
 }
 
 /// Where the answer is another than the recorded one; empty where none is recorded.
@@ -158,6 +159,13 @@ struct FindingsTold {
   std::string operator()(const RayReport& r) const { return counted(r.rays.size(), "ray"); }
   std::string operator()(const FacesReport& r) const { return counted(r.found.size(), "object") + " in the region"; }
   std::string operator()(const NearestReport& r) const { return counted(r.points.size(), "point"); }
+  std::string operator()(const RebalanceReport& r) const {
+    return counted(r.as_is.levels.size(), "level") + " of nodes";
+  }
+  std::string operator()(const CostReport& r) const { return counted(r.table.rows.size(), "hierarchy", "hierarchies"); }
+  std::string operator()(const CrowdReport& r) const {
+    return fmt::format("{} in {}", counted(r.question.count, "box", "boxes"), counted(r.question.frames, "frame"));
+  }
   std::string operator()(const InspectReport& r) const {
     std::size_t faults = 0;
     for (const InspectedObject& object : r.objects)
@@ -182,6 +190,8 @@ std::string told_of(const ViewTarget& target, const std::string& holds) {
 }
 
 }  // namespace
+
+bool is_json(const std::string& file) { return extension_of(file) == ".json"; }
 
 UpAxis up_of(const std::vector<std::string>& files) {
   return !files.empty() && std::all_of(files.begin(), files.end(), is_gltf) ? UpAxis::y : UpAxis::z;
@@ -248,8 +258,9 @@ int run_view(const ViewArguments& arguments) {
         "the answer of now is drawn, and it is another than the recorded one, first at " + difference);
   print_warnings(drawn.input.loaded.warnings);
   write_view(target, drawn.input, answer);
-  print_answer(
-      told_of(target, counted(drawn.input.models.size(), "object") + " and " + std::visit(FindingsTold{}, answer)));
+  const std::string found = std::visit(FindingsTold{}, answer);
+  const std::size_t objects = drawn.input.models.size();
+  print_answer(told_of(target, objects == 0 ? found : counted(objects, "object") + " and " + found));
   return difference.empty() ? 0 : 1;
 }
 

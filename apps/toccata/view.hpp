@@ -32,6 +32,9 @@ bool draws_something(const ViewTarget& target);
 void require_view(const ViewTarget& target, const PosedArguments& arguments);
 void require_view(const PosedArguments& arguments);
 
+/// Its name ends with ".json", however that is spelled.
+bool is_json(const std::string& file);
+
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
 UpAxis up_of(const std::vector<std::string>& files);
 

@@ -45,7 +45,10 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
       {{"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"}, "1 object and 1 ray"},
       {{"faces", "bow.off", "--ball", "0", "0", "0", "1"}, "1 object and 1 object in the region"},
       {{"nearest", "gen:box", "bow.off", "--point", "0", "0", "9"}, "2 objects and 1 point"},
-      {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 6 faults"}};
+      {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 6 faults"},
+      {{"inspect", "bow.off", "gen:box", "--hierarchy"}, "2 objects and 2 levels of nodes"},
+      {{"cost", "bow.off", "gen:box", "--quick"}, "2 objects and "},
+      {{"crowd", "--count", "30", "--frames", "4"}, "30 boxes in 4 frames"}};
   for (const auto& [words, told] : questions) {
     SCOPED_TRACE(words[0] + " " + words.back());
     const TemporaryFolder elsewhere;
@@ -175,12 +178,11 @@ TEST(SavedReportCommand, WhatCannotBeAskedAgainIsRefused) {
   std::string text = text_of(report);
   text.erase(text.find(",\n  \"asked\""));
   refused(drawn(elsewhere.write("old.json", text + "\n}\n")), "does not say what was asked");
-  const fs::path inspected =
-      elsewhere.write("inspect.json", run_command({"inspect", "gen:box", "--hierarchy", "--json"}).out);
-  refused(drawn(inspected), "toccata view FILE");
+  const fs::path crowd = report_of(folder, elsewhere, {"crowd", "--count", "30", "--frames", "4"});
+  refused(drawn(crowd, {"--glb", "a.glb"}), "a crowd moves; a page shows it");
   folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.1 0 0\n");
   const fs::path poses = report_of(folder, elsewhere, {"distance", "gen:box", "bow.off", "--poses", "poses.txt"});
-  refused(drawn(poses, {"--glb", "a.glb"}), "a page shows them: view_page, or -o FILE.html");
+  refused(drawn(poses, {"--glb", "a.glb", "--hierarchy", "obb"}), "a page shows them: view_page, or -o FILE.html");
 }
 
 TEST(SavedReportCommand, AReportIsNoScene) {
@@ -203,7 +205,8 @@ TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {
                                  {"ray", "bow.off", "--from", "0", "0", "9", "--to", "0", "0", "-9"},
                                  {"faces", "bow.off", "--box", "0", "0", "0", "1", "1", "1"},
                                  {"nearest", "bow.off", "--point", "0", "0", "9"},
-                                 {"inspect", "bow.off"}}) {
+                                 {"inspect", "bow.off"},
+                                 {"inspect", "bow.off", "--hierarchy"}}) {
     SCOPED_TRACE(question[0] + " " + question.back());
     Asking words = question;
     words.insert(words.end(), {"--html", "page.html"});

@@ -130,7 +130,6 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"view", "gen:box", "-o", "a.html", "--glb", "./a.html"},
           "--glb would write ./a.html, which is that of -o or --html too: give them different names");
   refused({"view", "broken.obj", "-o", "broken.obj"}, "which is a file that is read too");
-  refused({"check", "gen:box", "gen:box", "--self", "--glb", "a.glb"}, "excludes");
   EXPECT_EQ(text_of(folder.path() / "notes.txt"), "mine");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
 }

@@ -218,6 +218,62 @@ def check_inspect(checks, browser):
     checks.quiet(browser, "inspect")
 
 
+def check_trees(checks, browser):
+    """The tree of nodes of a scene as it is and rebalanced: numbers of the report, and as many boxes as nodes."""
+    checks.run("demo", "--write", "scenes")
+    report = drawn_report(checks, browser, "trees", "inspect", "scenes/robot/scene.json", "--hierarchy")
+    checks.expect(len(rows(browser)) == 3, f"{rows(browser)}")
+    for number, name in enumerate(["as_is", "cured", "rebuilt"]):
+        tree = report[name]
+        sentence, facts = told(browser, number)
+        checks.expect(sentence.startswith(f"The tree of nodes {name.replace('_', ' ').replace('as is', 'as it is')} finds all pairs"), sentence)
+        checks.expect(is_close(number_in(r"F = ([-\d.e]+)", [sentence]), tree["F"]), f"{tree['F']}: {sentence}")
+        checks.expect(any(fact.startswith(f"{tree['nodes']} nodes over {tree['leaves']} objects, {tree['depth']} deep") for fact in facts), f"{facts}")
+        layers = browser.value(f"toccata.data.header.layers.filter(layer => layer.kind === 'boxes').slice({2 * number}, {2 * number + 2})")
+        checks.expect(layers[0]["finding"] == number and layers[0]["data"]["count"] == 6 * tree["nodes"], f"{layers[0]}")
+        checks.expect([step["count"] for step in layers[1]["steps"]] == [level["nodes"] for level in tree["levels"]], f"{layers[1]['steps']}")
+    before = browser.picture()
+    browser.press("Escape")
+    browser.value("(() => { const slider = document.querySelector('#layers input[type=range]'); slider.value = '2'; slider.oninput(); })()")
+    time.sleep(0.3)
+    checks.expect(differing(before, browser.picture())[0] > 0.001, "a level is drawn")
+    checks.quiet(browser, "trees")
+
+
+def check_costs(checks, browser):
+    """Measured again each time, so the page is compared with the report that it holds, and that with the kept one."""
+    report = json.loads(checks.run("cost", "gen:torus", "gen:icosphere", "--poses", "poses.txt", "--volumes", "aabb,obb,ball", "--quick", "--json"))
+    (checks.folder / "cost.json").write_text(json.dumps(report))
+    checks.run("view", "cost.json", "-o", "cost.html")
+    checks.opened(browser, "cost.html", "#theme=light")
+    now = browser.value("toccata.data.report")
+    key = lambda row: (row["workload"], row["volume"], row["arity"], row["builder"], row["N_u"], row["N_bv"], row["N_p"])
+    checks.expect(sorted(map(key, now["rows"])) == sorted(map(key, report["rows"])), "the same counts")
+    checks.expect(len(rows(browser)) == len(report["rows"]), f"a row for each hierarchy: {len(rows(browser))}")
+    for number in (0, len(now["rows"]) - 1):
+        row = now["rows"][number]
+        sentence, facts = told(browser, number)
+        checks.expect(sentence.startswith(f"With {row['volume']}, {row['arity']} children a node, built by {row['builder']}"), sentence)
+        checks.expect(is_close(number_in(r"([-\d.e]+) pairs of volumes compared", facts), row["N_bv"] / row["queries"]), f"{facts}")
+    at = [now["objects"][1]["pose"][9:12], [0.25, 0, 0]]
+    checks.expect(is_near(*at), f"the first pose is drawn: {at}")
+    volumes = {row["volume"] for i, row in enumerate(now["rows"]) if i == 0 or row["workload"] != now["rows"][i - 1]["workload"]}
+    names = browser.value("toccata.data.header.layers.filter(layer => layer.kind === 'hierarchy').map(layer => layer.name)")
+    checks.expect(len(names) == 2 * len(volumes) and all(any(volume in name for name in names) for volume in volumes), f"{names}")
+    checks.quiet(browser, "cost")
+
+
+def check_crowd_again(checks, browser):
+    report = checks.run("crowd", "--count", "60", "--frames", "5", "--seed", "7", "--method", "grid", "--json")
+    (checks.folder / "crowd.json").write_text(report)
+    checks.run("view", "crowd.json", "-o", "again.html")
+    checks.opened(browser, "again.html", "#theme=light&moment=5")
+    pairs = json.loads(report)["methods"][0]["pairs"]
+    note = browser.value("toccata.data.header.time.moments[5].note")
+    checks.expect(note.startswith(f"{pairs} pair"), f"{pairs} pairs: {note}")
+    checks.quiet(browser, "crowd")
+
+
 def check_names(checks, browser):
     """Names are text, whatever was asked."""
     checks.write_scene("wicked.json", [{"name": WICKED, "shape": BOX}, {"name": "b", "shape": BOX, "pose": moved(3)}])
@@ -228,10 +284,11 @@ def check_names(checks, browser):
         ("self", ["check", "wicked.json", "--self"]),
         ("distance", ["distance", "wicked.json"]),
         ("inspect", ["inspect", "wicked.json"]),
+        ("trees", ["inspect", "wicked.json", "--hierarchy"]),
     ]:
         drawn_report(checks, browser, f"wicked-{name}", *words)
         sentence, _ = told(browser, 0)
-        checks.expect(WICKED in sentence and browser.value("document.images.length") == 0, f"{name}: a name is shown as it is: {sentence}")
+        checks.expect((name == "trees" or WICKED in sentence) and browser.value("document.images.length") == 0, f"{name}: a name is shown as it is: {sentence}")
         checks.quiet(browser, f"wicked {name}")
 
 
@@ -242,7 +299,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, Browser() as browser:
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
-        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_names]:
+        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_trees, check_costs, check_crowd_again, check_names]:
             check(checks, browser)
     print(f"findings: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

@@ -24,6 +24,11 @@ REPORTS = {
     "nearest": (["nearest", "gen:torus", "gen:box", "--point", "0.3", "0.2", "9", "--k", "2"], 2),
     "faces": (["faces", "gen:torus", "gen:box", "--box", "0", "0", "0", "1", "1", "1"], 2),
     "self": (["check", "bow.off", "gen:box", "--self"], 1),
+    "poses": (["check", "gen:torus", "gen:box", "--poses", "poses.txt"], 2),
+    "ways": (["distance", "gen:torus", "gen:box", "--poses", "poses.txt"], 2),
+    "inspect": (["inspect", "bow.off", "gen:box"], 1),
+    "hierarchy": (["inspect", "bow.off", "gen:box", "--hierarchy"], 6),
+    "cost": (["cost", "gen:torus", "gen:box", "--quick", "--volumes", "obb"], 0),
     "distance": (["distance", "gen:torus", "gen:box", "--pose-b", *"1 0 0 0 1 0 0 0 1 9 0 0".split()], 1),
 }
 BOW = "OFF\n5 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 1\n1 1 -1\n3 0 1 2\n3 0 3 4\n"
@@ -37,12 +42,17 @@ def run(folder, *words):
 
 def check_reports(folder):
     (folder / "bow.off").write_text(BOW)
+    (folder / "poses.txt").write_text("1 0 0 0 1 0 0 0 1 1 0 0\n0 -1 0 1 0 0 0 0 1 9 0 0\n")
     for name, (words, findings) in REPORTS.items():
         (folder / "report.json").write_text(run(folder, TOCCATA, *words, "--json"))
         run(folder, TOCCATA, "view", "report.json", "--glb", f"{name}.glb")
         expected = contents(folder / f"{name}.glb")
-        found, _, _ = read_by_assimp(run(folder, "assimp", "info", f"{name}.glb"))
-        assert found["Nodes"] == expected["Nodes"] and found["Faces"] == expected["Faces"], f"{name}: {found}, {expected}"
+        text = run(folder, "assimp", "info", f"{name}.glb")
+        found, _, _ = read_by_assimp(text)
+        animations = int(re.search(r"^Animations:\s+(\d+)", text, re.M).group(1))
+        assert animations == (name in ("poses", "ways")), f"{name}: {animations} animations"
+        shares = name == "hierarchy"  # Assimp takes meshes that are equal for one, and so are those of trees that need no cure
+        assert found["Nodes"] == expected["Nodes"] and (shares or found["Faces"] == expected["Faces"]), f"{name}: {found}, {expected}"
         data = (folder / f"{name}.glb").read_bytes()
         nodes = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])["nodes"]
         told = [node for node in nodes if "extras" in node]

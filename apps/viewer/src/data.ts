@@ -214,6 +214,40 @@ export interface ReportObject {
 /// What a report leaves out of objects that are no meshes.
 const plainObject = { triangles: 0, faces: 0, closed: false, solid: false, group: '' };
 
+/// Of `cost`: one volume, arity and builder.
+export interface CostRow {
+  workload: string;
+  volume: string;
+  arity: number;
+  builder: string;
+  queries: number;
+  N_u: number;
+  N_bv: number;
+  N_p: number;
+  C_u_ns: number;
+  C_bv_ns: number;
+  C_p_ns: number;
+  F_ns: number;
+  measured_ns: number;
+  build_ns: number;
+  nodes: number;
+  bytes: number;
+}
+
+/// Of `inspect --hierarchy`.
+export interface TreeReport {
+  nodes: number;
+  leaves: number;
+  depth: number;
+  mean_depth: number;
+  most_children: number;
+  sibling_pairs: number;
+  overlapping_sibling_pairs: number;
+  N_bv: number;
+  N_p: number;
+  F: number;
+}
+
 /// What the subcommand writes with --json (docs/reference), without the faces.
 export interface Report {
   schema: string;
@@ -227,6 +261,15 @@ export interface Report {
   rays?: Ray[];
   region?: { lower?: Vec; upper?: Vec; centre?: Vec; radius?: number };
   points?: NearPoint[];
+  task?: string;
+  rows?: CostRow[];
+  winners?: Record<string, string[]>;
+  left_out?: string[];
+  as_is?: TreeReport;
+  cured?: TreeReport;
+  rebuilt?: TreeReport;
+  named_nodes?: number;
+  kept_nodes?: number;
 }
 
 export class PageData {

@@ -2,6 +2,7 @@
 // of the engine's words and numbers; nothing is computed but how a number is written.
 import type { Distance, Header, Pair, PageData, Penetration, Report } from './data';
 import { ofInspected } from './inspected';
+import { ofCosts, ofTrees } from './measured';
 import { countText, directionText, lengthText, numberText, vectorText } from './words';
 
 /// A text, or the name of an object, which is untrusted.
@@ -309,6 +310,8 @@ const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/faces/1': ofFaces,
   'toccata/nearest/1': ofPoints,
   'toccata/inspect/1': ofInspected,
+  'toccata/cost/1': ofCosts,
+  'toccata/hierarchy/1': ofTrees,
 };
 
 export function findingsOf(data: PageData): Findings {

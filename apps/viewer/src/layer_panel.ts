@@ -25,6 +25,7 @@ const roleNames: Record<string, string> = {
   degenerate_triangles: 'Degenerate triangles',
   duplicate_triangles: 'Duplicate triangles',
   unused_vertices: 'Unused vertices',
+  tree: 'Boxes of the tree',
 };
 
 export class LayerPanel {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,14 @@ class CrowdRecording {
   std::vector<bool> has_moved_;
   std::size_t seen_ = 0, stride_ = 1, bytes_ = 0;
 };
+
+/// What is shown as the cells of a frame, of its boxes.
+using CrowdCells = std::function<BroadPhaseCells(const std::vector<Aabb>& boxes)>;
+
+/// A crowd (run_crowd) once more by the first of the methods, kept frame by frame; the first is that before anything
+/// moves. Throws Error as CrowdRecording does.
+[[nodiscard]] CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progress = {},
+                                          const CrowdCells& cells = {});
 
 /// A self-contained page as that of `view_page`, which shows the boxes, their pairs and the cells of the method as
 /// layers, with a slider over the frames. What is drawn is rounded to 1/65535 of what it lies in. Infinite sides end

@@ -15,7 +15,7 @@ namespace toccata {
 /// unit (one that is not known counts as a metre) and from `options.up`. Vertices are floats, counted from a place near
 /// them, and nodes are doubles: points are off by at most 2⁻²⁰ of the size of their mesh or, where they are shown of
 /// pairs, of their pair. The same bytes on every machine. Throws Error as view_page does, when the file would have
-/// 4 GiB, and for answers about many poses.
+/// 4 GiB, for a crowd, and for poses that shear what they move.
 [[nodiscard]] std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                     const ViewOptions& options = {});
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "toccata/query/check_all.hpp"
 #include "toccata/query/scene_hierarchy.hpp"
 
 namespace toccata {
@@ -21,6 +22,7 @@ struct RebalanceReport {
 [[nodiscard]] RebalanceReport rebalance_report(const Scene& scene);
 
 /// JSON by docs/methods/scene-graph.md#the-report.
-[[nodiscard]] std::string hierarchy_report_json(const RebalanceReport& report, std::span<const std::string> warnings);
+[[nodiscard]] std::string hierarchy_report_json(const Scene& scene, std::span<const Posed> models,
+                                                const RebalanceReport& report, std::span<const std::string> warnings);
 
 }  // namespace toccata

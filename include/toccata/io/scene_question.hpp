@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "toccata/core/progress.hpp"
+#include "toccata/io/cost_report.hpp"
+#include "toccata/io/crowd_report.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"
+#include "toccata/io/hierarchy_report.hpp"
 #include "toccata/io/inspect_report.hpp"
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/poses_report.hpp"
@@ -73,8 +76,19 @@ struct InspectQuestion {
   bool faults = false;      ///< where the faults are that are counted
 };
 
-using SceneQuestion = std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion,
-                                   DistancePosesQuestion, RayQuestion, FacesQuestion, NearestQuestion, InspectQuestion>;
+/// How good the scene's tree of nodes is as a hierarchy: `inspect --hierarchy`.
+struct HierarchyQuestion {};
+
+/// What a question about two meshes costs with each bounding volume and hierarchy: `cost`.
+struct CostQuestion {
+  std::vector<PairQuery> queries;  ///< the first object is A, the second B
+  CostOptions options{};           ///< `progress` plays no part: AskOptions has one
+};
+
+/// The last, of a crowd, is about no scene: it is asked of no models.
+using SceneQuestion =
+    std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion, DistancePosesQuestion, RayQuestion,
+                 FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion>;
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -95,9 +109,14 @@ struct InspectReport {
   std::vector<InspectedObject> objects;  ///< those of the scene, in its order
 };
 
+struct CostReport {
+  CostTable table;
+  CostQuestion question;
+};
+
 /// What a question found, in the order of SceneQuestion's alternatives.
 using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
-                                 FacesReport, NearestReport, InspectReport>;
+                                 FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport>;
 
 struct AskOptions {
   int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
@@ -109,15 +128,20 @@ struct AskOptions {
 [[nodiscard]] SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
-/// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect".
+/// The same; a question about the scene's tree of nodes needs the scene, whose objects the models are.
+[[nodiscard]] SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQuestion& question,
+                              const AskOptions& options = {});
+
+/// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
+/// "hierarchy", "cost", "crowd".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
 [[nodiscard]] std::string report_json(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                       std::span<const std::string> warnings = {});
 
-/// The same as comma-separated values with a header line. Throws Error for the answer to `inspect`, which has no such
-/// form.
+/// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
+/// `inspect` and of crowds.
 [[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
 
 }  // namespace toccata

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/cases/ask_cost.hpp"
 #include "io/cases/ask_inspect.hpp"
 #include "io/cases/ask_nearest.hpp"
 #include "io/cases/asked_of.hpp"
@@ -27,7 +28,9 @@ Distance distance_of(const Posed& a, const Posed& b, Workspace& workspace) {
 /// Asks one question after the other.
 class Asking {
  public:
-  Asking(std::span<const Posed> models, const AskOptions& options) : models_(models), options_(options) {}
+  /// `scene`, where it is known, is the models'.
+  Asking(std::span<const Posed> models, const AskOptions& options, const Scene* scene = nullptr)
+      : models_(models), options_(options), scene_(scene) {}
 
   SceneAnswer operator()(const CheckQuestion& question) const {
     CheckOptions options;
@@ -115,6 +118,18 @@ class Asking {
     return io::ask_inspect(models_, question, options_.progress);
   }
 
+  SceneAnswer operator()(const HierarchyQuestion&) const {
+    if (scene_ == nullptr)
+      throw Error("this is asked about a scene's tree of nodes: hand the scene over, ask(scene, models, question)");
+    return rebalance_report(*scene_);
+  }
+
+  SceneAnswer operator()(const CostQuestion& question) const {
+    return io::ask_cost(models_, question, options_.progress);
+  }
+
+  SceneAnswer operator()(const CrowdQuestion& question) const { return run_crowd(question, options_.progress); }
+
  private:
   void require_two() const {
     if (models_.size() != 2)
@@ -140,6 +155,7 @@ class Asking {
 
   std::span<const Posed> models_;
   const AskOptions& options_;
+  const Scene* scene_;
 };
 
 /// Writes the report of one answer after the other.
@@ -167,6 +183,9 @@ struct ReportWriter {
   std::string operator()(const InspectReport& r) const {
     return inspect_report_json(io::with_sources(r, scene).objects, scene.unit, warnings);
   }
+  std::string operator()(const RebalanceReport& r) const { return hierarchy_report_json(scene, models, r, warnings); }
+  std::string operator()(const CostReport& r) const { return cost_report_json(scene, models, r.table, warnings); }
+  std::string operator()(const CrowdReport& r) const { return crowd_report_json(r); }
 };
 
 struct CsvWriter {
@@ -180,8 +199,10 @@ struct CsvWriter {
   std::string operator()(const RayReport& r) const { return ray_report_csv(scene, r.rays); }
   std::string operator()(const FacesReport& r) const { return faces_report_csv(scene, r.found); }
   std::string operator()(const NearestReport& r) const { return nearest_report_csv(scene, r.points, r.sides); }
-  std::string operator()(const InspectReport&) const {
-    throw Error("what inspect tells has no form in lines of values; take JSON");
+  std::string operator()(const CostReport& r) const { return cost_report_csv(r.table); }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    throw Error("this answer has no form in lines of values; take JSON");
   }
 };
 
@@ -191,9 +212,15 @@ SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question, co
   return std::visit(Asking(models, options), question);
 }
 
+SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQuestion& question,
+                const AskOptions& options) {
+  return std::visit(Asking(models, options, &scene), question);
+}
+
 std::string name_of(const SceneQuestion& question) {
   constexpr std::array<const char*, std::variant_size_v<SceneQuestion>> names = {
-      "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect"};
+      "check", "check-poses", "check-self", "distance",  "distance-poses", "ray",
+      "faces", "nearest",     "inspect",    "hierarchy", "cost",           "crowd"};
   return names[question.index()];
 }
 

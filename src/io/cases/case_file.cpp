@@ -60,12 +60,21 @@ class InlineMeshes {
   std::string text_;
 };
 
+/// A line each.
+std::string nodes_text(const std::vector<SceneNode>& nodes) {
+  std::string text;
+  for (const SceneNode& node : nodes) text += (text.empty() ? "\n  " : ",\n  ") + io::json_of(node).dump();
+  return text;
+}
+
 std::string text_of(const Case& content) {
+  const bool has_nodes = content.question && std::holds_alternative<HierarchyQuestion>(*content.question);
   InlineMeshes meshes;
   std::string objects;
   for (const SceneObject& object : content.scene.objects) {
     Json json = io::json_of(object, [&](const auto& mesh) { return meshes.named(mesh, object.name); });
     json["source"] = io::as_utf8(object.source);  // also where it is empty: a report repeats it
+    if (has_nodes && object.node) json["node"] = *object.node;
     objects += (objects.empty() ? "\n  " : ",\n  ") + json.dump();
   }
   Json head = {{"comment", "Case of Toccata: `toccata replay FILE` asks it again"}};
@@ -73,6 +82,7 @@ std::string text_of(const Case& content) {
   std::string text = head.dump(1);
   text.resize(text.size() - 2);  // the end of the object
   if (!meshes.text().empty()) text += ",\n \"meshes\": {" + meshes.text() + "\n }";
+  if (has_nodes) text += ",\n \"nodes\": [" + nodes_text(content.scene.nodes) + "\n ]";
   text += ",\n \"objects\": [" + objects + "\n ]";
   if (content.question) text += ",\n \"query\": " + io::json_of(*content.question).dump();
   if (!content.answer.empty()) text += ",\n \"answer\": " + content.answer;
@@ -88,7 +98,7 @@ std::string name_for(const Posed& posed, std::size_t place) {
 std::string answer_or_error(const Case& content, const AskOptions& options) {
   try {
     const std::vector<Posed> models = scene_models(content.scene, options.threads);
-    return report_json(content.scene, models, ask(models, *content.question, options));
+    return report_json(content.scene, models, ask(content.scene, models, *content.question, options));
   } catch (const Error& error) {
     return error_json(error.what());
   }
@@ -127,7 +137,8 @@ Case read_case(const fs::path& path) {
 
 void write_case(const Case& content, const fs::path& path) {
   io::require_writable(content.scene);
-  if (content.scene.objects.empty()) throw Error("the scene has no objects; a case is about at least one");
+  const bool is_crowd = content.question && std::holds_alternative<CrowdQuestion>(*content.question);
+  if (content.scene.objects.empty() && !is_crowd) throw Error("the scene has no objects; a case is about at least one");
   if (!content.answer.empty() && !nlohmann::json::accept(content.answer))
     throw Error("the answer of the case is not JSON; write what report_json or error_json gives");
   write_output(text_of(content), path, OutputKind::case_file);

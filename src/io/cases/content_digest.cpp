@@ -35,4 +35,12 @@ std::string content_digest(std::span<const SceneObject> objects, const std::stri
   return fmt::format("{:016x}", io::checksum_of(text));
 }
 
+std::string content_digest(const Scene& scene) {
+  std::string text = content_digest(scene.objects, scene.unit) + "\n";
+  for (const SceneNode& node : scene.nodes)
+    text += io::json_of(node).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (const SceneObject& object : scene.objects) text += object.node ? fmt::format("{}\n", *object.node) : "none\n";
+  return fmt::format("{:016x}", io::checksum_of(text));
+}
+
 }  // namespace toccata

@@ -28,8 +28,28 @@ const json* member(const json& object, const std::string& key) {
   return found == object.end() ? nullptr : &*found;
 }
 
-/// What a clock told is another each time.
-bool is_time(std::string_view key) { return key.ends_with("_ns") || key.ends_with("_ms"); }
+/// What a clock told is another each time, and so is what follows from it, as the reason of a choice; memory depends on
+/// what takes part in a process.
+bool is_measured(std::string_view key) {
+  return key.ends_with("_ns") || key.ends_with("_ms") || key == "bytes_per_body" || key == "reason";
+}
+
+/// The rows of a cost report are sorted by times, and its winners told by them: these go, and the rows are put in an
+/// order of their own.
+json without_order_by_time(json report) {
+  if (!report.is_object() || report.value("schema", json()) != "toccata/cost/1") return report;
+  report.erase("winners");
+  const auto found = report.find("rows");
+  if (found == report.end() || !found->is_array()) return report;
+  const auto key_of = [](const json& row) {
+    json key = json::array();
+    for (const char* name : {"workload", "volume", "builder", "arity"})
+      key.push_back(row.is_object() ? row.value(name, json()) : json());
+    return key;
+  };
+  std::stable_sort(found->begin(), found->end(), [&](const json& a, const json& b) { return key_of(a) < key_of(b); });
+  return report;
+}
 
 std::string difference(const json& recorded, const json& now, const std::string& place, bool is_top);
 
@@ -39,7 +59,7 @@ std::string difference_of_objects(const json& recorded, const json& now, const s
   for (const auto& item : keys.items()) {
     const std::string& key = item.key();
     if (is_top && (key == "version" || key == "warnings" || key == "asked")) continue;
-    if (is_time(key)) continue;
+    if (is_measured(key)) continue;
     const json *before = member(recorded, key), *after = member(now, key);
     const std::string here = place + "/" + key;
     if (before == nullptr || after == nullptr) return told(here, before, after);
@@ -63,8 +83,8 @@ std::string difference(const json& recorded, const json& now, const std::string&
 }  // namespace
 
 std::string first_difference(std::string_view recorded, std::string_view now) {
-  return difference(parse_json(recorded, "the recorded answer", RepeatedKeys::last_counts),
-                    parse_json(now, "the answer", RepeatedKeys::last_counts), "", true);
+  return difference(without_order_by_time(parse_json(recorded, "the recorded answer", RepeatedKeys::last_counts)),
+                    without_order_by_time(parse_json(now, "the answer", RepeatedKeys::last_counts)), "", true);
 }
 
 }  // namespace toccata::io

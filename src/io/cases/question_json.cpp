@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/cases/measuring_json.hpp"
 #include "io/formats/number_rows.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "toccata/core/suggestion.hpp"
@@ -90,6 +91,13 @@ struct Writer {
     return {
         {"points", json_of_rows(numbers, 3)}, {"k", q.k}, {"within", json_of_length(q.within)}, {"signed", q.sides}};
   }
+  Json operator()(const HierarchyQuestion&) const { return Json::object(); }
+  Json operator()(const CostQuestion& q) const {
+    Json json = json_of_measuring(q);
+    add_queries(json, q.queries);
+    return json;
+  }
+  Json operator()(const CrowdQuestion& q) const { return json_of_measuring(q); }
   Json operator()(const InspectQuestion& q) const {
     return {{"volumes", q.volumes}, {"partitions", q.partitions}, {"faults", q.faults}};
   }
@@ -209,6 +217,17 @@ SceneQuestion nearest_of(const JsonValue& value) {
   return q;
 }
 
+SceneQuestion hierarchy_of(const JsonValue& value) {
+  value.expect_keys({"question"});
+  return HierarchyQuestion{};
+}
+
+SceneQuestion cost_of(const JsonValue& value) {
+  CostQuestion question = cost_question_of(value);
+  question.queries = queries_of(value);
+  return question;
+}
+
 SceneQuestion inspect_of(const JsonValue& value) {
   value.expect_keys({"question", "volumes", "partitions", "faults"});
   return InspectQuestion{value.flag_or("volumes", false), value.flag_or("partitions", false),
@@ -228,9 +247,12 @@ Json json_of(const SceneQuestion& question) {
 SceneQuestion question_of(const JsonValue& value) {
   using Reading = SceneQuestion (*)(const JsonValue&);
   static const std::map<std::string, Reading, std::less<>> readings = {
-      {"check", check_of},    {"check-poses", check_poses_of},       {"check-self", self_of}, {"distance", distance_of},
-      {"ray", ray_of},        {"distance-poses", distance_poses_of}, {"faces", faces_of},     {"nearest", nearest_of},
-      {"inspect", inspect_of}};
+      {"check", check_of},     {"check-poses", check_poses_of},
+      {"check-self", self_of}, {"distance", distance_of},
+      {"ray", ray_of},         {"distance-poses", distance_poses_of},
+      {"faces", faces_of},     {"nearest", nearest_of},
+      {"inspect", inspect_of}, {"hierarchy", hierarchy_of},
+      {"cost", cost_of},       {"crowd", crowd_question_of}};
   const std::string name = value.at("question").text();
   const auto found = readings.find(name);
   if (found != readings.end()) return found->second(value);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
+#include <variant>
 
 #include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
@@ -44,13 +44,13 @@ std::optional<Pose> pose_of(const io::JsonValue& asked, const char* key) {
   return Pose::from_numbers(twelve);
 }
 
-std::vector<AskedFile> files_of(const io::JsonValue& list) {
+std::vector<AskedFile> files_of(const io::JsonValue& list, const SceneQuestion& question) {
   std::vector<AskedFile> files;
   for (const io::JsonValue& file : list.elements()) {
     file.expect_keys({"name", "digest"});
     files.push_back({file.at("name").text(), file.at("digest").text()});
   }
-  if (files.empty()) list.fail("no file is named", "ask again");
+  if (files.empty() && !std::holds_alternative<CrowdQuestion>(question)) list.fail("no file is named", "ask again");
   return files;
 }
 
@@ -65,13 +65,13 @@ Asked asked_of(const io::JsonValue& value) {
   value.expect_keys({"folder", "files", "unit", "scale", "pose_a", "pose_b", "solid", "query"});
   Asked asked;
   asked.folder = value.at("folder").text();
-  asked.files = files_of(value.at("files"));
   asked.unit = value.text_or("unit", "");
   asked.scale = scale_of(value);
   asked.pose_a = pose_of(value, "pose_a");
   asked.pose_b = pose_of(value, "pose_b");
   if (value.has("solid")) asked.solid = io::solid_of(value.at("solid"));
   asked.question = io::question_of(value.at("query"));
+  asked.files = files_of(value.at("files"), asked.question);
   return asked;
 }
 
@@ -92,19 +92,8 @@ void require_answer(const io::JsonValue& top, const SceneQuestion& question) {
                           "ask again");
 }
 
-/// Reports that are about files rather than a question to them: what shows the same.
-constexpr std::pair<std::string_view, std::string_view> shown_otherwise[] = {
-    {"toccata/hierarchy/1", "draw the scene itself, with its tree of nodes: toccata view FILE"},
-    {"toccata/cost/1", "draw bars or lines of it: toccata plot"},
-    {"toccata/crowd/1", "let the crowd move on a page: toccata crowd --html FILE.html"},
-};
-
 [[noreturn]] void refuse_without_asked(const io::JsonValue& top) {
-  const std::string schema = top.at("schema").text();
-  for (const auto& [report, advice] : shown_otherwise)
-    if (schema == report)
-      top.fail("a report of " + schema + " has no question that could be asked again", std::string(advice));
-  top.fail("the report does not say what was asked: an earlier version wrote it",
+  top.fail("the report does not say what was asked: no question was, or an earlier version wrote it",
            "ask again with --json, and name that file");
 }
 

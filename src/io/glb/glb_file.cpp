@@ -1,16 +1,34 @@
 #include "toccata/io/glb_file.hpp"
 
 #include "io/glb/glb_scene.hpp"
+#include "io/view/asked_poses.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
 
 namespace toccata {
+namespace {
+
+/// As they are drawn; those that move through poses are at their own places, as their nodes move.
+std::vector<Posed> models_of(std::span<const Posed> models, const SceneAnswer& answer) {
+  std::vector<Posed> drawn = io::drawn_models(models, answer);
+  if (!io::queries_of(answer).empty())
+    for (Posed& posed : drawn) posed.pose = {};
+  return drawn;
+}
+
+}  // namespace
 
 std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                       const ViewOptions& options) {
-  const io::ViewMeshes meshes(models);
-  io::GlbScene glb(models, meshes);
+  if (options.hierarchy && !io::queries_of(answer).empty())
+    throw Error(
+        "hierarchies over objects that move are not in a GLB file; a page shows them: view_page, or -o FILE.html");
+  const std::vector<Posed> drawn = models_of(models, answer);
+  const io::ViewMeshes meshes(drawn, io::queries_of(answer));
+  io::GlbScene glb(drawn, meshes);
   io::add_objects(glb, answer);
   io::add_findings(glb, answer);
+  if (const auto* trees = std::get_if<RebalanceReport>(&answer)) io::add_trees(glb, scene, *trees);
   if (options.hierarchy) io::add_hierarchies(glb, *options.hierarchy);
   return glb.file(options, scene.unit);
 }

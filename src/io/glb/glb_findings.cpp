@@ -104,8 +104,31 @@ class FindingNodes {
     glb_.add_group("faults", nodes_);
   }
 
-  void operator()(const PosesReport&) { refuse_poses(); }
-  void operator()(const DistancePosesReport&) { refuse_poses(); }
+  void operator()(const RebalanceReport&) {}  // its trees are added by themselves
+  void operator()(const CostReport&) {}       // it tells of costs alone
+  void operator()(const CrowdReport&) {
+    throw Error("a GLB file has no time, and a crowd moves; a page shows it: view_page, or -o FILE.html");
+  }
+
+  void operator()(const PosesReport& report) {
+    std::vector<std::size_t> at_poses;
+    for (std::size_t i = 0; i < std::min(report.face_pairs.size(), report.relations.size()); ++i) {
+      if (report.relations[i].kind == RelationKind::apart) continue;
+      add_contacts(pair_at(report, i));
+      at_poses.push_back(at_pose(i, report.queries.size()));
+    }
+    glb_.add_group("poses", at_poses);
+  }
+
+  void operator()(const DistancePosesReport& report) {
+    std::vector<std::size_t> at_poses;
+    for (std::size_t i = 0; i < report.distances.size(); ++i) {
+      if (report.distances[i].upper == 0) continue;
+      add_distance({0, 1}, report.distances[i]);
+      at_poses.push_back(at_pose(i, report.queries.size()));
+    }
+    glb_.add_group("poses", at_poses);
+  }
 
  private:
   /// "boundary edges".
@@ -115,10 +138,20 @@ class FindingNodes {
     return words;
   }
 
-  [[noreturn]] static void refuse_poses() {
-    throw Error(
-        "a GLB file has one place for each object, and here they have many; a page shows them: view_page, or -o "
-        "FILE.html");
+  /// What was found at a pose, as that of a pair.
+  static ReportedPair pair_at(const PosesReport& report, std::size_t i) {
+    ReportedPair pair;
+    pair.a = 0;
+    pair.b = 1;
+    pair.relation = report.relations[i];
+    pair.face_pairs = report.face_pairs[i];
+    return pair;
+  }
+
+  /// Puts the nodes that were added under one that shows them at this pose.
+  std::size_t at_pose(std::size_t pose, std::size_t poses) {
+    const std::vector<std::size_t> nodes = std::exchange(nodes_, {});
+    return glb_.add_at_pose(fmt::format("at pose {}", pose), nodes, pose, poses, {{"extras", {{"pose", pose}}}});
   }
 
   [[nodiscard]] std::string title(const char* what, const std::array<Index, 2>& pair) const {

@@ -18,6 +18,29 @@ bool are_square(const Vec3& a, const Vec3& b) {
   return std::abs(dot(a, b)) <= tolerance * std::sqrt(dot(a, a) * dot(b, b));
 }
 
+/// x, y, z, w of the turn whose matrix has these columns (S. W. Shepperd, "Quaternion from rotation matrix", 1978):
+/// from the greatest of its parts the others.
+std::array<double, 4> quaternion_of(const std::array<Vec3, 3>& columns) {
+  const auto at = [&](std::size_t row, std::size_t column) { return columns[column][static_cast<int>(row)]; };
+  const double trace = at(0, 0) + at(1, 1) + at(2, 2);
+  std::array<double, 4> q{};
+  std::size_t i = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (at(k, k) > at(i, i)) i = k;
+  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  if (trace >= at(i, i)) {
+    q = {at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1), 1 + trace};
+  } else {
+    q[i] = 1 + 2 * at(i, i) - trace;
+    q[j] = at(i, j) + at(j, i);
+    q[k] = at(i, k) + at(k, i);
+    q[3] = at(k, j) - at(j, k);
+  }
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& part : q) part /= length;
+  return q;
+}
+
 }  // namespace
 
 GlbFrame GlbFrame::around(const DisplayFrame& place) {
@@ -47,6 +70,23 @@ bool can_be_a_node(const Pose& pose) {
   const Vec3 x = pose.linear.column(0), y = pose.linear.column(1), z = pose.linear.column(2);
   const double lengths = dot(x, x) * dot(y, y) * dot(z, z);
   return is_finite(pose) && std::isnormal(lengths) && are_square(x, y) && are_square(y, z) && are_square(z, x);
+}
+
+GlbTurn turn_of(const Pose& pose) {
+  std::array<Vec3, 3> axes = {pose.linear.column(0), pose.linear.column(1), pose.linear.column(2)};
+  Vec3 scale;
+  for (std::size_t i = 0; i < 3; ++i) scale[static_cast<int>(i)] = std::sqrt(dot(axes[i], axes[i]));
+  if (dot(cross(axes[0], axes[1]), axes[2]) < 0) scale.x = -scale.x;  // a mirror
+  for (std::size_t i = 0; i < 3; ++i) axes[i] = (1 / scale[static_cast<int>(i)]) * axes[i];
+  const std::array<double, 4> q = quaternion_of(axes);
+  GlbTurn turn{};
+  for (int i = 0; i < 3; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    turn.translation[place] = static_cast<float>(pose.offset[i]);
+    turn.scale[place] = static_cast<float>(scale[i]);
+  }
+  for (std::size_t i = 0; i < 4; ++i) turn.rotation[i] = static_cast<float>(q[i]);
+  return turn;
 }
 
 }  // namespace toccata::io

@@ -26,4 +26,14 @@ struct GlbFrame {
 /// A node may turn, mirror and stretch along the axes of what it holds, and no more.
 [[nodiscard]] bool can_be_a_node(const Pose& pose);
 
+/// Such a pose as glTF moves a node: scaled along the axes, then turned (x, y, z, w), then moved.
+struct GlbTurn {
+  std::array<float, 3> translation;
+  std::array<float, 4> rotation;
+  std::array<float, 3> scale;
+};
+
+/// The pose can be a node's.
+[[nodiscard]] GlbTurn turn_of(const Pose& pose);
+
 }  // namespace toccata::io

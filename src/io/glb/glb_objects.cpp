@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/glb/glb_scene.hpp"
+#include "io/view/asked_poses.hpp"
 
 namespace toccata::io {
 namespace {
@@ -74,6 +75,16 @@ class ObjectMeshes {
         glb_.add_node(glb_.name_of(object), place.node, frame, {{"mesh", mesh_number(object, role, place, frame)}}));
   }
 
+  /// The same of an object that moves through the poses; models of such objects are at their own places.
+  void add_moving(std::size_t object, Role role, std::span<const Pose> poses) {
+    const GlbPlace place = GlbPlace::of(glb_.pose_of(object));
+    const GlbFrame frame = frame_of(glb_.meshes().drawn()[object].mesh, place);
+    const std::string name = glb_.name_of(object);
+    const std::size_t node =
+        glb_.add_moved(name, place.node, frame, {{"mesh", mesh_number(object, role, place, frame)}});
+    nodes_.push_back(glb_.add_moving(name + " moving", node, poses));
+  }
+
   [[nodiscard]] const std::vector<std::size_t>& nodes() const { return nodes_; }
 
  private:
@@ -117,12 +128,23 @@ class ObjectMeshes {
   std::vector<std::size_t> nodes_;
 };
 
+std::vector<Pose> poses_of(std::span<const PairQuery> queries, std::size_t object) {
+  std::vector<Pose> poses;
+  for (const PairQuery& query : queries) poses.push_back(object == 0 ? query.pose_a : query.pose_b);
+  return poses;
+}
+
 }  // namespace
 
 void add_objects(GlbScene& glb, const SceneAnswer& answer) {
   ObjectMeshes meshes(glb);
   const std::vector<Role> roles = roles_of(glb.models().size(), answer);
-  for (std::size_t object = 0; object < roles.size(); ++object) meshes.add(object, roles[object]);
+  const std::span<const PairQuery> queries = queries_of(answer);
+  for (std::size_t object = 0; object < roles.size(); ++object)
+    if (queries.empty())
+      meshes.add(object, roles[object]);
+    else
+      meshes.add_moving(object, object == 0 ? Role::first : Role::second, poses_of(queries, object));
   glb.add_group("objects", meshes.nodes());
 }
 

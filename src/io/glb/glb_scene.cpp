@@ -1,5 +1,7 @@
 #include "io/glb/glb_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -30,6 +32,12 @@ double metres_of(const std::string& unit) {
   } catch (const Error&) {
     return 1;
   }
+}
+
+/// Pose i is frame i of a program that shows 24 a second, as Blender does unless told otherwise.
+float moment_of(std::size_t pose) {
+  constexpr double per_second = 24;
+  return static_cast<float>(static_cast<double>(pose) / per_second);
 }
 
 /// What brings a world of this unit and this axis to metres and Y up: Z to Y, and Y to −Z.
@@ -77,9 +85,12 @@ std::size_t GlbScene::add_mesh(const std::string& name, Json parts) {
 }
 
 std::size_t GlbScene::add_node(const std::string& name, const Pose& pose, const GlbFrame& own, Json more) {
+  return node_at(name, pose_between(frame_, pose, own), std::move(more));
+}
+
+std::size_t GlbScene::node_at(const std::string& name, const Pose& pose, Json more) {
   Json node = {{"name", name}};
-  if (const Pose own_pose = pose_between(frame_, pose, own); !(own_pose == Pose{}))
-    node["matrix"] = matrix_of(own_pose);
+  if (!(pose == Pose{})) node["matrix"] = matrix_of(pose);
   node.update(more);
   return writer_.add_node(std::move(node));
 }
@@ -92,6 +103,58 @@ void GlbScene::add_group(const std::string& name, const std::vector<std::size_t>
   if (!children.empty()) groups_.push_back(add_parent(name, children));
 }
 
+std::size_t GlbScene::add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, Json more) {
+  return node_at(name, pose_between({}, pose, own), std::move(more));
+}
+
+void GlbScene::animate(std::size_t node, const char* path, std::span<const float> times, std::span<const float> keys,
+                       std::size_t width) {
+  channels_.push_back({{"sampler", samplers_.size()}, {"target", {{"node", node}, {"path", path}}}});
+  samplers_.push_back(
+      {{"input", writer_.add_keys(times, 1)}, {"output", writer_.add_keys(keys, width)}, {"interpolation", "STEP"}});
+}
+
+std::size_t GlbScene::add_moving(const std::string& name, std::size_t child, std::span<const Pose> poses) {
+  std::vector<float> times, translations, rotations, scales;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!can_be_a_node(poses[i]))
+      throw Error(
+          fmt::format("a GLB file cannot shear or flatten what moves, as '{}' is at pose {}; a page shows it: "
+                      "view_page, or -o FILE.html",
+                      name, i));
+    const GlbTurn turn = turn_of(pose_between(frame_, poses[i], {}));
+    times.push_back(moment_of(i));
+    translations.insert(translations.end(), turn.translation.begin(), turn.translation.end());
+    rotations.insert(rotations.end(), turn.rotation.begin(), turn.rotation.end());
+    scales.insert(scales.end(), turn.scale.begin(), turn.scale.end());
+  }
+  Json moving = {{"name", name}, {"children", {child}}};  // which rests at the first pose
+  const GlbTurn first = turn_of(pose_between(frame_, poses.front(), {}));
+  moving.update({{"translation", first.translation}, {"rotation", first.rotation}, {"scale", first.scale}});
+  const std::size_t node = writer_.add_node(std::move(moving));
+  animate(node, "translation", times, translations, 3);
+  animate(node, "rotation", times, rotations, 4);
+  animate(node, "scale", times, scales, 3);
+  return node;
+}
+
+std::size_t GlbScene::add_at_pose(const std::string& name, const std::vector<std::size_t>& children, std::size_t pose,
+                                  std::size_t poses, Json more) {
+  Json node = {{"name", name}, {"children", children}};
+  node.update(more);
+  const std::size_t number = writer_.add_node(std::move(node));
+  std::vector<float> times, scales;
+  const auto add = [&](std::size_t i, float scale) {
+    times.push_back(moment_of(i));
+    scales.insert(scales.end(), 3, scale);
+  };
+  if (pose > 0) add(0, 0);
+  add(pose, 1);
+  if (pose + 1 < poses) add(pose + 1, 0);
+  animate(number, "scale", times, scales, 3);
+  return number;
+}
+
 std::string GlbScene::file(const ViewOptions& options, const std::string& unit) {
   const Pose world = to_metres(metres_of(unit), options.up);
   Pose pose{world.linear, transform(world, frame_.origin)};
@@ -101,6 +164,8 @@ std::string GlbScene::file(const ViewOptions& options, const std::string& unit) 
   Json root = {{"name", as_utf8(options.title)}};
   if (!(pose == Pose{})) root["matrix"] = matrix_of(pose);
   if (!groups_.empty()) root["children"] = groups_;
+  if (!samplers_.empty())
+    writer_.add_animation({{"name", "poses"}, {"samplers", std::move(samplers_)}, {"channels", std::move(channels_)}});
   return writer_.file(writer_.add_node(std::move(root)));
 }
 

@@ -55,9 +55,24 @@ class GlbScene {
   std::size_t add_parent(const std::string& name, const std::vector<std::size_t>& children);
   void add_group(const std::string& name, const std::vector<std::size_t>& children);
 
+  // Answers about many poses: one a frame of 24 a second, all in one animation.
+
+  /// A node of an object that moves, under the one that moves it: as `add_node`, but in the object's own frame.
+  std::size_t add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, Json more);
+  /// What moves `child` through these poses. Throws Error naming the first that no node can have.
+  std::size_t add_moving(const std::string& name, std::size_t child, std::span<const Pose> poses);
+  /// What is seen at one of so many poses alone.
+  std::size_t add_at_pose(const std::string& name, const std::vector<std::size_t>& children, std::size_t pose,
+                          std::size_t poses, Json more);
+
+  /// To be asked for once.
   [[nodiscard]] std::string file(const ViewOptions& options, const std::string& unit);
 
  private:
+  std::size_t node_at(const std::string& name, const Pose& pose, Json more);
+  /// `keys` of a node's translation, rotation or scale, each held until the next.
+  void animate(std::size_t node, const char* path, std::span<const float> times, std::span<const float> keys,
+               std::size_t width);
   std::size_t material(const GlbPaint& paint);
 
   std::span<const Posed> models_;
@@ -66,6 +81,8 @@ class GlbScene {
   GlbWriter writer_;
   std::map<std::string, std::size_t> materials_;
   std::vector<std::size_t> groups_;
+  Json samplers_ = Json::array();
+  Json channels_ = Json::array();
 };
 
 /// Points, each kept once, and their numbers in the order given.
@@ -74,8 +91,10 @@ class GlbScene {
 /// Every object under its name, those of which something was found seen through and in the two colours.
 void add_objects(GlbScene& glb, const SceneAnswer& answer);
 /// What was found: of pairs the faces and curves in which they meet, depth, distance; ways of rays, and so on. Throws
-/// Error for answers about many poses.
+/// Error for a crowd.
 void add_findings(GlbScene& glb, const SceneAnswer& answer);
+/// The scene's tree of nodes as it is, cured, and rebuilt: the edges of its boxes, level by level.
+void add_trees(GlbScene& glb, const Scene& scene, const RebalanceReport& report);
 /// Of each mesh the levels of a hierarchy. Throws Error when there are too many meshes to be looked at.
 void add_hierarchies(GlbScene& glb, CostVolume volume);
 

@@ -44,12 +44,13 @@ double linear_part(unsigned colour, unsigned shift) {
 }  // namespace
 
 template <class Number>
-std::size_t GlbWriter::add_view(std::span<const Number> numbers, int target) {
+std::size_t GlbWriter::add_view(std::span<const Number> numbers, std::optional<int> target) {
   bytes_.resize((bytes_.size() + 3) / 4 * 4);
   const std::size_t at = bytes_.size();
   bytes_.resize(at + numbers.size_bytes());
   std::memcpy(bytes_.data() + at, numbers.data(), numbers.size_bytes());
-  views_.push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", numbers.size_bytes()}, {"target", target}});
+  Json& view = views_.emplace_back(Json{{"buffer", 0}, {"byteOffset", at}, {"byteLength", numbers.size_bytes()}});
+  if (target) view["target"] = *target;
   return views_.size() - 1;
 }
 
@@ -119,6 +120,21 @@ std::size_t GlbWriter::add_node(Json node) {
   return nodes_.size() - 1;
 }
 
+std::size_t GlbWriter::add_keys(std::span<const float> numbers, std::size_t width) {
+  const char* type = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
+  Json accessor = {{"bufferView", add_view(numbers, std::nullopt)},
+                   {"componentType", of_floats},
+                   {"count", numbers.size() / width},
+                   {"type", type}};
+  if (width == 1) {  // moments of time, ascending
+    accessor["min"] = {numbers.front()};
+    accessor["max"] = {numbers.back()};
+  }
+  return add_accessor(std::move(accessor));
+}
+
+void GlbWriter::add_animation(Json animation) { animations_.push_back(std::move(animation)); }
+
 std::string GlbWriter::file(std::size_t root) const {
   Json top = {{"asset", {{"version", "2.0"}, {"generator", fmt::format("Toccata {}", version)}}},
               {"scene", 0},
@@ -129,6 +145,7 @@ std::string GlbWriter::file(std::size_t root) const {
   };
   add("meshes", meshes_);
   add("materials", materials_);
+  add("animations", animations_);
   add("accessors", accessors_);
   add("bufferViews", views_);
   if (!bytes_.empty()) top["buffers"] = {{{"byteLength", bytes_.size()}}};

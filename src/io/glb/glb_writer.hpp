@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ class GlbWriter {
   std::size_t add_material(const std::string& name, unsigned colour, double cover);
   std::size_t add_mesh(Json mesh);
   std::size_t add_node(Json node);
+  /// `width` numbers a key, 1, 3 or 4.
+  std::size_t add_keys(std::span<const float> numbers, std::size_t width);
+  void add_animation(Json animation);
 
   /// The whole file, which shows this node and what hangs on it. Throws Error when it would have 4 GiB or more.
   [[nodiscard]] std::string file(std::size_t root) const;
@@ -40,7 +44,7 @@ class GlbWriter {
   std::size_t add_points(std::span<const std::array<float, 3>> points);
   std::size_t add_corners(std::span<const Index> corners, std::size_t points);
   template <class Number>
-  std::size_t add_view(std::span<const Number> numbers, int target);
+  std::size_t add_view(std::span<const Number> numbers, std::optional<int> target);
   std::size_t add_accessor(Json accessor);
 
   std::string bytes_;
@@ -49,6 +53,7 @@ class GlbWriter {
   Json materials_ = Json::array();
   Json meshes_ = Json::array();
   Json nodes_ = Json::array();
+  Json animations_ = Json::array();
 };
 
 }  // namespace toccata::io

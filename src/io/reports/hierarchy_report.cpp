@@ -1,7 +1,6 @@
 #include "toccata/io/hierarchy_report.hpp"
 
 #include "io/reports/report_parts.hpp"
-#include "toccata/core/version.hpp"
 
 namespace toccata {
 namespace {
@@ -49,16 +48,15 @@ RebalanceReport rebalance_report(const Scene& scene) {
           named_inner_nodes(as_is), named_inner_nodes(cured), as_is.unbounded.size()};
 }
 
-std::string hierarchy_report_json(const RebalanceReport& report, std::span<const std::string> warnings) {
-  const Json json = {{"schema", "toccata/hierarchy/1"},
-                     {"version", version},
-                     {"warnings", warnings},
-                     {"as_is", json_of(report.as_is)},
-                     {"cured", json_of(report.cured)},
-                     {"rebuilt", json_of(report.rebuilt)},
-                     {"named_nodes", report.named_nodes},
-                     {"kept_nodes", report.kept_nodes},
-                     {"unbounded_objects", report.unbounded}};
+std::string hierarchy_report_json(const Scene& scene, std::span<const Posed> models, const RebalanceReport& report,
+                                  std::span<const std::string> warnings) {
+  Json json = io::report_head("toccata/hierarchy/1", scene, models, warnings);
+  json["as_is"] = json_of(report.as_is);
+  json["cured"] = json_of(report.cured);
+  json["rebuilt"] = json_of(report.rebuilt);
+  json["named_nodes"] = report.named_nodes;
+  json["kept_nodes"] = report.kept_nodes;
+  json["unbounded_objects"] = report.unbounded;
   return io::document(json);
 }
 

@@ -45,10 +45,10 @@ std::vector<Entry> entries_of(const JsonValue& top) {
   for (const char* list : {"frames", "objects"})
     for (const JsonValue& value : top.elements(list)) {
       const bool is_object = std::string_view(list) == "objects";
-      value.expect_keys(is_object
-                            ? std::vector<std::string>{"name", "file", "generate", "parameters", "shape", "mesh",
-                                                       "parent", "pose", "solid", "group", "unit", "source", "comment"}
-                            : std::vector<std::string>{"name", "parent", "pose", "comment"});
+      value.expect_keys(is_object ? std::vector<std::string>{"name", "file", "generate", "parameters", "shape", "mesh",
+                                                             "parent", "node", "pose", "solid", "group", "unit",
+                                                             "source", "comment"}
+                                  : std::vector<std::string>{"name", "parent", "pose", "comment"});
       Entry entry{value, value.at("name").text(), is_object};
       if (entry.name.empty()) value.at("name").fail("the name is empty", "give it a name");
       if (!taken.emplace(entry.name, true).second)
@@ -282,7 +282,7 @@ void refuse_report(const JsonValue& top) {
 
 void check_format(const JsonValue& top) {
   refuse_report(top);
-  top.expect_keys({"format", "version", "unit", "frames", "meshes", "objects", "query", "answer", "comment"});
+  top.expect_keys({"format", "version", "unit", "frames", "nodes", "meshes", "objects", "query", "answer", "comment"});
   if (top.at("format").text() != format_name)
     top.at("format").fail("this is not a scene of Toccata", fmt::format("write \"{}\"", format_name));
   if (top.at("version").whole(1000000) != format_version)
@@ -294,6 +294,34 @@ std::string unit_name(const JsonValue& top) {
   if (!top.has("unit")) return "m";
   const JsonValue unit = top.at("unit");
   return unit.is_number() ? fmt::format("{} m", unit.number()) : unit.text();
+}
+
+/// A tree of nodes that is told beside objects which are where they are: as cases about it have one.
+std::vector<SceneNode> nodes_of(const JsonValue& top) {
+  if (top.has("frames")) top.at("nodes").fail("there are \"frames\" too", "write one of the two");
+  std::vector<SceneNode> nodes;
+  for (const JsonValue& value : top.elements("nodes")) {
+    value.expect_keys({"name", "parent", "pose"});
+    SceneNode node{value.at("name").text(), std::nullopt, {}};
+    if (value.has("parent")) {
+      if (nodes.empty()) value.at("parent").fail("the first node has no parent", "remove it");
+      node.parent = static_cast<Index>(value.at("parent").whole(nodes.size() - 1));
+    }
+    if (value.has("pose")) node.pose = pose_of(value.at("pose")).pose;
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+std::optional<Index> node_of(const JsonValue& object, std::size_t nodes) {
+  if (!object.has("node")) return std::nullopt;
+  if (nodes == 0) object.at("node").fail("there are no \"nodes\"", "remove it");
+  return static_cast<Index>(object.at("node").whole(nodes - 1));
+}
+
+/// A crowd is made from its seed.
+bool is_about_no_scene(const JsonValue& top) {
+  return top.has("query") && top.at("query").text_or("question", "") == "crowd";
 }
 
 }  // namespace
@@ -311,7 +339,8 @@ Scene scene_of(const JsonValue& top, const std::filesystem::path& folder) {
   ShapeSource source(folder, top);
   Scene scene;
   scene.unit = unit_name(top);
-  scene.nodes = tree.nodes();
+  const bool has_nodes = top.has("nodes");
+  scene.nodes = has_nodes ? nodes_of(top) : tree.nodes();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const JsonValue& value = entries[i].value;
     if (!entries[i].is_object) continue;
@@ -319,10 +348,10 @@ Scene scene_of(const JsonValue& top, const std::filesystem::path& folder) {
     SceneObject common;
     common.solid = value.has("solid") ? solid_of(value.at("solid")) : Solid::automatic;
     common.group = value.text_or("group", "");
-    common.node = tree.node_of(i);
+    common.node = has_nodes ? node_of(value, scene.nodes.size()) : std::optional(tree.node_of(i));
     add_objects(scene, entries[i], shapes, common, {tree.world_of(i), unit_factor(value, shapes, metres)});
   }
-  if (scene.objects.empty()) top.fail("the scene has no objects", "add one to \"objects\"");
+  if (scene.objects.empty() && !is_about_no_scene(top)) top.fail("the scene has no objects", "add one to \"objects\"");
   return scene;
 }
 

@@ -68,6 +68,13 @@ Json scene_head(const Scene& scene) {
   return json;
 }
 
+Json json_of(const SceneNode& node) {
+  Json json = {{"name", as_utf8(node.name)}};
+  if (node.parent) json["parent"] = *node.parent;
+  if (!is_left_out(node.pose)) json["pose"] = node.pose.numbers();
+  return json;
+}
+
 Json json_of(const SceneObject& object, const MeshWriting& write_mesh) {
   Json json = {{"name", object.name}};
   const Json shape = json_of(object.shape, write_mesh);

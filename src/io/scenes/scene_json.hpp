@@ -15,6 +15,9 @@ void require_writable(const Scene& scene);
 /// The members in front of the objects.
 [[nodiscard]] nlohmann::ordered_json scene_head(const Scene& scene);
 
+/// A node: its name, its parent's number, and its pose where it has one.
+[[nodiscard]] nlohmann::ordered_json json_of(const SceneNode& node);
+
 /// An object without its source and node; its mesh is what `write_mesh` gives.
 [[nodiscard]] nlohmann::ordered_json json_of(const SceneObject& object, const MeshWriting& write_mesh);
 

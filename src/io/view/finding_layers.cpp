@@ -147,6 +147,11 @@ struct FindingMarks {
     }
   }
 
+  // These have no marks of their own: trees, hierarchies and moving boxes are layers by themselves.
+  void operator()(const RebalanceReport&) const {}
+  void operator()(const CostReport&) const {}
+  void operator()(const CrowdReport&) const {}
+
   void operator()(const InspectReport& report) const {
     const std::vector<InspectFinding> findings = inspect_findings(report);
     for (std::size_t i = 0; i < findings.size(); ++i) {

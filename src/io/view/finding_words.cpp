@@ -112,8 +112,10 @@ struct Words {
     return words;
   }
 
-  Json operator()(const SelfReport&) const { return Json::array(); }
-  Json operator()(const NearestReport&) const { return Json::array(); }
+  template <class Other>
+  Json operator()(const Other&) const {
+    return Json::array();
+  }
 };
 
 }  // namespace

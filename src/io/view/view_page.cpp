@@ -4,14 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "io/formats/utf8.hpp"
+#include "io/view/asked_poses.hpp"
 #include "io/view/filled_page.hpp"
 #include "io/view/finding_layers.hpp"
 #include "io/view/finding_words.hpp"
 #include "io/view/hierarchy_layers.hpp"
 #include "io/view/partition_layers.hpp"
+#include "io/view/scene_tree.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
 
 namespace toccata {
@@ -30,13 +33,6 @@ std::string report_of(const Scene& scene, std::span<const Posed> models, SceneAn
   return report_json(scene, models, answer, warnings);
 }
 
-/// Where the objects are in what was found, besides where the scene has them.
-std::span<const PairQuery> queries_of(const SceneAnswer& answer) {
-  if (const auto* poses = std::get_if<PosesReport>(&answer)) return poses->queries;
-  if (const auto* poses = std::get_if<DistancePosesReport>(&answer)) return poses->queries;
-  return {};
-}
-
 /// The tree of the scene, where it is one: nodes without parents are the objects themselves.
 void add_nodes(Json& header, const Scene& scene) {
   const auto has_parent = [](const SceneNode& node) { return node.parent.has_value(); };
@@ -50,25 +46,59 @@ void add_nodes(Json& header, const Scene& scene) {
     if (scene.objects[i].node) header["objects"][i]["node"] = *scene.objects[i].node;
 }
 
-}  // namespace
+/// The volumes that are cheapest in a table of costs: each once.
+std::vector<CostVolume> cheapest_volumes(const CostTable& table) {
+  std::vector<CostVolume> cheapest;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const bool is_first = i == 0 || table.rows[i].workload != table.rows[i - 1].workload;
+    if (is_first && std::find(cheapest.begin(), cheapest.end(), table.rows[i].volume) == cheapest.end())
+      cheapest.push_back(table.rows[i].volume);
+  }
+  return cheapest;
+}
 
-std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
-                      const ViewOptions& options, std::span<const std::string> warnings) {
-  const io::ViewMeshes meshes(models, queries_of(answer));
+/// Those that are asked for, and of a table of costs the cheapest.
+std::vector<CostVolume> hierarchies_of(const SceneAnswer& answer, const ViewOptions& options) {
+  if (options.hierarchy) return {*options.hierarchy};
+  const auto* cost = std::get_if<CostReport>(&answer);
+  return cost == nullptr ? std::vector<CostVolume>() : cheapest_volumes(cost->table);
+}
+
+void append(Json& layers, std::vector<Json> more) {
+  for (Json& layer : more) layers.push_back(std::move(layer));
+}
+
+std::string page_of(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+                    const ViewOptions& options, std::span<const std::string> warnings) {
+  const io::ViewMeshes meshes(models, io::queries_of(answer));
   io::ViewData data;
   Json header = {
       {"format", "toccata/view/2"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
   meshes.write(header, data);
   io::add_words(header, models, answer);
   add_nodes(header, scene);
-  header["layers"] = io::finding_layers(answer, meshes, data);
-  if (options.hierarchy)
-    for (Json& layer : io::hierarchy_layers(models, *options.hierarchy, data))
-      header["layers"].push_back(std::move(layer));
-  if (options.partition)
-    for (Json& layer : io::partition_layers(models, *options.partition, data))
-      header["layers"].push_back(std::move(layer));
+  Json& layers = header["layers"] = io::finding_layers(answer, meshes, data);
+  if (const auto* trees = std::get_if<RebalanceReport>(&answer))
+    append(layers, io::scene_tree_layers(scene, *trees, meshes.frame(), data));
+  for (const CostVolume volume : hierarchies_of(answer, options))
+    append(layers, io::hierarchy_layers(models, volume, data));
+  if (options.partition) append(layers, io::partition_layers(models, *options.partition, data));
   return io::filled_page(header, report_of(scene, models, answer, warnings), data);
+}
+
+/// The objects as they are drawn, and so as the page tells of them.
+Scene posed_scene(Scene scene, std::span<const Posed> models) {
+  for (std::size_t i = 0; i < models.size(); ++i) scene.objects[i].pose = models[i].pose;
+  return scene;
+}
+
+}  // namespace
+
+std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+                      const ViewOptions& options, std::span<const std::string> warnings) {
+  if (const auto* crowd = std::get_if<CrowdReport>(&answer)) return crowd_page(record_crowd(crowd->question), options);
+  const std::vector<Posed> drawn = io::drawn_models(models, answer);
+  return page_of(posed_scene(scene, drawn), drawn, answer, options, warnings);
 }
 
 void write_view_page(const std::string& page, const std::filesystem::path& path) {

@@ -1,4 +1,4 @@
-#include "crowd_frames.hpp"
+#include "toccata/generate/crowd_frames.hpp"
 
 #include "toccata/core/random.hpp"
 

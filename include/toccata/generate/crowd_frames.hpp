@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/core/index_pair.hpp"
 
 namespace toccata {
 

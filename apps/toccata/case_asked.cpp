@@ -1,0 +1,91 @@
+#include "case_asked.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "answer.hpp"
+#include "ask.hpp"
+#include "check_input.hpp"
+#include "file_text.hpp"
+#include "output.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/case_file.hpp"
+#include "view.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+struct ExitCode {
+  int operator()(const CheckReport& r) const { return r.pairs.empty() ? 0 : 1; }
+  int operator()(const PosesReport& r) const { return contact_count(r) == 0 ? 0 : 1; }
+  int operator()(const SelfReport& r) const { return self_meeting_count(r) == 0 ? 0 : 1; }
+  int operator()(const DistanceReport& r) const {
+    const auto meet = [](const ReportedDistance& pair) { return pair.distance.upper == 0; };
+    return std::any_of(r.pairs.begin(), r.pairs.end(), meet) ? 1 : 0;
+  }
+  int operator()(const DistancePosesReport& r) const { return meeting_count(r) == 0 ? 0 : 1; }
+  int operator()(const RayReport& r) const {
+    return std::any_of(r.rays.begin(), r.rays.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
+  }
+  int operator()(const FacesReport& r) const { return r.found.empty() ? 0 : 1; }
+  template <class Other>
+  int operator()(const Other&) const {
+    return 0;
+  }
+};
+
+/// The case in the only file, where that is one: cheaply, as most are none.
+std::optional<Case> case_in(const std::vector<std::string>& files) {
+  if (files.size() != 1 || !is_json(files[0])) return std::nullopt;
+  if (text_of_file(files[0]).find("\"query\"") == std::string::npos) return std::nullopt;
+  Case content = read_case(files[0]);
+  return content.question ? std::optional(std::move(content)) : std::nullopt;
+}
+
+int answer(const Case& content, const PosedArguments& arguments) {
+  require_view(arguments);
+  const ViewTarget target = target_of(arguments);
+  CheckInput input = read_check_input(arguments);
+  SceneAnswer now = ask_for(input, *content.question, arguments, {"asking", draws_something(target)});
+  const std::string difference =
+      content.answer.empty() ? "" : answer_difference(content.answer, json_as_asked(input, *content.question, now));
+  if (!difference.empty())
+    input.loaded.warnings.push_back(fmt::format("this is another answer than the one that {} holds, first at {}",
+                                                arguments.input.files[0], difference));
+  if (draws_something(target)) write_view(target, input, now);
+  list_faces(now, *content.question);
+  print_answer(input, *content.question, now, arguments);
+  return difference.empty() ? exit_code_of(now) : 1;
+}
+
+bool is_question_of(const std::string& question, const std::string& subcommand) {
+  return question == subcommand || question.starts_with(subcommand + "-");
+}
+
+}  // namespace
+
+int exit_code_of(const SceneAnswer& answer) { return std::visit(ExitCode{}, answer); }
+
+bool changes_objects(const PosedArguments& arguments) {
+  return arguments.solid || arguments.input.scale != 1 || !arguments.input.unit.empty() || arguments.pose_a ||
+         arguments.pose_b || !arguments.poses.empty();
+}
+
+std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use) {
+  const std::optional<Case> content = case_in(arguments.input.files);
+  if (!content) return std::nullopt;
+  const std::string asked = name_of(*content->question), file = arguments.input.files[0];
+  const bool is_own = use.takes_any || is_question_of(asked, use.asks);
+  if (!use.asks_itself && is_own) return answer(*content, arguments);
+  const std::string advice = fmt::format("`{} check {}` answers it", called_as(), file);
+  if (!use.asks_itself && use.needs_options)
+    throw Error(
+        fmt::format("{} holds a question, {}: {}; to ask another about its scene, say which", file, asked, advice));
+  print_warnings({fmt::format("{} holds a question, {}, which is not asked here: {}", file, asked, advice)});
+  return std::nullopt;
+}
+
+}  // namespace toccata::command

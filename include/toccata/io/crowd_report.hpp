@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/progress.hpp"
+#include "toccata/generate/crowd_frames.hpp"
+
+namespace toccata {
+
+/// How fast which methods find the pairs of a crowd of moving boxes, and whether all find the same: `crowd`.
+struct CrowdQuestion {
+  std::string scene = "uniform";                                       ///< one of crowd_scenes
+  std::size_t count = 100'000;                                         ///< boxes, at least one
+  std::size_t frames = 60;                                             ///< at least one
+  std::vector<BroadPhaseMethod> methods{BroadPhaseMethod::automatic};  ///< one after the other; at least one
+  std::uint64_t seed = 1;
+  int threads = 1;  ///< times compare with each other so; 0: as many as there are
+};
+
+/// A method's way through all frames.
+struct CrowdRun {
+  BroadPhaseMethod method{};
+  CrowdFrames frames;
+  std::size_t begun = 0;  ///< in all frames together
+  std::size_t ended = 0;
+  double bytes_per_body = 0;
+  std::string reason;  ///< of `automatic`
+
+  [[nodiscard]] std::size_t pairs() const { return frames.pairs.back().count; }  ///< in the last frame
+};
+
+struct CrowdReport {
+  CrowdQuestion question;
+  std::vector<CrowdRun> runs;  ///< of its methods, in their order
+};
+
+/// Runs the crowd for every method. Throws Error where two find different pairs, naming the frame, for a scene that is
+/// not there, and where there is no box, frame or method.
+[[nodiscard]] CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress = {});
+
+/// JSON by the schema toccata/crowd/1 of docs/reference/crowd.md.
+[[nodiscard]] std::string crowd_report_json(const CrowdReport& report);
+
+}  // namespace toccata

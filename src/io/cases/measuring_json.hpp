@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/formats/json_value.hpp"
+#include "toccata/io/scene_question.hpp"
+
+namespace toccata::io {
+
+/// The keys of questions that measure (docs/reference/case-file.md), those of costs without their poses, and back.
+/// Reading throws Error naming the place.
+[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CostQuestion& question);
+[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CrowdQuestion& question);
+[[nodiscard]] CostQuestion cost_question_of(const JsonValue& value);
+[[nodiscard]] SceneQuestion crowd_question_of(const JsonValue& value);
+
+}  // namespace toccata::io
