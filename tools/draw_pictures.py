@@ -115,6 +115,9 @@ CROWDS = {
 # A sum: a scene of two, and how it is shown.
 SUMS = {"minkowski": (SUMMED, "grid=0")}
 
+# Convex parts of a mesh: words of the command, and how they are shown.
+PARTS = {"convex-parts": (f"{KNOT} --parts 24", "grid=0")}
+
 # Reports beside the pictures that are drawn of them.
 PLOTS = ["cost"]
 
@@ -133,6 +136,9 @@ def asked_for(picture, folder):
     if picture in CROWDS:
         words, look = CROWDS[picture]
         return ["crowd", *words.split()], look
+    if picture in PARTS:
+        words, look = PARTS[picture]
+        return ["decompose", *words.split()], look
     if picture in SUMS:
         shown, look = SUMS[picture]
         return ["minkowski", *words_for(shown, picture, folder)], look
@@ -148,7 +154,7 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)

@@ -122,6 +122,8 @@ struct TreeArguments {
 struct DecomposeArguments : PosedArguments {
   std::size_t parts = 32;  ///< at most
   double concavity = 0;    ///< in units of the file
+  std::string size;        ///< of the picture
+  std::string look;        ///< what it shows
 };
 
 struct PairsArguments {

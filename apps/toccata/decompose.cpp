@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "check_input.hpp"
+#include "look.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
@@ -111,10 +112,22 @@ Scene scene_of(const ConvexParts& parts, const SceneObject& object, const std::s
   return scene;
 }
 
+ViewTarget drawn_target(const DecomposeArguments& arguments) {
+  ViewTarget target = target_of(arguments);
+  if (!target.picture) {
+    if (arguments.size.empty() && arguments.look.empty()) return target;
+    throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
+  }
+  require_known_keys(arguments.look);
+  target.picture->look = arguments.look;
+  if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
+  return target;
+}
+
 }  // namespace
 
 int run_decompose(const DecomposeArguments& arguments) {
-  const ViewTarget target = target_of(arguments);
+  const ViewTarget target = drawn_target(arguments);
   require_view(target, arguments);
   CheckInput input{load(arguments.input), {}};
   const SceneObject object = only_object(input.loaded.scene, arguments);

@@ -157,7 +157,8 @@ void add_decompose(CLI::App& app, Options& options) {
       ->type_name("LENGTH")
       ->capture_default_str();
   add_file(*decompose, "-o,--output,--glb", arguments.glb, "write the parts as a GLB file, a node each", "FILE.glb");
-  add_pages(*decompose, arguments);
+  add_file(*decompose, "--html", arguments.html, "also write a page of the parts", "FILE.html");
+  add_picture(*decompose, arguments.png, arguments.size, arguments.look);
   add_threads(*decompose, arguments.threads, "parts");
   decompose->add_flag("--json", options.json, "write JSON (docs/reference/decompose-report.md)");
   decompose->footer(with_name(

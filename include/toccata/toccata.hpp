@@ -121,6 +121,7 @@
 #include "toccata/query/inside.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/model.hpp"
+#include "toccata/query/model_with_parts.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/pair_query.hpp"

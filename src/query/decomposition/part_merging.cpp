@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "query/decomposition/solid_piece.hpp"
+#include "toccata/bounds/aabb.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -20,6 +21,12 @@ ConvexHull joined_hull(const ConvexHull& a, const ConvexHull& b) {
   return ConvexHull(points);
 }
 
+bool are_apart(const Aabb& a, const Aabb& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a.lower[axis] > b.upper[axis] + 1e-6 || b.lower[axis] > a.upper[axis] + 1e-6) return true;
+  return false;
+}
+
 std::vector<Vec3> joined_corners(const GrowingPart& a, const GrowingPart& b) {
   std::vector<Vec3> corners = a.corners;
   corners.insert(corners.end(), b.corners.begin(), b.corners.end());
@@ -31,7 +38,8 @@ class Merging {
   Merging(std::vector<GrowingPart> parts, int threads)
       : parts_(std::move(parts)), threads_(threads), growth_(parts_.size()) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      growth_[i].resize(i);
+      growth_[i].resize(i, never);
+      boxes_.push_back(fit_aabb(parts_[i].corners));
       alive_.push_back(i);
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) measure(i);
@@ -64,10 +72,17 @@ class Merging {
 
   void merge(const std::pair<std::size_t, std::size_t>& pair, GrowingPart part) {
     parts_[pair.second] = std::move(part);
+    boxes_[pair.second] = toccata::merge(boxes_[pair.first], boxes_[pair.second]);
     std::erase(alive_, pair.first);
     measure(pair.second);
     for (const std::size_t i : alive_)
       if (i > pair.second) growth_[i][pair.second] = growth_of(i, pair.second);
+  }
+
+  /// Those whose boxes are apart are measured only when no others are left.
+  void measure_apart() {
+    measures_apart_ = true;
+    for (const std::size_t i : alive_) measure(i);
   }
 
   void forbid(const std::pair<std::size_t, std::size_t>& pair) { growth_[pair.first][pair.second] = never; }
@@ -80,6 +95,7 @@ class Merging {
 
  private:
   [[nodiscard]] double growth_of(std::size_t i, std::size_t j) const {
+    if (!measures_apart_ && are_apart(boxes_[i], boxes_[j])) return never;
     return hull_volume(joined_corners(parts_[i], parts_[j])) - (parts_[i].volume + parts_[j].volume);
   }
 
@@ -95,6 +111,8 @@ class Merging {
   int threads_;
   std::vector<std::vector<double>> growth_;  // by the greater number, then the lesser
   std::vector<std::size_t> alive_;
+  std::vector<Aabb> boxes_;
+  bool measures_apart_ = false;
 };
 
 }  // namespace
@@ -112,7 +130,11 @@ std::vector<GrowingPart> merged_parts(std::vector<GrowingPart> parts, std::size_
   Merging merging(std::move(parts), threads);
   while (merging.count() > 1) {
     const auto pair = merging.best();
-    if (pair.first == pair.second) break;
+    if (pair.first == pair.second && merging.count() <= most) break;
+    if (pair.first == pair.second) {
+      merging.measure_apart();
+      continue;
+    }
     GrowingPart part = merging.joined(pair);
     if (merging.count() > most || allowed(part))
       merging.merge(pair, std::move(part));

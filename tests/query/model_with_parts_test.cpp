@@ -1,0 +1,77 @@
+#include "toccata/query/model_with_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/mesh_soups.hpp"
+#include "support/relation_cases.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/query/overlap.hpp"
+
+namespace toccata::test {
+namespace {
+
+ModelWithParts with_parts(const TriangleMesh& mesh, std::size_t most) {
+  const Model model(mesh);
+  return ModelWithParts(model, decompose(model, {.max_parts = most}));
+}
+
+Pose any_pose(Random& random, double reach) {
+  Pose pose;
+  for (int row = 0; row < 3; ++row)
+    for (int axis = 0; axis < 3; ++axis) pose.linear[row][axis] = random.between(-1, 1);
+  for (int axis = 0; axis < 3; ++axis) pose.offset[axis] = random.between(-reach, reach);
+  return pose;
+}
+
+TEST(ModelWithParts, AnswersAsTheMeshesDoAtManyPoses) {
+  const ModelWithParts torus = with_parts(generate_mesh("torus", {{"around", 24}, {"sides", 8}}), 8);
+  const ModelWithParts gear = with_parts(generate_mesh("gear"), 6);
+  Random random(8);
+  int meeting = 0, ruled_out = 0;
+  for (int i = 0; i < 200; ++i) {
+    const PairQuery query{.pose_a = any_pose(random, 1.5), .pose_b = any_pose(random, 1.5)};
+    const bool truth = overlap(torus.model(), gear.model(), query);
+    ASSERT_EQ(overlap(torus, gear, query), truth) << i;
+    if (parts_are_apart(torus, gear, query)) {
+      ASSERT_FALSE(truth) << i;
+      ++ruled_out;
+    }
+    meeting += truth ? 1 : 0;
+    ASSERT_EQ(overlap(torus, Model(Box{{0.3, 0.3, 0.3}}), query), overlap(torus.model(), Box{{0.3, 0.3, 0.3}}, query));
+  }
+  EXPECT_GT(meeting, 20);
+  EXPECT_GT(ruled_out, 20);
+}
+
+TEST(ModelWithParts, RulesOutNothingThatTouchesAfterRounding) {
+  // Two boxes that touch exactly in the world, where the hulls are a unit in the last place larger or smaller.
+  const ModelWithParts box = with_parts(box_mesh({0, 0, 0}, {1, 1, 1}), 4);
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const double scale = random.between(0.1, 10), at = random.between(-100, 100);
+    PairQuery query{.pose_a = scaled(Pose::translation(0, 0, 0), scale),
+                    .pose_b = scaled(Pose::translation(0, 0, 0), scale)};
+    query.pose_a.offset.x = at;
+    query.pose_b.offset.x = scale + at;
+    ASSERT_EQ(overlap(box, box, query), overlap(box.model(), box.model(), query));
+    ASSERT_FALSE(overlap(box.model(), box.model(), query) && parts_are_apart(box, box, query));
+  }
+}
+
+TEST(ModelWithParts, RefusesWhatTheMeshRefuses) {
+  const ModelWithParts box = with_parts(box_mesh({0, 0, 0}, {1, 1, 1}), 4);
+  PairQuery query;
+  query.pose_b = Pose::translation(9, 9, 9);
+  query.pose_b.linear[0] = {0, 0, 0};
+  EXPECT_THROW(static_cast<void>(overlap(box.model(), box.model(), query)), Error);
+  EXPECT_THROW(static_cast<void>(overlap(box, box, query)), Error);
+  query.pose_b.linear[0] = {std::nan(""), 0, 0};
+  EXPECT_THROW(static_cast<void>(overlap(box, box, query)), Error);
+}
+
+}  // namespace
+}  // namespace toccata::test
