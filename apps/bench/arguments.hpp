@@ -158,6 +158,17 @@ struct ProcessArguments {
   bool json = false;
 };
 
+struct SumsArguments {
+  std::string task = "sum";
+  std::size_t vertices = 32;
+  std::size_t count = 1000;
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 5;
+  std::string clock = "wall";
+  bool json = false;
+};
+
 struct WalkerArguments {
   std::string mesh_a = "gen:torus-knot";
   std::string mesh_b = "gen:noise-sphere?subdivisions=5";
@@ -182,6 +193,7 @@ int run_world(const WorldArguments& arguments);
 int run_parts(const PartsArguments& arguments);
 int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);
+int run_sums(const SumsArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 
 }  // namespace toccata::bench

@@ -7,6 +7,7 @@
 #include "convex_library.hpp"
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "sums.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "whole_number.hpp"
@@ -31,6 +32,7 @@ struct Options {
   WorldQueriesArguments world_queries;
   PartitionsArguments partitions;
   ProcessArguments process;
+  SumsArguments sums;
   WalkerArguments walker;
 };
 
@@ -318,6 +320,23 @@ void add_process(CLI::App& app, ProcessArguments& arguments) {
   process->footer("Example:\n  ./toccata bench process --mesh part.stl --shift 2.5");
 }
 
+void add_sums(CLI::App& app, SumsArguments& arguments) {
+  CLI::App* sums = app.add_subcommand("sums", "Minkowski sums of two convex hulls, and points in a ready one");
+  sums->add_option("--task", arguments.task, "sum: making them; point: does a point lie in a ready sum")
+      ->check(CLI::IsMember({"sum", "point"}))
+      ->capture_default_str();
+  add_number(*sums, "--vertices", arguments.vertices, "of each hull; they lie on a sphere");
+  add_number(*sums, "--count", arguments.count, "sums, or points");
+  sums->add_option("--clock", arguments.clock, "wall, or thread: the processor's time, on a busy machine")
+      ->check(CLI::IsMember({"wall", "thread"}))
+      ->capture_default_str();
+  add_peers(*sums, arguments.peers, sum_peers());
+  sums->add_option("--seed", arguments.seed, "another seed, other hulls")->check(whole_number())->capture_default_str();
+  add_number(*sums, "--rounds", arguments.rounds, "how often each is asked; the fastest counts");
+  add_json(*sums, arguments.json);
+  sums->footer("Example:\n  ./toccata bench sums --task point --count 20000 --peer cgal");
+}
+
 void add_walker(CLI::App& app, WalkerArguments& arguments) {
   CLI::App* walker = app.add_subcommand("walker", "the generic walkers of trees beside loops written by hand");
   add_mesh_file(*walker, "--mesh-a", arguments.mesh_a)->capture_default_str();
@@ -353,6 +372,7 @@ int main_of(int argc, char** argv) {
   add_world_queries(app, options.world_queries);
   add_partitions(app, options.partitions);
   add_process(app, options.process);
+  add_sums(app, options.sums);
   add_walker(app, options.walker);
   try {
     app.parse(argc, argv);
@@ -376,6 +396,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("partitions"))
     return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
                                               : run_partitions(options.partitions);
+  if (app.got_subcommand("sums")) return run_sums(options.sums);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

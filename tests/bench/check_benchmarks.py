@@ -248,6 +248,16 @@ def check_cells():
     assert all(1 <= row["walked"] <= row["in_box"] for row in made["walks"]), made["walks"]
 
 
+def check_sums(peers):
+    """Every way makes sums of as many vertices, and tells the same of every point."""
+    named = ["--peer", "cgal"] if "cgal" in peers else []
+    for task in ("sum", "point"):
+        made = report("sums", "--task", task, "--vertices", "12", "--count", "40", "--rounds", "1", *named)
+        assert {r["library"] for r in made["results"]} == {"toccata", *(["cgal"] if named else [])}, made["results"]
+        for row in made["results"]:
+            assert row["median_us"] > 0 and row["disagreements"] == 0, row
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -273,6 +283,7 @@ def main():
     check_parts(peers)
     check_world_queries(peers)
     check_cells()
+    check_sums(peers)
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

@@ -2,6 +2,7 @@
 #include "library.hpp"
 #include "nearest.hpp"
 #include "self.hpp"
+#include "sums.hpp"
 
 namespace toccata::bench {
 
@@ -10,5 +11,6 @@ NearestLibraries cgal_nearest_libraries() { peer_is_missing("cgal"); }
 TriangleLibraries cgal_triangle_libraries() { peer_is_missing("cgal"); }
 SelfLibraries cgal_self_libraries() { peer_is_missing("cgal"); }
 BroadLibraries cgal_broad_libraries() { peer_is_missing("cgal"); }
+SumLibraries cgal_sum_libraries() { peer_is_missing("cgal"); }
 
 }  // namespace toccata::bench
