@@ -46,7 +46,7 @@ class SweptWalk {
   SweptWalk(std::array<const WideTree*, 2> trees, std::span<const SweptDirection> directions)
       : trees_(trees), directions_(directions) {}
 
-  static constexpr std::size_t most_directions = 9;
+  static constexpr std::size_t most_directions = 13;
 
   /// Calls `see(items)`, which returns the latest time of the way that is still of interest, for all pairs of items
   /// that may meet by the limit as it is at the end.

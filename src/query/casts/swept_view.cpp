@@ -95,20 +95,27 @@ void SweptView::add(const A& a, const Vec3& motion, const B& b, const Vec3& dire
   if (is_usable(result, size) && count_ < directions_.size()) directions_[count_++] = result;
 }
 
+/// The normals of the mesh's boxes, and those that cut off the edges and corners of what they leave around a convex
+/// shape: of what is tested exactly, two thirds less for a ball as large as a few triangles, and more for larger ones.
+template <class A, class B>
+void SweptView::add_around(const PosedMesh& mesh, const A& a, const Vec3& motion, const B& b) {
+  const PairCull cull(mesh, mesh);
+  const auto normals = cull.directions();
+  for (const CullDirection& d : normals) add(a, motion, b, d.world);
+  if (normals.size() < 3) return;
+  const Vec3 x = normals[0].world, y = normals[1].world, z = normals[2].world;
+  for (const Vec3& edge : {x + y, x - y, y + z, y - z, x + z, x - z}) add(a, motion, b, edge);
+  for (const Vec3& corner : {x + y + z, x + y - z, x - y + z, x - y - z}) add(a, motion, b, corner);
+}
+
 SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b) {
   const PairCull cull(a, b);
   for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
 }
 
-SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b) {
-  const PairCull cull(a, a);
-  for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
-}
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b) { add_around(a, a, motion, b); }
 
-SweptView::SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b) {
-  const PairCull cull(b, b);
-  for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
-}
+SweptView::SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b) { add_around(b, a, motion, b); }
 
 SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b) {
   add(a, motion, b, near_unit(b.normal));

@@ -24,6 +24,8 @@ class SweptView {
  private:
   template <class A, class B>
   void add(const A& a, const Vec3& motion, const B& b, const Vec3& direction);
+  template <class A, class B>
+  void add_around(const PosedMesh& mesh, const A& a, const Vec3& motion, const B& b);
 
   std::array<SweptDirection, SweptWalk::most_directions> directions_;
   std::size_t count_ = 0;
