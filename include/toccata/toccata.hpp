@@ -90,6 +90,8 @@
 #include "toccata/narrow/rigid_box.hpp"
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/narrow/sphere.hpp"
 #include "toccata/narrow/sum_locator.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"

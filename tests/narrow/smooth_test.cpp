@@ -6,6 +6,8 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 
 namespace toccata::test {
 namespace {
@@ -80,6 +82,62 @@ TEST(Smooth, DistancesOfSimplePairs) {
   EXPECT_LE(above.lower, 3);
   EXPECT_GE(above.upper, 3);
   EXPECT_NEAR(above.on_b.z, 1, 1e-15);
+}
+
+TEST(Smooth, RelationAndPenetrationOfAHalfSpace) {
+  const PosedHalfSpace floor(HalfSpace({0, 0, 0}, {0, 0, 1}));
+  const PosedSmooth sunk(Cylinder(1, 2), Pose::translation(0, 0, 1.5));
+  EXPECT_EQ(relation(sunk, floor).kind, RelationKind::overlapping);
+  EXPECT_EQ(relation(PosedSmooth(Cone(1, 2), Pose::translation(0, 0, -3)), floor).containment, Containment::a_in_b);
+  EXPECT_EQ(relation(PosedSmooth(Cone(1, 2), Pose::translation(0, 0, 2)), floor).kind, RelationKind::touching);
+  const Penetration depth = penetration(sunk, floor);
+  EXPECT_LE(depth.lower, 0.5);
+  EXPECT_GE(depth.upper, 0.5);
+  EXPECT_EQ(depth.status, Status::exact);
+  EXPECT_EQ(depth.direction, (Vec3{0, 0, -1}));
+}
+
+TEST(Smooth, DepthOfABallInAWall) {
+  const Penetration p =
+      penetration(PosedSmooth(Ellipsoid({1, 1, 1}), Pose::translation(0, 0, 2.75)), PosedConvex(Box({5, 5, 2})));
+  EXPECT_LE(p.lower, 0.25);
+  EXPECT_GE(p.upper, 0.25);
+  EXPECT_LE(p.upper, 0.25 * (1 + 1e-12));
+  EXPECT_NEAR(p.direction.z, -1, 1e-12);
+  EXPECT_NE(message_of([] {
+              (void)penetration(PosedSmooth(Cone(1, 1)), PosedConvex(Point({0, 0, 0})));
+            }).find("surface"),
+            std::string::npos);
+}
+
+TEST(Smooth, RaysEnterWhereTheyShould) {
+  const PosedSmooth tower(Cylinder(2, 5));
+  const Cast side = cast_ray({10, 0, 1}, {-16, 0, 0}, tower);
+  EXPECT_TRUE(side.hit);
+  EXPECT_LE(side.lower, 0.5);
+  EXPECT_GE(side.upper, 0.5);
+  EXPECT_EQ(side.normal, (Vec3{1, 0, 0}));
+  EXPECT_FALSE(cast_ray({10, 0, 6}, {-16, 0, 0}, tower).hit);
+  EXPECT_TRUE(cast_ray({10, 0, 5}, {-16, 0, 0}, tower).hit) << "along the edge of the cap";
+  EXPECT_TRUE(cast_ray({2, 0, 10}, {0, 0, -20}, tower).hit) << "down the side";
+  const Cast tip = cast_ray({0, 0, 9}, {0, 0, -8}, PosedSmooth(Cone(1, 5)));
+  EXPECT_TRUE(tip.hit);
+  EXPECT_LE(tip.lower, 0.5);
+  EXPECT_GE(tip.upper, 0.5);
+  EXPECT_NE(message_of([&] { (void)cast_ray({0, 0, 0}, {0, 0, 0}, tower); }).find("motion is zero"), std::string::npos);
+}
+
+TEST(Smooth, AFallingConeMeetsTheFloor) {
+  const PosedSmooth cone(Cone(1, 1), Pose::translation(0, 0, 5));
+  const Cast cast = cast_shape(cone, {0, 0, -8}, PosedHalfSpace(HalfSpace({0, 0, 0}, {0, 0, 1})));
+  EXPECT_TRUE(cast.hit);
+  EXPECT_LE(cast.lower, 0.5);
+  EXPECT_GE(cast.upper, 0.5);
+  const Cast onto_box = cast_shape(cone, {0, 0, -8}, PosedConvex(Box({3, 3, 1}), Pose::translation(0, 0, -1)));
+  EXPECT_LE(onto_box.lower, 0.5);
+  EXPECT_GE(onto_box.upper, 0.5);
+  EXPECT_LE(onto_box.upper - onto_box.lower, 0x1p-40);
+  EXPECT_FALSE(cast_shape(cone, {0, 0, 8}, PosedConvex(Box({3, 3, 1}))).hit);
 }
 
 }  // namespace

@@ -64,6 +64,12 @@ BoundedVector PairFrame::place(const Vec3& world) const {
   return placed;
 }
 
+BoundedVector PairFrame::scaled(const Vec3& world) const {
+  BoundedVector result = exactly(factor * world);
+  for (BoundedNumber& x : result) x.error = factor < 1 ? BoundedNumber::underflow : 0;
+  return result;
+}
+
 Vec3 PairFrame::back(const Vec3& placed) const {
   if (factor < 1) return (1 / factor) * (placed + factor * origin);
   return origin + (1 / factor) * placed;
@@ -111,6 +117,16 @@ SmoothBody::SmoothBody(const PosedConvex& shape, const PairFrame& frame, const S
 SmoothBody::SmoothBody(const BoundedVector& point) : count_(1), middle_(point) {
   centre_[0] = point;
   plain_centre_[0] = plain(point);
+}
+
+SmoothBody SmoothBody::moved(const BoundedVector& by) const {
+  SmoothBody result = *this;
+  result.middle_ = middle_ + by;
+  for (Index i = 0; i < count_; ++i) {
+    result.centre_[i] = centre_[i] + by;
+    result.plain_centre_[i] = plain(result.centre_[i]);
+  }
+  return result;
 }
 
 Mat3 SmoothBody::roundness() const {

@@ -18,6 +18,7 @@ struct PairFrame {
   double factor = 1;
 
   [[nodiscard]] BoundedVector place(const Vec3& world) const;
+  [[nodiscard]] BoundedVector scaled(const Vec3& world) const;
   [[nodiscard]] Vec3 back(const Vec3& placed) const;
 };
 
@@ -51,6 +52,8 @@ class SmoothBody {
   /// Of a smooth shape: the images of its half axes, of the radius twice and the half height.
   [[nodiscard]] const std::array<BoundedVector, 3>& axes() const { return axes_; }
   [[nodiscard]] const std::optional<PosedSmooth::Kind>& smooth_kind() const { return kind_; }
+  /// The body of a smooth shape, moved.
+  [[nodiscard]] SmoothBody moved(const BoundedVector& by) const;
   /// Of a smooth shape: the map that makes it as long as it is wide, rounded.
   [[nodiscard]] Mat3 roundness() const;
   [[nodiscard]] const BoundedVector& middle_point() const { return middle_; }

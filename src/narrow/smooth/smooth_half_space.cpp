@@ -1,8 +1,9 @@
 #include <cmath>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/smooth/smooth_proof.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 
 namespace toccata {
 namespace {
@@ -16,7 +17,8 @@ class Above {
     normal_ = scale * b.normal;
     const FineDirection down = fine(-normal_);
     const BoundedVector n = exactly(normal_);
-    gap_ = -(height_of<BoundedNumber>(body_, down) + dot(n, frame_.place(b.point)));
+    level_ = dot(n, frame_.place(b.point));
+    gap_ = -(height_of<BoundedNumber>(body_, down) + level_);
     length_ = length(n);
     lowest_ = body_.support(-normal_).point;
   }
@@ -45,11 +47,40 @@ class Above {
     return result;
   }
 
+  [[nodiscard]] Relation relation() const {
+    Relation result;
+    result.a_solid = result.b_solid = true;
+    if (contact() == SmoothContact::apart) return result;
+    result.kind = gap_.is_negative() ? RelationKind::overlapping : RelationKind::touching;
+    if (!gap_.is_negative()) result.status = Status::undecided;
+    // Its highest point lies below the plane.
+    const BoundedNumber top = height_of<BoundedNumber>(body_, fine(normal_)) - level_;
+    if (gap_.is_negative() && top.is_negative()) result.containment = Containment::a_in_b;
+    return result;
+  }
+
+  [[nodiscard]] Penetration penetration() const {
+    Penetration result;
+    if (contact() == SmoothContact::apart) return result;
+    if (contact() == SmoothContact::undecided) result.status = Status::undecided;
+    const BoundedNumber depth = -(gap_ / length_);
+    result.direction = -unit_or_zero(normal_);
+    result.on_a = frame_.back(lowest_);
+    result.on_b = frame_.back(lowest_ + (middle(depth) / middle(length_)) * normal_);
+    if (contact() == SmoothContact::undecided) return result;
+    // The direction is rounded, so that a little more is to be gone.
+    result.lower = std::nextafter(std::fmax(floor_of(depth), 0) / frame_.factor, 0);
+    result.upper = std::nextafter((1 + 0x1p-50) * ceiling_of(depth) / frame_.factor, HUGE_VAL);
+    result.status = result.upper - result.lower <= 1e-12 * result.upper ? Status::exact : Status::not_converged;
+    return result;
+  }
+
  private:
   PairFrame frame_;
   SmoothBody body_;
   Vec3 normal_;
-  BoundedNumber gap_;  ///< times the length of the normal
+  BoundedNumber level_;  ///< of the plane along the normal
+  BoundedNumber gap_;    ///< times the length of the normal
   BoundedNumber length_;
   Vec3 lowest_;
 };
@@ -63,6 +94,9 @@ bool overlap(const PosedSmooth& a, const PosedHalfSpace& b) { return smooth_cont
 bool overlap(const PosedHalfSpace& a, const PosedSmooth& b) { return overlap(b, a); }
 
 Distance distance(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).distance(); }
+
+Relation relation(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).relation(); }
+Penetration penetration(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).penetration(); }
 
 Distance distance(const PosedHalfSpace& a, const PosedSmooth& b) {
   Distance result = distance(b, a);

@@ -113,8 +113,11 @@ class NearestSearch {
     const std::size_t count = search.corners(corner);
     const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
                         of_a = point_of<BoundedNumber>(a_, joined(true, search));
-    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
+    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner))) {
+      best_.around = corner;
+      best_.is_around = true;
       return met(of_b);
+    }
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
       if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
@@ -185,7 +188,6 @@ class NearestSearch {
     best_.contact = SmoothContact::contact;
     best_.lower = best_.upper = 0;
     best_.on_a = best_.on_b = plain(point);
-    best_.overlapping = true;
     best_.narrow = true;
     return true;
   }

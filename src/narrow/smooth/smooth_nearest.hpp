@@ -14,8 +14,10 @@ struct SmoothNearest {
   /// From B to A, as `SmoothPolish` has it: across it they are `lower` apart, or what was the best there is.
   FineDirection direction;
   SmoothContact contact = SmoothContact::undecided;
-  bool overlapping = false;  ///< they certainly have a common point that is inside both
-  bool narrow = false;       ///< the interval is as narrow as is promised
+  /// Then, where that was the proof: four points of A − B around the origin.
+  std::array<SmoothSearch::Corner, 4> around{};
+  bool is_around = false;
+  bool narrow = false;  ///< the interval is as narrow as is promised
 };
 
 /// How much is asked: whether they meet, or how far apart they are.

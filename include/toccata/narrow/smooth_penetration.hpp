@@ -1,0 +1,27 @@
+#pragma once
+
+#include "toccata/narrow/smooth.hpp"
+
+// How cylinders, cones and ellipsoids lie to other convex shapes, and how far they overlap.
+namespace toccata {
+
+// Apart and overlapping (crossing, where the other is a surface) are proved. Touching has the status undecided: it
+// stands for all that SmoothContact calls so. Containment is told where it is proved: of a hull without a radius within
+// a smooth shape, and of a smooth shape within a half-space; other containment is not told yet.
+[[nodiscard]] Relation relation(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] Relation relation(const PosedSmooth& a, const PosedConvex& b);
+[[nodiscard]] Relation relation(const PosedConvex& a, const PosedSmooth& b);
+[[nodiscard]] Relation relation(const PosedSmooth& a, const PosedHalfSpace& b);
+
+// The exact depth lies in [lower, upper]: both ends are proved, upper by the plane that is left between the shapes when
+// B has moved by upper · direction, lower by a polytope within the Minkowski difference. The status is not_converged
+// where upper − lower is more than 10⁻¹² · upper, as it mostly is on round sides: there lower may be some per cent less
+// than upper. Both 0 when the shapes are apart, and, with the status undecided, within the bound of touching. Throws
+// Error when one is a surface.
+[[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedConvex& b);
+[[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedSmooth& b);
+/// As narrow as a distance.
+[[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedHalfSpace& b);
+
+}  // namespace toccata
