@@ -36,8 +36,8 @@ class Layers final : public PairFinder {
   }
 
   [[nodiscard]] std::size_t bytes() const override {
-    std::size_t sum = (everything_ ? everything_->bytes() : 0) + resting_.bytes() + sweep_.bytes() + roles_.capacity() +
-                      (places_.capacity() + movers_.capacity()) * sizeof(Index) +
+    std::size_t sum = (everything_ ? everything_->bytes() : 0) + resting_.bytes() + moving_.bytes() + sweep_.bytes() +
+                      roles_.capacity() + (places_.capacity() + movers_.capacity()) * sizeof(Index) +
                       flat_movers_.capacity() * sizeof(FlatBox) + new_pairs_.capacity() * sizeof(IndexPair);
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
@@ -47,6 +47,10 @@ class Layers final : public PairFinder {
     if (everything_) return everything_->cells(boxes);
     BroadPhaseCells cells;
     resting_.add_cells(frame_, cells);
+    if (has_moving_tree()) {
+      moving_.add_cells(frame_, cells);
+      return cells;
+    }
     std::vector<Aabb> movers;
     for (const Index number : movers_) movers.push_back(boxes[number]);
     add_intervals(cells, movers, sweep_.axis());
@@ -56,6 +60,7 @@ class Layers final : public PairFinder {
  private:
   static constexpr std::size_t parts = 16;
   static constexpr std::size_t updates_of_order = 32;
+  static constexpr std::size_t most_swept = 8192;
   enum class Role : std::uint8_t { none, resting, mover };
 
   void take_movers(const BoxesNow& now) {
@@ -92,8 +97,13 @@ class Layers final : public PairFinder {
 
   void flatten_movers(const BoxesNow& now) {
     flat_movers_.clear();
-    for (const Index number : movers_)
-      if (!is_empty(now.boxes[number])) flat_movers_.push_back(flat(frame_, now.boxes[number], number));
+    constexpr std::size_t ahead = 16;
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+      // They lie anywhere.
+      if (i + ahead < movers_.size()) __builtin_prefetch(&now.boxes[movers_[i + ahead]]);
+      const Aabb& box = now.boxes[movers_[i]];
+      if (!is_empty(box)) flat_movers_.push_back(flat(frame_, box, movers_[i]));
+    }
   }
 
   /// Movers that are asked about one after the other shall be near each other, so that they find the same part of the
@@ -106,15 +116,24 @@ class Layers final : public PairFinder {
     for (const FlatBox& mover : flat_movers_) movers_.push_back(mover.number);
   }
 
+  /// A sweep along one axis looks at n^(5/3) pairs of n movers.
+  [[nodiscard]] bool has_moving_tree() const { return flat_movers_.size() > most_swept; }
+
   /// All pairs of movers, with each other and with what rests.
   void find_new(const BoxesNow& now) {
     order_movers(now);
     flatten_movers(now);
-    sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
+    if (has_moving_tree())
+      moving_.build(flat_movers_, PackingOrder::morton);
+    else
+      sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
     const Chunks chunks(flat_movers_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
-      sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
+      if (has_moving_tree())
+        moving_.add_pairs(now.boxes.data(), chunks.begin(part), chunks.end(part), found_[part]);
+      else
+        sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
       const std::span<const FlatBox> movers =
           std::span(flat_movers_).subspan(chunks.begin(part), chunks.end(part) - chunks.begin(part));
       resting_.add_pairs_with(now.boxes.data(), movers, found_[part]);
@@ -127,6 +146,7 @@ class Layers final : public PairFinder {
   std::size_t updates_since_order_ = 0;
   FloatFrame frame_;
   PackedTree resting_;
+  PackedTree moving_;          ///< of many movers
   std::vector<Role> roles_;    ///< by number
   std::vector<Index> places_;  ///< in the tree, by number
   std::vector<Index> movers_;

@@ -139,6 +139,22 @@ TEST(KdTiles, TellEachPairOnceWhereABoxReachesOverSeveralCuts) {
             overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::sort_and_sweep, 1}));
 }
 
+TEST(Layers, FindTheSameAmongManyMovers) {
+  Crowd crowd("static", 200'000);
+  BroadPhase layers({BroadPhaseMethod::layers, 2});
+  layers.add(crowd.boxes());
+  layers.update();
+  for (int frame = 0; frame < 2; ++frame) {
+    const std::span<const Index> moved = crowd.step();
+    ASSERT_GT(moved.size(), 8192U) << "fewer are swept";
+    std::vector<Aabb> to;
+    for (const Index number : moved) to.push_back(crowd.boxes()[number]);
+    layers.move(moved, to);
+    EXPECT_TRUE(std::ranges::equal(layers.update(), overlapping_pairs(crowd.boxes(), {BroadPhaseMethod::kd_tiles, 2})));
+  }
+  EXPECT_FALSE(layers.cells().cells.empty());
+}
+
 TEST(PairBuffer, HoldsNoMoreThanWhatIsWanted) {
   const PairFilter wanted = [](const IndexPair& pair) { return pair.first % 1000 == 7; };
   PairBuffer all, some;
