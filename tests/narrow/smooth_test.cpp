@@ -12,7 +12,7 @@
 namespace toccata::test {
 namespace {
 
-std::string message_of(const std::function<void()>& action) {
+std::string refusal_of(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {
@@ -22,18 +22,18 @@ std::string message_of(const std::function<void()>& action) {
 }
 
 TEST(SmoothShape, RefusesWhatIsNoSolid) {
-  EXPECT_EQ(message_of([] { Cylinder(0, 1); }), "the radius of a cylinder is 0; give a positive finite number");
-  EXPECT_EQ(message_of([] { Cylinder(1, -1); }), "the half height of a cylinder is -1; give a positive finite number");
-  EXPECT_EQ(message_of([] { Cone(HUGE_VAL, 1); }), "the radius of a cone is inf; give a positive finite number");
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(refusal_of([] { Cylinder(0, 1); }), "the radius of a cylinder is 0; give a positive finite number");
+  EXPECT_EQ(refusal_of([] { Cylinder(1, -1); }), "the half height of a cylinder is -1; give a positive finite number");
+  EXPECT_EQ(refusal_of([] { Cone(HUGE_VAL, 1); }), "the radius of a cone is inf; give a positive finite number");
+  EXPECT_EQ(refusal_of([] {
               Ellipsoid({1, 0, 1});
             }),
             "the half axis along y of an ellipsoid is 0; give a positive finite number");
   Pose flat;
   flat.linear[2] = {0, 0, 0};
-  EXPECT_NE(message_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("the cone: the pose"), std::string::npos);
-  EXPECT_NE(message_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("singular"), std::string::npos);
-  EXPECT_NE(message_of([] {
+  EXPECT_NE(refusal_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("the cone: the pose"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { PosedSmooth(Cone(1, 1), flat); }).find("singular"), std::string::npos);
+  EXPECT_NE(refusal_of([] {
               PosedSmooth(Ellipsoid({1e308, 1, 1}), Pose::translation(1e308, 0, 0));
             }).find("beyond the finite numbers"),
             std::string::npos);
@@ -104,7 +104,7 @@ TEST(Smooth, DepthOfABallInAWall) {
   EXPECT_GE(p.upper, 0.25);
   EXPECT_LE(p.upper, 0.25 * (1 + 1e-12));
   EXPECT_NEAR(p.direction.z, -1, 1e-12);
-  EXPECT_NE(message_of([] {
+  EXPECT_NE(refusal_of([] {
               (void)penetration(PosedSmooth(Cone(1, 1)), PosedConvex(Point({0, 0, 0})));
             }).find("surface"),
             std::string::npos);
@@ -124,7 +124,7 @@ TEST(Smooth, RaysEnterWhereTheyShould) {
   EXPECT_TRUE(tip.hit);
   EXPECT_LE(tip.lower, 0.5);
   EXPECT_GE(tip.upper, 0.5);
-  EXPECT_NE(message_of([&] { (void)cast_ray({0, 0, 0}, {0, 0, 0}, tower); }).find("motion is zero"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { (void)cast_ray({0, 0, 0}, {0, 0, 0}, tower); }).find("motion is zero"), std::string::npos);
 }
 
 TEST(Smooth, AFallingConeMeetsTheFloor) {
