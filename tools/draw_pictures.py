@@ -109,6 +109,7 @@ CROWDS = {
     "crowd-tree": ("--scene uniform --count 200 --frames 2 --method morton-tree", "moment=2&off=pairs&grid=0"),
     "crowd-dynamic-tree": ("--scene static --count 30 --frames 4 --method dynamic-tree", "moment=4&off=pairs&grid=0&through=1"),
     "crowd-tracked": ("--scene fast --count 12 --frames 8 --method grid --cells tracked", "moment=4&off=pairs&grid=0&camera=0,0,0,7,-0.9,0.45"),
+    "world": ("--world --count 150 --frames 20", "moment=20&grid=0"),
     "crowd-auto": ("--scene clustered --count 6000 --frames 4", "moment=4&off=pairs&grid=0"),
 }
 

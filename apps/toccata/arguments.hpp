@@ -137,6 +137,7 @@ struct CrowdArguments : PosedArguments {
   std::size_t count = 100'000;
   std::size_t frames = 60;
   std::string method = "auto";
+  bool world = false;    ///< bodies of many shapes in a World instead of boxes
   bool compare = false;  ///< all methods instead of the one
   std::uint64_t seed = 1;
   std::string size;              ///< of the picture; empty: as it is
@@ -170,6 +171,7 @@ int run_nearest(const NearestArguments& arguments);
 int run_minkowski(const MinkowskiArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_crowd(const CrowdArguments& arguments);
+int run_crowd_world(const CrowdArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 
 }  // namespace toccata::command

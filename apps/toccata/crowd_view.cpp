@@ -59,20 +59,25 @@ CrowdView::CrowdView(const CrowdArguments& arguments, CrowdQuestion question)
   require_picture(*picture_);
 }
 
+bool CrowdView::draws() const { return !arguments_.html.empty() || picture_.has_value(); }
+
 std::string CrowdView::write() const {
-  if (arguments_.html.empty() && !picture_) return {};
+  if (!draws()) return {};
   const CrowdRecording recording = recorded(question_, arguments_.cells);
-  const std::string page = crowd_page(
-      recording, {.title = fmt::format("{}, {}", counted(arguments_.count, "box", "boxes"), arguments_.scene)});
+  const std::string title = fmt::format("{}, {}", counted(arguments_.count, "box", "boxes"), arguments_.scene);
+  return write(crowd_page(recording, {.title = title}), told_of(recording));
+}
+
+std::string CrowdView::write(const std::string& page, const std::string& holds) const {
   if (picture_) write_picture(page, *picture_);
   const UninterruptedWriting writing;
   std::string told;
   if (!arguments_.html.empty()) {
     write_view_page(page, arguments_.html);
-    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(arguments_.html), told_of(recording),
+    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(arguments_.html), holds,
                         static_cast<double>(std::filesystem::file_size(arguments_.html)) / 1e6);
   }
-  if (picture_) told += fmt::format("{}: a picture of {}.\n", printable(picture_->path), told_of(recording));
+  if (picture_) told += fmt::format("{}: a picture of {}.\n", printable(picture_->path), holds);
   return told;
 }
 

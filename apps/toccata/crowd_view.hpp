@@ -17,6 +17,10 @@ class CrowdView {
 
   /// Runs the crowd once more, frame by frame as it was measured, and writes what it was. Gives a line for each file.
   [[nodiscard]] std::string write() const;
+  /// Writes this page, or its picture. Gives a line for each file, which says what it `holds`.
+  [[nodiscard]] std::string write(const std::string& page, const std::string& holds) const;
+  /// There is something to be written.
+  [[nodiscard]] bool draws() const;
 
  private:
   CrowdArguments arguments_;

@@ -173,30 +173,39 @@ void add_crowd(CLI::App& app, Options& options) {
   for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
   CLI::App* crowd = app.add_subcommand("crowd", "many moving boxes: which overlap, frame by frame, and how fast");
   const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000});
-  crowd->add_option("--count", options.crowd.count, "boxes")->check(positive)->capture_default_str();
-  crowd->add_option("--scene", options.crowd.scene, "how they lie and move")
-      ->check(CLI::IsMember(scenes))
-      ->capture_default_str();
+  crowd->add_option("--count", options.crowd.count, "boxes or bodies")->check(positive)->capture_default_str();
+  CLI::Option* scene = crowd->add_option("--scene", options.crowd.scene, "how they lie and move")
+                           ->check(CLI::IsMember(scenes))
+                           ->capture_default_str();
   crowd->add_option("--frames", options.crowd.frames, "the median of their times is told")
       ->check(positive)
       ->capture_default_str();
   CLI::Option* method = crowd->add_option("--method", options.crowd.method, "how pairs are found")
                             ->check(CLI::IsMember(methods))
                             ->capture_default_str();
-  crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other")
-      ->excludes(method);
+  CLI::Option* compare =
+      crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other")
+          ->excludes(method);
   crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")
       ->check(whole_number())
       ->capture_default_str();
   add_threads(*crowd, options.crowd.threads, "pairs")->capture_default_str();
   add_file(*crowd, "--html", options.crowd.html,
            "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
+  CLI::Option* cells =
+      crowd
+          ->add_option(
+              "--cells", options.crowd.cells,
+              "which cells the page shows: those of the method, or of a grid those that boxes enter, keep and leave")
+          ->check(CLI::IsMember({"method", "tracked"}))
+          ->capture_default_str();
   crowd
-      ->add_option(
-          "--cells", options.crowd.cells,
-          "which cells the page shows: those of the method, or of a grid those that boxes enter, keep and leave")
-      ->check(CLI::IsMember({"method", "tracked"}))
-      ->capture_default_str();
+      ->add_flag(
+          "--world", options.crowd.world,
+          "instead of boxes, spheres, boxes, capsules and hulls that fly in a World: which are in contact, exactly")
+      ->excludes(scene)
+      ->excludes(compare)
+      ->excludes(cells);
   add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
   add_save_case(
       *crowd, options.crowd.save_case,
@@ -205,7 +214,8 @@ void add_crowd(CLI::App& app, Options& options) {
   crowd->footer(
       with_name("Exit code: 0, or 2 for trouble.\n\n"
                 "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
-                "  {0} crowd --count 2000 --frames 100 --html crowd.html"));
+                "  {0} crowd --count 2000 --frames 100 --html crowd.html\n"
+                "  {0} crowd --world --count 500 --frames 60 --html world.html"));
 }
 
 void add_demo(CLI::App& app, Options& options) {

@@ -65,6 +65,7 @@
 #include "toccata/io/self_report.hpp"
 #include "toccata/io/tree_file.hpp"
 #include "toccata/io/view_page.hpp"
+#include "toccata/io/world_page.hpp"
 #include "toccata/math/mat3.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/predicates.hpp"

@@ -27,6 +27,9 @@ export const stepColours = [blue, orange, green, purple, skyBlue, vermilion];
 /// At rest, moving, moving and in a pair.
 export const bodyColours = [untouched, skyBlue, orange];
 
+/// Of pairs of a World: that have begun, that have ended.
+export const eventColours = { begun: vermilion, ended: purple };
+
 export interface Theme {
   background: number;
   grid: number;

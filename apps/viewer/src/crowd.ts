@@ -73,6 +73,15 @@ export class Crowd {
     for (const member of members) this.place(member);
   }
 
+  /// Puts those objects where their matrices say now.
+  replace(objects: Set<number>): void {
+    const moved = this.members.filter(({ object }) => objects.has(object));
+    if (moved.length === 0) return;
+    for (const member of moved) this.place(member);
+    this.positions.needsUpdate = true;
+    if (this.normals) this.normals.needsUpdate = true;
+  }
+
   private place({ object, geometry, matrix }: Member): void {
     const [position, normal] = [geometry.getAttribute('position'), geometry.getAttribute('normal')];
     const first = this.firstOf.get(object)!;

@@ -55,6 +55,14 @@ export interface Time {
   per_second: number; // how many are played
 }
 
+/// Where objects are at each moment: entries, those of a moment being what has changed since the one before.
+export interface MotionHeader {
+  objects: ArrayPlace; // whose place it is
+  places: ArrayPlace; // of its own origin, in shown coordinates, 3 floats
+  turns: ArrayPlace; // from its pose in the report, a quaternion in 4 signed numbers of 2 bytes; 0: it is not there
+  moments: [number, number][]; // the first entry and how many
+}
+
 /// The levels of a hierarchy over a mesh (`kind` is "hierarchy"); `data` holds the run of triangles of each node.
 interface Levels extends Layer {
   object: number;
@@ -105,6 +113,7 @@ export interface Header {
   layers: Layer[];
   summary?: string; // in place of the count of objects and pairs
   time?: Time;
+  motion?: MotionHeader;
 }
 
 /// Lengths beyond the largest double are null.
@@ -248,6 +257,19 @@ export interface TreeReport {
   F: number;
 }
 
+/// Two bodies that are in contact or near, at a step of a World, or have ended to be.
+export interface WorldPair {
+  a_index: number;
+  b_index: number;
+  change: 'begun' | 'kept' | 'ended';
+  in_contact: boolean;
+  verb?: string;
+  remark?: string;
+  distance?: Distance;
+  penetration?: Penetration;
+  points?: number;
+}
+
 /// What the subcommand writes with --json (docs/reference), without the faces.
 export interface Report {
   schema: string;
@@ -270,6 +292,7 @@ export interface Report {
   rebuilt?: TreeReport;
   named_nodes?: number;
   kept_nodes?: number;
+  steps?: { pairs: WorldPair[] }[]; // of a World, by moment
 }
 
 export class PageData {

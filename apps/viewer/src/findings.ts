@@ -1,6 +1,6 @@
 // What the page lists: a finding for each entry of the report, whatever was asked. Every sentence is put together here,
 // of the engine's words and numbers; nothing is computed but how a number is written.
-import type { Distance, Header, Pair, PageData, Penetration, Report } from './data';
+import type { Distance, Header, Pair, PageData, Penetration, Report, WorldPair } from './data';
 import { ofInspected } from './inspected';
 import { ofCosts, ofTrees } from './measured';
 import { countText, directionText, lengthText, numberText, vectorText } from './words';
@@ -21,6 +21,7 @@ export interface Finding {
   gap: number;
   size: number;
   poses?: [number[], number[]]; // where A and B are in it
+  moment?: number; // at which it is there, and listed
 }
 
 export type Order = 'deepest' | 'largest' | 'nearest' | 'listed';
@@ -301,6 +302,7 @@ function insideOf(report: Report, name: string | null): Part[] {
 }
 
 const kinds: Record<string, (data: PageData) => Findings> = {
+  'toccata/world/1': ofWorld,
   'toccata/check/1': ofPairs,
   'toccata/check-poses/1': ofPoses,
   'toccata/check-self/1': ofSelf,
@@ -314,6 +316,28 @@ const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/hierarchy/1': ofTrees,
 };
 
+/// The pairs of a World, step by step.
+function ofWorld({ report }: PageData): Findings {
+  const steps = report.steps ?? [];
+  const all = steps.flatMap(({ pairs }, moment) => pairs.map((pair) => ofWorldPair(pair, moment, report.unit)));
+  return { all, name: 'Pairs', summary: [], none: 'At this step no bodies are in contact.', orders: ['listed', 'deepest', 'nearest'], shown: [] };
+}
+
+function ofWorldPair(pair: WorldPair, moment: number, unit: string): Finding {
+  const [a, b] = [pair.a_index, pair.b_index];
+  const isEnded = pair.change === 'ended';
+  const verb = pair.in_contact ? (pair.verb ?? 'is in contact with') : 'is near';
+  const since = { begun: 'since this step', kept: 'as at the step before', ended: 'at the step before, and no longer' }[pair.change];
+  const facts = isEnded ? [] : [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
+  if (!isEnded && pair.points) facts.push([countText(pair.points, 'point of contact', 'points of contact')]);
+  return {
+    row: [{ object: a }, ' – ', { object: b }],
+    what: together(pair.change, isEnded ? '' : numberOf(unit, pair.distance, pair.penetration)),
+    sentence: [{ object: a }, ` ${verb} `, { object: b }, `${pair.remark && pair.in_contact ? ` ${pair.remark}` : ''}: ${since}.`],
+    facts, a, b, ...plain, depth: isEnded ? 0 : depthOf(pair.penetration), gap: isEnded ? Infinity : gapOf(pair.distance), moment,
+  };
+}
+
 export function findingsOf(data: PageData): Findings {
   const kind = kinds[data.report.schema];
   if (!kind) throw new Error(`this page cannot show ${data.report.schema}`);
@@ -321,7 +345,7 @@ export function findingsOf(data: PageData): Findings {
 }
 
 /// The numbers of the findings in that order; those that are equal in it stay as listed.
-export function sorted(findings: Finding[], order: Order): number[] {
+export function sorted(findings: Finding[], order: Order, moment: number): number[] {
   const by = (number: (finding: Finding) => number, way: 1 | -1) => (i: number, j: number) => {
     const [x, y] = [number(findings[i]), number(findings[j])];
     return x === y ? 0 : x < y ? -way : way;
@@ -330,7 +354,8 @@ export function sorted(findings: Finding[], order: Order): number[] {
   const nearest = by((finding) => finding.gap, 1);
   const largest = by((finding) => finding.size, -1);
   const ways = { deepest: [deepest, nearest, largest], nearest: [nearest], largest: [largest], listed: [] };
-  return findings.map((_, i) => i).sort((i, j) => ways[order].reduce((found, way) => found || way(i, j), 0) || i - j);
+  const isListed = (finding: Finding) => finding.moment === undefined || finding.moment === moment;
+  return findings.flatMap((finding, i) => (isListed(finding) ? [i] : [])).sort((i, j) => ways[order].reduce((found, way) => found || way(i, j), 0) || i - j);
 }
 
 /// The texts of some parts, names as they are.

@@ -1,6 +1,6 @@
 // The box that switches layers on and off, and slides through the steps of those that have some.
 import type { Layer, PageData } from './data';
-import { themes } from './colours';
+import { bodyColours, themes } from './colours';
 import type { Findings } from './findings';
 import { roleColour } from './layers';
 import { colourOfClass } from './moving';
@@ -47,6 +47,7 @@ export class LayerPanel {
     const roles = [...new Set(shown.map((layer) => layer.role))];
     panel.replaceChildren(...roles.map((role) => this.roleSwitch(role)));
     for (const layer of layers) if (layer.moments && layer.finding === undefined) panel.append(this.roleSwitch(layer.role, layer.name), ...this.classes(layer));
+    if (this.data.header.motion) panel.append(this.bodyKey());
     layers.forEach((layer, i) => {
       const isMeant = finding === undefined || layer.object === undefined || this.isOf(layer.object, finding);
       if (layer.steps && layer.steps.length > 0 && isMeant) panel.append(this.stepSlider(layer, layer.steps.length, i));
@@ -70,6 +71,17 @@ export class LayerPanel {
       }),
     );
     return [list];
+  }
+
+  /// What the colours of bodies that move mean.
+  private bodyKey(): HTMLElement {
+    const list = make('ul', '', 'classes');
+    ['at rest', 'moving', 'in contact'].forEach((name, i) => {
+      const item = make('li');
+      item.append(this.key(bodyColours[i]), name);
+      list.append(item);
+    });
+    return list;
   }
 
   private key(colour: number): HTMLElement {

@@ -17,7 +17,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Layer, LayerStep, PageData } from './data';
-import { bodyColours, facesA, facesB, stepColours, type Theme } from './colours';
+import { bodyColours, eventColours, facesA, facesB, stepColours, type Theme } from './colours';
 import type { Objects } from './objects';
 import { bodies, cells, links } from './moving';
 import { identity, matrixOf, shownPlace } from './place';
@@ -50,7 +50,7 @@ const faultColours = (theme: Theme) => ({
 });
 
 export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
-  const ofRole = { ...theme, ...faultColours(theme), pairs: theme.contact, bodies: bodyColours[1] } as unknown as Record<string, number>;
+  const ofRole = { ...theme, ...faultColours(theme), pairs: theme.contact, bodies: bodyColours[1], begun: eventColours.begun, kept: theme.contact, ended: eventColours.ended } as unknown as Record<string, number>;
   return ofRole[role] ?? stepColours[stepNumber % stepColours.length];
 }
 

@@ -112,6 +112,12 @@ function linesBetween(points: Float32Array, pairs: Uint16Array | Uint32Array, th
   return drawn;
 }
 
+/// The most boxes, of any layer, that are drawn at a moment.
+export function mostBoxes({ header }: PageData): number {
+  const counts = header.layers.flatMap(({ kind, moments }) => (kind === 'bodies' || kind === 'cells' ? (moments ?? []).map(([, count]) => count) : []));
+  return counts.reduce((most, count) => Math.max(most, count), 0);
+}
+
 /// Around all bodies, at all moments.
 export function boxOfBodies(data: PageData): Box3 {
   const whole = new Box3();

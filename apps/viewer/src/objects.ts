@@ -41,6 +41,8 @@ export class Objects {
   private readonly geometries: BufferGeometry[];
   private readonly drawings: Drawings[] = [];
   private readonly thin = new Map<number, LineSegments | Points>();
+  private readonly crowds: Crowd[] = [];
+  private readonly moved = new Set<number>(); // since they were drawn
   private readonly solidMaterials: MeshLambertMaterial[] = [];
 
   constructor(private readonly data: PageData) {
@@ -83,6 +85,7 @@ export class Objects {
       return;
     }
     const crowd = new Crowd(all, smooth);
+    this.crowds.push(crowd);
     this.add({ shown: new CrowdPart(crowd, this.material(smooth, false)), ghost: new CrowdPart(crowd, this.material(smooth, true)) });
   }
 
@@ -118,6 +121,8 @@ export class Objects {
 
   /// One appearance for each object.
   show(looks: Appearance[], ghostColour: number): void {
+    for (const crowd of this.crowds) crowd.replace(this.moved);
+    this.moved.clear();
     for (const drawing of this.drawings) {
       drawing.shown.fill((i) => looks[i].look === 'shown', (i) => looks[i].colour);
       drawing.ghost.fill((i) => looks[i].look === 'ghost', (i) => looks[i].ghostColour ?? ghostColour);
@@ -169,7 +174,14 @@ export class Objects {
   moveTo(object: number, pose: number[]): void {
     const { header } = this.data;
     const { mesh, fit } = header.objects[object];
-    this.matrices[object].copy(matrixOf(shownPlace(header.frame, pose, stored(header.meshes[mesh]), fit)));
+    this.setMatrix(object, matrixOf(shownPlace(header.frame, pose, stored(header.meshes[mesh]), fit)));
+  }
+
+  /// From the numbers of its mesh to what is shown.
+  setMatrix(object: number, matrix: Matrix4): void {
+    const { mesh } = this.data.header.objects[object];
+    this.moved.add(object);
+    this.matrices[object].copy(matrix);
     this.boxes[object].copy((this.geometries[mesh].boundingBox ?? new Box3()).clone().applyMatrix4(this.matrices[object]));
     this.thin.get(object)?.matrix.copy(this.matrices[object]);
   }

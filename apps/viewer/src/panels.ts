@@ -143,7 +143,7 @@ export class Panels {
     const { orders, all, none } = this.findings;
     const order = this.state.order && orders.includes(this.state.order) ? this.state.order : orders[0];
     element<HTMLSelectElement>('order').value = order;
-    this.order = sorted(all, order);
+    this.order = sorted(all, order, this.state.moment);
     fillList(element('finding-list'), this.order, (finding) => this.findingRow(finding), none);
     this.markFinding();
   }

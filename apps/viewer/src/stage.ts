@@ -4,7 +4,7 @@ import { Orbit } from './camera';
 import type { Theme } from './colours';
 import { gridLines } from './grid';
 import { discard } from './layers';
-import { boxOfBodies } from './moving';
+import { boxOfBodies, mostBoxes } from './moving';
 import type { Objects } from './objects';
 import type { PageData } from './data';
 
@@ -25,7 +25,8 @@ export class Stage {
     private readonly objects: Objects,
     private readonly afterDrawing: () => void,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    // Where boxes are so many, most are a few points wide: smooth edges would take a card that is a program most of its time.
+    this.renderer = new WebGLRenderer({ canvas, antialias: mostBoxes(data) <= 20_000 });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.orbit = new Orbit(canvas, data.header.up, () => this.redraw());
     this.scene.add(objects.group, this.overlays, this.orbit.camera, new HemisphereLight(0xffffff, 0x9098a4, 1.6));

@@ -1,12 +1,13 @@
 // What the reader sees follows from the state: every action changes the state and calls `show`.
 import { Box3, Object3D, Vector3 } from 'three';
-import { objectA, objectB, themes, touchedColour, untouched } from './colours';
+import { bodyColours, objectA, objectB, themes, touchedColour, untouched } from './colours';
 import type { HierarchyLayer, Layer, LayerStep, PageData } from './data';
 import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
 import { findingsOf, type Finding, type Findings } from './findings';
 import { draw, merged, points, roleColour, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Objects, type Appearance } from './objects';
+import { Motion } from './motion';
 import { boxOfBodies } from './moving';
 import { element, Panels } from './panels';
 import { isSetFor } from './tree';
@@ -48,6 +49,8 @@ export class Viewer {
   private readonly touched: Set<number>;
   private readonly known: Known;
   private linkTimer = 0;
+  private readonly motion: Motion | undefined;
+  private meeting = new Set<number>(); // at this moment
   private levels: DrawnLevel[] = [];
   private litNode = -1;
 
@@ -59,6 +62,9 @@ export class Viewer {
     this.state = state;
     this.touched = new Set(this.findings.all.flatMap((finding) => (finding.counts ? objectsOf(finding) : [])));
     this.objects = new Objects(data);
+    this.motion = header.motion && new Motion(header.motion, data, this.objects);
+    this.state.moment = this.chosen?.moment ?? this.state.moment;
+    this.goToMoment();
     this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
     this.marks = new Marks(this.stage, header, report.unit);
     this.layerPanel = new LayerPanel(data, this.findings, this.state, () => this.show());
@@ -133,6 +139,7 @@ export class Viewer {
   private colourOf(object: number): number {
     const { chosen } = this;
     if (chosen) return object === chosen.a ? objectA : object === chosen.b ? objectB : untouched;
+    if (this.motion) return bodyColours[this.meeting.has(object) ? 2 : this.motion.moves(object) ? 1 : 0];
     return this.touched.has(object) ? touchedColour(object) : untouched;
   }
 
@@ -147,6 +154,7 @@ export class Viewer {
 
   private lookOf(object: number, opened: Set<number>): Appearance['look'] {
     const { state } = this;
+    if (this.motion && !this.motion.isThere(object)) return 'hidden';
     if (state.hidden.has(object) || (state.only && !state.only.has(object))) return 'hidden';
     if (state.ghosts.has(object)) return 'ghost';
     if (opened.has(object)) return 'hidden'; // its triangles are drawn in the colours of the level
@@ -175,9 +183,28 @@ export class Viewer {
     this.showButtons();
   }
 
-  /// What changes from moment to moment: the layers alone.
+  /// What changes from moment to moment: the layers, and where things move these and what is found of them.
   private showMoment(): void {
-    this.stage.setOverlays(this.overlays());
+    if (!this.motion) return this.stage.setOverlays(this.overlays());
+    this.goToMoment();
+    this.state.finding = this.sameAtThisMoment();
+    this.panels.listFindings();
+    this.show();
+  }
+
+  private goToMoment(): void {
+    const { moment } = this.state;
+    this.motion?.go(moment);
+    const pairs = this.data.report.steps?.[moment]?.pairs ?? [];
+    this.meeting = new Set(pairs.flatMap((pair) => (pair.in_contact && pair.change !== 'ended' ? [pair.a_index, pair.b_index] : [])));
+  }
+
+  /// The finding about the two objects that are looked at, if there is one now.
+  private sameAtThisMoment(): number | undefined {
+    const { chosen } = this;
+    if (!chosen || chosen.moment === undefined) return this.state.finding;
+    const found = this.findings.all.findIndex(({ a, b, moment }) => a === chosen.a && b === chosen.b && moment === this.state.moment);
+    return found < 0 ? undefined : found;
   }
 
   /// The ghost that contains the other one is still told by its colour.

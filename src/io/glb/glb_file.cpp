@@ -24,7 +24,7 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
     throw Error(
         "hierarchies over objects that move are not in a GLB file; a page shows them: view_page, or -o FILE.html");
   const std::vector<Posed> drawn = models_of(models, answer);
-  const io::ViewMeshes meshes(drawn, io::queries_of(answer));
+  const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
   io::add_objects(glb, answer);
   io::add_findings(glb, answer);

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "io/formats/utf8.hpp"
+#include "io/view/counted.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/drawn_cells.hpp"
 #include "io/view/filled_page.hpp"
@@ -25,10 +26,6 @@ using Json = nlohmann::ordered_json;
 using Frame = CrowdRecording::Frame;
 
 constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 void widen(Aabb& around, const Aabb& box) {
   for (const auto coordinate : coordinates)
@@ -183,20 +180,20 @@ Json time_of(const CrowdRecording& recording) {
   Json moments = Json::array();
   for (std::size_t i = 0; i < recording.frames().size(); ++i) {
     const Frame& frame = recording.frames()[i];
-    moments.push_back(
-        {{"label", fmt::format("frame {}", frame.number)},
-         {"note",
-          fmt::format("{}, {}; {}{}", counted(frame.pairs.size(), "pair", "pairs"), changes_of(recording.frames(), i),
-                      name_of(frame.method),
-                      frame.space.cells.empty() ? "" : ", " + counted(frame.space.cells.size(), "cell", "cells"))}});
+    moments.push_back({{"label", fmt::format("frame {}", frame.number)},
+                       {"note", fmt::format("{}, {}; {}{}", io::counted(frame.pairs.size(), "pair", "pairs"),
+                                            changes_of(recording.frames(), i), name_of(frame.method),
+                                            frame.space.cells.empty()
+                                                ? ""
+                                                : ", " + io::counted(frame.space.cells.size(), "cell", "cells"))}});
   }
   return {{"per_second", 12}, {"moments", std::move(moments)}};
 }
 
 std::string summary_of(const CrowdRecording& recording) {
   const std::size_t boxes = recording.frames().front().boxes.size();
-  std::string text =
-      fmt::format("{} · {}", counted(boxes, "box", "boxes"), counted(recording.frames().size(), "frame", "frames"));
+  std::string text = fmt::format("{} · {}", io::counted(boxes, "box", "boxes"),
+                                 io::counted(recording.frames().size(), "frame", "frames"));
   if (recording.stride() > 1) text += fmt::format(" of {}: one in {}", recording.seen(), recording.stride());
   return text;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "io/formats/utf8.hpp"
+#include "io/view/counted.hpp"
 #include "io/view/quantised_boxes.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/partitions/levels.hpp"
@@ -37,10 +38,6 @@ Json class_names() {
   return names;
 }
 
-std::string counted(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 std::string note_of(const Cells& cells, std::size_t triangles) {
   std::size_t copies = 0, most = 0;
   for (const PartitionCell& cell : cells) {
@@ -51,7 +48,7 @@ std::string note_of(const Cells& cells, std::size_t triangles) {
     return static_cast<double>(copies) / static_cast<double>(std::max<std::size_t>(of, 1));
   };
   return fmt::format("{} with {:.1f} triangles on average, {} at most; a triangle is in {:.2f}",
-                     counted(cells.size(), "cell"), share(cells.size()), most, share(triangles));
+                     counted(cells.size(), "cell", "cells"), share(cells.size()), most, share(triangles));
 }
 
 Aabb bounds_of(const std::vector<PartitionLevel>& levels) {
@@ -84,7 +81,7 @@ Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
           {"steps", steps}};
 }
 
-constexpr std::size_t most_meshes = 32;
+constexpr std::size_t most_partitioned = 32;
 
 }  // namespace
 
@@ -94,8 +91,9 @@ std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind 
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!models[i].model.has_mesh()) continue;
     const auto [found, is_new] = layer_of_mesh.try_emplace(&models[i].model.mesh());
-    if (layer_of_mesh.size() > most_meshes)
-      throw Error(fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most_meshes));
+    if (layer_of_mesh.size() > most_partitioned)
+      throw Error(
+          fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most_partitioned));
     if (is_new) found->second = layer_of(models[i].model.mesh(), kind, data);
     Json& layer = layers.emplace_back(found->second);
     layer["object"] = i;

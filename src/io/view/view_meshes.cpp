@@ -135,20 +135,17 @@ Json written(const DisplayMesh& mesh, ViewData& data) {
 
 }  // namespace
 
-ViewMeshes::ViewMeshes(std::span<const Posed> models, std::span<const PairQuery> queries)
+ViewMeshes::ViewMeshes(std::span<const Posed> models, std::span<const Place> places)
     : circles_(circles_for(models.size())) {
   for (const Posed& posed : models) drawn_.push_back(drawn_of(posed));
   Aabb world;
   std::vector<Aabb> boxes;
   for (const DisplayMesh& mesh : meshes_) boxes.push_back(box_of(mesh));
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (is_half_space(models[i])) continue;
-    const auto add = [&](const Pose& pose) {
-      world = merge(world, box_at(i, boxes[drawn_[i].mesh], pose, models[i].name));
-    };
-    add(models[i].pose);
-    for (const PairQuery& query : queries) add(i == 0 ? query.pose_a : query.pose_b);
-  }
+  const auto add = [&](std::size_t i, const Pose& pose) {
+    if (!is_half_space(models[i])) world = merge(world, box_at(i, boxes[drawn_[i].mesh], pose, models[i].name));
+  };
+  for (std::size_t i = 0; i < models.size(); ++i) add(i, models[i].pose);
+  for (const Place& place : places) add(place.model, place.pose);
   frame_ = DisplayFrame::around(world);
   for (std::size_t i = 0; i < models.size(); ++i)
     if (const HalfSpace* half_space = std::get_if<HalfSpace>(&models[i].model.shape()))
@@ -206,6 +203,12 @@ void ViewMeshes::write(Json& header, ViewData& data) const {
     if (drawn.fit) object["fit"] = drawn.fit->numbers();
     objects.push_back(std::move(object));
   }
+}
+
+std::vector<ViewMeshes::Place> places_of(std::span<const PairQuery> queries) {
+  std::vector<ViewMeshes::Place> places;
+  for (const PairQuery& query : queries) places.insert(places.end(), {{0, query.pose_a}, {1, query.pose_b}});
+  return places;
 }
 
 }  // namespace toccata::io

@@ -23,8 +23,13 @@ class ViewMeshes {
     std::optional<Pose> fit;  ///< from the mesh to the shape's own frame
   };
 
-  /// `queries` are other places of the first two models, which the frame holds too.
-  explicit ViewMeshes(std::span<const Posed> models, std::span<const PairQuery> queries = {});
+  /// Another place of a model, which the frame holds too.
+  struct Place {
+    Index model = 0;
+    Pose pose;
+  };
+
+  explicit ViewMeshes(std::span<const Posed> models, std::span<const Place> places = {});
 
   [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
   [[nodiscard]] const std::vector<DisplayMesh>& meshes() const { return meshes_; }
@@ -50,5 +55,8 @@ class ViewMeshes {
   int circles_ = most_circles;  ///< of latitude, of round shapes
   DisplayFrame frame_;
 };
+
+/// Where the first two models are in these queries.
+[[nodiscard]] std::vector<ViewMeshes::Place> places_of(std::span<const PairQuery> queries);
 
 }  // namespace toccata::io

@@ -70,7 +70,7 @@ void append(Json& layers, std::vector<Json> more) {
 
 std::string page_of(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                     const ViewOptions& options, std::span<const std::string> warnings) {
-  const io::ViewMeshes meshes(models, io::queries_of(answer));
+  const io::ViewMeshes meshes(models, io::places_of(io::queries_of(answer)));
   io::ViewData data;
   Json header = {
       {"format", "toccata/view/2"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
