@@ -60,6 +60,13 @@ struct RaysArguments {
   bool json = false;
 };
 
+struct DecomposeArguments {
+  std::string mesh;
+  std::size_t parts = 32;
+  int rounds = 1;
+  bool json = false;
+};
+
 struct SelfArguments {
   std::string mesh;
   std::vector<std::string> peers;
@@ -182,6 +189,7 @@ int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
 int run_convex(const ConvexArguments& arguments);
 int run_rays(const RaysArguments& arguments);
+int run_decompose(const DecomposeArguments& arguments);
 int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
 int run_partitions(const PartitionsArguments& arguments);

@@ -23,6 +23,7 @@ struct Options {
   ConvexArguments convex;
   RaysArguments rays;
   SelfArguments self;
+  DecomposeArguments decompose;
   RefitArguments refit;
   BuildArguments build;
   NearestArguments nearest;
@@ -151,6 +152,15 @@ void add_rays(CLI::App& app, RaysArguments& arguments) {
   add_peers(*rays, arguments.peers, {"embree"});
   add_common(*rays, arguments);
   rays->footer("Example:\n  ./toccata bench rays --mesh gen:torus-knot --peer embree");
+}
+
+void add_decompose(CLI::App& app, DecomposeArguments& arguments) {
+  CLI::App* decompose = app.add_subcommand("decompose", "convex decomposition of a closed mesh, on one thread");
+  add_mesh_file(*decompose, "--mesh", arguments.mesh)->required();
+  add_number(*decompose, "--parts", arguments.parts, "at most so many");
+  add_number(*decompose, "--rounds", arguments.rounds, "how often; the fastest counts");
+  add_json(*decompose, arguments.json);
+  decompose->footer("Example:\n  ./toccata bench decompose --mesh 'gen:noise-sphere?subdivisions=6'");
 }
 
 void add_self(CLI::App& app, SelfArguments& arguments) {
@@ -363,6 +373,7 @@ int main_of(int argc, char** argv) {
   add_convex(app, options.convex);
   add_rays(app, options.rays);
   add_self(app, options.self);
+  add_decompose(app, options.decompose);
   add_refit(app, options.refit);
   add_build(app, options.build);
   add_nearest(app, options.nearest);
@@ -385,6 +396,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
   if (app.got_subcommand("convex")) return run_convex(options.convex);
   if (app.got_subcommand("rays")) return run_rays(options.rays);
+  if (app.got_subcommand("decompose")) return run_decompose(options.decompose);
   if (app.got_subcommand("self")) return run_self(options.self);
   if (app.got_subcommand("refit")) return run_refit(options.refit);
   if (app.got_subcommand("build")) return run_build(options.build);
