@@ -52,6 +52,10 @@ POLYGON = scene(
     ("triangle", {"type": "triangle", "vertices": [[-1.4, -1, 0], [1.6, -0.8, 0.5], [0, 1.4, 0.2]]}, UPRIGHT, [0, 0, 0]),
     ("capsule", {"type": "capsule", "start": [-1, 0, -0.6], "end": [0.6, 0.4, 0.8], "radius": 0.3}, UPRIGHT, [0, 0, 0]),
     ("box", box(0.4, 0.3, 0.5), TURNED, [1.1, -0.6, 0.2]))
+VORONOI = scene(
+    ("hull", {"type": "convex-hull", "points": [[-1, -1, -1], [1, -1, -1], [0, 1, -1], [0.2, 0, 1], [-0.8, 0.6, 0.3]]}, UPRIGHT, [0, 0, 0]),
+    ("box", box(0.6, 0.5, 0.7), UPRIGHT, [3, 0, 0]),
+    ("triangle", {"type": "triangle", "vertices": [[-1, -1, 0], [1.2, -0.8, 0], [0, 1.2, 0]]}, UPRIGHT, [-3, 0, 0]))
 NEAR_BODIES = scene(
     ("wall", box(0.2, 2.2, 0.8), UPRIGHT, [-2.2, 0, 0]), ("box", box(0.5, 0.5, 0.5), TURNED, [-1.1, 1, 0]),
     ("ball", sphere(0.6), UPRIGHT, [0.3, 0.2, 0.1]), ("small ball", sphere(0.3), UPRIGHT, [1.1, 0.7, 0.3]),
@@ -88,6 +92,7 @@ WANTED = {
     "levels-ball": ([KNOT], ["--hierarchy", "ball"], "steps=0:4"),
     "levels-wide": ([KNOT], ["--hierarchy", "wide"], "steps=0:2"),
     "levels-dop": ([KNOT], ["--hierarchy", "26-dop"], "steps=0:4"),
+    "voronoi": (VORONOI, ["--voronoi"], "steps=0:1,1:0,2:2&grid=0"),
     "partition-grid": ([KNOT], ["--partition", "grid"], "steps=0:0&grid=0"),
     "partition-octree": ([KNOT], ["--partition", "octree"], "steps=0:4&grid=0"),
     "partition-kd-tree": ([KNOT], ["--partition", "kd-tree"], "steps=0:7&grid=0"),

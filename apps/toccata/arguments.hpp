@@ -54,6 +54,7 @@ struct ViewArguments : CheckArguments {
   std::string up;         ///< "y" or "z"; empty: as the files say
   std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
   std::string partition;  ///< the name of a partition of space; empty: none is drawn
+  bool voronoi = false;   ///< the Voronoi regions of convex objects
   std::string size;       ///< of the picture, "1200x800"; empty: that
   std::string look;       ///< what the picture shows: the end of a link to the page
 };

@@ -67,6 +67,8 @@ void add_view(CLI::App& app, Options& options) {
            "inserted-r-tree",
            "a partition must be named")
       ->type_name("PARTITION");
+  view->add_flag("--voronoi", arguments.voronoi,
+                 "also the Voronoi regions of objects that are convex polytopes: of faces, edges and vertices");
   add_picture(*view, arguments.png, arguments.size, arguments.look);
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));

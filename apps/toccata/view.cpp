@@ -69,7 +69,8 @@ ViewTarget page_target_of(const ViewArguments& arguments) {
   const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
   const ViewOptions options{
       title_of(files), up, kind_of_name(arguments.hierarchy, all_cost_volumes, "--hierarchy: there is no volume"),
-      kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space")};
+      kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space"),
+      arguments.voronoi};
   ViewTarget target{arguments.html, arguments.glb, options, {}};
   if (arguments.png.empty()) return target;
   require_known_keys(arguments.look);

@@ -25,6 +25,8 @@ struct ViewOptions {
   /// Of every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down to
   /// 4,096 of them, and all as they are.
   std::optional<PartitionKind> partition{};
+  /// Of every object, which have to be convex polytopes, the Voronoi regions of its faces, edges and vertices.
+  bool voronoi = false;
 };
 
 /// One HTML page that shows a scene and what was found in it, whatever was asked: self-contained, so that it opens from

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "io/view/view_data.hpp"
+#include "io/view/view_meshes.hpp"
+#include "toccata/query/check_all.hpp"
+
+namespace toccata::io {
+
+/// A layer for every convex polytope: its Voronoi regions as closed cells up to some distance, a step for each kind of
+/// feature. Throws Error naming an object that is none, or has more than 2,000 vertices.
+[[nodiscard]] std::vector<nlohmann::ordered_json> voronoi_layers(std::span<const Posed> models,
+                                                                 const ViewMeshes& meshes, ViewData& data);
+
+}  // namespace toccata::io
