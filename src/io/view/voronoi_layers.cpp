@@ -46,10 +46,10 @@ std::vector<Vec3> corners_of(const Posed& posed) {
   return corners;
 }
 
-/// Cells in the world, up to a distance from the shape. A pose may change angles, so they are those of the world hull.
-class Cells {
+/// VoronoiCells in the world, up to a distance from the shape. A pose may change angles, so they are those of the world hull.
+class VoronoiCells {
  public:
-  Cells(const ConvexHull& hull, double reach) : regions_(hull), t_(regions_.topology()), reach_(reach) {}
+  VoronoiCells(const ConvexHull& hull, double reach) : regions_(hull), t_(regions_.topology()), reach_(reach) {}
 
   /// Three corners of each triangle.
   [[nodiscard]] std::vector<Vec3> of_faces() {
@@ -151,7 +151,7 @@ double reach_of(const std::vector<Vec3>& vertices) {
 }
 
 Json layer_of(const ConvexHull& hull, double reach, const ViewMeshes& meshes, ViewData& data) {
-  Cells cells(hull, reach);
+  VoronoiCells cells(hull, reach);
   Json steps = Json::array();
   std::vector<float> numbers;
   const auto add = [&](const char* label, const std::vector<Vec3>& corners) {
