@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "toccata/io/decompose_report.hpp"
+#include "toccata/io/minkowski_report.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/cost.hpp"
@@ -36,6 +38,8 @@ struct PosedArguments {
   std::string save_case;       ///< a file for what is asked and the answer; empty: none
   std::string html;            ///< a page to write besides; empty: none
   std::string png;             ///< a picture of it
+  std::string size;            ///< of the picture, "1200x800"; empty: that
+  std::string look;            ///< what the picture shows: the end of a link to the page
   std::string glb;             ///< a GLB file
   Format format = Format::table;
   int threads = 0;
@@ -55,8 +59,6 @@ struct ViewArguments : CheckArguments {
   std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
   std::string partition;  ///< the name of a partition of space; empty: none is drawn
   bool voronoi = false;   ///< the Voronoi regions of convex objects
-  std::string size;       ///< of the picture, "1200x800"; empty: that
-  std::string look;       ///< what the picture shows: the end of a link to the page
 };
 
 struct DistanceArguments : PosedArguments {};
@@ -98,12 +100,8 @@ struct NearestArguments : PosedArguments {
 };
 
 struct MinkowskiArguments : PosedArguments {
-  std::string mesh;         ///< a file for the boundary; empty: none
-  bool difference = false;  ///< A − B instead of A + B
-  bool hull = false;        ///< of meshes, their convex hulls are taken
-  std::optional<Vec3> point;
-  std::string size;  ///< of the picture; empty: as it is
-  std::string look;  ///< what the picture shows
+  std::string mesh;  ///< a file for the boundary; empty: none
+  MinkowskiQuestion question;
 };
 
 struct InspectArguments : PosedArguments {
@@ -121,10 +119,7 @@ struct TreeArguments {
 };
 
 struct DecomposeArguments : PosedArguments {
-  std::size_t parts = 32;  ///< at most
-  double concavity = 0;    ///< in units of the file
-  std::string size;        ///< of the picture
-  std::string look;        ///< what it shows
+  DecomposeQuestion question;
 };
 
 struct PairsArguments {
@@ -141,8 +136,6 @@ struct CrowdArguments : PosedArguments {
   bool world = false;    ///< bodies of many shapes in a World instead of boxes
   bool compare = false;  ///< all methods instead of the one
   std::uint64_t seed = 1;
-  std::string size;              ///< of the picture; empty: as it is
-  std::string look;              ///< what the picture shows
   std::string cells = "method";  ///< those that the page shows, or "tracked"
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "answer.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
 #include "file_text.hpp"
@@ -31,6 +30,9 @@ struct ExitCode {
     return std::any_of(r.rays.begin(), r.rays.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
   }
   int operator()(const FacesReport& r) const { return r.found.empty() ? 0 : 1; }
+  int operator()(const MinkowskiReport& r) const {
+    return r.question.point && !r.sum.contains(*r.question.point) ? 1 : 0;
+  }
   template <class Other>
   int operator()(const Other&) const {
     return 0;
@@ -45,19 +47,16 @@ std::optional<Case> case_in(const std::vector<std::string>& files) {
   return content.question ? std::optional(std::move(content)) : std::nullopt;
 }
 
-int answer(const Case& content, const PosedArguments& arguments) {
+int answer(const Case& content, const PosedArguments& arguments, const AlsoWritten& also) {
   require_view(arguments);
-  const ViewTarget target = target_of(arguments);
   CheckInput input = read_check_input(arguments);
-  SceneAnswer now = ask_for(input, *content.question, arguments, {"asking", draws_something(target)});
+  SceneAnswer now = ask_for(input, *content.question, arguments, {"asking", draws_something(target_of(arguments))});
   const std::string difference =
       content.answer.empty() ? "" : answer_difference(content.answer, json_as_asked(input, *content.question, now));
   if (!difference.empty())
     input.loaded.warnings.push_back(fmt::format("this is another answer than the one that {} holds, first at {}",
                                                 arguments.input.files[0], difference));
-  if (draws_something(target)) write_view(target, input, now);
-  list_faces(now, *content.question);
-  print_answer(input, *content.question, now, arguments);
+  give_answer(*content.question, input, now, arguments, also);
   return difference.empty() ? exit_code_of(now) : 1;
 }
 
@@ -74,12 +73,12 @@ bool changes_objects(const PosedArguments& arguments) {
          arguments.pose_b || !arguments.poses.empty();
 }
 
-std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use) {
+std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use, const AlsoWritten& also) {
   const std::optional<Case> content = case_in(arguments.input.files);
   if (!content) return std::nullopt;
   const std::string asked = name_of(*content->question), file = arguments.input.files[0];
   const bool is_own = use.takes_any || is_question_of(asked, use.asks);
-  if (!use.asks_itself && is_own) return answer(*content, arguments);
+  if (!use.asks_itself && is_own) return answer(*content, arguments, also);
   const std::string advice = fmt::format("`{} check {}` answers it", called_as(), file);
   if (!use.asks_itself && use.needs_options)
     throw Error(

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "answer.hpp"
 #include "arguments.hpp"
 #include "toccata/io/scene_question.hpp"
 
@@ -20,7 +21,7 @@ struct CaseUse {
 /// gives the exit code, which is that of the question's own subcommand, and 1 where the answer is another than the
 /// recorded one. None where the subcommand asks its own question; that the case has another is a warning then. Throws
 /// Error where it needs options for that, naming the command that answers the case.
-std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use);
+std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use, const AlsoWritten& also = {});
 
 /// 1 where something was found that the subcommand looks for, else 0.
 int exit_code_of(const SceneAnswer& answer);

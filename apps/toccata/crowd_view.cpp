@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "look.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
 #include "tracked_cells.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -39,8 +39,7 @@ std::string told_of(const CrowdRecording& recording) {
 
 CrowdView::CrowdView(const CrowdArguments& arguments, CrowdQuestion question)
     : arguments_(arguments), question_(std::move(question)) {
-  if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
-    throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
+  picture_ = target_of(arguments).picture;
   if (arguments.html.empty() && arguments.png.empty()) {
     if (arguments.cells != "method")
       throw Error("--cells is of a page: say where it shall be written with --html FILE.html");
@@ -52,11 +51,7 @@ CrowdView::CrowdView(const CrowdArguments& arguments, CrowdQuestion question)
                             counted(CrowdRecording::most_boxes, "box", "boxes"), grouped(arguments.count)));
   require_distinct({{"--html", arguments.html}, {"--png", arguments.png}, {"--save-case", arguments.save_case}}, {});
   if (!arguments.html.empty()) require_output(arguments.html, OutputKind::page);
-  if (arguments.png.empty()) return;
-  require_known_keys(arguments.look);
-  picture_ = PictureTarget{arguments.png, arguments.look};
-  if (!arguments.size.empty()) set_size(*picture_, arguments.size);
-  require_picture(*picture_);
+  if (picture_) require_picture(*picture_);
 }
 
 bool CrowdView::draws() const { return !arguments_.html.empty() || picture_.has_value(); }

@@ -82,7 +82,7 @@ int run(const CLI::App& app, Options& options) {
   }
   if (app.got_subcommand("minkowski")) {
     take_poses_and_format(options.minkowski, options);
-    if (!options.point.empty()) options.minkowski.point = parse_point(options.point, "--point");
+    if (!options.point.empty()) options.minkowski.question.point = parse_point(options.point, "--point");
     return run_minkowski(options.minkowski);
   }
   if (app.got_subcommand("replay")) {

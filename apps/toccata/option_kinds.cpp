@@ -76,7 +76,7 @@ void add_save_case(CLI::App& app, std::string& file, const char* what) {
 
 void add_pages(CLI::App& app, PosedArguments& arguments) {
   add_file(app, "--html", arguments.html, "also write a page that shows the objects and what was found", "FILE.html");
-  add_file(app, "--png", arguments.png, "also draw a picture of that page, where Chromium is installed", "FILE.png");
+  add_picture(app, arguments);
 }
 
 void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report) {
@@ -109,17 +109,18 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
   return {clearance, clearance_of};
 }
 
-CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments) {
-  return add_file(app, "--glb", arguments.glb,
+CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names) {
+  return add_file(app, names, arguments.glb,
                   "write the objects and what was found as a GLB file, for Blender (docs/reference/glb-file.md)",
                   "FILE.glb");
 }
 
-void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look) {
-  add_file(app, "--png", png, "draw a picture of the page, where Chromium is installed", "FILE.png");
-  add_text(app, "--size", size, "of the picture (default: 1200x800)", "a size must be given")
+void add_picture(CLI::App& app, PosedArguments& arguments) {
+  add_file(app, "--png", arguments.png, "draw a picture of the page, where Chromium is installed", "FILE.png");
+  add_text(app, "--size", arguments.size, "of the picture (default: 1200x800)", "a size must be given")
       ->type_name("WIDTHxHEIGHT");
-  app.add_option("--look", look, "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
+  app.add_option("--look", arguments.look,
+                 "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
       ->type_name("TEXT");
 }
 

@@ -58,9 +58,9 @@ CLI::Option* add_solid(CLI::App& app, Options& options);
 /// --clearance and --clearance-of; returns both.
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments);
 
-CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments);
+CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names = "--glb");
 
 /// Of `look` and `size` where there is a picture.
-void add_picture(CLI::App& app, std::string& png, std::string& size, std::string& look);
+void add_picture(CLI::App& app, PosedArguments& arguments);
 
 }  // namespace toccata::command

@@ -59,15 +59,15 @@ void add_minkowski(CLI::App& app, Options& options) {
   CLI::App* minkowski = app.add_subcommand("minkowski", "the Minkowski sum or difference of two convex shapes, exact");
   add_input(*minkowski, arguments.input, "two convex shapes: files of one object each, or a scene file of two");
   add_pose_pair(*minkowski, options);
-  minkowski->add_flag("--difference", arguments.difference, "A − B, all a − b, instead of A + B, all a + b");
-  minkowski->add_flag("--hull", arguments.hull, "of meshes that are not convex take the convex hulls");
+  minkowski->add_flag("--difference", arguments.question.difference, "A − B, all a − b, instead of A + B, all a + b");
+  minkowski->add_flag("--hull", arguments.question.hulls, "of meshes that are not convex take the convex hulls");
   add_point(*minkowski, "--point", options.point, "tell whether this point lies in it, exactly");
   add_file(*minkowski, "-o,--output", arguments.mesh,
            "write the boundary as a mesh (OBJ, OFF, STL, PLY), or for Blender as GLB", "FILE");
-  add_file(*minkowski, "--html", arguments.html, "also write a page that shows both shapes and the result",
-           "FILE.html");
-  add_picture(*minkowski, arguments.png, arguments.size, arguments.look);
   minkowski->add_flag("--json", options.json, "write JSON (docs/reference/minkowski-report.md)");
+  add_pages(*minkowski, arguments);
+  add_glb(*minkowski, arguments);
+  add_save_case(*minkowski, arguments.save_case);
   minkowski->footer(
       with_name("B moved by a vector meets A exactly when the vector lies in A − B (docs/methods/minkowski.md).\n\n"
                 "Exit code: 0; with --point 1 where it lies outside; 2 for trouble.\n\nExample:\n"
@@ -147,18 +147,18 @@ void add_decompose(CLI::App& app, Options& options) {
   DecomposeArguments& arguments = options.decompose;
   CLI::App* decompose = app.add_subcommand("decompose", "cut a closed mesh into convex parts that contain it");
   add_input(*decompose, arguments.input, "a file with one closed mesh");
-  decompose->add_option("--parts", arguments.parts, "at most so many")
+  decompose->add_option("--parts", arguments.question.max_parts, "at most so many")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   decompose
-      ->add_option("--concavity", arguments.concavity,
+      ->add_option("--concavity", arguments.question.concavity,
                    "cut no further where no point of a part is farther than this from the solid, in units of the file")
       ->check(CLI::NonNegativeNumber)
       ->type_name("LENGTH")
       ->capture_default_str();
-  add_file(*decompose, "-o,--output,--glb", arguments.glb, "write the parts as a GLB file, a node each", "FILE.glb");
-  add_file(*decompose, "--html", arguments.html, "also write a page of the parts", "FILE.html");
-  add_picture(*decompose, arguments.png, arguments.size, arguments.look);
+  add_glb(*decompose, arguments, "-o,--output,--glb");
+  add_pages(*decompose, arguments);
+  add_save_case(*decompose, arguments.save_case);
   add_threads(*decompose, arguments.threads, "parts");
   decompose->add_flag("--json", options.json, "write JSON (docs/reference/decompose-report.md)");
   decompose->footer(with_name(
@@ -206,7 +206,7 @@ void add_crowd(CLI::App& app, Options& options) {
       ->excludes(scene)
       ->excludes(compare)
       ->excludes(cells);
-  add_picture(*crowd, options.crowd.png, options.crowd.size, options.crowd.look);
+  add_picture(*crowd, options.crowd);
   add_save_case(
       *crowd, options.crowd.save_case,
       "write the question and the answer into one file; `replay` asks it again (docs/reference/case-file.md)");

@@ -69,7 +69,7 @@ void add_view(CLI::App& app, Options& options) {
       ->type_name("PARTITION");
   view->add_flag("--voronoi", arguments.voronoi,
                  "also the Voronoi regions of objects that are convex polytopes: of faces, edges and vertices");
-  add_picture(*view, arguments.png, arguments.size, arguments.look);
+  add_picture(*view, arguments);
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));
   add_threads(*view, arguments.threads, "page");

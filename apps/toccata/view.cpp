@@ -63,19 +63,13 @@ ViewTarget page_target_of(const ViewArguments& arguments) {
         "no page was named: say where it shall be written with -o FILE.html, or a picture with --png FILE.png, or a "
         "GLB "
         "file with --glb FILE.glb");
-  if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
-    throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
-  const std::vector<std::string>& files = arguments.input.files;
-  const UpAxis up = arguments.up.empty() ? up_of(files) : arguments.up == "y" ? UpAxis::y : UpAxis::z;
-  const ViewOptions options{
-      title_of(files), up, kind_of_name(arguments.hierarchy, all_cost_volumes, "--hierarchy: there is no volume"),
-      kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space"),
-      arguments.voronoi};
-  ViewTarget target{arguments.html, arguments.glb, options, {}};
-  if (arguments.png.empty()) return target;
-  require_known_keys(arguments.look);
-  target.picture = PictureTarget{arguments.png, arguments.look};
-  if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
+  ViewTarget target = target_of(arguments);
+  ViewOptions& options = target.options;
+  if (!arguments.up.empty()) options.up = arguments.up == "y" ? UpAxis::y : UpAxis::z;
+  options.hierarchy = kind_of_name(arguments.hierarchy, all_cost_volumes, "--hierarchy: there is no volume");
+  options.partition =
+      kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space");
+  options.voronoi = arguments.voronoi;
   return target;
 }
 
@@ -167,6 +161,8 @@ struct FindingsTold {
   std::string operator()(const CrowdReport& r) const {
     return fmt::format("{} in {}", counted(r.question.count, "box", "boxes"), counted(r.question.frames, "frame"));
   }
+  std::string operator()(const DecomposeReport& r) const { return counted(r.parts.parts.size(), "convex part"); }
+  std::string operator()(const MinkowskiReport& r) const { return "their " + name_of(r.question); }
   std::string operator()(const InspectReport& r) const {
     std::size_t faults = 0;
     for (const InspectedObject& object : r.objects)
@@ -207,9 +203,14 @@ std::string title_of(const std::vector<std::string>& files) {
 }
 
 ViewTarget target_of(const PosedArguments& arguments) {
+  if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
+    throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   const std::vector<std::string>& files = arguments.input.files;
   ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(files), {}, {}}, {}};
-  if (!arguments.png.empty()) target.picture = PictureTarget{arguments.png, ""};
+  if (arguments.png.empty()) return target;
+  require_known_keys(arguments.look);
+  target.picture = PictureTarget{arguments.png, arguments.look};
+  if (!arguments.size.empty()) set_size(*target.picture, arguments.size);
   return target;
 }
 

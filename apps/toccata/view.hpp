@@ -21,7 +21,8 @@ struct ViewTarget {
   std::optional<PictureTarget> picture{};
 };
 
-/// What a subcommand writes besides its answer.
+/// What a subcommand writes besides its answer. Throws Error for what is said of a picture where there is none, or no
+/// picture can be.
 ViewTarget target_of(const PosedArguments& arguments);
 
 /// Whether there is anything to be written.

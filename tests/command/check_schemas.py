@@ -80,6 +80,7 @@ def sums(folder):
                                       '{"name": "needle", "shape": {"type": "segment", "start": [0, 0, -9], "end": [0, 0, 9]}},'
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')
     yield asked(folder, "minkowski", "gen:box", "gen:tetrahedron")
+    yield asked(folder, "minkowski", "gen:torus", "gen:box", "--hull")
     yield asked(folder, "minkowski", "pair.json", "--difference", "--point", "0", "0", "9")
 
 
@@ -202,9 +203,6 @@ def main():
 
 def check_asked(kind, report):
     """A report of a question says what was asked."""
-    if kind in ("minkowski", "decompose"):
-        assert "asked" not in report, report
-        return
     validator("asked.schema.json").validate(report["asked"])
     scene = json.loads((REFERENCE / "scene.schema.json").read_text())
     jsonschema.Draft202012Validator({"$ref": "#/$defs/query", "$defs": scene["$defs"]}).validate(report["asked"]["query"])

@@ -48,7 +48,9 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
       {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 6 faults"},
       {{"inspect", "bow.off", "gen:box", "--hierarchy"}, "2 objects and 2 levels of nodes"},
       {{"cost", "bow.off", "gen:box", "--quick"}, "2 objects and "},
-      {{"crowd", "--count", "30", "--frames", "4"}, "30 boxes in 4 frames"}};
+      {{"crowd", "--count", "30", "--frames", "4"}, "30 boxes in 4 frames"},
+      {{"decompose", "gen:gear", "--parts", "3"}, "1 object and 3 convex parts"},
+      {{"minkowski", "gen:box", "bow.off", "--hull", "--difference"}, "2 objects and their A − B"}};
   for (const auto& [words, told] : questions) {
     SCOPED_TRACE(words[0] + " " + words.back());
     const TemporaryFolder elsewhere;
@@ -206,7 +208,8 @@ TEST(SavedReportCommand, EverySubcommandWritesItsPageBesideItsAnswer) {
                                  {"faces", "bow.off", "--box", "0", "0", "0", "1", "1", "1"},
                                  {"nearest", "bow.off", "--point", "0", "0", "9"},
                                  {"inspect", "bow.off"},
-                                 {"inspect", "bow.off", "--hierarchy"}}) {
+                                 {"inspect", "bow.off", "--hierarchy"},
+                                 {"minkowski", "bow.off", "gen:box", "--hull"}}) {
     SCOPED_TRACE(question[0] + " " + question.back());
     Asking words = question;
     words.insert(words.end(), {"--html", "page.html"});

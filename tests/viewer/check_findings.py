@@ -274,6 +274,24 @@ def check_crowd_again(checks, browser):
     checks.quiet(browser, "crowd")
 
 
+def check_made(checks, browser):
+    """Convex parts, and a sum, are objects of the page."""
+    report = drawn_report(checks, browser, "decompose", "decompose", "gen:gear", "--parts", "3")
+    checks.expect(len(rows(browser)) == 3, f"a row for each part: {rows(browser)}")
+    for number, part in enumerate(report["parts"]):
+        sentence, facts = told(browser, number)
+        checks.expect(sentence.startswith(part["name"] + " lies "), sentence)
+        checks.expect(is_close(number_in(r"volume ([-\d.e]+)", facts), part["volume"]), f"{facts}")
+    checks.quiet(browser, "decompose")
+    report = drawn_report(checks, browser, "minkowski", "minkowski", "gen:box", "gen:icosphere?subdivisions=1", "--difference", "--point", "0", "0", "0")
+    sentence, facts = told(browser, 0)
+    checks.expect(sentence == f"box − icosphere is a solid of {len(report['vertices'])} vertices.", sentence)
+    of_edges = sum(face["kind"] == "of edges" for face in report["faces"])
+    checks.expect(of_edges > 1 and f"{of_edges} faces of edges" in facts, f"{facts}")
+    checks.expect("(0, 0, 0) lies inside" in facts and report["point"]["side"] == "inside", f"{facts}")
+    checks.quiet(browser, "minkowski")
+
+
 def check_names(checks, browser):
     """Names are text, whatever was asked."""
     checks.write_scene("wicked.json", [{"name": WICKED, "shape": BOX}, {"name": "b", "shape": BOX, "pose": moved(3)}])
@@ -299,7 +317,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, Browser() as browser:
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
-        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_trees, check_costs, check_crowd_again, check_names]:
+        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_made, check_trees, check_costs, check_crowd_again, check_names]:
             check(checks, browser)
     print(f"findings: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0

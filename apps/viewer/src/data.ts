@@ -270,6 +270,16 @@ export interface WorldPair {
   points?: number;
 }
 
+/// Of `decompose`.
+export interface ConvexPart {
+  volume: number;
+  concavity: number;
+  concavity_found: number;
+  vertices: Vec[];
+  faces: number[][];
+  source_faces: number[];
+}
+
 /// What the subcommand writes with --json (docs/reference), without the faces.
 export interface Report {
   schema: string;
@@ -292,6 +302,15 @@ export interface Report {
   rebuilt?: TreeReport;
   named_nodes?: number;
   kept_nodes?: number;
+  mesh_volume?: number;
+  hull_volume?: number;
+  parts?: ConvexPart[];
+  operation?: string;
+  dimension?: number;
+  radius?: number;
+  vertices?: unknown[];
+  faces?: { kind: string }[];
+  point?: { position: Vec; side: string };
   steps?: { pairs: WorldPair[] }[]; // of a World, by moment
 }
 

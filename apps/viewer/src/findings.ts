@@ -2,6 +2,7 @@
 // of the engine's words and numbers; nothing is computed but how a number is written.
 import type { Distance, Header, Pair, PageData, Penetration, Report, WorldPair } from './data';
 import { ofInspected } from './inspected';
+import { ofParts, ofSum } from './made';
 import { ofCosts, ofTrees } from './measured';
 import { countText, directionText, lengthText, numberText, vectorText } from './words';
 
@@ -314,6 +315,8 @@ const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/inspect/1': ofInspected,
   'toccata/cost/1': ofCosts,
   'toccata/hierarchy/1': ofTrees,
+  'toccata/decompose/1': ofParts,
+  'toccata/minkowski/1': ofSum,
 };
 
 /// The pairs of a World, step by step.

@@ -10,10 +10,12 @@
 #include "toccata/core/progress.hpp"
 #include "toccata/io/cost_report.hpp"
 #include "toccata/io/crowd_report.hpp"
+#include "toccata/io/decompose_report.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"
 #include "toccata/io/hierarchy_report.hpp"
 #include "toccata/io/inspect_report.hpp"
+#include "toccata/io/minkowski_report.hpp"
 #include "toccata/io/nearest_report.hpp"
 #include "toccata/io/poses_report.hpp"
 #include "toccata/io/ray_report.hpp"
@@ -85,10 +87,11 @@ struct CostQuestion {
   CostOptions options{};           ///< `progress` plays no part: AskOptions has one
 };
 
-/// The last, of a crowd, is about no scene: it is asked of no models.
+/// That of a crowd is about no scene: it is asked of no models.
 using SceneQuestion =
     std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion, DistancePosesQuestion, RayQuestion,
-                 FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion>;
+                 FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion,
+                 DecomposeQuestion, MinkowskiQuestion>;
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -116,7 +119,8 @@ struct CostReport {
 
 /// What a question found, in the order of SceneQuestion's alternatives.
 using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
-                                 FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport>;
+                                 FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport,
+                                 DecomposeReport, MinkowskiReport>;
 
 struct AskOptions {
   int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
@@ -124,7 +128,8 @@ struct AskOptions {
 };
 
 /// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
-/// for poses of other than two objects; and for a distance that no double tells.
+/// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
+/// no double tells.
 [[nodiscard]] SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
@@ -133,7 +138,7 @@ struct AskOptions {
                               const AskOptions& options = {});
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
-/// "hierarchy", "cost", "crowd".
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
@@ -141,7 +146,7 @@ struct AskOptions {
                                       std::span<const std::string> warnings = {});
 
 /// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
-/// `inspect` and of crowds.
+/// `inspect`, `decompose` and `minkowski`, and of crowds.
 [[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
 
 }  // namespace toccata

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/cases/ask_convex.hpp"
 #include "io/cases/ask_cost.hpp"
 #include "io/cases/ask_inspect.hpp"
 #include "io/cases/ask_nearest.hpp"
@@ -130,6 +131,12 @@ class Asking {
 
   SceneAnswer operator()(const CrowdQuestion& question) const { return run_crowd(question, options_.progress); }
 
+  SceneAnswer operator()(const DecomposeQuestion& question) const {
+    return io::ask_decompose(models_, question, options_);
+  }
+
+  SceneAnswer operator()(const MinkowskiQuestion& question) const { return io::ask_minkowski(models_, question); }
+
  private:
   void require_two() const {
     if (models_.size() != 2)
@@ -186,6 +193,8 @@ struct ReportWriter {
   std::string operator()(const RebalanceReport& r) const { return hierarchy_report_json(scene, models, r, warnings); }
   std::string operator()(const CostReport& r) const { return cost_report_json(scene, models, r.table, warnings); }
   std::string operator()(const CrowdReport& r) const { return crowd_report_json(r); }
+  std::string operator()(const DecomposeReport& r) const { return decompose_report_json(scene, models, r, warnings); }
+  std::string operator()(const MinkowskiReport& r) const { return minkowski_report_json(scene, models, r, warnings); }
 };
 
 struct CsvWriter {
@@ -219,8 +228,8 @@ SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQu
 
 std::string name_of(const SceneQuestion& question) {
   constexpr std::array<const char*, std::variant_size_v<SceneQuestion>> names = {
-      "check", "check-poses", "check-self", "distance",  "distance-poses", "ray",
-      "faces", "nearest",     "inspect",    "hierarchy", "cost",           "crowd"};
+      "check",   "check-poses", "check-self", "distance", "distance-poses", "ray",       "faces",
+      "nearest", "inspect",     "hierarchy",  "cost",     "crowd",          "decompose", "minkowski"};
   return names[question.index()];
 }
 

@@ -98,6 +98,14 @@ struct Writer {
     return json;
   }
   Json operator()(const CrowdQuestion& q) const { return json_of_measuring(q); }
+  Json operator()(const DecomposeQuestion& q) const {
+    return {{"parts", q.max_parts}, {"concavity", json_of_length(q.concavity)}};
+  }
+  Json operator()(const MinkowskiQuestion& q) const {
+    Json json = {{"difference", q.difference}, {"hulls", q.hulls}};
+    if (q.point) json["point"] = {q.point->x, q.point->y, q.point->z};
+    return json;
+  }
   Json operator()(const InspectQuestion& q) const {
     return {{"volumes", q.volumes}, {"partitions", q.partitions}, {"faults", q.faults}};
   }
@@ -234,6 +242,21 @@ SceneQuestion inspect_of(const JsonValue& value) {
                          value.flag_or("faults", false)};
 }
 
+SceneQuestion decompose_of(const JsonValue& value) {
+  value.expect_keys({"question", "parts", "concavity"});
+  DecomposeQuestion q;
+  q.max_parts = value.whole_or("parts", std::numeric_limits<Index>::max(), q.max_parts);
+  if (value.has("concavity")) q.concavity = length_of(value.at("concavity"));
+  return q;
+}
+
+SceneQuestion minkowski_of(const JsonValue& value) {
+  value.expect_keys({"question", "difference", "hulls", "point"});
+  MinkowskiQuestion q{value.flag_or("difference", false), value.flag_or("hulls", false)};
+  if (value.has("point")) q.point = vector_at(value.at("point").numbers(3), 0);
+  return q;
+}
+
 }  // namespace
 
 Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
@@ -246,13 +269,20 @@ Json json_of(const SceneQuestion& question) {
 
 SceneQuestion question_of(const JsonValue& value) {
   using Reading = SceneQuestion (*)(const JsonValue&);
-  static const std::map<std::string, Reading, std::less<>> readings = {
-      {"check", check_of},     {"check-poses", check_poses_of},
-      {"check-self", self_of}, {"distance", distance_of},
-      {"ray", ray_of},         {"distance-poses", distance_poses_of},
-      {"faces", faces_of},     {"nearest", nearest_of},
-      {"inspect", inspect_of}, {"hierarchy", hierarchy_of},
-      {"cost", cost_of},       {"crowd", crowd_question_of}};
+  static const std::map<std::string, Reading, std::less<>> readings = {{"check", check_of},
+                                                                       {"check-poses", check_poses_of},
+                                                                       {"check-self", self_of},
+                                                                       {"distance", distance_of},
+                                                                       {"ray", ray_of},
+                                                                       {"distance-poses", distance_poses_of},
+                                                                       {"faces", faces_of},
+                                                                       {"nearest", nearest_of},
+                                                                       {"inspect", inspect_of},
+                                                                       {"hierarchy", hierarchy_of},
+                                                                       {"cost", cost_of},
+                                                                       {"crowd", crowd_question_of},
+                                                                       {"decompose", decompose_of},
+                                                                       {"minkowski", minkowski_of}};
   const std::string name = value.at("question").text();
   const auto found = readings.find(name);
   if (found != readings.end()) return found->second(value);

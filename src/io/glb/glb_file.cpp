@@ -2,6 +2,7 @@
 
 #include "io/glb/glb_scene.hpp"
 #include "io/view/asked_poses.hpp"
+#include "io/view/drawn_scene.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
 
@@ -9,8 +10,8 @@ namespace toccata {
 namespace {
 
 /// As they are drawn; those that move through poses are at their own places, as their nodes move.
-std::vector<Posed> models_of(std::span<const Posed> models, const SceneAnswer& answer) {
-  std::vector<Posed> drawn = io::drawn_models(models, answer);
+std::vector<Posed> models_of(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer) {
+  std::vector<Posed> drawn = io::drawn_scene(scene, models, answer).models;
   if (!io::queries_of(answer).empty())
     for (Posed& posed : drawn) posed.pose = {};
   return drawn;
@@ -23,7 +24,7 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
   if (options.hierarchy && !io::queries_of(answer).empty())
     throw Error(
         "hierarchies over objects that move are not in a GLB file; a page shows them: view_page, or -o FILE.html");
-  const std::vector<Posed> drawn = models_of(models, answer);
+  const std::vector<Posed> drawn = models_of(scene, models, answer);
   const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
   io::add_objects(glb, answer);

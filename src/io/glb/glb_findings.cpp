@@ -106,6 +106,8 @@ class FindingNodes {
 
   void operator()(const RebalanceReport&) {}  // its trees are added by themselves
   void operator()(const CostReport&) {}       // it tells of costs alone
+  void operator()(const DecomposeReport&) {}  // parts and sums are objects
+  void operator()(const MinkowskiReport&) {}
   void operator()(const CrowdReport&) {
     throw Error("a GLB file has no time, and a crowd moves; a page shows it: view_page, or -o FILE.html");
   }

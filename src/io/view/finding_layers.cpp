@@ -147,10 +147,13 @@ struct FindingMarks {
     }
   }
 
-  // These have no marks of their own: trees, hierarchies and moving boxes are layers by themselves.
+  // These have no marks of their own: trees, hierarchies and moving boxes are layers by themselves, convex
+  // parts and sums are objects.
   void operator()(const RebalanceReport&) const {}
   void operator()(const CostReport&) const {}
   void operator()(const CrowdReport&) const {}
+  void operator()(const DecomposeReport&) const {}
+  void operator()(const MinkowskiReport&) const {}
 
   void operator()(const InspectReport& report) const {
     const std::vector<InspectFinding> findings = inspect_findings(report);

@@ -5,6 +5,7 @@
 
 #include "io/formats/utf8.hpp"
 #include "io/view/asked_poses.hpp"
+#include "io/view/drawn_scene.hpp"
 #include "io/view/filled_page.hpp"
 #include "io/view/finding_layers.hpp"
 #include "io/view/finding_words.hpp"
@@ -88,19 +89,13 @@ std::string page_of(const Scene& scene, std::span<const Posed> models, const Sce
   return io::filled_page(header, report_of(scene, models, answer, warnings), data);
 }
 
-/// The objects as they are drawn, and so as the page tells of them.
-Scene posed_scene(Scene scene, std::span<const Posed> models) {
-  for (std::size_t i = 0; i < models.size(); ++i) scene.objects[i].pose = models[i].pose;
-  return scene;
-}
-
 }  // namespace
 
 std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                       const ViewOptions& options, std::span<const std::string> warnings) {
   if (const auto* crowd = std::get_if<CrowdReport>(&answer)) return crowd_page(record_crowd(crowd->question), options);
-  const std::vector<Posed> drawn = io::drawn_models(models, answer);
-  return page_of(posed_scene(scene, drawn), drawn, answer, options, warnings);
+  const io::DrawnScene drawn = io::drawn_scene(scene, models, answer);
+  return page_of(drawn.scene, drawn.models, answer, options, warnings);
 }
 
 void write_view_page(const std::string& page, const std::filesystem::path& path) {

@@ -1,0 +1,123 @@
+// What `decompose` and `minkowski` make is kept with what was asked, drawn from that, and compared.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_command;
+using test::TemporaryFolder;
+using test::text_of;
+using MadeBy = std::vector<std::string>;
+
+/// A tetrahedron with that height.
+std::string spike(const std::string& height) {
+  return "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 " + height + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+}
+
+const std::vector<MadeBy> made_by = {{"decompose", "spike.off"},
+                                     {"minkowski", "spike.off", "gen:box", "--point", "9", "9", "9"}};
+
+MadeBy and_also(MadeBy words, const MadeBy& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// The last time that it is there: in front of the answer a case has what was asked about.
+void replace_last(const TemporaryFolder& folder, const std::string& file, const std::string& was,
+                  const std::string& is) {
+  std::string text = text_of(folder.path() / file);
+  ASSERT_NE(text.rfind(was), std::string::npos) << text;
+  folder.write(file, text.replace(text.rfind(was), was.size(), is));
+}
+
+TEST(MadeShapesCommand, AChangedFileIsRefused) {
+  for (const MadeBy& words : made_by) {
+    SCOPED_TRACE(words[0]);
+    const TemporaryFolder folder;
+    folder.write("spike.off", spike("1"));
+    const auto asked = run_command(and_also(words, {"--json"}), folder.path());
+    ASSERT_NE(asked.exit_code, 2) << asked.err;
+    folder.write("report.json", asked.out);
+    const MadeBy view = {"view", "report.json", "-o", "page.html", "--glb", "page.glb"};
+    EXPECT_EQ(run_command(view, folder.path()).exit_code, 0) << run_command(view, folder.path()).err;
+    folder.write("spike.off", spike("2"));
+    fs::remove(folder.path() / "page.html");
+    const auto changed = run_command(view, folder.path());
+    EXPECT_EQ(changed.exit_code, 2);
+    EXPECT_NE(changed.err.find("spike.off holds something else"), std::string::npos) << changed.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "page.html"));
+  }
+}
+
+/// The last bit of one coordinate of one vertex counts.
+TEST(MadeShapesCommand, AnotherBitIsAnotherAnswer) {
+  const std::vector<std::string> places = {"/parts/0/vertices/3/2: recorded 1.0000000000000002, now 1.0",
+                                           "/vertices/0/position/2: recorded -0.5000000000000001, now -0.5"};
+  const std::vector<std::pair<std::string, std::string>> changes = {
+      {"[0.0,0.0,1.0]", "[0.0,0.0,1.0000000000000002]"}, {"[-0.5,-0.5,-0.5]", "[-0.5,-0.5,-0.5000000000000001]"}};
+  for (std::size_t i = 0; i < made_by.size(); ++i) {
+    SCOPED_TRACE(made_by[i][0]);
+    const TemporaryFolder folder;
+    folder.write("spike.off", spike("1"));
+    folder.write("report.json", run_command(and_also(made_by[i], {"--json"}), folder.path()).out);
+    ASSERT_NE(run_command(and_also(made_by[i], {"--save-case", "case.json"}), folder.path()).exit_code, 2);
+    replace_last(folder, "report.json", changes[i].first, changes[i].second);
+    replace_last(folder, "case.json", changes[i].first, changes[i].second);
+    for (const MadeBy& again : {MadeBy{"view", "report.json", "-o", "page.html"},
+                                {"view", "case.json", "-o", "page.html"},
+                                {"check", "case.json"},
+                                {made_by[i][0], "case.json"}}) {
+      const auto other = run_command(again, folder.path());
+      EXPECT_EQ(other.exit_code, 1) << other.err;
+      EXPECT_NE(other.err.find(places[i]), std::string::npos) << other.err;
+    }
+  }
+}
+
+/// All numbers of a GLB file; the text in front of them has its title.
+std::string numbers_of(const std::string& glb) { return glb.substr(glb.find("BIN")); }
+
+/// Parts are drawn instead of what was cut, a sum beside what was added; as --html draws them beside the answer.
+TEST(MadeShapesCommand, WhatWasMadeIsDrawn) {
+  for (const auto& [words, drawn] :
+       {std::pair<MadeBy, MadeBy>{{"decompose", "gen:gear", "--parts", "2"}, {"gear-01", "gear-02"}},
+        {{"minkowski", "gen:box", "gen:gear", "--hull"}, {"box", "gear", "A + B"}}}) {
+    SCOPED_TRACE(words[0]);
+    const TemporaryFolder folder;
+    const auto asked =
+        run_command(and_also(words, {"--json", "--html", "page.html", "--glb", "page.glb", "--save-case", "case.json"}),
+                    folder.path());
+    ASSERT_EQ(asked.exit_code, 0) << asked.err;
+    folder.write("report.json", asked.out);
+    const std::string glb = text_of(folder.path() / "page.glb");
+    for (const std::string& name : drawn) {
+      EXPECT_NE(text_of(folder.path() / "page.html").find("\"name\": \"" + name + "\""), std::string::npos);
+      EXPECT_NE(glb.find("\"name\":\"" + name + "\""), std::string::npos) << name;
+    }
+    for (const std::string kept : {"report.json", "case.json"}) {
+      ASSERT_EQ(run_command({"view", kept, "--glb", "again.glb"}, folder.path()).exit_code, 0);
+      EXPECT_TRUE(numbers_of(text_of(folder.path() / "again.glb")) == numbers_of(glb)) << kept;
+    }
+  }
+}
+
+TEST(MadeShapesCommand, OptionsAskAnotherQuestionOfACase) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_command({"minkowski", "gen:box", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 0);
+  const auto mesh = run_command({"minkowski", "case.json", "-o", "sum.obj"}, folder.path());
+  EXPECT_NE(mesh.out.find("sum.obj: A + B with 6 faces."), std::string::npos) << mesh.out << mesh.err;
+  EXPECT_TRUE(fs::exists(folder.path() / "sum.obj"));
+  const auto other = run_command({"minkowski", "case.json", "--difference"}, folder.path());
+  EXPECT_NE(other.out.find("A − B of"), std::string::npos) << other.out;
+  EXPECT_NE(other.err.find("case.json holds a question, minkowski, which is not asked here"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace toccata
