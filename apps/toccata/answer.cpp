@@ -16,8 +16,8 @@ SceneAnswer answer_to(const SceneQuestion& question, const CheckInput& input, co
 void give_answer(const SceneQuestion& question, const CheckInput& input, SceneAnswer& answer,
                  const PosedArguments& arguments, const AlsoWritten& also) {
   const ViewTarget target = target_of(arguments);
+  const std::string told = also ? also(input, answer) : "";  // first: it may throw for what the answer is
   if (draws_something(target)) write_view(target, input, answer);
-  const std::string told = also ? also(input, answer) : "";
   list_faces(answer, question);
   print_answer(input, question, answer, arguments);
   if (arguments.format == Format::table) print_answer(told);

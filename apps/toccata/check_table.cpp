@@ -12,7 +12,7 @@
 namespace toccata::command {
 namespace {
 
-constexpr std::size_t most_face_pairs = 10;  // per pair of objects; JSON and CSV list all
+constexpr std::size_t most_listed = 10;  // per pair of objects; JSON and CSV list all
 
 std::string points_text(const ReportedMeeting& meeting) {
   std::string text;
@@ -42,7 +42,7 @@ std::string region_line(const ContactRegion& region) {
 
 /// The deepest few; JSON lists all.
 std::string region_lines(const std::vector<ContactRegion>& regions) {
-  const std::size_t shown = std::min(regions.size(), most_face_pairs);
+  const std::size_t shown = std::min(regions.size(), most_listed);
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) text += region_line(regions[i]);
   if (shown < regions.size())
@@ -89,7 +89,7 @@ std::size_t triangle_count(const Scene& scene) {
 std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
   if (pairs.empty()) return "      no faces meet\n";
   std::vector<std::vector<std::string>> rows;
-  const std::size_t shown = std::min(pairs.size(), most_face_pairs);
+  const std::size_t shown = std::min(pairs.size(), most_listed);
   for (std::size_t i = 0; i < shown; ++i) {
     const ReportedFacePair& faces = pairs[i];
     if (faces.meetings.empty())  // with a shape that is no mesh

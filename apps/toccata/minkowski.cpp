@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include "answer.hpp"
 #include "arguments.hpp"
@@ -8,6 +10,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "output.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/io/glb_file.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/output_file.hpp"
@@ -41,7 +44,11 @@ void require_files(const MinkowskiArguments& arguments) {
                     {"--glb", arguments.glb},
                     {"--save-case", arguments.save_case}},
                    arguments.input.files);
-  if (is_glb(arguments.mesh)) require_output(arguments.mesh, OutputKind::glb);
+  if (is_glb(arguments.mesh)) return require_output(arguments.mesh, OutputKind::glb);
+  // Mesh files have no mark by which one of Toccata's could be told from somebody's work.
+  std::error_code none;
+  if (!arguments.mesh.empty() && std::filesystem::file_size(arguments.mesh, none) > 0 && !none)
+    throw Error(printable(arguments.mesh) + ": the file exists: choose another name, or delete it");
 }
 
 /// The result alone.

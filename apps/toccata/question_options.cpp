@@ -76,7 +76,7 @@ void add_view(CLI::App& app, Options& options) {
   add_save_case(*view, arguments.save_case, "also write what is shown as a case (docs/reference/case-file.md)");
   view->footer(
       with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
-                "Exit code: 0 written, 2 trouble.\n\nExample:\n"
+                "Exit code: 0 written, 1 written and the answer is another than a report or case says, 2 trouble.\n\nExample:\n"
                 "  {0} view a.stl b.obj -o touch.html\n"
                 "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
                 "  {0} view bunny.ply --hierarchy obb -o tree.html\n"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
@@ -27,6 +28,23 @@ TEST(MinkowskiCommand, WritesWhatItComputes) {
   const auto glb = run_command({"minkowski", "boxes.json", "--difference", "-o", "sum.glb"}, folder.path());
   EXPECT_EQ(glb.exit_code, 0) << glb.err;
   EXPECT_EQ(run_command({"inspect", "sum.glb"}, folder.path()).exit_code, 0);
+}
+
+TEST(MinkowskiCommand, WritesOverNoMeshAndNothingWhereItFails) {
+  const TemporaryFolder folder;
+  folder.write("boxes.json", two_boxes);
+  folder.write("mine.obj", "mine\n");
+  const auto refused = run_command({"minkowski", "boxes.json", "-o", "mine.obj"}, folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(sum_says(refused.err, "mine.obj: the file exists")) << refused.err;
+  EXPECT_EQ(folder.read("mine.obj"), "mine\n");
+  folder.write("points.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "a", "shape": {"type": "point", "position": [0, 0, 0]}}, {"name": "b", "shape": {"type": "point", "position": [1, 0, 0]}}]})");
+  const auto point = run_command({"minkowski", "points.json", "--html", "p.html", "-o", "p.obj"}, folder.path());
+  EXPECT_EQ(point.exit_code, 2);
+  EXPECT_TRUE(sum_says(point.err, "no faces")) << point.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.obj"));
 }
 
 TEST(MinkowskiCommand, TellsWhereAPointLies) {

@@ -240,6 +240,15 @@ TEST(ReportPlot, OfBenchmarksShowsEveryResult) {
   EXPECT_EQ(parsed(lines).count("circle"), 4U);
 }
 
+TEST(ReportPlot, OfFramesShowsTheirMedianAndWorst) {
+  const std::string svg = report_plot_svg(
+      R"({"format": "toccata-bench-1", "benchmark": "broad", "question": {"scene": "uniform"}, "results": [
+        {"library": "toccata", "variant": "auto", "threads": 1, "median_ms": 12.5, "mean_ms": 13, "worst_ms": 20}]})");
+  expect_inside(svg);
+  EXPECT_NE(svg.find("toccata: auto"), std::string::npos);
+  EXPECT_NE(svg.find("worst"), std::string::npos);
+}
+
 TEST(ReportPlot, OfAnythingElseIsRefused) {
   for (const char* json : {"[]", "{}", "3", "{\"schema\": \"toccata/check/1\"}", "nonsense", "",
                            R"({"format": "toccata-bench-1", "benchmark": "b", "question": {}, "results": []})",

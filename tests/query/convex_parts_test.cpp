@@ -161,6 +161,18 @@ TEST(ConvexParts, AtAnyScaleAndPlaceContainTheSolid) {
     }
 }
 
+TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
+  const TriangleMesh ring = generate_mesh("torus?around=8&sides=5");
+  const auto concavity = [&](int exponent) {
+    std::vector<Vec3> vertices(ring.vertices().begin(), ring.vertices().end());
+    for (Vec3& v : vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+    return std::ldexp(decompose(ring.with_vertices(vertices), {.max_parts = 1}).concavity, -exponent);
+  };
+  const double plain = concavity(0);
+  EXPECT_GT(plain, 1);
+  for (const int exponent : {-560, 520}) EXPECT_NEAR(concavity(exponent), plain, 1e-9 * plain) << exponent;
+}
+
 TEST(ConvexParts, KeepSheetsOfNoVolume) {
   // A fin of two triangles back to back, in the plane in which the L is cut.
   const TriangleMesh fin({{1, 1, 0}, {1, 3, 3}, {1, 1, 3}}, {{0, 1, 2}, {0, 2, 1}});

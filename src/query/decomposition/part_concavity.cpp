@@ -29,7 +29,15 @@ Vec3 middle_of(const ConvexHull& hull) {
   return sum;
 }
 
-double far_apart(const Vec3& p, const Vec3& q) { return std::sqrt(dot(q - p, q - p)); }
+/// The squares are taken of numbers near 1: those of tiny and huge meshes would vanish or be infinite.
+double far_apart(const Vec3& p, const Vec3& q) {
+  const Vec3 way = q - p;
+  const double largest = std::fmax(std::fmax(std::fabs(way.x), std::fabs(way.y)), std::fabs(way.z));
+  if (largest == 0 || std::isinf(largest)) return largest;
+  const int exponent = std::ilogb(largest);
+  const Vec3 scaled{std::ldexp(way.x, -exponent), std::ldexp(way.y, -exponent), std::ldexp(way.z, -exponent)};
+  return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
+}
 
 class ConcavitySearch {
  public:
