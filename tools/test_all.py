@@ -24,6 +24,7 @@ STEPS = {
     "asan": "configure asan-ubsan-all; build asan-ubsan-all; run_ctest asan-ubsan-all",
     "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON; "
     "build release; run_ctest release -R ^bench/",
+    "page": "python3 tests/viewer/check_template.py --npm",
     "clang": "configure clang; build clang; run_ctest clang",
     "debug": "configure debug; build debug; run_ctest debug",
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",

@@ -12,7 +12,7 @@ const output = join(here, 'dist/page.html');
 
 /// Of everything that the page is made from; tests/viewer/check_template.py computes it as well, without npm.
 function sourcesHash() {
-  const names = [...readdirSync(join(here, 'src')).map((name) => `src/${name}`), 'build.mjs', 'package.json', 'package-lock.json'].sort();
+  const names = [...readdirSync(join(here, 'src')).map((name) => `src/${name}`), 'build.mjs', 'package.json', 'package-lock.json', 'tsconfig.json'].sort();
   const hash = createHash('sha256');
   for (const name of names) hash.update(`${name}\n${read(name)}\n`);
   return hash.digest('hex');

@@ -15,6 +15,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
+from check_meetings import check_faces_drawn, check_sentences  # noqa: E402
 from check_pages import BOX, Checks, WICKED, differing, is_blue, moved, share  # noqa: E402
 
 ROWS = "1 0 0 0 1 0 0 0 1 "
@@ -317,7 +318,7 @@ def main():
     with tempfile.TemporaryDirectory() as name, Browser() as browser:
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
-        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_made, check_trees, check_costs, check_crowd_again, check_names]:
+        for check in [check_rays, check_points, check_faces, check_self, check_poses, check_distances, check_inspect, check_made, check_trees, check_costs, check_crowd_again, check_names, check_sentences, check_faces_drawn]:
             check(checks, browser)
     print(f"findings: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0
