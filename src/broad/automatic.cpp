@@ -43,7 +43,7 @@ class Expectation {
         return count_ > 4000 ? std::nullopt : std::optional(per_nanosecond * count_ * (30 + 0.06 * count_));
       case BroadPhaseMethod::sort_and_sweep:
         // Sorted boxes lie anywhere: the more, the slower they are fetched.
-        return per_nanosecond * count_ * (25 * std::log10(count_ + 1) + 0.4 * swept_);
+        return per_nanosecond * count_ * (std::max(60.0, 25 * std::log10(count_)) + 0.4 * swept_);
       case BroadPhaseMethod::uniform_grid:
         return per_nanosecond * count_ * (70 + 1.2 * near_);
       case BroadPhaseMethod::kd_tiles:

@@ -159,6 +159,14 @@ def crowds(folder):
     yield asked(folder, "crowd", "--count", "50", "--frames", "1", "--compare", "--threads", "0")
 
 
+def worlds(folder):
+    """Bodies that fly, by the method chosen and by one that is named."""
+    yield asked(folder, "crowd", "--world", "--count", "50", "--frames", "2", "--seed", "18446744073709551615")
+    named = asked(folder, "crowd", "--world", "--count", "1", "--frames", "1", "--method", "kd-tiles", "--threads", "0")
+    assert (named["method"], named["pairs"], named["threads"]) == ("kd-tiles", 0, 0), named
+    yield named
+
+
 def decompositions(folder):
     """Parts with corners and faces."""
     report = asked(folder, "decompose", "gen:gear", "--parts", "4")
@@ -176,6 +184,7 @@ EVERY_REPORT = {
     "inspect": inspections,
     "hierarchy": hierarchies,
     "crowd": crowds,
+    "crowd-world": worlds,
     "minkowski": sums,
     "decompose": decompositions,
 }
@@ -202,7 +211,7 @@ def main():
 
 def check_asked(kind, report):
     """A report of a question says what was asked."""
-    if kind in ("minkowski", "decompose"):
+    if kind in ("minkowski", "decompose", "crowd-world"):
         assert "asked" not in report, report
         return
     validator("asked.schema.json").validate(report["asked"])
