@@ -92,12 +92,15 @@ Json json_of(const CrowdArguments& arguments, const WorldRun& run) {
           {"ended", run.ended}};
 }
 
+std::string title_of(const CrowdArguments& arguments) {
+  return counted(arguments.count, "body", "bodies") + (arguments.count == 1 ? " that flies" : " that fly");
+}
+
 std::string table_of(const CrowdArguments& arguments, const WorldRun& run) {
-  return fmt::format(
-      "{} that fly, {}\n{:<20}{:>12}{:>11}{:>11}{:>10}{:>9}\n{:<20}{:>12.3f}{:>11.3f}{:>11}{:>10}{:>9}\n",
-      counted(arguments.count, "body", "bodies"), counted(arguments.frames, "frame"), "broad phase", "ms per step",
-      "worst", "in contact", "begun", "ended", name_of(run.method), run.median_ms(), run.worst_ms(), run.pairs,
-      run.begun, run.ended);
+  return fmt::format("{}, {}\n{:<20}{:>12}{:>11}{:>11}{:>10}{:>9}\n{:<20}{:>12.3f}{:>11.3f}{:>11}{:>10}{:>9}\n",
+                     title_of(arguments), counted(arguments.frames, "frame"), "broad phase", "ms per step", "worst",
+                     "in contact", "begun", "ended", name_of(run.method), run.median_ms(), run.worst_ms(), run.pairs,
+                     run.begun, run.ended);
 }
 
 }  // namespace
@@ -110,8 +113,8 @@ int run_crowd_world(const CrowdArguments& arguments) {
   if (view.draws()) {
     WorldRecording recording;
     run_world(arguments, &recording);
-    const std::string title = counted(arguments.count, "body", "bodies") + " that fly";
-    written = view.write(world_page(recording, {.title = title}), counted(recording.frames().size(), "step"));
+    written =
+        view.write(world_page(recording, {.title = title_of(arguments)}), counted(recording.frames().size(), "step"));
   }
   print_answer(arguments.format == Format::json ? json_of(arguments, run).dump(1) + "\n"
                                                 : table_of(arguments, run) + written);

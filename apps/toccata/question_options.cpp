@@ -74,17 +74,17 @@ void add_view(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"y", "z"}));
   add_threads(*view, arguments.threads, "page");
   add_save_case(*view, arguments.save_case, "also write what is shown as a case (docs/reference/case-file.md)");
-  view->footer(
-      with_name("The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
-                "Exit code: 0 written, 1 written and the answer is another than a report or case says, 2 trouble.\n\nExample:\n"
-                "  {0} view a.stl b.obj -o touch.html\n"
-                "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
-                "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
-                "  {0} view bunny.ply --partition octree -o octree.html\n"
-                "  {0} view scene.json --glb scene.glb\n"
-                "  {0} ray part.stl --from 0 0 5 --to 0 0 -5 --json > report.json\n"
-                "  {0} view report.json -o report.html\n"
-                "  {0} view a.stl b.obj --png touch.png --look 'finding=0'"));
+  view->footer(with_name(
+      "The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
+      "Exit code: 0 written, 1 written and the answer is another than a report or case says, 2 trouble.\n\nExample:\n"
+      "  {0} view a.stl b.obj -o touch.html\n"
+      "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
+      "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+      "  {0} view bunny.ply --partition octree -o octree.html\n"
+      "  {0} view scene.json --glb scene.glb\n"
+      "  {0} ray part.stl --from 0 0 5 --to 0 0 -5 --json > report.json\n"
+      "  {0} view report.json -o report.html\n"
+      "  {0} view a.stl b.obj --png touch.png --look 'finding=0'"));
 }
 
 void add_distance(CLI::App& app, Options& options) {

@@ -1,3 +1,5 @@
+#include "broad/automatic.hpp"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -15,12 +17,11 @@
 namespace toccata {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 struct Candidate {
   BroadPhaseMethod method;
-  double expected;                 ///< milliseconds, on a machine that is not this one
-  std::optional<double> measured;  ///< milliseconds
+  double expected = 0;               ///< milliseconds, on a machine that is not this one
+  std::optional<double> measured{};  ///< milliseconds
+  std::size_t measured_at = 0;       ///< after so many updates
 };
 
 /// What a method can be expected to take, in milliseconds, on a machine of about 2024. Only their order matters, and
@@ -41,7 +42,8 @@ class Expectation {
       case BroadPhaseMethod::brute_force:
         return count_ > 4000 ? std::nullopt : std::optional(per_nanosecond * count_ * (30 + 0.06 * count_));
       case BroadPhaseMethod::sort_and_sweep:
-        return per_nanosecond * count_ * (60 + 0.25 * swept_);
+        // Sorted boxes lie anywhere: the more, the slower they are fetched.
+        return per_nanosecond * count_ * (std::max(60.0, 25 * std::log10(count_)) + 0.4 * swept_);
       case BroadPhaseMethod::uniform_grid:
         return per_nanosecond * count_ * (70 + 1.2 * near_);
       case BroadPhaseMethod::kd_tiles:
@@ -60,16 +62,19 @@ class Expectation {
 };
 
 /// Expects from a sample of the boxes what each method will take, uses the best, and measures it. Now and then the next
-/// best, when it cannot be much worse, is tried for three updates; if it takes four fifths or less, it stays.
+/// best, when it cannot be much worse, is tried for three updates; if it takes four fifths or less, it stays. A trial
+/// ends with the second of them where that was no better than what there was.
 class Automatic final : public PairFinder {
  public:
+  explicit Automatic(AutomaticMeans means) : means_(std::move(means)) {}
+
   PairList find(const BoxesNow& now, PairList storage) override {
     if (is_due(now)) look_anew(now);
     begin_trial();
     given_up_ = false;
-    const auto start = Clock::now();
+    const double start = means_.milliseconds();
     PairList pairs = finder_of_update().find(now, std::move(storage));
-    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const double milliseconds = means_.milliseconds() - start;
     ++updates_;
     note(milliseconds);
     return pairs;
@@ -101,7 +106,9 @@ class Automatic final : public PairFinder {
                                          BroadPhaseMethod::uniform_grid, BroadPhaseMethod::kd_tiles,
                                          BroadPhaseMethod::layers};
   static constexpr double clearly_better = 0.8;
-  static constexpr double most_worse = 1.5;           ///< than the present: what is expected to be worse is not tried
+  static constexpr double surely_better = 0.5;  ///< what is only expected, than what is measured
+  static constexpr double most_worse = 1.5;     ///< than the present: what is expected to be worse is not tried
+  static constexpr std::size_t updates_of_memory = 1000;
   static constexpr std::size_t updates_of_trial = 3;  ///< the first of which has to make all its memory
 
   /// Whether the boxes are no longer what they were when a method was chosen.
@@ -127,22 +134,35 @@ class Automatic final : public PairFinder {
     const std::vector<Candidate> known = std::exchange(candidates_, {});
     for (const BroadPhaseMethod method : considered)
       if (const auto expected = expectation.of(method))
-        candidates_.push_back(with_measured({method, *expected, {}}, known));
+        candidates_.push_back(with_measured({method, *expected}, known));
     tried_finder_.reset();
     next_trial_ = updates_ + 6;
     trial_pause_ = 16;
     const Candidate& best =
         *std::min_element(candidates_.begin(), candidates_.end(),
                           [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
-    if (!finder_ || best.method != method_) use(best.method, make_pair_finder({best.method}));
+    if (!is_good_enough_beside(best)) use(best.method, means_.finder(best.method));
   }
 
-  /// What was measured still holds where about the same is expected.
-  static Candidate with_measured(Candidate candidate, std::span<const Candidate> known) {
+  /// Whether the present method stays although this one is the best, as far as is known.
+  [[nodiscard]] bool is_good_enough_beside(const Candidate& best) const {
+    if (!finder_) return false;
+    if (best.method == method_) return true;
+    const auto present = std::find_if(candidates_.begin(), candidates_.end(),
+                                      [&](const Candidate& one) { return one.method == method_; });
+    if (present == candidates_.end()) return false;
+    const double enough = present->measured && !best.measured ? surely_better : clearly_better;
+    return cost(best) >= enough * cost(*present);
+  }
+
+  /// What was measured still holds where about the same is expected, for a while: the machine may have been busy.
+  [[nodiscard]] Candidate with_measured(Candidate candidate, std::span<const Candidate> known) const {
     for (const Candidate& one : known)
-      if (one.method == candidate.method &&
-          std::max(one.expected, candidate.expected) < 1.5 * std::min(one.expected, candidate.expected))
+      if (one.method == candidate.method && updates_ - one.measured_at < updates_of_memory &&
+          std::max(one.expected, candidate.expected) < 1.5 * std::min(one.expected, candidate.expected)) {
         candidate.measured = one.measured;
+        candidate.measured_at = one.measured_at;
+      }
     return candidate;
   }
 
@@ -182,8 +202,11 @@ class Automatic final : public PairFinder {
                          [&](const Candidate& one) { return one.method == method; });
   }
   void measure(BroadPhaseMethod method, double milliseconds) {
-    for (Candidate& one : candidates_)
-      if (one.method == method) one.measured = milliseconds;
+    for (Candidate& one : candidates_) {
+      if (one.method != method) continue;
+      one.measured = milliseconds;
+      one.measured_at = updates_;
+    }
   }
 
   void begin_trial() {
@@ -193,7 +216,7 @@ class Automatic final : public PairFinder {
     trial_pause_ = std::min<std::size_t>(4 * trial_pause_, 1024);
     if (next == nullptr || cost(*next) > most_worse * cost(candidate(method_))) return;
     tried_ = next->method;
-    tried_finder_ = make_pair_finder({tried_});
+    tried_finder_ = means_.finder(tried_);
     // Two at once would be twice the memory, and it will not have seen what moved meanwhile.
     finder_.reset();
     tried_updates_ = 0;
@@ -216,18 +239,20 @@ class Automatic final : public PairFinder {
     }
     if (++tried_updates_ == 1) return;
     trial_ = tried_updates_ == 2 ? milliseconds : std::min(trial_, milliseconds);
-    if (tried_updates_ < updates_of_trial) return;
+    const double present = cost(candidate(method_));
+    if (tried_updates_ < updates_of_trial && trial_ < present) return;
     measure(tried_, trial_);
-    if (trial_ < clearly_better * cost(candidate(method_))) {
+    if (trial_ < clearly_better * present) {
       use(tried_, std::move(tried_finder_));
       is_warm_ = true;
     } else {
       given_up_ = true;
-      use(method_, make_pair_finder({method_}));
+      use(method_, means_.finder(method_));
     }
     tried_finder_.reset();
   }
 
+  AutomaticMeans means_;
   BroadPhaseMethod method_ = BroadPhaseMethod::kd_tiles, tried_ = BroadPhaseMethod::kd_tiles;
   std::unique_ptr<PairFinder> finder_, tried_finder_;
   std::vector<Candidate> candidates_;
@@ -244,6 +269,18 @@ class Automatic final : public PairFinder {
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_automatic() { return std::make_unique<Automatic>(); }
+AutomaticMeans usual_means() {
+  return {
+      [] {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+      },
+      [](BroadPhaseMethod method) { return make_pair_finder({method}); }};
+}
+
+std::unique_ptr<PairFinder> make_automatic(AutomaticMeans means) {
+  return std::make_unique<Automatic>(std::move(means));
+}
+
+std::unique_ptr<PairFinder> make_automatic() { return make_automatic(usual_means()); }
 
 }  // namespace toccata

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "broad/key_sort.hpp"
+
 namespace toccata {
 
 std::size_t sweep_axis(std::span<const FlatBox> boxes) {
@@ -28,12 +30,12 @@ std::size_t sweep_axis(std::span<const FlatBox> boxes) {
 
 void BoxSweep::lay_out(std::span<const FlatBox> boxes, std::size_t axis) {
   axis_ = axis;
-  keyed_.resize(boxes.size());
+  std::vector<Keyed<std::uint32_t>> keyed(boxes.size()), scratch;
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    keyed_[i] = {ordered(boxes[i].lower[axis]), static_cast<std::uint32_t>(i)};
-  sort_by_key(keyed_, sorted_);
+    keyed[i] = {ordered(boxes[i].lower[axis]), static_cast<std::uint32_t>(i)};
+  sort_by_key(keyed, scratch);
   store_.resize(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) store_.put(i, boxes[keyed_[i].place]);
+  for (std::size_t i = 0; i < boxes.size(); ++i) store_.put(i, boxes[keyed[i].place]);
   ends_.resize(boxes.size());
   const float* lower = store_.columns().lower[axis];
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -52,9 +54,6 @@ void BoxSweep::add_pairs(std::span<const Aabb> all, std::size_t begin, std::size
   add_overlaps_behind({store_.columns(), all.data()}, begin, end, ends_.data() + begin, pairs);
 }
 
-std::size_t BoxSweep::bytes() const {
-  return store_.bytes() + ends_.capacity() * sizeof(std::uint32_t) +
-         (keyed_.capacity() + sorted_.capacity()) * sizeof(keyed_[0]);
-}
+std::size_t BoxSweep::bytes() const { return store_.bytes() + ends_.capacity() * sizeof(std::uint32_t); }
 
 }  // namespace toccata

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "broad/box_lanes.hpp"
-#include "broad/key_sort.hpp"
 
 namespace toccata {
 
@@ -28,7 +27,6 @@ class BoxSweep {
   std::size_t axis_ = 0;
   ColumnStore store_;
   std::vector<std::uint32_t> ends_;
-  std::vector<Keyed<std::uint32_t>> keyed_, sorted_;
 };
 
 }  // namespace toccata

@@ -16,6 +16,7 @@ class SortAndSweep final : public PairFinder {
   PairList find(const BoxesNow& now, PairList storage) override {
     const FloatFrame frame(finite_bounds(now.boxes));
     flat_.clear();
+    flat_.reserve(now.boxes.size());
     for (Index number = 0; number < now.boxes.size(); ++number)
       if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame, now.boxes[number], number));
     sweep_.lay_out(flat_, sweep_axis(flat_));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -35,6 +37,62 @@ TEST(CrowdCommand, TellsWhatWasChosenAndWhy) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(run.out.starts_with("1 box, uniform, 1 frame\n")) << run.out;
   EXPECT_NE(run.out.find("\nauto: "), std::string::npos) << run.out;
+}
+
+TEST(CrowdCommand, TellsOfBodiesInAWorld) {
+  const auto run = run_command({"crowd", "--world", "--count", "1", "--frames", "1"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("1 body that flies, 1 frame\n")) << run.out;
+  EXPECT_NE(run.out.find("\nbroad phase          ms per step      worst in contact     begun    ended\nbrute-force  "),
+            std::string::npos)
+      << run.out;
+  EXPECT_TRUE(run.out.ends_with("          0         0        0\n")) << run.out;
+}
+
+TEST(CrowdCommand, FindsTheSamePairsInAWorldByEveryMethod) {
+  std::set<std::string> answers;
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--method", "brute-force"}, {"--method", "grid"}, {"--threads", "2"}}) {
+    std::vector<std::string> all = {"crowd", "--world", "--count", "400", "--frames", "30", "--json"};
+    all.insert(all.end(), words.begin(), words.end());
+    const auto run = run_command(all);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["schema"], "toccata/crowd-world/1");
+    EXPECT_EQ(json["count"], 400);
+    EXPECT_EQ(json["frames"], 30);
+    EXPECT_GT(json["pairs"], 0);
+    EXPECT_GT(json["begun"], 0);
+    EXPECT_GT(json["ended"], 0);
+    EXPECT_LE(json["median_ms"], json["worst_ms"]);
+    answers.insert(Json({json["pairs"], json["begun"], json["ended"]}).dump());
+  }
+  EXPECT_EQ(answers.size(), 1U);
+}
+
+/// Some where options are read, some before a World is made.
+TEST(CrowdCommand, RefusesWhatMakesNoWorld) {
+  const std::map<std::vector<std::string>, std::string> refused{
+      {{"--count", "0"}, "--count"},
+      {{"--count", "100000001"}, "--count"},
+      {{"--frames", "0"}, "--frames"},
+      {{"--threads", "-1"}, "--threads"},
+      {{"--method", "gird"}, "--method: gird"},
+      {{"--scene", "uniform"}, "--scene excludes --world"},
+      {{"--cells", "tracked"}, "--cells excludes --world"},
+      {{"--compare"}, "--compare excludes --world"},
+      {{"--save-case", "case.json"}, "--save-case is about boxes"},
+      {{"--size", "90x90"}, "--png FILE.png"}};
+  const test::TemporaryFolder folder;
+  for (const auto& [words, complaint] : refused) {
+    std::vector<std::string> all = {"crowd", "--world"};
+    all.insert(all.end(), words.begin(), words.end());
+    const auto run = run_command(all, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << words[0];
+    EXPECT_NE(run.err.find(complaint), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 /// Before a frame is timed.

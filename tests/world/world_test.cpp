@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <thread>
@@ -138,6 +139,47 @@ TEST(World, AnIdOfARemovedBodyIsAnError) {
   EXPECT_FALSE(world.contains(BodyId{}));
   EXPECT_EQ(complaint_of([&] { (void)world.body(BodyId{}); }),
             "body 0 (generation 0) is not in this World: its id was not given out by it");
+}
+
+/// Whatever is asked of it, a refused id leaves the World as a copy of before.
+TEST(World, AnIdOfARemovedBodyChangesNothing) {
+  World world({.distance = true});
+  const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(1), ball_at(9), ball_at(2)});
+  world.set_rule({ids[0], ids[3], true, {}});
+  world.step();
+  world.remove(ids[2]);
+  const BodyId gone = ids[2];
+  const World before = world;
+  const std::array named{ids[0], gone};
+  const std::array<std::function<void()>, 6> calls{
+      [&] {
+        world.move(named, std::array{Pose::translation(50, 0, 0), Pose::translation(60, 0, 0)});
+      },
+      [&] { world.remove(named); },
+      [&] {
+        world.replace(named, std::array{ball_at(7), ball_at(8)});
+      },
+      [&] {
+        world.set_rules(std::array{PairRule{ids[0], ids[1], true, {}}, PairRule{ids[1], gone, true, {}}});
+      },
+      [&] { (void)world.body(gone); },
+      [&] { (void)world.box(gone); }};
+  for (const auto& call : calls) {
+    EXPECT_NE(complaint_of(call).find("was removed"), std::string::npos);
+    EXPECT_EQ(world.bodies(), before.bodies());
+    EXPECT_EQ(world.revision(), before.revision());
+    for (const BodyId id : before.bodies()) {
+      EXPECT_EQ(world.body(id).pose, before.body(id).pose);
+      EXPECT_EQ(world.box(id), before.box(id));
+    }
+    World now = world, then = before;
+    const WorldStep &found = now.step(), &expected = then.step();
+    EXPECT_EQ(names_of(found.kept), (Names{{0, 1}, {1, 3}}));
+    EXPECT_EQ(names_of(found.kept), names_of(expected.kept));
+    EXPECT_EQ(names_of(found.ended), names_of(expected.ended));
+    EXPECT_EQ(found.begun.size() + expected.begun.size(), 0U);
+    EXPECT_EQ(found.asked, expected.asked);
+  }
 }
 
 class BadInput : public testing::Test {

@@ -115,7 +115,9 @@ using Fields = std::vector<Field>;
 const std::vector<Fields>& known_fields() {
   static const std::vector<Fields> known{
       Fields{{"median_us", "median", 1e3}, {"p99_us", "99 of 100 take less", 1e3}},
-      Fields{{"median_ns", "median", 1}, {"p99_ns", "99 of 100 take less", 1}}, Fields{{"median_ms", "median", 1e6}, {"worst_ms", "worst", 1e6}}, Fields{{"build_ms", "to build", 1e6}},
+      Fields{{"median_ns", "median", 1}, {"p99_ns", "99 of 100 take less", 1}},
+      Fields{{"median_ms", "median", 1e6}, {"worst_ms", "worst", 1e6}},
+      Fields{{"build_ms", "to build", 1e6}},
       Fields{{"median_seconds", "median", 1e9}, {"worst_seconds", "worst", 1e9}},
       Fields{{"generic_median_us", "the walker", 1e3}, {"by_hand_median_us", "a loop by hand", 1e3}}};
   return known;

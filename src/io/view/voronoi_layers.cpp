@@ -46,7 +46,8 @@ std::vector<Vec3> corners_of(const Posed& posed) {
   return corners;
 }
 
-/// VoronoiCells in the world, up to a distance from the shape. A pose may change angles, so they are those of the world hull.
+/// VoronoiCells in the world, up to a distance from the shape. A pose may change angles, so they are those of the world
+/// hull.
 class VoronoiCells {
  public:
   VoronoiCells(const ConvexHull& hull, double reach) : regions_(hull), t_(regions_.topology()), reach_(reach) {}

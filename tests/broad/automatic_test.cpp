@@ -1,0 +1,153 @@
+#include "broad/automatic.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "toccata/generate/crowds.hpp"
+
+namespace toccata {
+namespace {
+
+using Method = BroadPhaseMethod;
+
+/// `auto`, whose clock goes on only while a method works, by what is written here.
+class ScriptedAuto {
+ public:
+  ScriptedAuto(const std::string& scene, std::size_t count, std::map<Method, double> milliseconds)
+      : milliseconds_(std::move(milliseconds)),
+        boxes_(Crowd(scene, count).boxes()),
+        all_(count),
+        automatic_(make_automatic(
+            {[this] { return now_; }, [this](Method method) { return std::make_unique<Worker>(*this, method); }})) {
+    std::iota(all_.begin(), all_.end(), Index{0});
+  }
+
+  void takes(Method method, double milliseconds) { milliseconds_[method] = milliseconds; }
+  /// Gives how often the method chosen was another than before.
+  int update(int times, double moving = 1) {
+    int changes = 0;
+    const auto changed =
+        std::span<const Index>(all_).first(static_cast<std::size_t>(moving * static_cast<double>(all_.size())));
+    for (int i = 0; i < times; ++i) {
+      const Method before = chosen();
+      (void)automatic_->find({boxes_, changed, {}}, {});
+      changes += chosen() == before ? 0 : 1;
+    }
+    return changes;
+  }
+  [[nodiscard]] Method chosen() const { return automatic_->chosen(); }
+  [[nodiscard]] std::string reason() const { return automatic_->reason(); }
+  [[nodiscard]] std::ptrdiff_t updates_by(Method method) const {
+    return std::count(worked_.begin(), worked_.end(), method);
+  }
+
+ private:
+  class Worker final : public PairFinder {
+   public:
+    Worker(ScriptedAuto& script, Method method) : script_(script), method_(method) {}
+    PairList find(const BoxesNow&, PairList storage) override {
+      script_.now_ += script_.milliseconds_.at(method_);
+      script_.worked_.push_back(method_);
+      return storage;
+    }
+    [[nodiscard]] std::size_t bytes() const override { return 0; }
+
+   private:
+    ScriptedAuto& script_;
+    Method method_;
+  };
+
+  double now_ = 0;
+  std::map<Method, double> milliseconds_;
+  std::vector<Aabb> boxes_;
+  std::vector<Index> all_;
+  std::vector<Method> worked_;
+  std::unique_ptr<PairFinder> automatic_;
+};
+
+const std::map<Method, double> similar{{Method::uniform_grid, 10},
+                                       {Method::sort_and_sweep, 9},
+                                       {Method::kd_tiles, 15},
+                                       {Method::brute_force, 50},
+                                       {Method::layers, 1}};
+
+TEST(Automatic, KeepsWhatIsSlowerByLessThanAFifth) {
+  ScriptedAuto script("uniform", 2000, similar);
+  EXPECT_EQ(script.update(1000), 1);  // the first
+  EXPECT_EQ(script.chosen(), Method::uniform_grid);
+  EXPECT_GE(script.updates_by(Method::sort_and_sweep), 3);
+  EXPECT_LE(script.updates_by(Method::sort_and_sweep), 60);
+}
+
+TEST(Automatic, LeavesWhatHasBecomeSlowerAndDoesNotComeBackForATenth) {
+  ScriptedAuto script("uniform", 2000, similar);
+  script.update(100);
+  script.takes(Method::uniform_grid, 20);
+  EXPECT_EQ(script.update(400), 1);
+  EXPECT_EQ(script.chosen(), Method::sort_and_sweep);
+  script.takes(Method::uniform_grid, 8.1);
+  EXPECT_EQ(script.update(1000), 0);
+  script.takes(Method::uniform_grid, 5);
+  EXPECT_EQ(script.update(2000), 1);
+  EXPECT_EQ(script.chosen(), Method::uniform_grid);
+}
+
+TEST(Automatic, EndsATrialThatCannotWin) {
+  for (const bool is_near : {false, true}) {
+    ScriptedAuto script("uniform", 2000, similar);
+    script.takes(Method::sort_and_sweep, is_near ? 9 : 14);
+    script.update(20);
+    EXPECT_EQ(script.updates_by(Method::sort_and_sweep), is_near ? 3 : 2);
+  }
+}
+
+/// However fast they would be by the clock.
+TEST(Automatic, TriesNothingThatIsExpectedToBeMuchWorse) {
+  ScriptedAuto script("sizes", 2000, similar);
+  script.takes(Method::uniform_grid, 0.1);
+  script.update(1000);
+  EXPECT_EQ(script.updates_by(Method::uniform_grid), 0);
+  EXPECT_EQ(script.chosen(), Method::sort_and_sweep);
+}
+
+TEST(Automatic, FollowsTheMotionButNotEachTime) {
+  ScriptedAuto script("uniform", 2000, similar);
+  script.update(50);
+  EXPECT_EQ(script.update(4, 0.01), 1);
+  EXPECT_EQ(script.chosen(), Method::layers);
+  EXPECT_EQ(script.update(100, 0.01), 0);
+  EXPECT_EQ(script.update(4, 1), 1);
+  EXPECT_NE(script.chosen(), Method::layers);
+  int changes = 0;
+  for (int i = 0; i < 200; ++i) changes += script.update(1, i % 2 == 0 ? 0.01 : 1);
+  EXPECT_GE(changes, 1);
+  EXPECT_LE(changes, 20);
+}
+
+TEST(Automatic, SaysWhatTheBoxesAreLikeWhatItChoseAndWhatCameNext) {
+  ScriptedAuto script("uniform", 2000, similar);
+  EXPECT_EQ(script.reason(), "");
+  script.update(3);
+  const std::string begin = "2000 boxes, of similar sizes, 100 % move: grid, 10 ms; next";
+  const std::string first = script.reason();
+  EXPECT_TRUE(first.starts_with(begin + " sort-and-sweep, expected to take 1.")) << first;
+  EXPECT_TRUE(first.ends_with(" times as long, not tried")) << first;
+  script.update(20);
+  EXPECT_EQ(script.reason(), begin + " best sort-and-sweep, took 9 ms");
+  script.update(4, 0.01);
+  EXPECT_EQ(script.reason(),
+            "2000 boxes, of similar sizes, 1 % move: layers, 1 ms; next best sort-and-sweep, took 9 ms");
+
+  ScriptedAuto sizes("sizes", 2000, similar);
+  sizes.update(1, 0.5);
+  EXPECT_TRUE(sizes.reason().starts_with("2000 boxes, sizes over ")) << sizes.reason();
+  EXPECT_NE(sizes.reason().find(" decades, 50 % move"), std::string::npos) << sizes.reason();
+}
+
+}  // namespace
+}  // namespace toccata
