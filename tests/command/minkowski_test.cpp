@@ -37,7 +37,7 @@ TEST(MinkowskiCommand, WritesOverNoMeshAndNothingWhereItFails) {
   const auto refused = run_command({"minkowski", "boxes.json", "-o", "mine.obj"}, folder.path());
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(sum_says(refused.err, "mine.obj: the file exists")) << refused.err;
-  EXPECT_EQ(folder.read("mine.obj"), "mine\n");
+  EXPECT_EQ(test::text_of(folder.path() / "mine.obj"), "mine\n");
   folder.write("points.json", R"({"format": "toccata-scene", "version": 1, "objects": [
     {"name": "a", "shape": {"type": "point", "position": [0, 0, 0]}}, {"name": "b", "shape": {"type": "point", "position": [1, 0, 0]}}]})");
   const auto point = run_command({"minkowski", "points.json", "--html", "p.html", "-o", "p.obj"}, folder.path());
