@@ -1,5 +1,6 @@
 #include "bounds/polytope_measure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,6 +52,21 @@ PolytopeMeasure measure_within(std::span<const PlaneBound> planes) {
     measure.volume += area * planes[face].offset / length / 3;
   }
   return measure;
+}
+
+std::vector<Vec3> corners_within(std::span<const PlaneBound> planes) {
+  constexpr double slack = 1e-12, same = 1e-9;
+  std::vector<Vec3> corners;
+  for (std::size_t face = 0; face < planes.size(); ++face) {
+    std::vector<Vec3> polygon = large_square(planes[face]);
+    for (std::size_t i = 0; i < planes.size() && !polygon.empty(); ++i)
+      if (i != face) polygon = clipped(polygon, {planes[i].normal, planes[i].offset + slack});
+    for (const Vec3& corner : polygon)
+      if (std::none_of(corners.begin(), corners.end(),
+                       [&](const Vec3& other) { return dot(corner - other, corner - other) < same * same; }))
+        corners.push_back(corner);
+  }
+  return corners;
 }
 
 }  // namespace toccata

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "bounds/polytope_measure.hpp"
 #include "io/view/display_mesh.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/cube.hpp"
@@ -80,6 +81,38 @@ TreeShape shape_of(const WideTree& tree) {
   return shape;
 }
 
+/// Of which points a polyhedron is the hull: of those that are farthest along directions all around. That gives all
+/// corners where each is farthest along one. Of many volumes fewer directions are taken.
+template <class Volume>
+std::vector<Vec3> drawn_points(const Volume& volume, std::size_t siblings) {
+  constexpr std::size_t few = 64;
+  std::vector<Vec3> points;
+  for (const Vec3& direction : sphere_points(siblings <= few ? 8 : 4))
+    points.push_back(farthest_point(volume, direction));
+  return points;
+}
+
+/// The corners that are left where slabs cut off others.
+template <std::size_t k>
+std::vector<Vec3> drawn_points(const Kdop<k>& volume, std::size_t siblings) {
+  const Vec3 centre = middle(volume);
+  std::vector<PlaneBound> planes;
+  double size = 0;
+  for (std::size_t i = 0; i < k / 2; ++i) {
+    const Vec3 normal = kdop_normals<k>()[i];
+    const double height = dot(normal, centre);
+    planes.push_back({normal, volume.upper[i] - height});
+    planes.push_back({-normal, height - volume.lower[i]});
+    size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
+  }
+  if (!std::isfinite(size)) return drawn_points<Kdop<k>>(volume, siblings);  // of planes beyond the doubles
+  if (!(size > 0)) return {centre};
+  for (PlaneBound& plane : planes) plane.offset /= size;
+  std::vector<Vec3> corners = corners_within(planes);
+  for (Vec3& corner : corners) corner = centre + size * corner;
+  return corners;
+}
+
 /// Volumes of one kind around the nodes of each level.
 template <class Volume>
 class Drawing {
@@ -138,14 +171,8 @@ class Drawing {
     return count;
   }
 
-  /// The hull of the points that are farthest along directions all around: all corners where each is farthest along
-  /// one. Of many volumes fewer directions are taken.
   void draw(const Volume& volume, std::size_t siblings, Index number) {
-    constexpr std::size_t few = 64;
-    std::vector<Vec3> points;
-    for (const Vec3& direction : sphere_points(siblings <= few ? 8 : 4))
-      points.push_back(farthest_point(volume, direction));
-    draw(ConvexHull(points), number);
+    draw(ConvexHull(drawn_points(volume, siblings)), number);
   }
 
   void draw(const ConvexHull& hull, Index number) {
