@@ -134,9 +134,9 @@ class CostVolumes {
 
 /// The question that the walker asks of two hierarchies.
 template <BoundingVolume V>
-class CostQuestion {
+class MeasuringQuestion {
  public:
-  CostQuestion(CostVolumes<V>& a, CostVolumes<V>& b, CostLeaves& leaves)
+  MeasuringQuestion(CostVolumes<V>& a, CostVolumes<V>& b, CostLeaves& leaves)
       : a_(a), b_(b), leaves_(leaves), by_distance_(leaves.task() == CostTask::distance) {}
 
   double bound(NodeNumber a, NodeNumber b) {
@@ -184,7 +184,7 @@ QueryCost cost_of_query(CostVolumes<V>& a, CostVolumes<V>& b, const CostHierarch
   };
   start();
   CostLeaves leaves(task, side_a, side_b);
-  CostQuestion<V> question(a, b, leaves);
+  MeasuringQuestion<V> question(a, b, leaves);
   cost.counts = walk_pair(tree_a.tree, tree_b.tree, question);
   cost.counts.volumes_updated = a.updates() + b.updates();
   cost.answer = leaves.answer();
@@ -194,7 +194,7 @@ QueryCost cost_of_query(CostVolumes<V>& a, CostVolumes<V>& b, const CostHierarch
   cost.measured_ns = timed(1, [&] {
                        start();
                        CostLeaves again(task, side_a, side_b);
-                       CostQuestion<V> asked(a, b, again);
+                       MeasuringQuestion<V> asked(a, b, again);
                        walk_pair(tree_a.tree, tree_b.tree, asked);
                      }).nanoseconds;
   return cost;
