@@ -10,6 +10,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/query/inside.hpp"
 #include "toccata/query/overlap.hpp"
@@ -162,7 +163,7 @@ TEST(ConvexParts, AtAnyScaleAndPlaceContainTheSolid) {
 }
 
 TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
-  const TriangleMesh ring = generate_mesh("torus?around=8&sides=5");
+  const TriangleMesh ring = torus_mesh({.radius = 2, .tube_radius = 0.6, .around = 8, .sides = 5});
   const auto concavity = [&](int exponent) {
     std::vector<Vec3> vertices(ring.vertices().begin(), ring.vertices().end());
     for (Vec3& v : vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
