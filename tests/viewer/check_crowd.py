@@ -6,17 +6,15 @@ from pixels import differing, is_orange, share
 
 SEEN = """(() => {
   const parts = {};
-  for (const drawn of toccata.stage.overlays.children) {
-    const { geometry, type } = drawn.geometry ? drawn : drawn.children[0];
-    if (geometry.instanceCount !== undefined && geometry.type === 'LineSegmentsGeometry') parts.pairs = geometry.instanceCount;
-    else if (type === 'Mesh') parts.boxes = geometry.index.count / 36;
-    else if (geometry.index) parts.cells = geometry.index.count / 24;
-    else parts.pairs = geometry.attributes.position.count / 2;
+  for (const { name, geometry } of toccata.stage.overlays.children) {
+    if (name === 'links') parts.pairs = geometry.attributes.end ? geometry.index.count / 12 : geometry.attributes.position.count / 2;
+    else if (name === 'bodies') parts.boxes = geometry.index.count / 36;
+    else if (name === 'cells') parts.cells = geometry.index.count / 24;
   }
   return parts;
 })()"""
 CORNERS = """(() => {
-  const { geometry } = toccata.stage.overlays.children.find((drawn) => drawn.type === 'Mesh');
+  const { geometry } = toccata.stage.overlays.children.find(({ name }) => name === 'bodies');
   return [...geometry.attributes.position.array];
 })()"""
 SLIDE = "(() => {{ const slider = document.getElementById('moment'); slider.value = {}; slider.dispatchEvent(new Event('input')); }})()"
@@ -62,7 +60,7 @@ def look_at_time(checks, browser):
 
 def look_at_layers(checks, browser):
     calls = browser.value("toccata.stage.renderer.info.render.calls")
-    checks.expect(calls <= 5, f"boxes, cells, grid and pairs, which are drawn twice, in {calls} drawing calls")
+    checks.expect(calls <= 4, f"boxes, cells, grid and pairs in {calls} drawing calls")
     for name, what in [("Cells", "cells"), ("Pairs", "pairs"), ("Boxes", "boxes")]:
         shown = browser.picture()
         browser.value(TOGGLE.format(name))
@@ -134,6 +132,6 @@ def check_large_crowd(checks, browser):
         browser.wait_for(f"toccata.stage.drawn >= {drawn + frame}")
     print(f"a crowd of 10,000: {size:.1f} MB, drawn in {opened:.2f} s, and a moment in {(time.monotonic() - started) / 2:.2f} s")
     calls = browser.value("toccata.stage.renderer.info.render.calls")
-    checks.expect(calls <= 5, f"a crowd of 10,000 in {calls} drawing calls")
+    checks.expect(calls <= 4, f"a crowd of 10,000 in {calls} drawing calls")
     checks.expect(size < 24, f"a crowd of 10,000: {size:.1f} MB")
     checks.quiet(browser, "large crowd")

@@ -101,6 +101,7 @@ function ofPairs({ header, report }: PageData): Findings {
       depth: depthOf(pair.penetration), gap: near ? (pair.distance?.upper ?? Infinity) : 0, size: header.words[i].face_pairs ?? 0,
     };
   });
+  if (report.objects.length < 2) return ofNoQuestion({ header, report });
   const near = all.filter((finding) => !finding.counts).length;
   const contacts = `Contacts ${counted(all.length - near)}`;
   return {
@@ -109,6 +110,14 @@ function ofPairs({ header, report }: PageData): Findings {
     summary: [`${countText(all.length - near, 'pair')} in contact`, ...(near > 0 ? [`${countText(near, 'pair')} near`] : [])],
     none: 'Nothing collides.', orders: ['deepest', 'largest', 'nearest', 'listed'], shown: ['contact'],
   };
+}
+
+/// Where there is nothing that could collide, the page is about what can be looked at.
+function ofNoQuestion({ header, report }: Pick<PageData, 'header' | 'report'>): Findings {
+  const shown = header.layers.flatMap(({ name, steps }) => (name !== undefined && steps && steps.length > 0 ? [{ name, steps: steps.length }] : []));
+  const told = shown.map(({ name, steps }) => `${name}: ${countText(steps, 'step')}, on the slider in the picture.`).join(' ');
+  const alone = report.objects.length === 0 ? 'There is no object.' : 'One object alone: there is no other that it could collide with.';
+  return { all: [], name: 'Shown', summary: shown.map(({ name }) => name), none: told || alone, orders: ['listed'], shown: [] };
 }
 
 const counted = (count: number) => count.toLocaleString('en-US');

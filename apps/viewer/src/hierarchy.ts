@@ -4,7 +4,6 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
-  Group,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -152,14 +151,14 @@ function colouredTriangles(layer: HierarchyLayer, step: LayerStep, data: PageDat
   return drawn;
 }
 
-/// Two drawings: the volumes, and what they hold.
-export function drawLevel(layer: HierarchyLayer, step: LayerStep, data: PageData, objects: Objects): { drawn: Object3D; level: DrawnLevel } {
+/// The volumes, and the object in the colours of those that hold its triangles.
+export function drawLevel(layer: HierarchyLayer, step: LayerStep, data: PageData, objects: Objects): { drawn: Object3D; object: Object3D; level: DrawnLevel } {
   const volumes = 'rounds' in layer ? roundVolumes(layer.rounds, step, data) : flatVolumes(layer, step, data);
   const { size, lower } = layer;
   const inner = [size, 0, 0, 0, size, 0, 0, 0, size, ...lower];
   volumes.mesh.matrixAutoUpdate = false;
   volumes.mesh.matrix.copy(matrixOf(shownPlace(data.header.frame, data.report.objects[layer.object].pose, inner)));
-  return { drawn: new Group().add(volumes.mesh, colouredTriangles(layer, step, data, objects)), level: { layer, step, volumes } };
+  return { drawn: volumes.mesh, object: colouredTriangles(layer, step, data, objects), level: { layer, step, volumes } };
 }
 
 /// The smallest node of the level whose volume a ray meets.

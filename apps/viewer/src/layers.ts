@@ -3,9 +3,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   CanvasTexture,
-  Color,
   DoubleSide,
-  Group,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -13,14 +11,12 @@ import {
   Points,
   PointsMaterial,
 } from 'three';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Layer, LayerStep, PageData } from './data';
 import { bodyColours, eventColours, facesA, facesB, stepColours, type Theme } from './colours';
 import type { Objects } from './objects';
 import { bodies, cells, links } from './moving';
 import { identity, matrixOf, shownPlace } from './place';
+import { arrows, strokes } from './strokes';
 
 export interface LayerStyle {
   theme: Theme;
@@ -65,19 +61,11 @@ function numbersOf(layer: Layer, { data }: Drawing, style: LayerStyle, width: nu
 /// All items, where the layer has neither steps nor moments.
 const stepOf = (layer: Layer, style: LayerStyle, width: number) => style.step ?? { label: '', first: 0, count: layer.data.count / width };
 
-/// What lies behind surfaces is faint where it is drawn over them.
-const behind = { depthTest: false, depthWrite: false, transparent: true, opacity: 0.28 };
+/// What lies behind surfaces is drawn so faintly.
+export const behind = 0.28;
 
 export function segments(numbers: Float32Array, colour: number, width: number, over: boolean): Object3D {
-  const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(numbers);
-  const line = (options: object, order: number) => {
-    const drawn = new LineSegments2(geometry, new LineMaterial({ color: colour, linewidth: width, ...options }));
-    drawn.frustumCulled = false;
-    drawn.renderOrder = order;
-    return drawn;
-  };
-  return over ? new Group().add(line({}, 4), line(behind, 4)) : line({}, 2);
+  return strokes(numbers, width, { colour, order: over ? 4 : 2, hidden: over ? behind : 0 });
 }
 
 let disc: CanvasTexture | undefined;
@@ -135,27 +123,12 @@ const triangles: Draw = (layer, drawing, style) => {
     opacity: 0.35,
     depthTest: !style.over,
     depthWrite: false,
+    forceSinglePass: true, // else three.js draws both sides one after the other
   });
   const drawn = new Mesh(geometry, material);
   drawn.frustumCulled = false;
   drawn.renderOrder = 3;
   return drawn;
-};
-
-/// A point and a unit direction each.
-const arrows: Draw = (layer, drawing, style) => {
-  const numbers = numbersOf(layer, drawing, style, 6);
-  const shafts = new Float32Array(numbers.length);
-  const heads: number[] = [];
-  for (let i = 0; i < numbers.length; i += 6) {
-    for (let axis = 0; axis < 3; ++axis) {
-      shafts[i + axis] = numbers[i + axis];
-      shafts[i + 3 + axis] = numbers[i + axis] + style.arrow * numbers[i + 3 + axis];
-      heads.push(shafts[i + 3 + axis]);
-    }
-  }
-  const colour = colourOf(layer, style);
-  return new Group().add(segments(shafts, colour, 2.5, true), points(new Float32Array(heads), colour, true));
 };
 
 /// The twelve edges of boxes, each its lower and its upper corner in the frame of the layer's object.
@@ -184,7 +157,7 @@ export const kinds: Record<string, Draw> = {
   segments: (layer, drawing, style) => segments(numbersOf(layer, drawing, style, 6), colourOf(layer, style), layer.role === 'contact' ? 3 : 4, style.over),
   points: (layer, drawing, style) => points(numbersOf(layer, drawing, style, 3), colourOf(layer, style), style.over),
   triangles,
-  arrows,
+  arrows: (layer, drawing, style) => arrows(numbersOf(layer, drawing, style, 6), style.arrow, { colour: colourOf(layer, style), order: 4, hidden: behind }),
   faces,
   boxes,
   bodies: (layer, { data }, style) => bodies(layer, data, stepOf(layer, style, 7), style.through),
@@ -195,7 +168,9 @@ export const kinds: Record<string, Draw> = {
 export function draw(layer: Layer, drawing: Drawing, style: LayerStyle): Object3D {
   const kind = kinds[layer.kind];
   if (!kind) throw new Error(`this page cannot show a layer of the kind ${layer.kind}`);
-  return kind(layer, drawing, style);
+  const drawn = kind(layer, drawing, style);
+  drawn.name = layer.kind; // for tests
+  return drawn;
 }
 
 /// All layers of one kind and role in one drawing.

@@ -101,8 +101,8 @@ export class Objects {
   }
 
   private material(smooth: boolean, ghost: boolean): MeshLambertMaterial {
-    const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: !smooth });
-    if (ghost) return Object.assign(material, { transparent: true, opacity: 0.1, depthWrite: false, forceSinglePass: true });
+    const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: !smooth, forceSinglePass: true });
+    if (ghost) return Object.assign(material, { transparent: true, opacity: 0.1, depthWrite: false });
     this.solidMaterials.push(material);
     return Object.assign(material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   }

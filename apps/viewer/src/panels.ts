@@ -96,6 +96,7 @@ export class Panels {
       option.value = order;
       select.append(option);
     }
+    select.parentElement!.hidden = this.findings.orders.length < 2;
     select.onchange = () => {
       this.state.order = select.value as Order;
       this.listFindings();

@@ -237,7 +237,9 @@ export class Viewer {
       const chosen = this.state.steps.get(i);
       if (layer.moments) drawn.push(...this.drawnNow(layer, layer.moments[this.state.moment]));
       else if (!layer.steps) drawn.push(this.drawn(layer));
-      else if (chosen !== undefined && layer.steps[chosen]) drawn.push(this.drawn(layer, layer.steps[chosen], chosen));
+      else if (chosen === undefined || !layer.steps[chosen]) return;
+      else if (layer.kind === 'hierarchy') drawn.push(...this.drawnLevel(layer as HierarchyLayer, layer.steps[chosen]));
+      else drawn.push(this.drawn(layer, layer.steps[chosen], chosen));
     });
     return drawn;
   }
@@ -246,12 +248,16 @@ export class Viewer {
     return count === 0 ? [] : [this.drawn(layer, { label: '', first, count }, this.state.moment)];
   }
 
+  /// The volumes of a level, and in the place of the object its triangles in their colours.
+  private drawnLevel(layer: HierarchyLayer, step: LayerStep): Object3D[] {
+    const { drawn, object, level } = drawLevel(layer, step, this.data, this.objects);
+    this.levels.push(level);
+    drawn.name = layer.kind;
+    object.name = 'object';
+    return [object, drawn];
+  }
+
   private drawn(layer: Layer, step?: LayerStep, stepNumber = 0): Object3D {
-    if (layer.kind === 'hierarchy' && step) {
-      const { drawn, level } = drawLevel(layer as HierarchyLayer, step, this.data, this.objects);
-      this.levels.push(level);
-      return drawn;
-    }
     const size = this.focusBox().getSize(new Vector3()).length();
     const style = { theme: themes[this.state.theme], over: layer.finding !== undefined, arrow: 0.12 * size, through: this.state.through, second: this.chosen?.b, step, stepNumber };
     return draw(layer, { data: this.data, objects: this.objects }, style);
@@ -266,7 +272,7 @@ export class Viewer {
       const colour = roleColour(themes[this.state.theme], role);
       const curves = merged(of('segments'), this.data);
       const places = merged(of('points'), this.data);
-      if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, false));
+      if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, true));
       if (places.length > 0) drawn.push(points(places, colour, false));
       if (role === 'within') drawn.push(...of('faces').map((layer) => this.drawn(layer)));
     }
