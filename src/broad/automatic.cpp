@@ -19,9 +19,12 @@ namespace {
 
 struct Candidate {
   BroadPhaseMethod method;
-  double expected = 0;               ///< milliseconds, on a machine that is not this one
-  std::optional<double> measured{};  ///< milliseconds
-  std::size_t measured_at = 0;       ///< after so many updates
+  double expected = 0;  ///< milliseconds, on a machine that is not this one
+  struct Measurement {
+    double milliseconds;
+    std::size_t updates;  ///< that had been before
+  };
+  std::optional<Measurement> measured{};
 };
 
 /// What a method can be expected to take, in milliseconds, on a machine of about 2024. Only their order matters, and
@@ -93,11 +96,12 @@ class Automatic final : public PairFinder {
     if (candidates_.empty()) return {};
     std::string text = fmt::format("{} boxes, {}, {:.3g} % move{}: {}", count_, sizes_, 100 * moving_,
                                    is_heaped_ ? ", in heaps" : "", name_of(method_));
-    if (const auto& measured = candidate(method_).measured) text += fmt::format(", {:.3g} ms", *measured);
+    if (const auto& measured = candidate(method_).measured) text += fmt::format(", {:.3g} ms", measured->milliseconds);
     if (const Candidate* next = next_best())
-      text += next->measured ? fmt::format("; next best {}, took {:.3g} ms", name_of(next->method), *next->measured)
-                             : fmt::format("; next {}, expected to take {:.2g} times as long, not tried",
-                                           name_of(next->method), next->expected / candidate(method_).expected);
+      text += next->measured
+                  ? fmt::format("; next best {}, took {:.3g} ms", name_of(next->method), next->measured->milliseconds)
+                  : fmt::format("; next {}, expected to take {:.2g} times as long, not tried", name_of(next->method),
+                                next->expected / candidate(method_).expected);
     return text;
   }
 
@@ -109,12 +113,14 @@ class Automatic final : public PairFinder {
   static constexpr double surely_better = 0.5;  ///< what is only expected, than what is measured
   static constexpr double most_worse = 1.5;     ///< than the present: what is expected to be worse is not tried
   static constexpr std::size_t updates_of_memory = 1000;
+  static constexpr std::size_t calm = 32;  ///< updates longer than patience demands: the motion stays what it is
+  static constexpr std::size_t most_patience = 128;
   static constexpr std::size_t updates_of_trial = 3;  ///< the first of which has to make all its memory
 
   /// Whether the boxes are no longer what they were when a method was chosen.
   [[nodiscard]] bool is_due(const BoxesNow& now) const {
     if (tried_finder_) return false;
-    if (!finder_ || updates_ - looked_at_ >= 256) return true;
+    if (!finder_ || have_come_ || updates_ - looked_at_ >= 256) return true;
     const auto count = static_cast<double>(now.boxes.size());
     const double moving = static_cast<double>(now.changed.size()) / count;
     const bool other_motion = (moving > 0.12) != (moving_ > 0.12);
@@ -122,14 +128,17 @@ class Automatic final : public PairFinder {
   }
 
   void look_anew(const BoxesNow& now) {
-    const BoxSample sample(now.boxes);
-    const Expectation expectation(sample, now.boxes, now.changed.size());
     count_ = now.boxes.size();
-    moving_ = count_ == 0 ? 0 : static_cast<double>(now.changed.size()) / static_cast<double>(count_);
+    // That boxes come first is no motion.
+    have_come_ = !finder_ && !now.is_only && now.changed.size() == count_;
+    const std::size_t moved = have_come_ ? 0 : now.changed.size();
+    moving_ = count_ == 0 ? 0 : static_cast<double>(moved) / static_cast<double>(count_);
+    const BoxSample sample(now.boxes);
+    const Expectation expectation(sample, now.boxes, moved);
     is_heaped_ = expectation.is_heaped();
     sizes_ = words_of_sizes(sample);
-    // Where the motion goes back and forth, it is not followed each time. That boxes come first is no motion.
-    patience_ = !finder_ ? 1 : updates_ - looked_at_ < 32 ? std::min<std::size_t>(2 * patience_, 128) : 2;
+    // Where the motion goes back and forth, it is not followed each time.
+    patience_ = !finder_ ? 1 : updates_ - looked_at_ < patience_ + calm ? std::min(2 * patience_, most_patience) : 2;
     looked_at_ = updates_;
     const std::vector<Candidate> known = std::exchange(candidates_, {});
     for (const BroadPhaseMethod method : considered)
@@ -158,21 +167,19 @@ class Automatic final : public PairFinder {
   /// What was measured still holds where about the same is expected, for a while: the machine may have been busy.
   [[nodiscard]] Candidate with_measured(Candidate candidate, std::span<const Candidate> known) const {
     for (const Candidate& one : known)
-      if (one.method == candidate.method && updates_ - one.measured_at < updates_of_memory &&
-          std::max(one.expected, candidate.expected) < 1.5 * std::min(one.expected, candidate.expected)) {
+      if (one.method == candidate.method && one.measured && updates_ - one.measured->updates < updates_of_memory &&
+          std::max(one.expected, candidate.expected) < 1.5 * std::min(one.expected, candidate.expected))
         candidate.measured = one.measured;
-        candidate.measured_at = one.measured_at;
-      }
     return candidate;
   }
 
   /// In milliseconds of this machine, as far as any are known.
   [[nodiscard]] double cost(const Candidate& one) const {
-    if (one.measured) return *one.measured;
+    if (one.measured) return one.measured->milliseconds;
     const Candidate* known = nullptr;
     for (const Candidate& other : candidates_)
       if (other.measured && (known == nullptr || other.method == method_)) known = &other;
-    return known == nullptr ? one.expected : one.expected * *known->measured / known->expected;
+    return known == nullptr ? one.expected : one.expected * known->measured->milliseconds / known->expected;
   }
   /// None where there is no other.
   [[nodiscard]] const Candidate* next_best() const {
@@ -202,11 +209,8 @@ class Automatic final : public PairFinder {
                          [&](const Candidate& one) { return one.method == method; });
   }
   void measure(BroadPhaseMethod method, double milliseconds) {
-    for (Candidate& one : candidates_) {
-      if (one.method != method) continue;
-      one.measured = milliseconds;
-      one.measured_at = updates_;
-    }
+    for (Candidate& one : candidates_)
+      if (one.method == method) one.measured = {milliseconds, updates_};
   }
 
   void begin_trial() {
@@ -231,9 +235,9 @@ class Automatic final : public PairFinder {
 
   void note(double milliseconds) {
     if (!tried_finder_) {
-      const std::optional<double> before = candidate(method_).measured;
+      const auto& before = candidate(method_).measured;
       // The first time all memory is new.
-      if (is_warm_) measure(method_, before ? smoothed(*before, milliseconds) : milliseconds);
+      if (is_warm_) measure(method_, before ? smoothed(before->milliseconds, milliseconds) : milliseconds);
       is_warm_ = true;
       return;
     }
@@ -263,6 +267,7 @@ class Automatic final : public PairFinder {
   std::size_t updates_ = 0, looked_at_ = 0, patience_ = 2, next_trial_ = 0, trial_pause_ = 16;
   std::size_t count_ = 0;
   double moving_ = 0;
+  bool have_come_ = false;  ///< all boxes in the last update, the first: none has moved yet
   bool is_heaped_ = false;
   std::string sizes_;
 };

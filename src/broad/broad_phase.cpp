@@ -319,7 +319,7 @@ std::vector<IndexPair> pairs_of(std::span<const Aabb> boxes, const BroadPhaseOpt
   if (boxes.size() > std::numeric_limits<Index>::max()) throw Error("more boxes than 2^32 - 1");
   std::vector<Index> all(boxes.size());
   std::iota(all.begin(), all.end(), Index{0});
-  return make_pair_finder(checked(options))->find({boxes, all, {}, options.threads, wanted}, {});
+  return make_pair_finder(checked(options))->find({boxes, all, {}, options.threads, wanted, true}, {});
 }
 
 }  // namespace

@@ -37,6 +37,12 @@ Aabb finite_bounds(std::span<const Aabb> boxes) {
   Aabb bounds;
   for (const Aabb& box : boxes) {
     if (is_empty(box)) continue;
+    const Vec3 &lower = box.lower, &upper = box.upper;
+    // Nothing times what is not finite is no number.
+    if (0 * lower.x + 0 * lower.y + 0 * lower.z + 0 * upper.x + 0 * upper.y + 0 * upper.z == 0) {
+      bounds = merge(bounds, box);
+      continue;
+    }
     widen(bounds.lower.x, bounds.upper.x, box.lower.x, box.upper.x);
     widen(bounds.lower.y, bounds.upper.y, box.lower.y, box.upper.y);
     widen(bounds.lower.z, bounds.upper.z, box.lower.z, box.upper.z);

@@ -20,13 +20,14 @@ class Layers final : public PairFinder {
   PairList find(const BoxesNow& now, PairList storage) override {
     const std::size_t most_movers = now.boxes.size() / 8;
     if (now.changed.size() > most_movers) {
+      if (is_first(now)) return find_and_make(now, std::move(storage));
       if (!everything_) everything_ = make_kd_tiles();
       return everything_->find(now, std::move(storage));
     }
     const bool is_made = !everything_ && !roles_.empty();
     everything_.reset();
     if (is_made) take_movers(now);
-    if (!is_made || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now);
+    if (!is_made || movers_.size() > most_movers || wasted_ > now.boxes.size()) make(now.boxes, now.changed);
     wasted_ += movers_.size() - now.changed.size();
     find_new(now);
     // Those of movers are found anew.
@@ -74,25 +75,31 @@ class Layers final : public PairFinder {
     }
   }
 
-  void make(const BoxesNow& now) {
+  [[nodiscard]] bool is_first(const BoxesNow& now) const {
+    return !now.is_only && !everything_ && roles_.empty() && now.changed.size() == now.boxes.size();
+  }
+  /// What has come is expected to rest, until it moves: so no later update has to make the tree of all at once.
+  PairList find_and_make(const BoxesNow& now, PairList storage) {
+    PairList pairs = make_kd_tiles()->find(now, std::move(storage));
+    make(now.boxes, {});
+    return pairs;
+  }
+
+  void make(std::span<const Aabb> boxes, std::span<const Index> movers) {
     wasted_ = 0;
     updates_since_order_ = 0;
-    roles_.assign(now.boxes.size(), Role::none);
-    places_.resize(now.boxes.size());
-    movers_.assign(now.changed.begin(), now.changed.end());
+    roles_.assign(boxes.size(), Role::none);
+    places_.resize(boxes.size());
+    movers_.assign(movers.begin(), movers.end());
     for (const Index number : movers_) roles_[number] = Role::mover;
-    frame_ = FloatFrame(finite_bounds(now.boxes));
-    std::vector<FlatBox> resting;
-    resting.reserve(now.boxes.size() - movers_.size());
-    for (Index number = 0; number < now.boxes.size(); ++number) {
-      if (roles_[number] == Role::mover || is_empty(now.boxes[number])) continue;
-      roles_[number] = Role::resting;
-      resting.push_back(flat(frame_, now.boxes[number], number));
-    }
-    resting_.build(resting, PackingOrder::morton);
+    frame_ = FloatFrame(finite_bounds(boxes));
+    resting_.build(frame_, boxes, [&](Index number) { return roles_[number] == Role::none; });
     resting_.drop_scratch();
-    for (std::size_t place = 0; place < resting.size(); ++place)
-      places_[resting[place].number] = static_cast<Index>(place);
+    for (std::size_t place = 0; place < resting_.size(); ++place) {
+      const Index number = resting_.number(place);
+      roles_[number] = Role::resting;
+      places_[number] = static_cast<Index>(place);
+    }
   }
 
   void flatten_movers(const BoxesNow& now) {
@@ -111,7 +118,7 @@ class Layers final : public PairFinder {
   void order_movers(const BoxesNow& now) {
     if (updates_since_order_++ % updates_of_order != 0) return;
     flatten_movers(now);
-    PackedTree().build(flat_movers_, PackingOrder::morton);
+    sort_along_curve(flat_movers_);
     std::erase_if(movers_, [&](Index number) { return !is_empty(now.boxes[number]); });
     for (const FlatBox& mover : flat_movers_) movers_.push_back(mover.number);
   }

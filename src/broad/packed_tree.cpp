@@ -31,112 +31,96 @@ double middle(const FlatBox& box, std::size_t axis) {
   return 0.5 * (double{box.lower[axis]} + double{box.upper[axis]});
 }
 
-/// Where the middles lie; outliers may be cut off.
-class MortonOrder {
- public:
-  explicit MortonOrder(std::span<const FlatBox> boxes) {
-    std::array<double, 3> low{}, high{};
-    double range = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::numeric_limits<double>::infinity();
-      high[axis] = -low[axis];
-      for (const FlatBox& box : boxes) {
-        low[axis] = std::min(low[axis], middle(box, axis));
-        high[axis] = std::max(high[axis], middle(box, axis));
-      }
-      low_[axis] = low[axis];
-      range = std::max(range, high[axis] - low[axis]);
-    }
-    per_cell_ = range > 0 ? std::min(0x1fffff / range, 1e300) : 0;
-  }
-  [[nodiscard]] std::uint64_t key(const FlatBox& box) const {
-    return spread(cell(box, 0)) << 2 | spread(cell(box, 1)) << 1 | spread(cell(box, 2));
-  }
+using Places = std::span<Keyed<std::uint32_t>>;
 
- private:
-  [[nodiscard]] std::uint64_t cell(const FlatBox& box, std::size_t axis) const {
-    return static_cast<std::uint64_t>(std::clamp((middle(box, axis) - low_[axis]) * per_cell_, 0.0, 2097151.0));
-  }
-  std::array<double, 3> low_{};
-  double per_cell_ = 0;
-};
-
-void sort_along(std::span<FlatBox> boxes, std::size_t axis) {
-  std::sort(boxes.begin(), boxes.end(), [axis](const FlatBox& a, const FlatBox& b) {
+void sort_along(std::span<const FlatBox> boxes, Places places, std::size_t axis) {
+  std::sort(places.begin(), places.end(), [&](const auto& one, const auto& other) {
+    const FlatBox &a = boxes[one.place], &b = boxes[other.place];
     const double at_a = middle(a, axis), at_b = middle(b, axis);
     return at_a != at_b ? at_a < at_b : a.number < b.number;
   });
 }
 
 /// S. T. Leutenegger, M. A. Lopez, J. Edgington, "STR: a simple and efficient algorithm for R-tree packing", 1997.
-void sort_and_tile(std::span<FlatBox> boxes) {
+void sort_and_tile(std::span<const FlatBox> boxes, Places places) {
   const double leaves = std::ceil(static_cast<double>(boxes.size()) / width);
   const auto slabs = static_cast<std::size_t>(std::ceil(std::cbrt(leaves)));
   const std::size_t in_row = slabs * width, in_slab = slabs * in_row;
-  sort_along(boxes, 0);
-  for (std::size_t slab = 0; slab < boxes.size(); slab += in_slab) {
-    const std::span<FlatBox> in = boxes.subspan(slab, std::min(in_slab, boxes.size() - slab));
-    sort_along(in, 1);
+  sort_along(boxes, places, 0);
+  for (std::size_t slab = 0; slab < places.size(); slab += in_slab) {
+    const Places in = places.subspan(slab, std::min(in_slab, places.size() - slab));
+    sort_along(boxes, in, 1);
     for (std::size_t row = 0; row < in.size(); row += in_row)
-      sort_along(in.subspan(row, std::min(in_row, in.size() - row)), 2);
+      sort_along(boxes, in.subspan(row, std::min(in_row, in.size() - row)), 2);
   }
+}
+
+void end_with_nothing(ColumnStore& store, std::size_t size) {
+  for (std::size_t i = size; i < size + width; ++i) store.put(i, nothing);
+}
+
+/// Around those from `first` on; behind the last there are such that count for nothing.
+FlatBox around_sixteen(const BoxColumns& columns, std::size_t first) {
+  FlatBox around = nothing;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = first; i < first + width; ++i) {
+      around.lower[axis] = std::min(around.lower[axis], columns.lower[axis][i]);
+      around.upper[axis] = std::max(around.upper[axis], columns.upper[axis][i]);
+    }
+  return around;
 }
 
 }  // namespace
 
-void PackedTree::sort_by_curve(std::span<const FlatBox> boxes) {
-  const MortonOrder morton(boxes);
-  keyed_.resize(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    keyed_[i] = {static_cast<std::uint32_t>(morton.key(boxes[i]) >> 31), static_cast<std::uint32_t>(i)};
-  sort_by_key(keyed_, sorted_);
-  // The lower bits matter only where boxes lie close together in a wide world.
-  std::vector<Keyed<std::uint64_t>> equal;
-  for (std::size_t first = 0, last; first < keyed_.size(); first = last) {
-    for (last = first + 1; last < keyed_.size() && keyed_[last].key == keyed_[first].key; ++last) {
-    }
-    if (last - first <= width) continue;
-    equal.clear();
-    for (std::size_t i = first; i < last; ++i) equal.push_back({morton.key(boxes[keyed_[i].place]), keyed_[i].place});
-    std::sort(equal.begin(), equal.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
-    for (std::size_t i = first; i < last; ++i) keyed_[i].place = equal[i - first].place;
-  }
+std::uint64_t curve_key(const FlatBox& box) {
+  const auto cell = [&](std::size_t axis) {
+    const float place = 0x1p19F * (2 + (0.5F * box.lower[axis] + 0.5F * box.upper[axis]));
+    return spread(static_cast<std::uint32_t>(std::clamp(place, 0.0F, 2097151.0F)));
+  };
+  return cell(0) << 2 | cell(1) << 1 | cell(2);
 }
 
-void PackedTree::build(std::vector<FlatBox>& boxes, PackingOrder order) {
-  if (order == PackingOrder::sort_and_tile) {
-    sort_and_tile(boxes);
-  } else {
-    sort_by_curve(boxes);
-    ordered_.resize(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) ordered_[i] = boxes[keyed_[i].place];
-    std::swap(boxes, ordered_);
-  }
-  const auto level_at = [&](std::size_t level) -> Level& {
-    if (levels_.size() <= level) levels_.resize(level + 1);
-    return levels_[level];
-  };
-  Level& items = level_at(0);
-  items.size = boxes.size();
-  items.store.resize(boxes.size() + width);
-  for (std::size_t i = 0; i < boxes.size(); ++i) items.store.put(i, boxes[i]);
-  for (std::size_t i = boxes.size(); i < boxes.size() + width; ++i) items.store.put(i, nothing);
+void sort_along_curve(std::vector<FlatBox>& boxes) {
+  std::vector<Keyed<std::uint64_t>> keyed, scratch;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) keyed.push_back({curve_key(boxes[i]), i});
+  sort_by_key(keyed, scratch);
+  const std::vector<FlatBox> before = boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = before[keyed[i].place];
+}
+
+void PackedTree::build(std::span<const FlatBox> boxes, PackingOrder order) {
+  keyed_.resize(boxes.size());
+  const auto box_at = [&](std::uint32_t place) { return boxes[place]; };
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) keyed_[i] = {first_key(boxes[i]), i};
+  if (order == PackingOrder::morton)
+    sort_by_curve(box_at);
+  else
+    sort_and_tile(boxes, keyed_);
+  lay_out(box_at, [&](std::uint32_t place) { __builtin_prefetch(&boxes[place]); });
+}
+
+void PackedTree::sort_equal(std::vector<Keyed<std::uint64_t>>& equal) {
+  std::stable_sort(equal.begin(), equal.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+}
+
+PackedTree::Level& PackedTree::first_level(std::size_t size) {
+  if (levels_.empty()) levels_.emplace_back();
+  levels_.front().size = size;
+  levels_.front().store.resize(size + width);
+  return levels_.front();
+}
+
+void PackedTree::build_levels() {
   depth_ = 1;
+  end_with_nothing(levels_.front().store, levels_.front().size);
   while (levels_[depth_ - 1].size > width) {
-    Level& level = level_at(depth_);
+    if (levels_.size() <= depth_) levels_.emplace_back();
     const Level& below = levels_[depth_ - 1];
+    Level& level = levels_[depth_];
     level.size = (below.size + width - 1) / width;
     level.store.resize(level.size + width);
-    for (std::size_t i = 0; i < level.size; ++i) {
-      FlatBox around = nothing;
-      for (std::size_t j = i * width; j < std::min((i + 1) * width, below.size); ++j)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          around.lower[axis] = std::min(around.lower[axis], below.store.lower(axis, j));
-          around.upper[axis] = std::max(around.upper[axis], below.store.upper(axis, j));
-        }
-      level.store.put(i, around);
-    }
-    for (std::size_t i = level.size; i < level.size + width; ++i) level.store.put(i, nothing);
+    for (std::size_t i = 0; i < level.size; ++i) level.store.put(i, around_sixteen(below.store.columns(), i * width));
+    end_with_nothing(level.store, level.size);
     ++depth_;
   }
 }
@@ -172,14 +156,12 @@ void PackedTree::add_cells(const FloatFrame& frame, BroadPhaseCells& cells) cons
 void PackedTree::forget(std::size_t place) { levels_.front().store.put(place, nothing); }
 
 void PackedTree::drop_scratch() {
-  keyed_ = std::vector<Keyed<std::uint32_t>>();
-  sorted_ = std::vector<Keyed<std::uint32_t>>();
-  ordered_ = std::vector<FlatBox>();
+  keyed_ = std::vector<Key>();
+  sorted_ = std::vector<Key>();
 }
 
 std::size_t PackedTree::bytes() const {
-  std::size_t sum =
-      (keyed_.capacity() + sorted_.capacity()) * sizeof(keyed_[0]) + ordered_.capacity() * sizeof(FlatBox);
+  std::size_t sum = (keyed_.capacity() + sorted_.capacity()) * sizeof(Key);
   for (const Level& level : levels_) sum += level.store.bytes();
   return sum;
 }

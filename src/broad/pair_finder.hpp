@@ -21,6 +21,7 @@ struct BoxesNow {
   int threads = 1;
   /// What is not wanted may be left out of the pairs. Only of those that are shown one set of boxes.
   const PairFilter* wanted = nullptr;
+  bool is_only = false;  ///< no other update will follow
 };
 
 /// One way to find all pairs of boxes that overlap. It is shown every update of one set of boxes, in order, from the

@@ -15,10 +15,10 @@ class RebuiltTree final : public PairFinder {
 
   PairList find(const BoxesNow& now, PairList storage) override {
     frame_ = FloatFrame(finite_bounds(now.boxes));
-    flat_.clear();
-    for (Index number = 0; number < now.boxes.size(); ++number)
-      if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame_, now.boxes[number], number));
-    tree_.build(flat_, order_);
+    if (order_ == PackingOrder::morton)
+      tree_.build(frame_, now.boxes, [](Index) { return true; });
+    else
+      build_tiles(now.boxes);
     const Chunks chunks(tree_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
@@ -41,6 +41,13 @@ class RebuiltTree final : public PairFinder {
 
  private:
   static constexpr std::size_t parts = 32;
+
+  void build_tiles(std::span<const Aabb> boxes) {
+    flat_.clear();
+    for (Index number = 0; number < boxes.size(); ++number)
+      if (!is_empty(boxes[number])) flat_.push_back(flat(frame_, boxes[number], number));
+    tree_.build(flat_, order_);
+  }
 
   PackingOrder order_;
   FloatFrame frame_;

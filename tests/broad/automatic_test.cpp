@@ -15,7 +15,7 @@ namespace {
 
 using Method = BroadPhaseMethod;
 
-/// `auto`, whose clock goes on only while a method works, by what is written here.
+/// `auto`, whose clock goes on only while a method works, by what is written here. All boxes have just come.
 class ScriptedAuto {
  public:
   ScriptedAuto(const std::string& scene, std::size_t count, std::map<Method, double> milliseconds)
@@ -25,6 +25,8 @@ class ScriptedAuto {
         automatic_(make_automatic(
             {[this] { return now_; }, [this](Method method) { return std::make_unique<Worker>(*this, method); }})) {
     std::iota(all_.begin(), all_.end(), Index{0});
+    update(1);
+    worked_.clear();
   }
 
   void takes(Method method, double milliseconds) { milliseconds_[method] = milliseconds; }
@@ -129,9 +131,38 @@ TEST(Automatic, FollowsTheMotionButNotEachTime) {
   EXPECT_LE(changes, 20);
 }
 
+/// The longer the motion goes back and forth, the more seldom it is followed.
+TEST(Automatic, LosesItsPatienceWithMotionThatGoesBackAndForth) {
+  ScriptedAuto script("uniform", 2000, similar);
+  const auto changes_in = [&](int updates) {
+    int changes = 0;
+    for (int i = 0; i < updates; ++i) changes += script.update(1, i % 3 == 0 ? 0.01 : 1);
+    return changes;
+  };
+  changes_in(600);
+  EXPECT_LE(changes_in(1280), 1280 / 128 + 10);
+  script.update(300);
+  EXPECT_EQ(script.update(4, 0.01), 1) << "calm motion is followed at once again";
+}
+
+TEST(Automatic, TakesWhatComesForRestingUnlessItIsAskedOnce) {
+  const std::vector<Aabb> boxes(Crowd("uniform", 2000).boxes());
+  std::vector<Index> all(boxes.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  for (const bool is_only : {false, true}) {
+    const auto automatic = make_automatic(usual_means());
+    const PairList found = automatic->find({boxes, all, {}, 1, nullptr, is_only}, {});
+    EXPECT_EQ(automatic->chosen() == Method::layers, !is_only);
+    EXPECT_EQ(found, make_pair_finder({Method::brute_force})->find({boxes, all, {}}, {}));
+    if (is_only) continue;
+    EXPECT_EQ(automatic->find({boxes, all, found}, {}), found);
+    EXPECT_NE(automatic->chosen(), Method::layers);
+  }
+}
+
 TEST(Automatic, SaysWhatTheBoxesAreLikeWhatItChoseAndWhatCameNext) {
   ScriptedAuto script("uniform", 2000, similar);
-  EXPECT_EQ(script.reason(), "");
+  EXPECT_TRUE(script.reason().starts_with("2000 boxes, of similar sizes, 0 % move: layers; next")) << script.reason();
   script.update(3);
   const std::string begin = "2000 boxes, of similar sizes, 100 % move: grid, 10 ms; next";
   const std::string first = script.reason();
