@@ -117,6 +117,24 @@ Aabb world_box(const PosedConvex& shape) {
   return grown(box, shape.radius());
 }
 
+Aabb world_box(const PosedSmooth& shape) {
+  Aabb box;
+  const Vec3& half = shape.half();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3& row = shape.pose().linear[axis];
+    const double x = row.x * half.x, y = row.y * half.y, z = row.z * half.z, offset = shape.pose().offset[axis];
+    const auto reach = [](double exact) { return exact * (1 + 0x1p-48) + 0x1p-1070; };  // of four roundings
+    const double disc = std::hypot(x, y);
+    const double upwards = shape.kind() == PosedSmooth::Kind::cylinder ? disc + std::abs(z)
+                           : shape.kind() == PosedSmooth::Kind::cone   ? std::max(disc - z, z)
+                                                                       : std::hypot(x, y, z);
+    const double downwards = shape.kind() == PosedSmooth::Kind::cone ? std::max(disc + z, -z) : upwards;
+    box.lower[axis] = -sum_not_less(-offset, reach(downwards));
+    box.upper[axis] = sum_not_less(offset, reach(upwards));
+  }
+  return box;
+}
+
 Aabb world_box(const PosedModel& model) {
   Aabb box;
   for (const PosedPart& part : model.parts) box = merge(box, world_box(part.shape));

@@ -7,6 +7,7 @@
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
 #include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pairs.hpp"
 
@@ -47,6 +48,7 @@ struct PosedModel {
 /// Contains the shape; of a half-space all space. Finite otherwise.
 [[nodiscard]] Aabb world_box(const PosedShape& shape);
 [[nodiscard]] Aabb world_box(const PosedConvex& shape);
+[[nodiscard]] Aabb world_box(const PosedSmooth& shape);
 [[nodiscard]] Aabb world_box(const PosedModel& model);
 
 /// The box with all that is as near to it along every axis, and a little more where that is no double; an empty box

@@ -6,7 +6,9 @@
 #include "narrow/convex/cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
+#include "query/meshes/triangles_shape.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "toccata/narrow/smooth_casts.hpp"
 
 namespace toccata {
 namespace {
@@ -39,6 +41,12 @@ Index face_of(const Shape&, Index) {
 std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, double limit,
                                SearchScratch& scratch) {
   return cast_shape_until(a, motion, b, limit, scratch.convex);
+}
+std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double, SearchScratch&) {
+  return cast_shape(a, motion, b);
+}
+std::optional<Cast> cast_items(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double, SearchScratch&) {
+  return cast_shape(a, motion, b);
 }
 std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b, double,
                                SearchScratch&) {
@@ -86,12 +94,16 @@ std::optional<ShapeHit> held_at_start(const PosedTriangles& a, const PosedTriang
   return hit;
 }
 
-std::optional<ShapeHit> held_at_start(const PosedTriangles& a, const PosedConvex& b) {
-  const Vec3 point = b.vertex(0);
+template <class Shape>
+std::optional<ShapeHit> held_at_start(const PosedTriangles& a, const Shape& b) {
+  const Vec3 point = some_point_of(b);
   const bool is_held = a.solid && overlap(a.mesh.box(), Aabb{point, point}) && is_interior(point, a.mesh);
   return is_held ? std::optional(at_start(point)) : std::nullopt;
 }
-std::optional<ShapeHit> held_at_start(const PosedConvex& a, const PosedTriangles& b) { return held_at_start(b, a); }
+template <class Shape>
+std::optional<ShapeHit> held_at_start(const Shape& a, const PosedTriangles& b) {
+  return held_at_start(b, a);
+}
 
 std::optional<ShapeHit> held_at_start(const PosedTriangles&, const PosedHalfSpace&) { return {}; }
 std::optional<ShapeHit> held_at_start(const PosedHalfSpace&, const PosedTriangles&) { return {}; }
@@ -129,6 +141,14 @@ std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, 
   return cast_sides(a, motion, b, limit, scratch);
 }
 std::optional<ShapeHit> cast_until(const PosedConvex& a, const Vec3& motion, const PosedTriangles& b, double limit,
+                                   SearchScratch& scratch) {
+  return cast_sides(a, motion, b, limit, scratch);
+}
+std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedSmooth& b, double limit,
+                                   SearchScratch& scratch) {
+  return cast_sides(a, motion, b, limit, scratch);
+}
+std::optional<ShapeHit> cast_until(const PosedSmooth& a, const Vec3& motion, const PosedTriangles& b, double limit,
                                    SearchScratch& scratch) {
   return cast_sides(a, motion, b, limit, scratch);
 }

@@ -16,6 +16,10 @@ namespace toccata {
                                                  double limit, SearchScratch& scratch);
 [[nodiscard]] std::optional<ShapeHit> cast_until(const PosedConvex& a, const Vec3& motion, const PosedTriangles& b,
                                                  double limit, SearchScratch& scratch);
+[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedSmooth& b,
+                                                 double limit, SearchScratch& scratch);
+[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedSmooth& a, const Vec3& motion, const PosedTriangles& b,
+                                                 double limit, SearchScratch& scratch);
 [[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedHalfSpace& b,
                                                  double limit, SearchScratch& scratch);
 [[nodiscard]] std::optional<ShapeHit> cast_until(const PosedHalfSpace& a, const Vec3& motion, const PosedTriangles& b,

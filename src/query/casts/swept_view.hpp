@@ -16,6 +16,8 @@ class SweptView {
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b);
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b);
   SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b);
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedSmooth& b);
+  SweptView(const PosedSmooth& a, const Vec3& motion, const PosedMesh& b);
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b);
   SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b);
 

@@ -23,15 +23,48 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 PosedConvex convex(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
 
+// What the searches below ask of a triangle and a shape.
+
+double radius_of(const PosedConvex& shape) { return shape.radius(); }
+double radius_of(const PosedSmooth&) { return 0; }
+
+Distance distance(const PosedConvex& triangle, const PosedSmooth& shape, ConvexWorkspace*) {
+  return toccata::distance(triangle, shape);
+}
+
+/// Or may be.
+bool is_within(const Distance& known, const PosedConvex&, const PosedSmooth&, double tolerance) {
+  return known.lower <= tolerance;
+}
+bool is_within(const PosedConvex& triangle, const PosedSmooth& shape, double tolerance, ConvexWorkspace*) {
+  return toccata::distance(triangle, shape).lower <= tolerance;
+}
+
+/// The least of several distances, of which `nearest` has the least upper end.
+Distance least_of(Distance nearest, double, const PosedConvex&) {
+  nearest.lower = lower_from(nearest.upper);
+  return nearest;
+}
+/// `lower` is the least lower end. Where all intervals are narrow, so is what is left of them.
+Distance least_of(Distance nearest, double lower, const PosedSmooth&) {
+  nearest.lower = lower;
+  if (nearest.upper - lower <= 1e-12 * nearest.upper)
+    nearest.status = Status::exact;
+  else if (nearest.status == Status::exact)
+    nearest.status = lower > 0 ? Status::not_converged : Status::undecided;
+  return nearest;
+}
+
 /// The nearest triangle to a convex shape; what is farther than the cutoff is not wanted.
+template <class Shape>
 class NearestToShape final : public NearQuestion {
  public:
-  NearestToShape(const PosedMesh& mesh, const PosedConvex& shape, double cutoff, ConvexWorkspace& workspace)
+  NearestToShape(const PosedMesh& mesh, const Shape& shape, double cutoff, ConvexWorkspace& workspace)
       : mesh_(mesh), shape_(shape), workspace_(workspace), cutoff_(cutoff), limit_(limit_from(cutoff)) {}
 
   /// Of the shape's core, which boxes are compared with.
   [[nodiscard]] double limit() const override {
-    return std::max(std::nextafter(limit_ + shape_.radius(), infinity), least_limit);
+    return std::max(std::nextafter(limit_ + radius_of(shape_), infinity), least_limit);
   }
 
   void visit(std::span<const ItemPair> pairs) override {
@@ -41,6 +74,7 @@ class NearestToShape final : public NearQuestion {
       found.element_a = pair.first;
       if (found.lower > limit_) continue;
       within_ = within_ || is_within(found, triangle, shape_, cutoff_);
+      lower_ = std::min(lower_, found.lower);
       if (best_ && std::tie(best_->upper, best_->element_a) <= std::tie(found.upper, found.element_a)) continue;
       best_ = found;
       limit_ = std::min(limit_, limit_from(found.upper));
@@ -49,29 +83,29 @@ class NearestToShape final : public NearQuestion {
 
   [[nodiscard]] std::optional<Nearby> nearest() const {
     if (!best_) return {};
-    Nearby result{*best_, within_};
-    result.distance.lower = lower_from(best_->upper);
-    return result;
+    return Nearby{least_of(*best_, lower_, shape_), within_};
   }
 
  private:
   const PosedMesh& mesh_;
-  const PosedConvex& shape_;
+  const Shape& shape_;
   ConvexWorkspace& workspace_;
   double cutoff_;
   double limit_;
   std::optional<Distance> best_;
+  double lower_ = infinity;  ///< of all distances
   bool within_ = false;
 };
 
 /// Ends when a triangle is found that is at most `tolerance` from the shape.
+template <class Shape>
 class CloseToShape final : public NearQuestion {
  public:
-  CloseToShape(const PosedMesh& mesh, const PosedConvex& shape, double tolerance, ConvexWorkspace& workspace)
+  CloseToShape(const PosedMesh& mesh, const Shape& shape, double tolerance, ConvexWorkspace& workspace)
       : mesh_(mesh), shape_(shape), tolerance_(tolerance), workspace_(workspace) {}
 
   [[nodiscard]] double limit() const override {
-    return found_ ? -1 : std::max(std::nextafter(tolerance_ + shape_.radius(), infinity), least_limit);
+    return found_ ? -1 : std::max(std::nextafter(tolerance_ + radius_of(shape_), infinity), least_limit);
   }
 
   void visit(std::span<const ItemPair> pairs) override {
@@ -85,7 +119,7 @@ class CloseToShape final : public NearQuestion {
 
  private:
   const PosedMesh& mesh_;
-  const PosedConvex& shape_;
+  const Shape& shape_;
   double tolerance_;
   ConvexWorkspace& workspace_;
   bool found_ = false;
@@ -128,8 +162,20 @@ std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& 
   return with_faces(found, a.mesh);
 }
 
+/// Where it is proved; what is undecided is found by the distances.
+std::optional<Distance> at_least_triangle(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch) {
+  for (const Index triangle : triangles_meeting(a.mesh, b, scratch)) {
+    Distance found = toccata::distance(convex(a.mesh, triangle), b);
+    if (found.upper > 0) continue;
+    found.element_a = triangle;
+    return with_faces(found, a.mesh);
+  }
+  return {};
+}
+
 /// The same for one mesh and a shape.
-void ask_near(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch, NearQuestion& question) {
+template <class Shape>
+void ask_near(const PosedMesh& a, const Shape& b, SearchScratch& scratch, NearQuestion& question) {
   const ItemPair warm{scratch.convex.element_a, 0};
   scratch.near.counts = {};
   if (warm.first < a.model().element_count()) question.visit({&warm, 1});
@@ -143,7 +189,8 @@ void ask_near(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch, 
   scratch.counts = scratch.near.counts;
 }
 
-std::optional<Nearby> outer_nearby(const PosedMesh& a, const PosedConvex& b, double cutoff, SearchScratch& scratch) {
+template <class Shape>
+std::optional<Nearby> outer_nearby(const PosedMesh& a, const Shape& b, double cutoff, SearchScratch& scratch) {
   NearestToShape question(a, b, cutoff, scratch.convex);
   ask_near(a, b, scratch, question);
   std::optional<Nearby> nearest = question.nearest();
@@ -151,6 +198,22 @@ std::optional<Nearby> outer_nearby(const PosedMesh& a, const PosedConvex& b, dou
   scratch.convex.element_a = nearest->distance.element_a;
   nearest->distance = with_faces(nearest->distance, a);
   return nearest;
+}
+
+template <class Shape>
+std::optional<Nearby> nearby_shape(const PosedTriangles& a, const Shape& b, double cutoff, SearchScratch& scratch) {
+  scratch.counts = {};
+  if (const auto common = at_least_triangle(a, b, scratch)) return Nearby{*common, true};
+  if (a.solid && is_interior(some_point_of(b), a.mesh))
+    return Nearby{with_faces(at_common_point(some_point_of(b)), a.mesh), true};
+  return outer_nearby(a.mesh, b, cutoff, scratch);
+}
+
+template <class Shape>
+bool is_shape_within(const PosedTriangles& a, const Shape& b, double tolerance, SearchScratch& scratch) {
+  CloseToShape question(a.mesh, b, tolerance, scratch.convex);
+  ask_near(a.mesh, b, scratch, question);
+  return question.found() || (a.solid && is_interior(some_point_of(b), a.mesh));
 }
 
 /// The triangle with the corner that is lowest over the half-space, but for rounding.
@@ -253,11 +316,11 @@ std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, d
 }
 
 std::optional<Nearby> nearby(const PosedTriangles& a, const PosedConvex& b, double cutoff, SearchScratch& scratch) {
-  scratch.counts = {};
-  if (const auto common = at_least_triangle(a, b, scratch)) return Nearby{*common, true};
-  if (a.solid && is_interior(b.vertex(0), a.mesh))
-    return Nearby{with_faces(at_common_point(b.vertex(0)), a.mesh), true};
-  return outer_nearby(a.mesh, b, cutoff, scratch);
+  return nearby_shape(a, b, cutoff, scratch);
+}
+
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedSmooth& b, double cutoff, SearchScratch& scratch) {
+  return nearby_shape(a, b, cutoff, scratch);
 }
 
 std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff, SearchScratch& scratch) {
@@ -271,9 +334,11 @@ bool is_within(const PosedTriangles& a, const PosedTriangles& b, double toleranc
 }
 
 bool is_within(const PosedTriangles& a, const PosedConvex& b, double tolerance, SearchScratch& scratch) {
-  CloseToShape question(a.mesh, b, tolerance, scratch.convex);
-  ask_near(a.mesh, b, scratch, question);
-  return question.found() || (a.solid && is_interior(b.vertex(0), a.mesh));
+  return is_shape_within(a, b, tolerance, scratch);
+}
+
+bool is_within(const PosedTriangles& a, const PosedSmooth& b, double tolerance, SearchScratch& scratch) {
+  return is_shape_within(a, b, tolerance, scratch);
 }
 
 bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance, SearchScratch& scratch) {
@@ -296,6 +361,10 @@ Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratc
 }
 
 Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch) {
+  return nearby(a, b, infinity, scratch)->distance;
+}
+
+Distance distance(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch) {
   return nearby(a, b, infinity, scratch)->distance;
 }
 

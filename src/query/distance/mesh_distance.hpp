@@ -15,8 +15,10 @@ namespace toccata {
 [[nodiscard]] Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch);
 [[nodiscard]] Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch);
 [[nodiscard]] Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch);
+/// The status is that of smooth.hpp: undecided when some triangle is and none is proved to meet the shape.
+[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch);
 
-/// A distance, and whether the exact one is at most a cutoff.
+/// A distance, and whether the exact one is at most a cutoff; of a smooth shape, whether it may be.
 struct Nearby {
   Distance distance;
   bool is_within;
@@ -33,6 +35,8 @@ struct Nearby {
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedConvex& b, double cutoff,
                                            SearchScratch& scratch);
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff,
+                                           SearchScratch& scratch);
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedSmooth& b, double cutoff,
                                            SearchScratch& scratch);
 
 // What these are made of, for two meshes.
@@ -66,5 +70,7 @@ struct InnerPart {
 [[nodiscard]] bool is_within(const PosedTriangles& a, const PosedConvex& b, double tolerance, SearchScratch& scratch);
 [[nodiscard]] bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance,
                              SearchScratch& scratch);
+/// False is proved; true where the tolerance lies within the interval.
+[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedSmooth& b, double tolerance, SearchScratch& scratch);
 
 }  // namespace toccata

@@ -2,6 +2,7 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
 #include "trees/near_walk.hpp"
 
 namespace toccata {
@@ -16,14 +17,18 @@ struct NearFrame {
 
 [[nodiscard]] NearFrame near_frame(const PosedMesh& mesh);
 
-/// A convex shape as a tree of one box around its core, the radius left aside.
+/// A convex shape as a tree of one box around its core, the radius left aside; a smooth shape is its own core.
 struct ConvexNearTree {
   explicit ConvexNearTree(const PosedConvex& shape);
+  explicit ConvexNearTree(const PosedSmooth& shape);
   NearFrame frame;
   OrientedBlock block{};
   Index item = 0;
 
   [[nodiscard]] NearTree tree() const { return {{&block, 1}, {&item, 1}}; }
+
+ private:
+  explicit ConvexNearTree(const Aabb& box);
 };
 
 /// The constants of a walk that sees boxes of `other` from `own`; their pads cover all that is rounded

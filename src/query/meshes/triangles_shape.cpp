@@ -6,14 +6,15 @@
 #include "query/relation/hull_mesh.hpp"
 #include "query/relation/relation_convex.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "query/relation/smooth_signs.hpp"
 
 namespace toccata {
 namespace {
 
 /// Calls `see(number, the triangle as a convex shape)` for all triangles that may meet the shape, until it returns
 /// false.
-template <class See>
-void visit_near(const PosedMesh& mesh, const PosedConvex& shape, const See& see) {
+template <class Bounded, class See>
+void visit_near(const PosedMesh& mesh, const Bounded& shape, const See& see) {
   visit_triangles_near(mesh, world_box(shape), [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
 }
 
@@ -45,17 +46,23 @@ std::span<const Index> all_that_meet(const PosedMesh& mesh, const Shape& shape, 
 template <class Shape>
 Relation relation_by_triangles(const PosedMesh& mesh, const Shape& shape) {
   Relation result;
-  Index inside = 0;
-  bool all_inside = true;
+  Index seen = 0;
+  Known all_inside = Known::yes;
   visit_near(mesh, shape, [&](Index, const PosedConvex& triangle) {
     const Relation found = relation(triangle, shape);
     if (found.kind == RelationKind::crossing) result.kind = RelationKind::crossing;
-    if (found.kind == RelationKind::touching && result.kind == RelationKind::apart) result.kind = found.kind;
-    all_inside &= found.containment == Containment::a_in_b;
-    ++inside;
-    return all_inside || result.kind != RelationKind::crossing;
+    if (found.kind == RelationKind::touching && result.kind == RelationKind::apart) {
+      result.kind = found.kind;
+      result.status = found.status;
+    }
+    if (all_inside != Known::no) all_inside = both(all_inside, lies_within(triangle, found, shape));
+    ++seen;
+    return all_inside != Known::no || result.kind != RelationKind::crossing;
   });
-  if (all_inside && inside == mesh.model().mesh().triangle_count()) result.containment = Containment::a_in_b;
+  if (result.kind == RelationKind::crossing) result.status = Status::exact;
+  if (seen != mesh.model().mesh().triangle_count() || result.kind == RelationKind::apart) return result;
+  if (all_inside == Known::yes) result.containment = Containment::a_in_b;
+  if (all_inside == Known::undecided) result.status = Status::undecided;
   return result;
 }
 
@@ -85,6 +92,14 @@ Relation relation_of_solid(const PosedMesh& solid, const PosedHalfSpace& shape) 
   return contacts.empty() ? Relation{} : relation_of_solid_and_round(solid, shape, contacts);
 }
 
+Relation relation_of_solid(const PosedMesh& solid, const PosedSmooth& shape) {
+  std::vector<Index> memory;
+  const auto contacts = all_that_meet(solid, shape, memory);
+  if (!contacts.empty()) return relation_of_solid_and_round(solid, shape, contacts);
+  if (!is_interior(some_point_of(shape), solid)) return {};
+  return {.kind = RelationKind::overlapping, .containment = Containment::b_in_a};
+}
+
 template <class Shape>
 Relation relation_as_taken(const PosedTriangles& a, const Shape& b, bool b_solid) {
   Relation result = a.solid ? relation_of_solid(a.mesh, b) : relation_by_triangles(a.mesh, b);
@@ -102,14 +117,33 @@ bool overlap(const PosedTriangles& a, const PosedConvex& b) {
 
 bool overlap(const PosedTriangles& a, const PosedHalfSpace& b) { return some_triangle_meets(a.mesh, b); }
 
+bool overlap(const PosedTriangles& a, const PosedSmooth& b) {
+  return some_triangle_meets(a.mesh, b) || (a.solid && is_interior(some_point_of(b), a.mesh));
+}
+
+SmoothContact smooth_contact(const PosedTriangles& a, const PosedSmooth& b) {
+  SmoothContact found = SmoothContact::apart;
+  visit_near(a.mesh, b, [&](Index, const PosedConvex& triangle) {
+    const SmoothContact one = smooth_contact(triangle, b);
+    if (one != SmoothContact::apart) found = one;
+    return found != SmoothContact::contact;
+  });
+  const bool is_held = found != SmoothContact::contact && a.solid && is_interior(some_point_of(b), a.mesh);
+  return is_held ? SmoothContact::contact : found;
+}
+
 std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
   return all_that_meet(a, b, scratch.triangles);
 }
 std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedHalfSpace& b, SearchScratch& scratch) {
   return all_that_meet(a, b, scratch.triangles);
 }
+std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedSmooth& b, SearchScratch& scratch) {
+  return all_that_meet(a, b, scratch.triangles);
+}
 
 Relation relation(const PosedTriangles& a, const PosedConvex& b) { return relation_as_taken(a, b, b.solid()); }
 Relation relation(const PosedTriangles& a, const PosedHalfSpace& b) { return relation_as_taken(a, b, true); }
+Relation relation(const PosedTriangles& a, const PosedSmooth& b) { return relation_as_taken(a, b, true); }
 
 }  // namespace toccata

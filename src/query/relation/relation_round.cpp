@@ -7,6 +7,7 @@
 #include "query/relation/relation_cells.hpp"
 #include "query/relation/relation_convex.hpp"
 #include "query/relation/relation_samples.hpp"
+#include "query/relation/smooth_signs.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 
 namespace toccata {
@@ -53,11 +54,13 @@ Beside beside(const PosedMesh& mesh, const Triangle& t) {
 
 /// A world point in the interior, where one is at hand.
 std::optional<Vec3> inner_point(const PosedConvex& shape) { return shape.vertex(0); }
+std::optional<Vec3> inner_point(const PosedSmooth& shape) { return shape.pose().offset; }
 std::optional<Vec3> inner_point(const PosedHalfSpace&) { return std::nullopt; }
 
 /// Which regions there are of a solid mesh, A, and a convex shape with an interior, B. Every region within the shape
 /// borders on a triangle that reaches into its interior, or is all of it; every region outside, on a triangle that
-/// sticks out. So these are looked at, on both sides, until everything has been seen.
+/// sticks out. So these are looked at, on both sides, until everything has been seen. Beside triangles of which it is
+/// undecided whether they do, regions are undecided.
 template <class Shape>
 class RoundRelation {
  public:
@@ -70,11 +73,11 @@ class RoundRelation {
     if (seen_.in_both || doubtful_.in_both) look_outside();
     Relation result;
     result.kind = seen_.in_both || doubtful_.in_both ? RelationKind::overlapping : RelationKind::touching;
-    if ((!seen_.in_both && doubtful_.in_both) || (!seen_.only_in_a && doubtful_.only_in_a) ||
-        (!seen_.only_in_b && doubtful_.only_in_b))
-      result.status = Status::not_converged;
+    if (beyond_seen(undecided_)) result.status = Status::undecided;
+    if (beyond_seen(doubtful_)) result.status = Status::not_converged;
     if (result.kind != RelationKind::overlapping) return result;
-    const bool a_in_b = !seen_.only_in_a && !doubtful_.only_in_a, b_in_a = !seen_.only_in_b && !doubtful_.only_in_b;
+    const bool a_in_b = !(seen_ | doubtful_ | undecided_).only_in_a,
+               b_in_a = !(seen_ | doubtful_ | undecided_).only_in_b;
     result.containment = a_in_b && b_in_a ? Containment::equal
                          : a_in_b         ? Containment::a_in_b
                          : b_in_a         ? Containment::b_in_a
@@ -83,6 +86,9 @@ class RoundRelation {
   }
 
  private:
+  /// Some of these regions are not among those seen.
+  [[nodiscard]] bool beyond_seen(const RegionsSeen& regions) const { return !((seen_ | regions) == seen_); }
+
   void look_at_inner_point() {
     const std::optional<Vec3> p = inner_point(shape_);
     // A mesh has an end and a half-space has none.
@@ -96,8 +102,14 @@ class RoundRelation {
     for (const Index number : contacts_) {
       if (seen_.in_both && seen_.only_in_b) return;
       const Triangle t = solid_.triangle(number);
-      if (!has_area(t) || toccata::relation(PosedConvex(t), shape_).kind != RelationKind::crossing) continue;
+      const Known inside = has_area(t) ? reaches_into(PosedConvex(t), shape_) : Known::no;
+      if (inside == Known::no) continue;
       const Beside found = beside(solid_, t);
+      if (inside == Known::undecided) {
+        undecided_.in_both = true;
+        undecided_.only_in_b |= found.some_empty;
+        continue;
+      }
       note(found.some_solid, found.all_solid, seen_.in_both, doubtful_.in_both);
       note(found.some_empty, found.all_empty, seen_.only_in_b, doubtful_.only_in_b);
     }
@@ -108,16 +120,23 @@ class RoundRelation {
     for (Index number = 0; number < count && !seen_.only_in_a; ++number) {
       const Triangle t = solid_.triangle(number);
       const bool meets = std::binary_search(contacts_.begin(), contacts_.end(), number);
-      if (!has_area(t) || (meets && !sticks_out(t))) continue;
+      const Known outside = !has_area(t) ? Known::no : meets ? sticks_out(t) : Known::yes;
+      if (outside == Known::no) continue;
       const Beside found = beside(solid_, t);
+      if (outside == Known::undecided) {
+        undecided_.only_in_a |= found.some_solid;
+        continue;
+      }
       // All cells of a triangle that does not meet the shape are outside it.
       note(found.some_solid, found.all_solid || !meets, seen_.only_in_a, doubtful_.only_in_a);
     }
   }
 
-  [[nodiscard]] bool sticks_out(const Triangle& t) const {
-    return std::any_of(t.vertex.begin(), t.vertex.end(),
-                       [&](const Vec3& v) { return !toccata::overlap(PosedConvex(Point(v)), shape_); });
+  [[nodiscard]] Known sticks_out(const Triangle& t) const {
+    Known all_in = Known::yes;
+    for (const Vec3& v : t.vertex) all_in = both(all_in, holds(shape_, v));
+    if (all_in == Known::undecided) return all_in;
+    return known(all_in == Known::no);
   }
 
   /// Some cell of those looked at counts, it is not known which.
@@ -130,12 +149,18 @@ class RoundRelation {
   const Shape& shape_;
   std::span<const Index> contacts_;
   RegionsSeen seen_;
-  RegionsSeen doubtful_;  ///< those that some cell may show
+  RegionsSeen doubtful_;   ///< those that some cell may show
+  RegionsSeen undecided_;  ///< those beside triangles that may reach into a smooth shape, or stick out
 };
 
 }  // namespace
 
 Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedConvex& shape,
+                                     std::span<const Index> contacts) {
+  return RoundRelation(solid, shape, contacts).relation();
+}
+
+Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedSmooth& shape,
                                      std::span<const Index> contacts) {
   return RoundRelation(solid, shape, contacts).relation();
 }

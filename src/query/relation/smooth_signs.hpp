@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "toccata/narrow/smooth_penetration.hpp"
+
+// What is known of a triangle or a point and a shape: of all shapes but smooth ones everything.
+namespace toccata {
+
+enum class Known : std::uint8_t { no, yes, undecided };
+
+constexpr Known known(bool is_so) { return is_so ? Known::yes : Known::no; }
+
+constexpr Known both(Known a, Known b) {
+  if (a == Known::no || b == Known::no) return Known::no;
+  return a == Known::yes && b == Known::yes ? Known::yes : Known::undecided;
+}
+
+/// Whether the shape holds a world point.
+template <class Shape>
+Known holds(const Shape& shape, const Vec3& point) {
+  return known(overlap(PosedConvex(Point(point)), shape));
+}
+inline Known holds(const PosedSmooth& shape, const Vec3& point) {
+  const SmoothContact found = smooth_contact(shape, PosedConvex(Point(point)));
+  if (found == SmoothContact::undecided) return Known::undecided;
+  return known(found == SmoothContact::contact);
+}
+
+/// Whether a triangle reaches into the interior of a solid shape.
+template <class Shape>
+Known reaches_into(const PosedConvex& triangle, const Shape& shape) {
+  const Relation found = relation(triangle, shape);
+  if (found.kind == RelationKind::touching && found.status == Status::undecided) return Known::undecided;
+  return known(found.kind == RelationKind::crossing);
+}
+
+/// Whether the shape contains a triangle, of which `found` is the relation to it.
+template <class Shape>
+Known lies_within(const PosedConvex&, const Relation& found, const Shape&) {
+  return known(found.containment == Containment::a_in_b);
+}
+inline Known lies_within(const PosedConvex& triangle, const Relation& found, const PosedSmooth& shape) {
+  if (found.kind == RelationKind::apart) return Known::no;
+  if (found.containment == Containment::a_in_b) return Known::yes;
+  Known all = Known::yes;
+  for (Index i = 0; i < triangle.vertex_count() && all != Known::no; ++i)
+    all = both(all, holds(shape, triangle.vertex(i)));
+  return all;
+}
+
+}  // namespace toccata
