@@ -59,6 +59,9 @@ class SmoothCast {
     // It comes nearer by no more than this in the whole time.
     const double fastest = ceiling_of(approach);
     if (gap.is_positive() && floor_of(gap) > fastest) return 2;
+    // What has passed goes away from the plane for the rest of the way.
+    const bool is_leaving = fastest <= 0 && (gap - exactly(free_until_) * approach).is_positive();
+    if (is_leaving) return 2;
     const double time = floor_of(gap / exactly(fastest));
     return time == time ? time : 0;
   }
