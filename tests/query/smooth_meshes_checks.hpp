@@ -64,7 +64,8 @@ inline Model smooth_mesh_of(const std::string& kind, Random& random) {
   }
   if (kind == "bumpy")
     return Model(noise_sphere_mesh({.radius = 1.5, .roughness = 0.3, .subdivisions = 1, .seed = random.below(1000)}));
-  if (kind == "soup") return Model(random_soup(random, 3 + random.below(20), 0.7, random.below(2) == 0 ? 0 : 4));
+  if (kind == "soup")
+    return Model(random_soup(random, static_cast<Index>(3 + random.below(20)), 0.7, random.below(2) == 0 ? 0 : 4));
   std::vector<double> heights;
   for (int i = 0; i < 20; ++i) heights.push_back(0.25 * static_cast<double>(random.below(4)));
   return Model(HeightField(5, 4, 0.5, 0.75, heights));
