@@ -55,6 +55,15 @@ struct Text {
   std::string operator()(const Rounded& s) const {
     return fmt::format("rounded by {:.6g}: {}", s.radius(), std::visit(*this, s.core()));
   }
+  std::string operator()(const Cylinder& s) const {
+    return fmt::format("cylinder of radius {:.6g} and half height {:.6g} along z", s.radius(), s.half_height());
+  }
+  std::string operator()(const Cone& s) const {
+    return fmt::format("cone of radius {:.6g} and half height {:.6g} along z", s.radius(), s.half_height());
+  }
+  std::string operator()(const Ellipsoid& s) const {
+    return fmt::format("ellipsoid of half axes {}", point_text(s.half_axes()));
+  }
   std::string operator()(const HeightField& s) const {
     return fmt::format("height field of {} × {} heights, spacing {:.6g} × {:.6g}", s.columns(), s.rows(), s.spacing_x(),
                        s.spacing_y());

@@ -22,6 +22,8 @@ template <>
 inline constexpr ShapeClass posed_class<PosedHalfSpace> = ShapeClass::half_space;
 template <>
 inline constexpr ShapeClass posed_class<PosedTriangles> = ShapeClass::triangles;
+template <>
+inline constexpr ShapeClass posed_class<PosedSmooth> = ShapeClass::smooth;
 
 /// Some pair of kinds of these classes has a defined answer.
 constexpr bool table_defines(ShapeQuestion question, ShapeClass a, ShapeClass b) {

@@ -41,6 +41,11 @@ struct Place {
     return PosedShape(std::in_place_type<PosedConvex>, shape, pose);
   }
 
+  template <SmoothShape S>
+  PosedShape operator()(const S& shape) const {
+    return PosedShape(std::in_place_type<PosedSmooth>, shape, pose);
+  }
+
   PosedShape triangles() const {
     const bool as_solid = taken_as_solid(model, pose, solid, who);
     return PosedShape(std::in_place_type<PosedTriangles>, PosedTriangles{PosedMesh(model, pose, who), as_solid});
@@ -153,6 +158,7 @@ Aabb grown(Aabb box, double by) {
 Aabb world_box(const PosedShape& shape) {
   if (const auto* convex = std::get_if<PosedConvex>(&shape)) return world_box(*convex);
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.box();
+  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return world_box(*smooth);
   return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -20,7 +21,12 @@ struct PosedTriangles {
 };
 
 /// A shape at its place, as the pair questions see it: everything but a compound.
-using PosedShape = std::variant<PosedConvex, PosedHalfSpace, PosedTriangles>;
+using PosedShape = std::variant<PosedConvex, PosedHalfSpace, PosedTriangles, PosedSmooth>;
+
+/// Convex sets, of whatever class.
+template <class S>
+concept PosedConvexSet =
+    std::same_as<S, PosedConvex> || std::same_as<S, PosedHalfSpace> || std::same_as<S, PosedSmooth>;
 
 /// A shape within a posed model, and where its elements and faces begin to be counted.
 struct PosedPart {

@@ -36,8 +36,8 @@ std::span<const CompoundPart> Compound::parts() const { return parts_->all; }
 
 std::string_view name_of(ShapeKind kind) {
   constexpr std::array<std::string_view, shape_kind_count> names = {
-      "point",   "segment",     "triangle",      "half-space",   "sphere", "box",
-      "capsule", "convex hull", "rounded shape", "height field", "mesh",   "compound"};
+      "point",         "segment",  "triangle", "half-space", "sphere",       "box",  "capsule", "convex hull",
+      "rounded shape", "cylinder", "cone",     "ellipsoid",  "height field", "mesh", "compound"};
   return names[static_cast<std::size_t>(kind)];
 }
 

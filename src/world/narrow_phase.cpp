@@ -48,6 +48,8 @@ struct PlaceConvex {
   void operator()(const S& shape) const {
     placed.emplace(shape, pose);
   }
+  template <SmoothShape S>
+  void operator()(const S&) const {}
   void operator()(const HalfSpace&) const {}
   void operator()(const HeightField&) const {}
   void operator()(const std::shared_ptr<const TriangleMesh>&) const {}

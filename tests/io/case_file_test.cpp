@@ -68,7 +68,7 @@ std::shared_ptr<const TriangleMesh> mesh(Random& random, bool extreme) {
 
 Shape shape(Random& random, bool extreme, int depth = 0) {
   const Vec3 p = vector(random, extreme), q = vector(random, extreme), r = vector(random, extreme);
-  switch (random.below(depth < 2 ? 12 : 11)) {
+  switch (random.below(depth < 2 ? 15 : 14)) {
     case 0:
       return Point(p);
     case 1:
@@ -95,6 +95,12 @@ Shape shape(Random& random, bool extreme, int depth = 0) {
     }
     case 10:
       return mesh(random, extreme);
+    case 11:
+      return Cylinder(length(random), length(random));
+    case 12:
+      return Cone(length(random), length(random));
+    case 13:
+      return Ellipsoid({length(random), length(random), length(random)});
     default: {
       const std::vector<CompoundPart> parts = {{shape(random, extreme, depth + 1), Pose::translation(-0.0, 0.5, 0)},
                                                {mesh(random, extreme), {}}};

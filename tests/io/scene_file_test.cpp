@@ -263,6 +263,9 @@ constexpr const char* every_shape = R"("objects": [
     {"name": "hull", "shape": {"type": "convex-hull", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}},
     {"name": "of file", "shape": {"type": "convex-hull", "file": "parts/plate.obj"}},
     {"name": "rounded", "shape": {"type": "rounded", "core": {"type": "box", "half_extents": [1, 1, 1]}, "radius": 0.7}},
+    {"name": "drum", "shape": {"type": "cylinder", "radius": 0.5, "half_height": 0.25}},
+    {"name": "tip", "shape": {"type": "cone", "radius": 0.1, "half_height": 3}},
+    {"name": "egg", "shape": {"type": "ellipsoid", "half_axes": [1, 0.1, 3]}},
     {"name": "ground", "shape": {"type": "height-field", "columns": 2, "rows": 3, "spacing": [0.1, 3],
                                  "heights": [0, 1, 2, 3, 4, 5]}},
     {"name": "several", "shape": {"type": "compound", "parts": [
@@ -278,8 +281,11 @@ TEST_F(SceneFile, EveryShapeIsReadWrittenAndReadBackTheSame) {
   EXPECT_EQ(std::get<Box>(scene.objects[5].shape).half_extents(), (Vec3{1, 2, 3}));
   EXPECT_EQ(std::get<ConvexHull>(scene.objects[8].shape).vertex_count(), 3U);
   EXPECT_EQ(std::get<Rounded>(scene.objects[9].shape).radius(), 0.7);
-  EXPECT_EQ(std::get<HeightField>(scene.objects[10].shape).vertex(1, 2), (Vec3{0.1, 6, 5}));
-  const auto parts = std::get<Compound>(scene.objects[11].shape).parts();
+  EXPECT_EQ(std::get<Cylinder>(scene.objects[10].shape).half_height(), 0.25);
+  EXPECT_EQ(std::get<Cone>(scene.objects[11].shape).radius(), 0.1);
+  EXPECT_EQ(std::get<Ellipsoid>(scene.objects[12].shape).half_axes(), (Vec3{1, 0.1, 3}));
+  EXPECT_EQ(std::get<HeightField>(scene.objects[13].shape).vertex(1, 2), (Vec3{0.1, 6, 5}));
+  const auto parts = std::get<Compound>(scene.objects[14].shape).parts();
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].pose, Pose::translation(5, 6, 7));
   EXPECT_EQ(mesh_of(parts[1].shape)->triangle_count(), 1U);
@@ -335,6 +341,12 @@ TEST_F(SceneFile, WrongShapesAreSaidWhere) {
   expect(R"({"type": "sphere", "radius": 1e999})", "too large for a double");
   expect(R"({"type": "sphere", "radius": NaN})", "not valid JSON");
   expect(R"({"type": "capsule", "start": [0, 0, 0], "end": [1, 0, 0], "radius": 0})", "the radius of a capsule is 0");
+  expect(R"({"type": "cylinder", "radius": 0, "half_height": 1})", "the radius of a cylinder is 0; give a positive");
+  expect(R"({"type": "cylinder", "radius": 1, "height": 1})", "height");
+  expect(R"({"type": "cone", "radius": 1, "half_height": -1})", "the half height of a cone is -1; give a positive");
+  expect(R"({"type": "ellipsoid", "half_axes": [1, 0, 1]})", "the half axis along y of an ellipsoid is 0");
+  expect(R"({"type": "rounded", "core": {"type": "cone", "radius": 1, "half_height": 1}, "radius": 1})",
+         "a cone cannot be the core");
   expect(R"({"type": "rounded", "core": {"type": "point"}, "radius": -1})", "the radius of a rounded shape is -1");
   expect(R"({"type": "convex-hull", "file": "parts/none.obj"})", "/objects/0/shape/file");
   expect(R"({"type": "sphere"})", "radius");

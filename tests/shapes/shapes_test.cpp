@@ -134,6 +134,9 @@ TEST(Shape, HasAName) {
   EXPECT_EQ(name_of(HalfSpace{{}, {1, 0, 0}}), "half-space");
   EXPECT_EQ(name_of(Capsule{{}, {}, 1}), "capsule");
   EXPECT_EQ(name_of(Rounded{Box{{1, 1, 1}}, 1}), "rounded shape");
+  EXPECT_EQ(name_of(Cylinder(1, 1)), "cylinder");
+  EXPECT_EQ(name_of(Cone(1, 1)), "cone");
+  EXPECT_EQ(name_of(Ellipsoid({1, 1, 1})), "ellipsoid");
   EXPECT_EQ(name_of(HeightField{2, 2, 1, 1, std::array<double, 4>{}}), "height field");
   EXPECT_EQ(name_of(std::shared_ptr<const TriangleMesh>()), "mesh");
 }

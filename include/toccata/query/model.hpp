@@ -21,11 +21,15 @@ struct LeafTriangles;
 struct OrientedBlock;
 struct WindingMoments;
 
+/// A shape of which only the real image is posed: `PosedSmooth`.
+template <class S>
+concept SmoothShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
+
 /// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
 template <class S>
 concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::same_as<S, Triangle> ||
     std::same_as<S, HalfSpace> || std::same_as<S, Sphere> || std::same_as<S, Box> || std::same_as<S, Capsule> ||
-    std::same_as<S, ConvexHull> || std::same_as<S, Rounded>;
+    std::same_as<S, ConvexHull> || std::same_as<S, Rounded> || SmoothShape<S>;
 
 /// A shape made ready for questions: the shape and the trees over it. Copies share all, until one is deformed. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.

@@ -30,12 +30,16 @@ inline constexpr std::size_t question_count = 8;
 [[nodiscard]] std::string_view name_of(ShapeQuestion question);
 
 /// What decides how a pair is answered.
-enum class ShapeClass : std::uint8_t { convex, half_space, triangles, compound };
+enum class ShapeClass : std::uint8_t { convex, smooth, half_space, triangles, compound };
 
 [[nodiscard]] constexpr ShapeClass class_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::half_space:
       return ShapeClass::half_space;
+    case ShapeKind::cylinder:
+    case ShapeKind::cone:
+    case ShapeKind::ellipsoid:
+      return ShapeClass::smooth;
     case ShapeKind::height_field:
     case ShapeKind::mesh:
       return ShapeClass::triangles;
@@ -91,12 +95,26 @@ inline constexpr PairCell one_contact{PairState::defined, "one pair, by overlap;
 inline constexpr PairCell by_advance{PairState::defined, "certified interval, else exact arithmetic"};
 inline constexpr PairCell first_by_tree{PairState::defined, "moving boxes, first met first; certified pairs"};
 
+inline constexpr PairCell by_proof{PairState::defined, "proved apart or in contact, else undecided within 10⁻¹²"};
+inline constexpr PairCell nearest_by_proof{PairState::defined, "Newton's method, proved interval"};
+inline constexpr PairCell depth_by_proof{PairState::defined, "expanding polytope, proved bracket"};
+inline constexpr PairCell by_planes{PairState::defined, "parting planes, proved interval"};
+inline constexpr PairCell by_roots{PairState::defined,
+                                   "roots of a quadratic equation, else parting planes; proved interval"};
+inline constexpr PairCell proof_by_tree{PairState::defined, "tree, proved pairs, else undecided within 10⁻¹²"};
+inline constexpr PairCell smooth_manifold{
+    PairState::later,
+    "points of contact of cylinders, cones and ellipsoids are not told yet; ask penetration, which "
+    "tells the direction and a point on each"};
+
 constexpr bool has(ShapeClass wanted, ShapeClass a, ShapeClass b) { return a == wanted || b == wanted; }
 
 constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return by_parts;
+  if (has(ShapeClass::smooth, a, b) && has(ShapeClass::triangles, a, b)) return proof_by_tree;
   if (has(ShapeClass::triangles, a, b)) return question == ShapeQuestion::contacts ? by_tree_alone : by_tree;
   if (question == ShapeQuestion::contacts) return one_contact;
+  if (has(ShapeClass::smooth, a, b)) return by_proof;
   if (has(ShapeClass::half_space, a, b)) return half_spaces;
   return question == ShapeQuestion::relation ? by_normals : by_gjk;
 }
@@ -104,6 +122,7 @@ constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
 constexpr PairCell distance(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return least_part;
   if (has(ShapeClass::triangles, a, b)) return nearest_by_tree;
+  if (has(ShapeClass::smooth, a, b)) return nearest_by_proof;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_gjk;
 }
 
@@ -111,23 +130,26 @@ constexpr PairCell penetration(ShapeKind kind_a, ShapeKind kind_b, ShapeClass a,
   if (always_surface(kind_a) || always_surface(kind_b)) return surface;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return endless;
   if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return by_inner_parts;
+  if (has(ShapeClass::smooth, a, b)) return depth_by_proof;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_expansion;
 }
 
 constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return many_manifolds;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return boundless;
-  return by_features;
+  return has(ShapeClass::smooth, a, b) ? smooth_manifold : by_features;
 }
 
 constexpr PairCell cast(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return earliest_part;
   if (has(ShapeClass::triangles, a, b)) return first_by_tree;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return always_met;
+  if (has(ShapeClass::smooth, a, b)) return by_planes;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_advance;
 }
 
 constexpr PairCell ray(ShapeClass target) {
+  if (target == ShapeClass::smooth) return by_roots;
   return target == ShapeClass::triangles ? by_tree_alone : cast(ShapeClass::convex, target);
 }
 

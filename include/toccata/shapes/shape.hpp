@@ -10,7 +10,10 @@
 #include "toccata/math/pose.hpp"
 #include "toccata/shapes/box.hpp"
 #include "toccata/shapes/capsule.hpp"
+#include "toccata/shapes/cone.hpp"
 #include "toccata/shapes/convex_hull.hpp"
+#include "toccata/shapes/cylinder.hpp"
+#include "toccata/shapes/ellipsoid.hpp"
 #include "toccata/shapes/half_space.hpp"
 #include "toccata/shapes/height_field.hpp"
 #include "toccata/shapes/point.hpp"
@@ -38,8 +41,8 @@ class Compound {
 };
 
 /// Any shape. Sets and classes: docs/truth.md.
-using Shape = std::variant<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, HeightField,
-                           std::shared_ptr<const TriangleMesh>, Compound>;
+using Shape = std::variant<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, Cylinder,
+                           Cone, Ellipsoid, HeightField, std::shared_ptr<const TriangleMesh>, Compound>;
 
 struct CompoundPart {
   Shape shape;
@@ -57,6 +60,9 @@ enum class ShapeKind : std::uint8_t {
   capsule,
   convex_hull,
   rounded,
+  cylinder,
+  cone,
+  ellipsoid,
   height_field,
   mesh,
   compound,
@@ -67,7 +73,7 @@ inline constexpr std::size_t shape_kind_count = std::variant_size_v<Shape>;
 [[nodiscard]] inline ShapeKind kind_of(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
 
 /// "point", "segment", "triangle", "half-space", "sphere", "box", "capsule", "convex hull", "rounded shape",
-/// "height field", "mesh", "compound": for messages and reports.
+/// "cylinder", "cone", "ellipsoid", "height field", "mesh", "compound": for messages and reports.
 [[nodiscard]] std::string_view name_of(ShapeKind kind);
 [[nodiscard]] std::string_view name_of(const Shape& shape);
 

@@ -55,12 +55,13 @@ class ShapeReader {
   [[nodiscard]] Shape read(const JsonValue& value) const {
     using Reading = Shape (ShapeReader::*)(const JsonValue&) const;
     static const std::map<std::string, Reading, std::less<>> readings = {
-        {"point", &ShapeReader::point},       {"segment", &ShapeReader::segment},
-        {"triangle", &ShapeReader::triangle}, {"half-space", &ShapeReader::half_space},
-        {"sphere", &ShapeReader::sphere},     {"box", &ShapeReader::box},
-        {"capsule", &ShapeReader::capsule},   {"convex-hull", &ShapeReader::convex_hull},
-        {"rounded", &ShapeReader::rounded},   {"height-field", &ShapeReader::height_field},
-        {"compound", &ShapeReader::compound}};
+        {"point", &ShapeReader::point},         {"segment", &ShapeReader::segment},
+        {"triangle", &ShapeReader::triangle},   {"half-space", &ShapeReader::half_space},
+        {"sphere", &ShapeReader::sphere},       {"box", &ShapeReader::box},
+        {"capsule", &ShapeReader::capsule},     {"convex-hull", &ShapeReader::convex_hull},
+        {"rounded", &ShapeReader::rounded},     {"height-field", &ShapeReader::height_field},
+        {"cylinder", &ShapeReader::cylinder},   {"cone", &ShapeReader::cone},
+        {"ellipsoid", &ShapeReader::ellipsoid}, {"compound", &ShapeReader::compound}};
     const std::string type = value.at("type").text();
     const auto found = readings.find(type);
     if (found != readings.end()) return (this->*found->second)(value);
@@ -123,6 +124,18 @@ class ShapeReader {
     if (const auto* shape = std::get_if<ConvexHull>(&core)) return made<Rounded>(value, *shape, radius);
     value.at("core").fail(fmt::format("a {} cannot be the core of a rounded shape", name_of(core)),
                           "use a point, segment, triangle, box or convex-hull");
+  }
+  [[nodiscard]] Shape cylinder(const JsonValue& value) const {
+    value.expect_keys({"type", "radius", "half_height"});
+    return made<Cylinder>(value, value.at("radius").number(), value.at("half_height").number());
+  }
+  [[nodiscard]] Shape cone(const JsonValue& value) const {
+    value.expect_keys({"type", "radius", "half_height"});
+    return made<Cone>(value, value.at("radius").number(), value.at("half_height").number());
+  }
+  [[nodiscard]] Shape ellipsoid(const JsonValue& value) const {
+    value.expect_keys({"type", "half_axes"});
+    return made<Ellipsoid>(value, value.at("half_axes").vector());
   }
   [[nodiscard]] Shape height_field(const JsonValue& value) const {
     value.expect_keys({"type", "columns", "rows", "spacing", "heights"});
@@ -199,6 +212,13 @@ class ShapeWriter {
   Json operator()(const Rounded& s) const {
     return {{"type", "rounded"}, {"core", std::visit(*this, s.core())}, {"radius", s.radius()}};
   }
+  Json operator()(const Cylinder& s) const {
+    return {{"type", "cylinder"}, {"radius", s.radius()}, {"half_height", s.half_height()}};
+  }
+  Json operator()(const Cone& s) const {
+    return {{"type", "cone"}, {"radius", s.radius()}, {"half_height", s.half_height()}};
+  }
+  Json operator()(const Ellipsoid& s) const { return {{"type", "ellipsoid"}, {"half_axes", json_of(s.half_axes())}}; }
   Json operator()(const HeightField& field) const {
     Json heights = Json::array();
     for (Index row = 0; row < field.rows(); ++row)
@@ -270,8 +290,8 @@ nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh
 
 std::string type_of(const Shape& shape) {
   constexpr std::array<const char*, std::variant_size_v<Shape>> names = {
-      "point",   "segment",     "triangle", "half-space",   "sphere", "box",
-      "capsule", "convex-hull", "rounded",  "height-field", "mesh",   "compound"};
+      "point",   "segment",  "triangle", "half-space", "sphere",       "box",  "capsule", "convex-hull",
+      "rounded", "cylinder", "cone",     "ellipsoid",  "height-field", "mesh", "compound"};
   return names[shape.index()];
 }
 

@@ -69,6 +69,29 @@ DisplayMesh mesh_of(const Rounded& shape, int circles) {
   return rounded_mesh(core, shape.radius(), core.size() <= few ? circles : std::min(circles, coarse));
 }
 
+/// The hull of points of the surface.
+DisplayMesh round_mesh(std::span<const Vec3> points) {
+  DisplayMesh shown = hull_of(points);
+  shown.smooth = true;
+  return shown;
+}
+
+/// Of radius 1 around the z axis.
+std::vector<Vec3> circle_points(double height, int circles) {
+  std::vector<Vec3> points;
+  const int around = 4 * circles;
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    points.push_back({std::cos(angle), std::sin(angle), height});
+  }
+  return points;
+}
+
+std::vector<Vec3> stretched(std::vector<Vec3> points, const Vec3& by) {
+  for (Vec3& p : points) p = {by.x * p.x, by.y * p.y, by.z * p.z};
+  return points;
+}
+
 /// The parts one after the other, with faces counted as answers count them.
 DisplayMesh mesh_of_parts(const Model& model, int circles) {
   DisplayMesh whole;
@@ -106,6 +129,20 @@ struct MeshOfShape {
   }
   DisplayMesh operator()(const ConvexHull& shape) const { return mesh_of(shape); }
   DisplayMesh operator()(const Rounded& shape) const { return mesh_of(shape, circles); }
+  DisplayMesh operator()(const Cylinder& shape) const {
+    std::vector<Vec3> points = circle_points(1, circles);
+    const std::vector<Vec3> base = circle_points(-1, circles);
+    points.insert(points.end(), base.begin(), base.end());
+    return round_mesh(stretched(std::move(points), {shape.radius(), shape.radius(), shape.half_height()}));
+  }
+  DisplayMesh operator()(const Cone& shape) const {
+    std::vector<Vec3> points = circle_points(-1, circles);
+    points.push_back({0, 0, 1});
+    return round_mesh(stretched(std::move(points), {shape.radius(), shape.radius(), shape.half_height()}));
+  }
+  DisplayMesh operator()(const Ellipsoid& shape) const {
+    return round_mesh(stretched(sphere_points(circles), shape.half_axes()));
+  }
   DisplayMesh operator()(const HeightField& shape) const { return mesh_of(*shape.mesh()); }
   DisplayMesh operator()(const std::shared_ptr<const TriangleMesh>& shape) const { return mesh_of(*shape); }
   DisplayMesh operator()(const Compound&) const { return mesh_of_parts(model, circles); }

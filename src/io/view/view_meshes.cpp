@@ -35,6 +35,16 @@ std::string key_of(const Shape& shape) {
       const Capsule& capsule = std::get<Capsule>(shape);
       return "capsule " + numbers(capsule.start()) + numbers(capsule.end()) + fmt::format("{}", capsule.radius());
     }
+    case ShapeKind::cylinder: {
+      const Cylinder& cylinder = std::get<Cylinder>(shape);
+      return fmt::format("cylinder {} {}", cylinder.radius(), cylinder.half_height());
+    }
+    case ShapeKind::cone: {
+      const Cone& cone = std::get<Cone>(shape);
+      return fmt::format("cone {} {}", cone.radius(), cone.half_height());
+    }
+    case ShapeKind::ellipsoid:
+      return "ellipsoid " + numbers(std::get<Ellipsoid>(shape).half_axes());
     case ShapeKind::point:
     case ShapeKind::segment:
     case ShapeKind::triangle:

@@ -9,6 +9,7 @@
 #include "query/casts/mesh_casts.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_casts.hpp"
 
 namespace toccata {
 namespace {
@@ -27,6 +28,16 @@ struct AskCast {
   }
   std::optional<ShapeHit> operator()(const PosedHalfSpace&, const PosedHalfSpace&) const {
     return {};  // the table was asked before
+  }
+  template <PosedConvexSet Target>
+  std::optional<ShapeHit> operator()(const PosedSmooth& a, const Target& b) const {
+    return whole(cast_shape(a, motion, b));
+  }
+  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedSmooth& b) const {
+    return whole(cast_shape(a, motion, b));
+  }
+  std::optional<ShapeHit> operator()(const PosedHalfSpace& a, const PosedSmooth& b) const {
+    return whole(seen_from_target(cast_shape(b, -motion, a), motion));
   }
   template <class A, class B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {

@@ -12,6 +12,7 @@
 #include "query/meshes/world_search.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -93,6 +94,9 @@ struct FindInPart {
               [](const FoundElement& a, const FoundElement& b) { return a.element < b.element; });
   }
   void operator()(const PosedConvex& shape) const {
+    if (overlap(shape, region.shape())) add(0, 0);
+  }
+  void operator()(const PosedSmooth& shape) const {
     if (overlap(shape, region.shape())) add(0, 0);
   }
   void operator()(const PosedHalfSpace& shape) const {

@@ -8,6 +8,7 @@
 #include "query/ask.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -39,6 +40,13 @@ struct AskContacts {
   }
   PartContacts operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
   PartContacts operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
+  PartContacts operator()(const PosedTriangles& a, const PosedSmooth& b) const {
+    return each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
+  }
+  template <PosedConvexSet Other>
+  PartContacts operator()(const PosedSmooth& a, const Other& b) const {
+    return one_if(overlap(a, b));
+  }
   PartContacts operator()(const PosedTriangles& a, const PosedConvex& b) const {
     const PartContacts contacts = each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
     if (is_triangle(b))

@@ -12,6 +12,7 @@
 #include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -27,6 +28,11 @@ struct AskWithin {
   }
   bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const {
     return is_within(distance(a, b), a, b, tolerance);
+  }
+  /// What the interval leaves open counts as closer.
+  template <PosedConvexSet Other>
+  bool operator()(const PosedSmooth& a, const Other& b) const {
+    return distance(a, b).lower <= tolerance;
   }
   template <class Other>
   bool operator()(const PosedTriangles& a, const Other& b) const {
@@ -46,6 +52,12 @@ struct AskNearby {
   }
   Answer operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return judged(distance(a, b), a, b); }
   Answer operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return judged(distance(a, b), a, b); }
+  template <PosedConvexSet Other>
+  Answer operator()(const PosedSmooth& a, const Other& b) const {
+    const Distance found = distance(a, b);
+    if (found.lower > limit_from(cutoff)) return {};
+    return Nearby{found, found.lower <= cutoff};
+  }
   template <class Other>
   Answer operator()(const PosedTriangles& a, const Other& b) const {
     return nearby(a, b, cutoff, scratch);

@@ -7,6 +7,7 @@
 #include "query/keep_least.hpp"
 #include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -17,6 +18,10 @@ struct AskDistance {
   Distance operator()(const PosedConvex& a, const PosedConvex& b) const { return distance(a, b, &scratch.convex); }
   Distance operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return distance(a, b); }
   Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  template <PosedConvexSet Other>
+  Distance operator()(const PosedSmooth& a, const Other& b) const {
+    return distance(a, b);
+  }
   template <class Other>
   Distance operator()(const PosedTriangles& a, const Other& b) const {
     return distance(a, b, scratch);

@@ -5,6 +5,7 @@
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/posed_pair.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -20,6 +21,11 @@ struct AskOverlap {
   bool operator()(const PosedConvex& a, const PosedConvex& b) const { return overlap(a, b, &scratch.convex); }
   bool operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return overlap(a, b); }
   bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedSmooth& b) const { return overlap(a, b); }
+  template <PosedConvexSet Other>
+  bool operator()(const PosedSmooth& a, const Other& b) const {
+    return overlap(a, b);
+  }
   bool operator()(const PosedTriangles& a, const PosedConvex& b) const { return overlap(a, b); }
   bool operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return overlap(a, b); }
   bool operator()(const PosedTriangles& a, const PosedTriangles& b) const {

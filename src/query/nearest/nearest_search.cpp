@@ -29,6 +29,11 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
       max_distance_(query.max_distance) {
   require_distance(max_distance_);
   for (const PosedPart& part : posed_.parts) {
+    if (std::holds_alternative<PosedSmooth>(part.shape))
+      throw Error(
+          fmt::format("the nearest points of the surface of a {} are not told yet; ask the distance of a point, which "
+                      "is 0 within it",
+                      name_of(part.kind)));
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
       meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
     if (const auto* convex = std::get_if<PosedConvex>(&part.shape))

@@ -39,10 +39,10 @@ class SeedSearch {
   /// From points on the surface of `own` inside the other: inwards.
   void look_below_surface(const SolidBody& own, const Vec3& moved) {
     for (const PosedPart& part : own.parts())
-      if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
-        look_into(*convex, moved);
-      else
-        look_below(std::get<PosedTriangles>(part.shape).mesh, moved);
+      if (const InnerPart* inner = own.within(part))
+        look_into(inner->shape, moved);
+      else if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
+        look_below(triangles->mesh, moved);
   }
 
   [[nodiscard]] std::vector<PartingSeed> deepest(std::size_t most) {

@@ -2,19 +2,33 @@
 
 #include "query/ask.hpp"
 #include "query/penetration/solid_penetration.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 
 namespace toccata {
 namespace {
 
 bool is_one_shape(const Model& model) { return !model.has_mesh() && kind_of(model.shape()) != ShapeKind::compound; }
 
-/// Of convex shapes and half-spaces, not two of these.
-Penetration of_shapes(const PosedShape& a, const PosedShape& b, SearchScratch& scratch) {
-  const auto *convex_a = std::get_if<PosedConvex>(&a), *convex_b = std::get_if<PosedConvex>(&b);
-  if (convex_a != nullptr && convex_b != nullptr) return penetration(*convex_a, *convex_b, &scratch.convex);
-  if (convex_b == nullptr) return penetration(*convex_a, std::get<PosedHalfSpace>(b));
-  return flipped(penetration(*convex_b, std::get<PosedHalfSpace>(a)));
-}
+/// Of convex sets, not two half-spaces.
+struct AskDepth {
+  Penetration operator()(const PosedConvex& a, const PosedConvex& b) const {
+    return penetration(a, b, &scratch.convex);
+  }
+  Penetration operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return penetration(a, b); }
+  Penetration operator()(const PosedHalfSpace& a, const PosedConvex& b) const { return flipped(penetration(b, a)); }
+  Penetration operator()(const PosedHalfSpace& a, const PosedSmooth& b) const { return flipped(penetration(b, a)); }
+  Penetration operator()(const PosedConvex& a, const PosedSmooth& b) const { return penetration(a, b); }
+  template <PosedConvexSet B>
+  Penetration operator()(const PosedSmooth& a, const B& b) const {
+    return penetration(a, b);
+  }
+  template <class A, class B>
+  Penetration operator()(const A&, const B&) const {
+    return {};  // the table was asked before
+  }
+
+  SearchScratch& scratch;
+};
 
 }  // namespace
 
@@ -27,7 +41,7 @@ Penetration penetration(const Model& a, const Model& b, const PairQuery& query, 
   require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
   const PosedModels models(a, b, query, workspace.scratch());
   if (is_one_shape(a) && is_one_shape(b))
-    return of_shapes(models.a.parts[0].shape, models.b.parts[0].shape, workspace.scratch());
+    return std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
   return penetration_of_solids(a, b, query, models, workspace);
 }
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "math/vec3_measures.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "query/penetration/smooth_hull.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 namespace {
@@ -25,6 +28,7 @@ std::vector<Vec3> corners_of(const Aabb& box) {
 Vec3 offset_of(const PosedShape& shape) {
   if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->pose().offset;
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.pose().offset;
+  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return smooth->pose().offset;
   return {};
 }
 
@@ -78,10 +82,24 @@ SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
   }
   extent_ += largest_magnitude(box_.lower) + largest_magnitude(box_.upper);
   find_whole();
+  find_inner_parts();
+}
+
+void SolidBody::find_inner_parts() {
+  for (const PosedPart& part : posed_.parts) {
+    const auto* convex = std::get_if<PosedConvex>(&part.shape);
+    const auto* smooth = std::get_if<PosedSmooth>(&part.shape);
+    const std::optional<ConvexHull> hull = smooth != nullptr ? hull_within(*smooth) : std::nullopt;
+    inner_.push_back(convex != nullptr ? &kept_.emplace_back(*convex) : hull ? &kept_.emplace_back(*hull) : nullptr);
+  }
+}
+
+const InnerPart* SolidBody::within(const PosedPart& part) const {
+  return inner_[static_cast<std::size_t>(&part - posed_.parts.data())];
 }
 
 void SolidBody::find_whole() {
-  if (posed_.parts.size() > 1) {
+  if (posed_.parts.size() > 1 || std::holds_alternative<PosedSmooth>(posed_.parts[0].shape)) {
     outer_.emplace(ConvexHull{corners_of(box_)});
     return;
   }
@@ -104,6 +122,7 @@ void SolidBody::find_whole() {
 bool SolidBody::contains(const Vec3& point) const {
   return std::any_of(posed_.parts.begin(), posed_.parts.end(), [&](const PosedPart& part) {
     if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) return overlap(*convex, PosedConvex(Point(point)));
+    if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape)) return overlap(*smooth, PosedConvex(Point(point)));
     return is_interior(point, std::get<PosedTriangles>(part.shape).mesh);
   });
 }
@@ -120,18 +139,16 @@ const InnerPart* SolidBody::keep(const PosedMesh& mesh, const ConvexHull& hull, 
 std::vector<const InnerPart*> SolidBody::convex_parts() {
   if (whole_ != nullptr) return {whole_};
   std::vector<const InnerPart*> found;
-  for (const PosedPart& part : posed_.parts)
-    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) found.push_back(&kept_.emplace_back(*convex));
+  std::copy_if(inner_.begin(), inner_.end(), std::back_inserter(found), [](const InnerPart* part) { return part; });
   return found;
 }
 
 const InnerPart* SolidBody::grow(const Vec3& point, double reach, CutBy cut) {
   if (whole_ != nullptr) return whole_;
   for (const PosedPart& part : posed_.parts) {
-    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) {
-      if (overlap(*convex, PosedConvex(Point(point)))) return &kept_.emplace_back(*convex);
-      continue;
-    }
+    if (const InnerPart* inner = within(part); inner != nullptr && overlap(inner->shape, PosedConvex(Point(point))))
+      return inner;
+    if (!std::holds_alternative<PosedTriangles>(part.shape)) continue;
     const PosedMesh& mesh = std::get<PosedTriangles>(part.shape).mesh;
     if (!is_interior(point, mesh)) continue;
     const std::optional<ConvexHull> grown = grow_convex(mesh, point, reach, cut);

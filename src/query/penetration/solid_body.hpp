@@ -40,10 +40,13 @@ class SolidBody {
   /// It is convex, and `outer` is the solid.
   [[nodiscard]] bool exactly_convex() const { return exactly_convex_; }
 
+  /// Of a part that is a convex shape or a smooth one: a body within it; of a convex shape all of it.
+  [[nodiscard]] const InnerPart* within(const PosedPart& part) const;
+
   /// Within some part of it.
   [[nodiscard]] bool contains(const Vec3& point) const;
 
-  /// Of its parts those that are convex shapes, as they are, or all of it where it is convex.
+  /// The bodies within those of its parts that are convex or smooth, or all of it where it is convex.
   [[nodiscard]] std::vector<const InnerPart*> convex_parts();
 
   /// A convex body around a point that it contains, grown as told; none where none could be proved to lie within. It
@@ -56,12 +59,14 @@ class SolidBody {
  private:
   const InnerPart* keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share);
   void find_whole();
+  void find_inner_parts();
 
   const PosedModel& posed_;
   Aabb box_;
   double extent_ = 0;
   std::deque<InnerPart> kept_;  // a shape refers to its hull, so none may move
   std::optional<InnerPart> outer_;
+  std::vector<const InnerPart*> inner_;  ///< of each part, or null
   const InnerPart* whole_ = nullptr;
   bool exactly_convex_ = false;
 };

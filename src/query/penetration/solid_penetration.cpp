@@ -11,6 +11,7 @@
 #include "query/penetration/solid_body.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/relation.hpp"
@@ -49,14 +50,17 @@ bool has_parts_without_end(const PosedModel& posed) {
 
 bool is_before(const Vec3& p, const Vec3& q) { return lexicographically_less(p, q); }
 
-/// Of its triangles, or of its core; none of a half-space.
-std::vector<Vec3> vertices_of(const PosedShape& shape) {
+/// The vertices of its triangles or of its core, or the numbers of a smooth shape; none of a half-space.
+std::vector<Vec3> numbers_of(const PosedShape& shape) {
   std::vector<Vec3> vertices;
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) {
     for (Index t = 0; t < triangles->mesh.model().element_count(); ++t)
       for (const Vec3& corner : triangles->mesh.triangle(t).vertex) vertices.push_back(corner);
   } else if (const auto* convex = std::get_if<PosedConvex>(&shape)) {
     for (Index i = 0; i < convex->vertex_count(); ++i) vertices.push_back(convex->vertex(i));
+  } else if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) {
+    const Mat3& linear = smooth->pose().linear;
+    vertices = {smooth->half(), linear[0], linear[1], linear[2], smooth->pose().offset};
   }
   return vertices;
 }
@@ -69,7 +73,7 @@ bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
     const Aabb s = world_box(a.parts[i].shape), t = world_box(b.parts[i].shape);
     if (s.lower != t.lower) return is_before(s.lower, t.lower);
     if (s.upper != t.upper) return is_before(s.upper, t.upper);
-    const std::vector<Vec3> p = vertices_of(a.parts[i].shape), q = vertices_of(b.parts[i].shape);
+    const std::vector<Vec3> p = numbers_of(a.parts[i].shape), q = numbers_of(b.parts[i].shape);
     if (p.size() != q.size()) return p.size() > q.size();
     for (std::size_t k = 0; k < p.size(); ++k)
       if (p[k] != q[k]) return is_before(p[k], q[k]);
@@ -107,12 +111,17 @@ std::vector<SurfaceMeeting> some_meetings(const Model& a, const Model& b, const 
   return meetings;
 }
 
+Penetration depth_of_part(const PosedPart& part, const PosedHalfSpace& b) {
+  if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape)) return penetration(*smooth, b);
+  const PosedModel alone{{part}, true};
+  const SolidBody body(alone);
+  return penetration(body.outer(), b);
+}
+
 Penetration of_half_space(const PosedModel& a, const PosedHalfSpace& b) {
   Penetration deepest;
   for (const PosedPart& part : a.parts) {
-    const PosedModel alone{{part}, true};
-    const SolidBody body(alone);
-    const Penetration depth = penetration(body.outer(), b);
+    const Penetration depth = depth_of_part(part, b);
     if (deepest.direction == Vec3{} || depth.upper > deepest.upper) deepest = depth;
   }
   return deepest;

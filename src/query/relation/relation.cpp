@@ -10,6 +10,7 @@
 #include "query/relation/relation_posed.hpp"
 #include "query/relation/relation_solids.hpp"
 #include "query/relation/relation_unions.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/query/flipped.hpp"
 
 namespace toccata {
@@ -61,6 +62,11 @@ struct AskRelation {
   Relation operator()(const PosedConvex& a, const PosedConvex& b) const { return relation(a, b, &scratch.convex); }
   Relation operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return relation(a, b); }
   Relation operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedSmooth& b) const { return relation(a, b); }
+  template <PosedConvexSet Other>
+  Relation operator()(const PosedSmooth& a, const Other& b) const {
+    return relation(a, b);
+  }
   Relation operator()(const PosedTriangles& a, const PosedConvex& b) const { return relation(a, b); }
   Relation operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return relation(a, b); }
   Relation operator()(const PosedTriangles& a, const PosedTriangles& b) const {

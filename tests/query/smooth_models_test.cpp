@@ -1,0 +1,242 @@
+// Cylinders, cones and ellipsoids as models: every question of any two, against 60 digits and against the pairs of the
+// narrow room; alone, exchanged, in compounds and in batches.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "narrow/smooth_cases.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/query/batch.hpp"
+#include "toccata/query/casts.hpp"
+#include "toccata/query/check_all.hpp"
+#include "toccata/query/closer_than.hpp"
+#include "toccata/query/contacts.hpp"
+#include "toccata/query/faces_within.hpp"
+#include "toccata/query/flipped.hpp"
+#include "toccata/query/nearest.hpp"
+#include "toccata/query/overlap.hpp"
+#include "toccata/query/penetration.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata::test {
+namespace {
+
+constexpr std::uint64_t smooth_seed = 20261122;
+
+template <class Placed>
+Model smooth_model(const Placed& placed) {
+  return std::visit([](const auto& shape) { return Model(shape); }, placed.shape);
+}
+
+PairQuery poses_of(const Pose& a, const Pose& b) { return {a, b, Solid::automatic, Solid::automatic}; }
+
+std::string fault_of_numbers(const Distance& d, bool met, const oracle::FineNearness& truth) {
+  if (oracle::Fine(d.lower) > truth.upper || oracle::Fine(d.upper) < truth.lower) return "distance";
+  if (!met && truth.meet) return "overlap: apart, but they meet";
+  if (met && d.lower > 0) return "overlap: they are apart";
+  return "";
+}
+
+/// All questions are those of the pair, exchanged ones too, and agree with the oracle.
+template <class B>
+std::string fault_of_models(const PlacedSmooth& a, const B& b) {
+  const Model model_a = smooth_model(a), model_b = smooth_model(b);
+  const PosedSmooth posed_a = posed(a);
+  const auto posed_b = posed(b);
+  const PairQuery query = poses_of(a.pose, b.pose), back = poses_of(b.pose, a.pose);
+  const Distance gap = distance(model_a, model_b, query);
+  const bool met = overlap(model_a, model_b, query);
+  const std::string wrong = fault_of_numbers(gap, met, oracle::fine_nearness(fine_set(a), fine_set(b), 1e-14, 400));
+  if (!wrong.empty()) return wrong;
+  if (!(gap == distance(posed_a, posed_b)) || !(distance(model_b, model_a, back) == flipped(gap))) return "distance";
+  if (met != overlap(posed_a, posed_b) || met != overlap(model_b, model_a, back)) return "overlap";
+  const Relation lie = relation(model_a, model_b, query);
+  if (!(lie == relation(posed_a, posed_b)) || !(relation(model_b, model_a, back) == flipped(lie))) return "relation";
+  if (contacts(model_a, model_b, query).size() != (met ? 1U : 0U)) return "contacts";
+  if (!closer_than(model_a, model_b, gap.upper, query)) return "closer than the upper end";
+  if (gap.lower > 0 && closer_than(model_a, model_b, gap.lower / 2, query)) return "closer than half the lower end";
+  if (distance_within(model_a, model_b, gap.upper, query) != std::optional(gap)) return "distance within";
+  const Vec3 way = 2.0 * (a.pose.offset - b.pose.offset) + Vec3{0.125, 0.25, 0.5};
+  const Cast cast = cast_shape(posed_b, way, posed_a), found = cast_shape(model_b, way, model_a, back);
+  if (cast.hit != found.hit || cast.lower != found.lower || cast.upper != found.upper) return "cast";
+  if (lie.a_solid && lie.b_solid) {
+    const Penetration depth = penetration(model_a, model_b, query);
+    if (!(depth == penetration(posed_a, posed_b))) return "penetration";
+    if (!(penetration(model_b, model_a, back) == flipped(depth))) return "penetration, exchanged";
+  }
+  return "";
+}
+
+TEST(SmoothModels, EveryQuestionOfAnyPairIsThatOfThePair) {
+  std::uint64_t number = 0;
+  for (const std::string& kind_a : smooth_kinds())
+    for (const std::string& kind_b : smooth_other_kinds())
+      for (int i = 0; i < 3; ++i) {
+        const std::string& regime = smooth_regimes()[number % smooth_regimes().size()];
+        Random random(smooth_seed + ++number);
+        const SmoothCase pair = smooth_case(kind_a, kind_b, regime, random);
+        const std::string fault = std::visit([&](const auto& b) { return fault_of_models(pair.a, b); }, pair.b);
+        EXPECT_EQ(fault, "") << kind_a << " " << kind_b << " " << regime << ", seed " << smooth_seed + number;
+      }
+}
+
+/// The largest coordinate of a set along an axis or against it.
+double reach_of(const oracle::FineSet& set, int axis, double sign) {
+  oracle::FinePoint direction;
+  (axis == 0 ? direction.x : axis == 1 ? direction.y : direction.z) = sign;
+  const oracle::FinePoint p = oracle::farthest(set, direction);
+  return (axis == 0 ? p.x : axis == 1 ? p.y : p.z).convert_to<double>();
+}
+
+// A region that ends at the shape's last point is met, and one that ends well before it is not: the boxes by which
+// pairs are left out are large enough and no larger than that.
+TEST(SmoothModels, BoxesReachAsFarAsTheShape) {
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    Random random(smooth_seed + number);
+    const std::string& kind = smooth_kinds()[number % 3];
+    const PlacedSmooth placed = smooth_case(kind, kind, smooth_regimes()[number % smooth_regimes().size()], random).a;
+    const oracle::FineSet set = fine_set(placed);
+    const Model model = smooth_model(placed);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double top = reach_of(set, axis, 1), bottom = reach_of(set, axis, -1), size = top - bottom;
+      Vec3 normal{};
+      normal[axis] = -1;
+      const auto meets_above = [&](double height) {
+        Vec3 point{};
+        point[axis] = height;
+        const std::vector<Posed> two{{model, placed.pose}, {HalfSpace(point, normal), {}}};
+        return !check_all(two).pairs.empty();
+      };
+      EXPECT_TRUE(meets_above(top - 1e-9 * size)) << kind << ", seed " << smooth_seed + number;
+      if (std::abs(top) < 1e6 * size) {
+        EXPECT_FALSE(meets_above(top + 1e-9 * size)) << kind << ", seed " << smooth_seed + number;
+      }
+    }
+  }
+}
+
+// A lamp: a cone on a post. What it answers is the least of what its parts do, and the containment of both.
+TEST(SmoothModels, CompoundsAreTheUnionOfTheirParts) {
+  const Pose turned{rotation_about({1, 2, 3}, 40), {3, -1, 2}};
+  const Cylinder post(0.125, 1);
+  const Cone shade(0.75, 0.25);
+  const Pose up = Pose::translation(0, 0, 1.25);
+  const Model lamp(Compound(std::array{CompoundPart{post}, CompoundPart{shade, up}}));
+  Random random(smooth_seed);
+  for (int i = 0; i < 40; ++i) {
+    const Ellipsoid egg({0.25, 0.5, 0.375});
+    const Pose pose{smooth_linear("affine", random), turned.offset + 2.0 * smooth_direction(random)};
+    const PairQuery query = poses_of(turned, pose);
+    const Distance first = distance(post, egg, query),
+                   second = distance(shade, egg, poses_of(compose(turned, up), pose));
+    const Distance all = distance(lamp, egg, query);
+    EXPECT_EQ(all.upper, std::min(first.upper, second.upper));
+    EXPECT_EQ(overlap(lamp, egg, query), all.upper == 0 || all.status == Status::undecided);
+    EXPECT_EQ(contacts(lamp, egg, query).size(), (first.lower == 0) + (second.lower == 0));
+    EXPECT_EQ(relation(egg, lamp, poses_of(pose, turned)), flipped(relation(lamp, egg, query)));
+  }
+}
+
+/// A bracket that holds the depth and whose translation parts the two.
+void expect_depth(const Model& a, const Model& b, const PairQuery& query, double depth) {
+  const Penetration found = penetration(a, b, query);
+  EXPECT_LE(found.lower, depth * (1 + 1e-9));
+  EXPECT_GE(found.upper, depth * (1 - 1e-9));
+  EXPECT_GT(found.lower, 0.6 * depth);
+  EXPECT_LT(found.upper, 1.1 * depth);
+  PairQuery moved = query;
+  moved.pose_b.offset = moved.pose_b.offset + (1 + 1e-9) * found.upper * found.direction;
+  EXPECT_NE(relation(a, b, moved).kind, RelationKind::overlapping);
+}
+
+// A table of which the legs are cylinders, and a floor.
+TEST(SmoothModels, CompoundsOfThemArePartedToo) {
+  const Cylinder leg(0.25, 1);
+  std::vector<CompoundPart> parts{{Box({2, 1, 0.125}), Pose::translation(0, 0, 2)}};
+  for (const double x : {-1.5, 1.5})
+    for (const double y : {-0.5, 0.5}) parts.push_back({leg, Pose::translation(x, y, 1)});
+  const Model table{Compound(parts)}, floor = Box({8, 8, 1});
+  expect_depth(table, floor, {.pose_b = Pose::translation(0, 0, -0.875)}, 0.125);
+  expect_depth(floor, table, {.pose_a = Pose::translation(0, 0, -0.875)}, 0.125);
+  const HalfSpace ground({0, 0, 0.25}, {0, 0, 1});
+  expect_depth(table, ground, {}, 0.25);
+  // An egg between the legs, above the floor, below the top.
+  expect_depth(table, Ellipsoid({0.25, 0.25, 0.5}), {.pose_b = Pose::translation(0, 0, 1.5)}, 0.125);
+  EXPECT_EQ(penetration(table, Ellipsoid({0.25, 0.25, 0.5}), {.pose_b = Pose::translation(0, 0, 1.25)}).upper, 0);
+}
+
+TEST(SmoothModels, RaysRegionsAndHalfSpacesMeetThem) {
+  const Ellipsoid egg({1, 2, 3});
+  const RayHit hit = cast_ray({10, 0, 0}, {-18, 0, 0}, egg);
+  EXPECT_TRUE(hit.hit);
+  EXPECT_LE(hit.lower, 0.5);
+  EXPECT_GE(hit.upper, 0.5);
+  EXPECT_EQ(faces_within(Ball{{0, 3, 0}, 1.125}, egg).size(), 1U);
+  EXPECT_TRUE(faces_within(Ball{{0, 3, 0}, 0.875}, egg).empty());
+  const HalfSpace floor({0, 0, 0}, {0, 0, 1});
+  const PairQuery above{.pose_a = Pose::translation(0, 0, 3.5)}, sunk{.pose_a = Pose::translation(0, 0, 2.5)};
+  EXPECT_FALSE(overlap(egg, floor, above));
+  EXPECT_EQ(relation(egg, floor, sunk).kind, RelationKind::overlapping);
+  EXPECT_LE(penetration(floor, egg, {.pose_b = Pose::translation(0, 0, 2.5)}).lower, 0.5);
+  EXPECT_GE(penetration(floor, egg, {.pose_b = Pose::translation(0, 0, 2.5)}).upper, 0.5);
+  const ShapeHit falling = cast_shape(egg, {0, 0, -1}, floor, above);
+  EXPECT_TRUE(falling.hit);
+  EXPECT_LE(falling.lower, 0.5);
+  EXPECT_GE(falling.upper, 0.5);
+  EXPECT_TRUE(cast_shape(floor, {0, 0, 1}, egg, {.pose_b = Pose::translation(0, 0, 3.5)}).hit);
+}
+
+TEST(SmoothModels, ManyQuestionsAtOnceAreTheSingleOnes) {
+  std::vector<ModelPair> pairs;
+  for (std::uint64_t number = 0; number < 66; ++number) {
+    Random random(smooth_seed + number);
+    const SmoothCase pair = smooth_case(smooth_kinds()[number % 3], smooth_other_kinds()[number % 11],
+                                        smooth_regimes()[number / 6], random);
+    std::visit(
+        [&](const auto& b) {
+          pairs.push_back({smooth_model(pair.a), smooth_model(b), {pair.a.pose, b.pose}});
+        },
+        pair.b);
+  }
+  for (const int threads : {1, 3}) {
+    const BatchOptions options{.threads = threads};
+    const auto met = overlap_each(pairs, options);
+    const auto gaps = distance_each(pairs, options);
+    const auto lies = relation_each(pairs, options);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      EXPECT_EQ(met[i], overlap(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
+      EXPECT_EQ(gaps[i], distance(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
+      EXPECT_EQ(lies[i], relation(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
+    }
+  }
+}
+
+template <class Action>
+std::string smooth_refusal(const Action& action) {
+  try {
+    static_cast<void>(action());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SmoothModels, WhatIsNotAnsweredSaysSo) {
+  Pose flat;
+  flat.linear[2] = {0, 0, 0};
+  const std::string singular = smooth_refusal([&] { return overlap(Cylinder(1, 1), Sphere(1), {.pose_a = flat}); });
+  EXPECT_TRUE(singular.starts_with("model a: the cylinder: the pose")) << singular;
+  EXPECT_NE(singular.find("singular"), std::string::npos);
+  EXPECT_NE(smooth_refusal([] { return penetration(Model(Cone(1, 1)), Model(Point())); }).find("surface"),
+            std::string::npos);
+  EXPECT_NE(smooth_refusal([] { return nearest_point({}, Cylinder(1, 1)); }).find("of a cylinder are not told"),
+            std::string::npos);
+  EXPECT_TRUE(taken_as_solid(Model(Cone(1, 1)), Solid::automatic));
+}
+
+}  // namespace
+}  // namespace toccata::test
