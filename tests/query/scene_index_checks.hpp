@@ -61,6 +61,11 @@ inline Shape shape_in_crowd(Random& random) {
                                           {convex_in_crowd(random), Pose::translation(-1, 0, 0)}};
     return Compound(parts);
   }
+  if (kind == 5) {
+    const double r = random.between(0.25, 1), h = random.between(0.25, 1);
+    if (random.below(3) == 0) return Ellipsoid({r, h, 0.5});
+    return random.below(2) == 0 ? Shape(Cylinder(r, h)) : Shape(Cone(r, h));
+  }
   return convex_in_crowd(random);
 }
 

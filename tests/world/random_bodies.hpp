@@ -14,8 +14,8 @@
 namespace toccata::test {
 
 /// convex: of all kinds, about as large as they are apart; whole: boxes and spheres of small whole numbers, which often
-/// touch exactly; ratio: sizes from 1e-9 to 10; far: a billion units from the origin; any: also meshes open and closed,
-/// height fields, half-spaces and compounds.
+/// touch exactly; ratio: sizes from 1e-9 to 10; far: a billion units from the origin; any: also cylinders,
+/// cones, ellipsoids, meshes open and closed, height fields, half-spaces and compounds.
 inline constexpr std::array<std::string_view, 5> body_families{"convex", "whole", "ratio", "far", "any"};
 
 inline Vec3 vector_in(Random& random, double low, double high) {
@@ -57,7 +57,20 @@ inline Model random_whole(Random& random) {
   return Box({x, y, z});
 }
 
-/// A mesh, height field, half-space, compound or convex shape.
+inline Model random_smooth(Random& random) {
+  const auto length = [&] { return random.between(0.1, 0.75); };
+  const double x = length(), y = length(), z = length();
+  switch (random.below(3)) {
+    case 0:
+      return Cylinder(x, z);
+    case 1:
+      return Cone(x, z);
+    default:
+      return Ellipsoid({x, y, z});
+  }
+}
+
+/// A mesh, height field, half-space, compound, smooth or other convex shape.
 inline Model random_any(Random& random) {
   switch (random.below(12)) {
     case 0:
@@ -72,6 +85,9 @@ inline Model random_any(Random& random) {
     case 4:
       return Model(Compound(
           std::array{CompoundPart{Sphere(0.5)}, CompoundPart{Box({0.25, 0.25, 0.25}), Pose::translation(1, 0, 0)}}));
+    case 5:
+    case 6:
+      return random_smooth(random);
     default:
       return random_convex_model(random);
   }
