@@ -55,10 +55,11 @@ struct CheckArguments : PosedArguments {
 };
 
 struct ViewArguments : CheckArguments {
-  std::string up;         ///< "y" or "z"; empty: as the files say
-  std::string hierarchy;  ///< the name of a bounding volume; empty: none is drawn
-  std::string partition;  ///< the name of a partition of space; empty: none is drawn
-  bool voronoi = false;   ///< the Voronoi regions of convex objects
+  std::string up;             ///< "y" or "z"; empty: as the files say
+  std::string hierarchy;      ///< the name of a bounding volume; empty: none is drawn
+  std::string partition;      ///< the name of a partition of space; empty: none is drawn
+  bool voronoi = false;       ///< the Voronoi regions of convex objects
+  bool voronoi_walk = false;  ///< and the walk of each pair through them
 };
 
 struct DistanceArguments : PosedArguments {};

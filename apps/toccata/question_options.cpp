@@ -69,6 +69,9 @@ void add_view(CLI::App& app, Options& options) {
       ->type_name("PARTITION");
   view->add_flag("--voronoi", arguments.voronoi,
                  "also the Voronoi regions of objects that are convex polytopes: of faces, edges and vertices");
+  view->add_flag("--voronoi-walk", arguments.voronoi_walk,
+                 "also how each pair of convex polytopes is found to be nearest by walking from region to region, "
+                 "feature by feature");
   add_picture(*view, arguments);
   view->add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
       ->check(CLI::IsMember({"y", "z"}));

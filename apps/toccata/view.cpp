@@ -70,6 +70,7 @@ ViewTarget page_target_of(const ViewArguments& arguments) {
   options.partition =
       kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space");
   options.voronoi = arguments.voronoi;
+  options.voronoi_walk = arguments.voronoi_walk;
   return target;
 }
 

@@ -317,6 +317,38 @@ TEST(ViewPage, ManyRoundShapesAreDrawnCoarsely) {
   EXPECT_LT(triangles_of(3000), 60U);
 }
 
+/// Each step begins with the way between the nearest points of two features, ever shorter, to that of the answer.
+TEST(ViewPage, DrawsTheWalkThroughVoronoiRegions) {
+  Scene scene;
+  scene.objects.push_back({"A", Box{{1, 1, 1}}, {}, Solid::automatic, "", {}, ""});
+  scene.objects.push_back({"B", Box{{1, 1, 1}}, Pose::translation(3.5, 0.5, 0.25), Solid::automatic, "", {}, ""});
+  ViewOptions options;
+  options.voronoi = options.voronoi_walk = true;
+  const Page page = page_of(scene, {}, options);
+  ASSERT_EQ(page.header["layers"].size(), 3U);
+  const Json& layer = page.header["layers"][2];
+  EXPECT_EQ(layer["kind"], "segments");
+  EXPECT_EQ(layer["name"], "A and B: Voronoi walk");
+  const auto numbers = page.numbers<float>(layer["data"]);
+  double before = 1e9;
+  for (const Json& step : layer["steps"]) {
+    const std::size_t at = 6 * step["first"].get<std::size_t>();
+    const auto across = [&](std::size_t axis) { return numbers[at + 3 + axis] - numbers[at + axis]; };
+    const double length = page.header["frame"]["size"].get<double>() *
+                          std::sqrt(across(0) * across(0) + across(1) * across(1) + across(2) * across(2));
+    EXPECT_LT(length, before);
+    before = length;
+  }
+  EXPECT_GT(layer["steps"].size(), 2U);
+  EXPECT_NEAR(before, 1.5, 1e-6);
+  EXPECT_NE(layer["steps"].back()["note"].get<std::string>().find("1.5 apart: the nearest"), std::string::npos);
+
+  scene.objects.pop_back();
+  EXPECT_THROW(page_of(scene, {}, options), Error);
+  scene.objects.push_back({"ball", Sphere(1), Pose::translation(3, 0, 0), Solid::automatic, "", {}, ""});
+  EXPECT_THROW(page_of(scene, {}, options), Error);
+}
+
 /// The page's boxes are those of the partition, to within the rounding that the page tells.
 TEST(ViewPage, DrawsTheCellsOfAPartition) {
   Scene scene;

@@ -59,6 +59,64 @@ TEST(VoronoiWalk, PenetrationIsDetectedAndLeft) {
   EXPECT_EQ(tracked.state, TrackedPair::State::apart);
 }
 
+// The lecture: "cannot loop forever": each pair of features is strictly nearer than the one before.
+TEST(VoronoiWalk, EveryVisitIsStrictlyNearerAndTheLastIsTheNearest) {
+  std::size_t longest = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    const Moved a = moved_hull(static_cast<std::uint64_t>(seed), 64);
+    const Moved b = moved_hull(static_cast<std::uint64_t>(seed) + 100, 200);
+    const PosedConvex posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 9.0 * seed), {1.6, 1.1, -1.3}});
+    TrackedPair tracked;
+    VoronoiPath path;
+    const Distance distance = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked, path);
+    EXPECT_EQ(distance, distance_by_gjk(posed_a, posed_b)) << seed;
+    ASSERT_FALSE(path.visits.empty()) << seed;
+    for (std::size_t i = 1; i < path.visits.size(); ++i)
+      EXPECT_LT(path.visits[i].distance_squared, path.visits[i - 1].distance_squared) << seed;
+    EXPECT_EQ(path.end, WalkEnd::nearest) << seed;
+    EXPECT_EQ(path.visits.back().on_a, tracked.on_a) << seed;
+    EXPECT_EQ(path.visits.back().on_b, tracked.on_b) << seed;
+    EXPECT_NEAR(path.visits.back().distance_squared, distance.upper * distance.upper, 1e-12) << seed;
+    longest = std::max(longest, path.visits.size());
+  }
+  EXPECT_GT(longest, 8U);
+}
+
+TEST(VoronoiWalk, AWalkIntoPenetrationEndsBelow) {
+  const Moved a = moved_hull(3, 32), b = moved_hull(4, 32);
+  const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(0.4, 0.1, 0.2));
+  TrackedPair tracked;
+  VoronoiPath path;
+  const auto ask = [&] {
+    return distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked, path).upper;
+  };
+  EXPECT_EQ(ask(), 0);
+  EXPECT_EQ(path.end, WalkEnd::below);
+  EXPECT_EQ(ask(), 0);
+  EXPECT_EQ(path.end, WalkEnd::not_walked);
+  EXPECT_TRUE(path.visits.empty());
+}
+
+// By the method that looks at all axes: what it takes for the widest gap is the distance between a vertex and a face
+// and between two edges.
+TEST(VoronoiWalk, TheDistanceIsTheWidestGapOfSeparatingAxes) {
+  Random random(11);
+  int planes = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Moved a = moved_hull(random.below(1000), 8), b = moved_hull(random.below(1000), 10);
+    const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, random.between(-1, 1), 0.3));
+    TrackedPair tracked;
+    const Distance d = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked);
+    EXPECT_EQ(test::gap_fault(posed_a, posed_b, tracked, d.upper), "") << i;
+    if (std::fabs(test::widest_gap(posed_a, posed_b) - d.upper) > 1e-9) continue;
+    ++planes;
+    // What is nearer or farther by a thousandth would be seen.
+    EXPECT_NE(test::gap_fault(posed_a, posed_b, tracked, 0.999 * d.upper), "") << i;
+    EXPECT_NE(test::gap_fault(posed_a, posed_b, tracked, 1.001 * d.upper), "") << i;
+  }
+  EXPECT_GT(planes, 10);
+}
+
 TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
   Random random(9);
   const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <ranges>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -132,14 +135,81 @@ inline std::pair<Pose, Pose> walked_poses(const std::string& family, const Walke
   return {a, b};
 }
 
+inline std::vector<Vec3> world_vertices(const PosedConvex& shape) {
+  std::vector<Vec3> vertices;
+  for (Index i = 0; i < shape.vertex_count(); ++i) vertices.push_back(shape.vertex(i));
+  return vertices;
+}
+
+/// How far apart along an axis, of whatever length; negative where they overlap.
+inline double gap_along(const Vec3& axis, std::span<const Vec3> a, std::span<const Vec3> b) {
+  const auto along = [&](const Vec3& v) { return dot(axis, v); };
+  const auto [least_a, greatest_a] = std::ranges::minmax(a | std::views::transform(along));
+  const auto [least_b, greatest_b] = std::ranges::minmax(b | std::views::transform(along));
+  return std::max(least_a - greatest_b, least_b - greatest_a) / std::sqrt(dot(axis, axis));
+}
+
+/// The ways of edges, each once, and the normals of faces, in the world.
+struct AxesOf {
+  std::vector<Vec3> edges, normals;
+};
+
+inline AxesOf axes_of(const PosedConvex& shape) {
+  AxesOf axes;
+  const HullTopology t = shape.topology();
+  for (Index h = 0; h < t.origin.size(); ++h)
+    if (h < t.twin[h]) axes.edges.push_back(shape.vertex(t.target(h)) - shape.vertex(t.origin[h]));
+  for (Index f = 0; f < t.face_count(); ++f) {
+    const Index h = t.face_start[f], next = t.next(h);
+    const Vec3 along = shape.vertex(t.target(h)) - shape.vertex(t.origin[h]);
+    axes.normals.push_back(cross(along, shape.vertex(t.target(next)) - shape.vertex(t.origin[next])));
+  }
+  return axes;
+}
+
+/// The widest gap between the cores along any axis of the method of separating axes, in doubles.
+inline double widest_gap(const PosedConvex& a, const PosedConvex& b) {
+  const std::vector<Vec3> vertices_a = world_vertices(a), vertices_b = world_vertices(b);
+  const AxesOf of_a = axes_of(a), of_b = axes_of(b);
+  double widest = -std::numeric_limits<double>::infinity();
+  const auto look = [&](const Vec3& axis) { widest = std::max(widest, gap_along(axis, vertices_a, vertices_b)); };
+  for (const std::vector<Vec3>* normals : {&of_a.normals, &of_b.normals})
+    for (const Vec3& normal : *normals)
+      if (!(normal == Vec3{})) look(normal);
+  for (const Vec3& e : of_a.edges)
+    for (const Vec3& f : of_b.edges) {
+      const Vec3 axis = cross(e, f);
+      if (dot(axis, axis) > 1e-18 * dot(e, e) * dot(f, f)) look(axis);
+    }
+  return widest;
+}
+
+/// Between a vertex and a face and between two edges the distance is the widest gap of separating axes; between other
+/// features it is wider. The fault, or nothing.
+inline std::string gap_fault(const PosedConvex& a, const PosedConvex& b, const TrackedPair& walked, double distance) {
+  if (distance == 0) return "";
+  using Kind = ConvexFeature::Kind;
+  const Kind on_a = walked.on_a.kind, on_b = walked.on_b.kind;
+  const bool is_plane = on_a == Kind::face || on_b == Kind::face || (on_a == Kind::edge && on_b == Kind::edge);
+  const double cores = distance + a.radius() + b.radius(), gap = widest_gap(a, b);
+  const Vec3 across = a.vertex(0) - b.vertex(0);
+  const double off = 1e-6 * (cores + std::sqrt(dot(across, across)));
+  if (gap > cores + off) return "nearer than the widest gap of separating axes";
+  return is_plane && gap < cores - off ? "farther than the widest gap of separating axes" : "";
+}
+
 /// What is wrong with an answer, compared with answers that know nothing; or nothing. The number of separating axes
 /// grows with the product of the numbers of vertices: of large hulls they are asked at the first step only.
-inline std::string walk_fault(const PosedConvex& a, const PosedConvex& b, const Distance& walked, bool first) {
+inline std::string walk_fault(const PosedConvex& a, const PosedConvex& b, const Distance& walked,
+                              const TrackedPair& tracked, bool first) {
   const Distance cold = distance_by_gjk(a, b);
   if (!(walked == cold)) return "another distance than by GJK";
   const bool few = a.vertex_count() * b.vertex_count() <= 20'000;
   if ((few || first) && overlap_by_separating_axes(a, b) != (walked.upper == 0))
     return "another relation than by separating axes";
+  const Index axes = a.vertex_count() * b.vertex_count();
+  if (axes <= 150 || (first && axes <= 1200))
+    if (std::string fault = gap_fault(a, b, tracked, walked.upper); !fault.empty()) return fault;
   const Distance usual = distance(a, b);
   const bool agree = usual.lower <= walked.upper && walked.lower <= usual.upper;
   return agree ? "" : "an interval that the usual one does not meet";
@@ -156,7 +226,7 @@ inline std::string fault_of_walks(const std::string& family, Random& random, int
     const PosedConvex a = posed({pair.a, pose_a}), b = posed({pair.b, pose_b});
     const std::uint64_t before = tracked.counts.steps;
     const Distance walked = distance_by_voronoi_walk(a, regions_a, b, regions_b, tracked);
-    std::string fault = walk_fault(a, b, walked, i == 0);
+    std::string fault = walk_fault(a, b, walked, tracked, i == 0);
     const Distance back = distance_by_voronoi_walk(b, regions_b, a, regions_a, exchanged);
     if (back.lower != walked.lower || back.upper != walked.upper) fault = "exchanged, another distance";
     if (tracked.counts.steps - before > features) fault = "more steps than features";

@@ -27,6 +27,9 @@ struct ViewOptions {
   std::optional<PartitionKind> partition{};
   /// Of every object, which have to be convex polytopes, the Voronoi regions of its faces, edges and vertices.
   bool voronoi = false;
+  /// Of every pair of objects, which have to be convex polytopes, the features that `distance_by_voronoi_walk` visits
+  /// from a vertex of each on, one after the other. At most 32 pairs.
+  bool voronoi_walk = false;
 };
 
 /// One HTML page that shows a scene and what was found in it, whatever was asked: self-contained, so that it opens from

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/voronoi_regions.hpp"
@@ -32,6 +33,30 @@ struct TrackedPair {
   VoronoiCounts counts{};
 };
 
+/// Where a walk has ended.
+enum class WalkEnd : std::uint8_t {
+  nearest,     ///< no plane of either region is violated
+  tie,         ///< one is, but beyond it nothing is nearer in doubles
+  below,       ///< a feature has come to lie behind a face: the shapes seem to meet
+  not_walked,  ///< the cores met at the last question, so that GJK was asked at once
+};
+
+/// A place on the way of a walk: a feature of each shape, and their nearest points, which lie inside both, as far as
+/// doubles tell; in the world.
+struct VoronoiVisit {
+  ConvexFeature on_a;
+  ConvexFeature on_b;
+  Vec3 point_a;
+  Vec3 point_b;
+  double distance_squared = 0;  ///< less at each visit than at the one before
+};
+
+/// The way of a walk, from the features it began at to those it ended at. Empty where it found itself below at once.
+struct VoronoiPath {
+  std::vector<VoronoiVisit> visits{};
+  WalkEnd end = WalkEnd::not_walked;
+};
+
 /// The distance by walking from one Voronoi region to the next, from the nearest features of the last question: where
 /// shapes move little, a few steps lead to the present ones, however many features there are (M. Lin, J. Canny, "A Fast
 /// Algorithm for Incremental Distance Calculation", 1991; B. Mirtich, "V-Clip: Fast and Robust Polyhedral Collision
@@ -44,5 +69,11 @@ struct TrackedPair {
 [[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
                                                 const PosedConvex& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked);
+
+/// The same, and tells the way, for pictures and teaching. It is walked from what is kept even where a proof would have
+/// told at once that nothing has changed; the answer is the same.
+[[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
+                                                const PosedConvex& b, const VoronoiRegions& regions_b,
+                                                TrackedPair& tracked, VoronoiPath& path);
 
 }  // namespace toccata

@@ -15,6 +15,7 @@
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "io/view/voronoi_layers.hpp"
+#include "io/view/voronoi_walk_layers.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
@@ -86,6 +87,7 @@ std::string page_of(const Scene& scene, std::span<const Posed> models, const Sce
     append(layers, io::hierarchy_layers(models, volume, data));
   if (options.partition) append(layers, io::partition_layers(models, *options.partition, data));
   if (options.voronoi) append(layers, io::voronoi_layers(models, meshes, data));
+  if (options.voronoi_walk) append(layers, io::voronoi_walk_layers(models, meshes, data));
   return io::filled_page(header, report_of(scene, models, answer, warnings), data);
 }
 

@@ -141,18 +141,18 @@ class VoronoiCells {
 };
 
 /// How far cells are drawn: a share of the size.
-double reach_of(const std::vector<Vec3>& vertices) {
-  Vec3 lower = vertices[0], upper = vertices[0];
-  for (const Vec3& v : vertices)
+double reach_of(const ConvexHull& hull) {
+  Vec3 lower = hull.vertex(0), upper = lower;
+  for (Index i = 1; i < hull.vertex_count(); ++i)
     for (int axis = 0; axis < 3; ++axis) {
-      lower[axis] = std::min(lower[axis], v[axis]);
-      upper[axis] = std::max(upper[axis], v[axis]);
+      lower[axis] = std::min(lower[axis], hull.vertex(i)[axis]);
+      upper[axis] = std::max(upper[axis], hull.vertex(i)[axis]);
     }
   return 0.2 * plain_length(upper - lower);
 }
 
-Json layer_of(const ConvexHull& hull, double reach, const ViewMeshes& meshes, ViewData& data) {
-  VoronoiCells cells(hull, reach);
+Json layer_of(const ConvexHull& hull, const ViewMeshes& meshes, ViewData& data) {
+  VoronoiCells cells(hull, reach_of(hull));
   Json steps = Json::array();
   std::vector<float> numbers;
   const auto add = [&](const char* label, const std::vector<Vec3>& corners) {
@@ -168,22 +168,26 @@ Json layer_of(const ConvexHull& hull, double reach, const ViewMeshes& meshes, Vi
 
 }  // namespace
 
+ConvexHull world_polytope(const Posed& posed) {
+  const std::string name = as_utf8(posed.name);
+  std::vector<Vec3> vertices;
+  try {
+    vertices = transform(posed.pose, corners_of(posed));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{} has no Voronoi regions to draw: {}", name, error.what()));
+  }
+  ConvexHull hull(vertices);
+  if (hull.vertex_count() > most_vertices)
+    throw Error(fmt::format("{} has {} vertices: the Voronoi regions of more than {} are too many to look at", name,
+                            hull.vertex_count(), most_vertices));
+  return hull;
+}
+
 std::vector<Json> voronoi_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
   std::vector<Json> layers;
   for (const Posed& posed : models) {
-    const std::string name = as_utf8(posed.name);
-    std::vector<Vec3> vertices;
-    try {
-      vertices = transform(posed.pose, corners_of(posed));
-    } catch (const Error& error) {
-      throw Error(fmt::format("{} has no Voronoi regions to draw: {}", name, error.what()));
-    }
-    const ConvexHull hull(vertices);
-    if (hull.vertex_count() > most_vertices)
-      throw Error(fmt::format("{} has {} vertices: the Voronoi regions of more than {} are too many to look at", name,
-                              hull.vertex_count(), most_vertices));
-    Json& layer = layers.emplace_back(layer_of(hull, reach_of(vertices), meshes, data));
-    layer["name"] = fmt::format("{}: Voronoi regions", name);
+    Json& layer = layers.emplace_back(layer_of(world_polytope(posed), meshes, data));
+    layer["name"] = fmt::format("{}: Voronoi regions", as_utf8(posed.name));
   }
   return layers;
 }

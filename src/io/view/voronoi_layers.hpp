@@ -7,11 +7,16 @@
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/shapes/convex_hull.hpp"
 
 namespace toccata::io {
 
+/// A convex polytope at its place: the hull of its vertices in the world. Throws Error naming an object that is none,
+/// or has more than 2,000 vertices.
+[[nodiscard]] ConvexHull world_polytope(const Posed& posed);
+
 /// A layer for every convex polytope: its Voronoi regions as closed cells up to some distance, a step for each kind of
-/// feature. Throws Error naming an object that is none, or has more than 2,000 vertices.
+/// feature. Throws Error as `world_polytope`.
 [[nodiscard]] std::vector<nlohmann::ordered_json> voronoi_layers(std::span<const Posed> models,
                                                                  const ViewMeshes& meshes, ViewData& data);
 

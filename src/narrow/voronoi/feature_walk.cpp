@@ -273,18 +273,21 @@ class Walk {
   FeaturesNear best_;
 };
 
-}  // namespace
-
-FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a, const ConvexFeature& on_b) {
-  Walk walk(a, b);
+/// From the features to the nearest ones.
+FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& on_b, VoronoiPath* path) {
   FeatureWalk result;
+  const auto visit = [&](const FeaturesNear& near) {
+    result.near = near;
+    if (path != nullptr)
+      path->visits.push_back({near.feature[0], near.feature[1], near.on[0], near.on[1], near.squared});
+  };
   const std::optional<FeaturesNear> start = walk.nearest(on_a, on_b);
   if (!start) {
     result.end = WalkEnd::below;
     result.near.feature = {on_a, on_b};
     return result;
   }
-  result.near = *start;
+  visit(*start);
   while (true) {
     bool below = false;
     const Descent step = walk.steepest(result.near, below);
@@ -295,8 +298,19 @@ FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeat
     result.end = next ? WalkEnd::tie : WalkEnd::below;
     // Strictly: the squares of distances that were reached never come again, and there are finitely many.
     if (!next || !(next->squared < result.near.squared)) return result;
-    result.near = *next;
+    visit(*next);
   }
+}
+
+}  // namespace
+
+FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a, const ConvexFeature& on_b,
+                          VoronoiPath* path) {
+  if (path != nullptr) path->visits.clear();
+  Walk walk(a, b);
+  const FeatureWalk result = walked(walk, on_a, on_b, path);
+  if (path != nullptr) path->end = result.end;
+  return result;
 }
 
 }  // namespace toccata

@@ -6,6 +6,7 @@
 
 #include "narrow/voronoi/region_parts.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/narrow/voronoi_walk.hpp"
 
 namespace toccata {
 
@@ -23,13 +24,6 @@ struct FeaturesNear {
   double squared = 0;      ///< between · between
 };
 
-/// Where a walk has ended.
-enum class WalkEnd : std::uint8_t {
-  nearest,  ///< no plane of either region is violated
-  tie,      ///< one is, but beyond it nothing is nearer in doubles
-  below,    ///< a feature has come to lie behind a face: the shapes seem to meet
-};
-
 struct FeatureWalk {
   FeaturesNear near;
   WalkEnd end = WalkEnd::nearest;
@@ -39,8 +33,8 @@ struct FeatureWalk {
 /// Walks from a vertex, an edge or a face of each, not two faces nor a face and an edge, to the nearest features; after
 /// B. Mirtich, "V-Clip: Fast and Robust Polyhedral Collision Detection", 1998. Every step leads through a plane that is
 /// violated to a feature of one dimension more, and from there to whatever of its boundary is nearest; it counts only
-/// when the distance has become less. So it ends, whatever rounding does.
+/// when the distance has become less. So it ends, whatever rounding does. The way is recorded where it is asked for.
 [[nodiscard]] FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a,
-                                        const ConvexFeature& on_b);
+                                        const ConvexFeature& on_b, VoronoiPath* path = nullptr);
 
 }  // namespace toccata

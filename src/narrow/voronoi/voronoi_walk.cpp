@@ -96,12 +96,13 @@ void put_in_order(std::array<Index, 3>& vertices, std::size_t count) {
 class TrackedQuestion {
  public:
   TrackedQuestion(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
-                  const VoronoiRegions& regions_b, TrackedPair& tracked)
+                  const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath* path)
       : body_a_{&regions_a.parts(), &a.pose()},
         body_b_{&regions_b.parts(), &b.pose()},
         a_(a, kernels_),
         b_(b, kernels_),
-        tracked_(tracked) {}
+        tracked_(tracked),
+        path_(path) {}
 
   Distance distance() {
     ++tracked_.counts.questions;
@@ -109,10 +110,10 @@ class TrackedQuestion {
                           has(*body_b_.parts, tracked_.on_b) && is_walked(tracked_.on_a, tracked_.on_b);
     if (!is_known) forget();
     if (is_known && tracked_.cores_meet) return searched();
-    if (is_known && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
+    if (is_known && path_ == nullptr && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
         !has_more_corners(*body_b_.parts, tracked_.on_b))
       if (const auto distance = proved({tracked_.on_a, tracked_.on_b}, {})) return kept(*distance);
-    const FeatureWalk walk = walk_features(body_a_, body_b_, tracked_.on_a, tracked_.on_b);
+    const FeatureWalk walk = walk_features(body_a_, body_b_, tracked_.on_a, tracked_.on_b, path_);
     tracked_.counts.steps += walk.steps;
     tracked_.on_a = walk.near.feature[0];
     tracked_.on_b = walk.near.feature[1];
@@ -202,15 +203,27 @@ class TrackedQuestion {
   SupportKernels kernels_{};
   SupportSearch a_, b_;  // of these kernels
   TrackedPair& tracked_;
+  VoronoiPath* path_;
 };
+
+Distance answered(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+                  const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath* path) {
+  require_regions_of(a, regions_a, "A");
+  require_regions_of(b, regions_b, "B");
+  return TrackedQuestion(a, regions_a, b, regions_b, tracked, path).distance();
+}
 
 }  // namespace
 
 Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
                                   const VoronoiRegions& regions_b, TrackedPair& tracked) {
-  require_regions_of(a, regions_a, "A");
-  require_regions_of(b, regions_b, "B");
-  return TrackedQuestion(a, regions_a, b, regions_b, tracked).distance();
+  return answered(a, regions_a, b, regions_b, tracked, nullptr);
+}
+
+Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+                                  const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath& path) {
+  path = {};
+  return answered(a, regions_a, b, regions_b, tracked, &path);
 }
 
 }  // namespace toccata

@@ -1,0 +1,110 @@
+#include "io/view/voronoi_walk_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/formats/utf8.hpp"
+#include "io/view/voronoi_layers.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/narrow/voronoi_walk.hpp"
+
+namespace toccata::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = ConvexFeature::Kind;
+
+constexpr std::size_t most_pairs = 32;
+
+/// A polytope in the world.
+struct Walked {
+  std::string name;
+  ConvexHull hull;
+  VoronoiRegions regions;
+};
+
+std::string name_of(const ConvexFeature& feature) {
+  const char* kind = feature.kind == Kind::vertex ? "vertex" : feature.kind == Kind::edge ? "edge" : "face";
+  return fmt::format("{} {}", kind, feature.index);
+}
+
+const char* words_of(WalkEnd end) {
+  if (end == WalkEnd::nearest) return "the nearest";
+  return end == WalkEnd::tie ? "the nearest, but for rounding"
+                             : "the walk has come behind a face, so GJK tells the rest";
+}
+
+/// Ends of segments: the edges of a feature.
+void add_edges(const VoronoiRegions& regions, const ConvexFeature& feature, std::vector<Vec3>& ends) {
+  const HullTopology& t = regions.topology();
+  const auto add = [&](Index half_edge) {
+    ends.push_back(regions.vertex(t.origin[half_edge]));
+    ends.push_back(regions.vertex(t.target(half_edge)));
+  };
+  if (feature.kind == Kind::edge) add(feature.index);
+  if (feature.kind == Kind::face)
+    for (Index h = t.face_start[feature.index]; h < t.face_start[feature.index + 1]; ++h) add(h);
+}
+
+/// What is drawn at a visit.
+std::vector<Vec3> ends_at(const Walked& a, const Walked& b, const std::vector<VoronoiVisit>& visits, std::size_t i) {
+  std::vector<Vec3> ends{visits[i].point_a, visits[i].point_b};
+  add_edges(a.regions, visits[i].on_a, ends);
+  add_edges(b.regions, visits[i].on_b, ends);
+  for (std::size_t k = 0; k < i; ++k) {
+    ends.insert(ends.end(), {visits[k].point_a, visits[k + 1].point_a});
+    ends.insert(ends.end(), {visits[k].point_b, visits[k + 1].point_b});
+  }
+  return ends;
+}
+
+std::string note_of(const VoronoiPath& path, std::size_t i) {
+  const VoronoiVisit& visit = path.visits[i];
+  const std::string apart =
+      fmt::format("{}, {}; {:.6g} apart", name_of(visit.on_a), name_of(visit.on_b), std::sqrt(visit.distance_squared));
+  return i + 1 < path.visits.size() ? apart : fmt::format("{}: {}", apart, words_of(path.end));
+}
+
+Json layer_of(const Walked& a, const Walked& b, const ViewMeshes& meshes, ViewData& data) {
+  TrackedPair tracked;
+  VoronoiPath path;
+  const PosedConvex posed_a(a.hull), posed_b(b.hull);
+  (void)distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked, path);
+  Json steps = Json::array();
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < path.visits.size(); ++i) {
+    const std::size_t first = numbers.size() / 6;
+    for (const Vec3& end : ends_at(a, b, path.visits, i))
+      for (const float number : meshes.frame().shown(end)) numbers.push_back(number);
+    steps.push_back({{"label", fmt::format("{} of {}", i + 1, path.visits.size())},
+                     {"note", note_of(path, i)},
+                     {"first", first},
+                     {"count", numbers.size() / 6 - first}});
+  }
+  return {{"kind", "segments"},
+          {"role", "voronoi-walk"},
+          {"name", fmt::format("{} and {}: Voronoi walk", a.name, b.name)},
+          {"data", data.add(numbers)},
+          {"steps", steps}};
+}
+
+}  // namespace
+
+std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
+  const std::size_t pairs = models.size() * (models.size() - 1) / 2;
+  if (models.size() < 2 || pairs > most_pairs)
+    throw Error(fmt::format("--voronoi-walk is about 1 to {} pairs of objects, and here are {}: give two objects",
+                            most_pairs, models.size() < 2 ? 0 : pairs));
+  std::vector<Walked> walked;
+  for (const Posed& posed : models) {
+    const ConvexHull hull = world_polytope(posed);
+    walked.push_back({as_utf8(posed.name), hull, VoronoiRegions(hull)});
+  }
+  std::vector<Json> layers;
+  for (std::size_t a = 0; a < walked.size(); ++a)
+    for (std::size_t b = a + 1; b < walked.size(); ++b) layers.push_back(layer_of(walked[a], walked[b], meshes, data));
+  return layers;
+}
+
+}  // namespace toccata::io
