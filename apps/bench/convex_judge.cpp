@@ -5,6 +5,7 @@
 
 #include "convex_questions.hpp"
 #include "oracle/penetration.hpp"
+#include "oracle/smooth.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -71,8 +72,45 @@ class Truth {
   oracle::ConvexSet b_;
 };
 
+oracle::FineSet fine_set_of(const PosedConvex& shape) {
+  std::vector<Vec3> vertices;
+  for (Index i = 0; i < shape.vertex_count(); ++i) vertices.push_back(shape.vertex(i));
+  return oracle::hull_set_of(vertices, shape.radius());
+}
+
+oracle::FineSet fine_set_of(const PosedSmooth& shape) {
+  constexpr oracle::FineKind kinds[] = {oracle::FineKind::cylinder, oracle::FineKind::cone,
+                                        oracle::FineKind::ellipsoid};
+  return oracle::smooth_set(kinds[static_cast<std::size_t>(shape.kind())], shape.half(), shape.pose());
+}
+
+oracle::FineSet fine_set_of(const ConvexBody& body, const Pose& pose) {
+  return std::visit([&]<class Shape>(const Shape& shape) { return fine_set_of(PosedAs<Shape>(shape, pose)); }, body);
+}
+
+/// The two shapes of a question of which one is smooth, with 60 digits.
+class FineTruth {
+ public:
+  FineTruth(const ConvexWork& work, const ConvexQuestion& question)
+      : task_(work.task),
+        near_(fine_nearness(fine_set_of(work.pairs[question.pair].a, question.a),
+                            fine_set_of(work.pairs[question.pair].b, question.b), 1e-14, 400)) {}
+
+  bool is_right(const ConvexAnswer& answer, double tolerance) const {
+    if (std::isnan(answer.lower) || std::isnan(answer.upper)) return false;
+    if (answer.overlap ? near_.lower > tolerance : near_.meet && near_.depth > tolerance) return false;
+    if (task_ == ConvexTask::overlap) return true;
+    return near_.upper >= answer.lower - tolerance && near_.lower <= answer.upper + tolerance;
+  }
+
+ private:
+  ConvexTask task_;
+  oracle::FineNearness near_;
+};
+
+template <class AnyTruth>
 void judge_one(const ConvexWork& work, std::size_t query, std::vector<ConvexResult>& results) {
-  const Truth truth(work, work.questions[query]);
+  const AnyTruth truth(work, work.questions[query]);
   for (ConvexResult& result : results) {
     const double tolerance = result.who.library == results.front().who.library ? 0 : convex_tolerance;
     if (!truth.is_right(result.answers[query], tolerance)) ++result.wrong;
@@ -93,7 +131,7 @@ void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& res
       ++result.disagreements;
     }
     if (any) ++results.front().disagreements;
-    if (any || judged == Judged::all) judge_one(work, query, results);
+    if (any || judged == Judged::all) has_smooth(work.pair) ? judge_one<FineTruth>(work, query, results) : judge_one<Truth>(work, query, results);
   }
 }
 

@@ -3,19 +3,29 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "library.hpp"
 #include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
 
 // Questions about pairs of convex shapes, and who answers them.
 namespace toccata::bench {
 
 enum class ConvexTask { overlap, distance, penetration, manifold };
 
-/// Around the origin of its own frame; capsules along z.
-using ConvexBody = std::variant<Sphere, Box, Capsule, Triangle, ConvexHull>;
+/// Around the origin of its own frame; capsules, cylinders and cones along z.
+using ConvexBody = std::variant<Sphere, Box, Capsule, Triangle, ConvexHull, Cylinder, Cone, Ellipsoid>;
+
+/// A cylinder, a cone or an ellipsoid.
+template <class Shape>
+concept Smooth = std::is_constructible_v<PosedSmooth, const Shape&, const Pose&>;
+
+/// What the library takes a shape at its place as.
+template <class Shape>
+using PosedAs = std::conditional_t<Smooth<Shape>, PosedSmooth, PosedConvex>;
 
 struct ConvexPair {
   ConvexBody a;
@@ -75,6 +85,9 @@ struct ConvexOffer {
   std::vector<Unasked> unasked;
 };
 
+/// A shape of the pairs is a cylinder, a cone or an ellipsoid.
+bool has_smooth(const std::string& pair);
+
 /// The pairs that --pair takes.
 std::vector<std::string> convex_pairs();
 
@@ -102,6 +115,9 @@ auto with_types(const std::string& pair, Function function) {
   if (pair == "sphere-capsule") return function.template operator()<Sphere, Capsule>();
   if (pair == "capsule") return function.template operator()<Capsule, Capsule>();
   if (pair == "capsule-box") return function.template operator()<Capsule, Box>();
+  if (pair == "cylinder-box") return function.template operator()<Cylinder, Box>();
+  if (pair == "cone-box") return function.template operator()<Cone, Box>();
+  if (pair == "ellipsoid") return function.template operator()<Ellipsoid, Ellipsoid>();
   return function.template operator()<ConvexHull, ConvexHull>();
 }
 

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -55,6 +57,13 @@ Capsule random_capsule(Random& random) {
   return Capsule({0, 0, -half_length}, {0, 0, half_length}, radius);
 }
 
+ConvexBody random_round(const std::string& kind, Random& random) {
+  const double radius = random_size(random);
+  const double half_height = random_size(random);
+  if (kind == "cone") return Cone(radius, half_height);
+  return Cylinder(radius, half_height);
+}
+
 Triangle random_triangle(Random& random) {
   const Vec3 p = random_direction(random);
   const Vec3 q = random_direction(random);
@@ -66,6 +75,8 @@ ConvexBody random_body(const std::string& kind, std::size_t vertices, Random& ra
   if (kind == "box") return random_box(random);
   if (kind == "capsule") return random_capsule(random);
   if (kind == "triangle") return random_triangle(random);
+  if (kind == "cylinder" || kind == "cone") return random_round(kind, random);
+  if (kind == "ellipsoid") return Ellipsoid(random_box(random).half_extents());
   return random_hull(vertices, random);
 }
 
@@ -77,16 +88,29 @@ std::pair<std::string, std::string> kinds_of(const std::string& pair) {
 }
 
 /// The radius of a ball around the origin that holds it.
-double reach_of(const ConvexBody& body) {
-  const PosedConvex shape = posed(body, {});
+double reach_of(const PosedSmooth& shape) { return length(shape.half()); }
+
+double reach_of(const PosedConvex& shape) {
   double reach = 0;
   for (Index i = 0; i < shape.vertex_count(); ++i) reach = std::max(reach, length(shape.vertex(i)));
   return reach + shape.radius();
 }
 
+double reach_of(const ConvexBody& body) {
+  return std::visit([]<class Shape>(const Shape& shape) { return reach_of(PosedAs<Shape>(shape, Pose{})); }, body);
+}
+
+Distance distance_of(const ConvexPair& pair, const ConvexQuestion& question) {
+  return std::visit(
+      [&]<class A, class B>(const A& a, const B& b) {
+        return distance(PosedAs<A>(a, question.a), PosedAs<B>(b, question.b));
+      },
+      pair.a, pair.b);
+}
+
 /// Moves B along the shortest way until the gap is 1 % of the smaller shape.
 void leave_gap(const ConvexPair& pair, ConvexQuestion& question) {
-  const Distance now = distance(posed(pair.a, question.a), posed(pair.b, question.b));
+  const Distance now = distance_of(pair, question);
   const double gap = 0.01 * std::min(reach_of(pair.a), reach_of(pair.b));
   if (now.upper == 0) return;
   question.b.offset = question.b.offset + ((gap - now.upper) / now.upper) * (now.on_b - now.on_a);
@@ -132,7 +156,14 @@ void add_walk(std::size_t number, const ConvexPair& pair, std::size_t steps, Ran
 }  // namespace
 
 PosedConvex posed(const ConvexBody& body, const Pose& pose) {
-  return std::visit([&](const auto& shape) { return PosedConvex(shape, pose); }, body);
+  return std::visit(
+      [&]<class Shape>(const Shape& shape) -> PosedConvex {
+        if constexpr (Smooth<Shape>)
+          throw Error("a shape with round sides has no vertices");
+        else
+          return PosedConvex(shape, pose);
+      },
+      body);
 }
 
 ConvexWork convex_work(const ConvexArguments& arguments) {

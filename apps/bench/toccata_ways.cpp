@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "convex_library.hpp"
+#include "convex_questions.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
@@ -64,10 +65,6 @@ OneWay::Way asked_by(SphereBox way) {
     return ConvexAnswer{
         way(PosedSphere(centre, ball.radius), box.centre() - box.half_extents(), box.centre() + box.half_extents())};
   };
-}
-
-PosedConvex posed(const ConvexBody& body, const Pose& pose) {
-  return std::visit([&](const auto& shape) { return PosedConvex(shape, pose); }, body);
 }
 
 using Depth = Penetration (*)(const PosedConvex&, const PosedConvex&);
@@ -131,6 +128,7 @@ void add(std::string name, OneWay::Way way, ConvexOffer& offer) {
 
 ConvexOffer toccata_ways(const ConvexWork& work) {
   ConvexOffer offer;
+  if (has_smooth(work.pair)) return offer;
   if (work.task == ConvexTask::penetration) {
     add("by separating axes", asked_by(penetration_by_separating_axes), offer);
     add("by expansion", asked_by(penetration_by_expansion), offer);

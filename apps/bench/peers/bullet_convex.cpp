@@ -119,19 +119,30 @@ bool has_own_detector(const ConvexWork& work) {
   return work.pair == "sphere-triangle" || (work.pair == "box" && work.task != ConvexTask::distance);
 }
 
+template <class A, class B>
+ConvexOffer offer_for(const ConvexWork& work) {
+  ConvexOffer offer;
+  auto general = std::make_unique<BulletConvex<A, B>>(Method::gjk);
+  if (work.task == ConvexTask::manifold)
+    offer.unasked.push_back({general->description(), "it gives one point; manifolds grow from frame to frame"});
+  else
+    offer.libraries.push_back(std::move(general));
+  if (has_own_detector(work)) offer.libraries.push_back(std::make_unique<BulletConvex<A, B>>(Method::own));
+  return offer;
+}
+
+template <>
+ConvexOffer offer_for<Ellipsoid, Ellipsoid>(const ConvexWork&) {
+  ConvexOffer offer;
+  offer.unasked.push_back(
+      {{"bullet", "GJK and EPA of doubles", TOCCATA_BENCH_BULLET_VERSION, "as packaged"}, "it has no ellipsoid"});
+  return offer;
+}
+
 }  // namespace
 
 ConvexOffer bullet_convex(const ConvexWork& work) {
-  return with_types(work.pair, [&]<class A, class B>() {
-    ConvexOffer offer;
-    auto general = std::make_unique<BulletConvex<A, B>>(Method::gjk);
-    if (work.task == ConvexTask::manifold)
-      offer.unasked.push_back({general->description(), "it gives one point; manifolds grow from frame to frame"});
-    else
-      offer.libraries.push_back(std::move(general));
-    if (has_own_detector(work)) offer.libraries.push_back(std::make_unique<BulletConvex<A, B>>(Method::own));
-    return offer;
-  });
+  return with_types(work.pair, [&]<class A, class B>() { return offer_for<A, B>(work); });
 }
 
 }  // namespace toccata::bench

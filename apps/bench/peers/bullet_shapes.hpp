@@ -2,13 +2,17 @@
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <memory>
 
 #include "toccata/math/pose.hpp"
+#include "toccata/shapes/cone.hpp"
+#include "toccata/shapes/cylinder.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata::bench {
@@ -42,6 +46,15 @@ inline std::unique_ptr<btCapsuleShapeZ> converted(const Capsule& capsule) {
 
 inline std::unique_ptr<btTriangleShape> converted(const Triangle& t) {
   return without_margin(std::make_unique<btTriangleShape>(converted(t[0]), converted(t[1]), converted(t[2])));
+}
+
+inline std::unique_ptr<btCylinderShapeZ> converted(const Cylinder& cylinder) {
+  const double radius = cylinder.radius();
+  return without_margin(std::make_unique<btCylinderShapeZ>(btVector3(radius, radius, cylinder.half_height())));
+}
+
+inline std::unique_ptr<btConeShapeZ> converted(const Cone& cone) {
+  return without_margin(std::make_unique<btConeShapeZ>(cone.radius(), 2 * cone.half_height()));
 }
 
 inline std::unique_ptr<btConvexHullShape> converted(const ConvexHull& hull) {

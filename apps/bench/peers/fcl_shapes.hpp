@@ -2,13 +2,19 @@
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/sphere.h>
 
 #include <memory>
 #include <vector>
 
 #include "toccata/math/pose.hpp"
+#include "toccata/shapes/cone.hpp"
+#include "toccata/shapes/cylinder.hpp"
+#include "toccata/shapes/ellipsoid.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata::bench {
@@ -31,6 +37,12 @@ inline fcl::Boxd converted(const Box& box) {
 }
 
 inline fcl::Capsuled converted(const Capsule& capsule) { return {capsule.radius(), 2 * capsule.end().z}; }
+
+inline fcl::Cylinderd converted(const Cylinder& cylinder) { return {cylinder.radius(), 2 * cylinder.half_height()}; }
+
+inline fcl::Coned converted(const Cone& cone) { return {cone.radius(), 2 * cone.half_height()}; }
+
+inline fcl::Ellipsoidd converted(const Ellipsoid& ellipsoid) { return fcl::Ellipsoidd(converted(ellipsoid.half_axes())); }
 
 inline fcl::Convexd converted(const ConvexHull& hull) {
   auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();

@@ -32,9 +32,15 @@ Geometry converted(const Capsule& capsule) {
   return Geometry(dCreateCapsule(nullptr, capsule.radius(), 2 * capsule.end().z));
 }
 
+Geometry converted(const Cylinder& cylinder) {
+  return Geometry(dCreateCylinder(nullptr, cylinder.radius(), 2 * cylinder.half_height()));
+}
+
 // ODE has none alone, and its convex shapes are not compared; `ode_convex` offers no such pair.
 Geometry converted(const Triangle&) { return nullptr; }
 Geometry converted(const ConvexHull&) { return nullptr; }
+Geometry converted(const Cone&) { return nullptr; }
+Geometry converted(const Ellipsoid&) { return nullptr; }
 
 Geometry converted(const ConvexBody& body) {
   return std::visit([](const auto& shape) { return converted(shape); }, body);
@@ -93,6 +99,7 @@ class OdeConvex : public ConvexLibrary {
 std::string obstacle(const ConvexWork& work) {
   if (work.pair == "hull") return "its convex shapes are not compared here";
   if (work.pair == "sphere-triangle") return "it has triangles only in meshes";
+  if (work.pair == "cone-box" || work.pair == "ellipsoid") return "it has no such shape";
   return work.task == ConvexTask::distance ? "it tells no distances" : "";
 }
 

@@ -17,5 +17,6 @@ namespace toccata {
 [[nodiscard]] Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b);
 [[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b);
 [[nodiscard]] Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& b);
+[[nodiscard]] Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedSmooth& b);
 
 }  // namespace toccata

@@ -12,6 +12,7 @@ namespace toccata {
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedConvex& b);
 [[nodiscard]] Relation relation(const PosedConvex& a, const PosedSmooth& b);
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedHalfSpace& b);
+[[nodiscard]] Relation relation(const PosedHalfSpace& a, const PosedSmooth& b);
 
 // The exact depth lies in [lower, upper]: both ends are proved, upper by the plane that is left between the shapes when
 // B has moved by upper · direction, lower by a polytope within the Minkowski difference. The status is not_converged
@@ -23,5 +24,6 @@ namespace toccata {
 [[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedSmooth& b);
 /// As narrow as a distance.
 [[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedHalfSpace& b);
+[[nodiscard]] Penetration penetration(const PosedHalfSpace& a, const PosedSmooth& b);
 
 }  // namespace toccata

@@ -206,4 +206,8 @@ Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& 
   return cast;
 }
 
+Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedSmooth& b) {
+  return seen_from_other(cast_shape(b, -motion, a), motion);
+}
+
 }  // namespace toccata

@@ -43,12 +43,6 @@ Distance in_world(const SmoothNearest& found, const PairFrame& frame) {
   return result;
 }
 
-Distance exchanged(const Distance& d) {
-  Distance result = d;
-  std::swap(result.on_a, result.on_b);
-  return result;
-}
-
 template <class B>
 SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   const Pair pair(a, b);
@@ -62,12 +56,6 @@ Distance distance_of(const PosedSmooth& a, const B& b) {
 }
 
 }  // namespace
-
-bool comes_before(const PosedSmooth& a, const PosedSmooth& b) {
-  if (a.kind() != b.kind()) return a.kind() < b.kind();
-  if (!(a.half() == b.half())) return lexicographically_less(a.half(), b.half());
-  return a.pose().numbers() < b.pose().numbers();
-}
 
 SmoothContact smooth_contact(const PosedSmooth& a, const PosedSmooth& b) {
   return comes_before(b, a) ? contact_of(b, a) : contact_of(a, b);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/smooth_order.hpp"
 #include "narrow/smooth/smooth_proof.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 
@@ -98,10 +99,8 @@ Distance distance(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(
 Relation relation(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).relation(); }
 Penetration penetration(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).penetration(); }
 
-Distance distance(const PosedHalfSpace& a, const PosedSmooth& b) {
-  Distance result = distance(b, a);
-  std::swap(result.on_a, result.on_b);
-  return result;
-}
+Distance distance(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(distance(b, a)); }
+Relation relation(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(relation(b, a)); }
+Penetration penetration(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(penetration(b, a)); }
 
 }  // namespace toccata

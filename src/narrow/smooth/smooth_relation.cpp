@@ -140,13 +140,6 @@ Penetration penetration_of(const SmoothBody& a, const SmoothBody& b, const PairF
   return result;
 }
 
-Penetration exchanged(const Penetration& p) {
-  Penetration result = p;
-  std::swap(result.on_a, result.on_b);
-  result.direction = -p.direction;
-  return result;
-}
-
 /// Every point of B's hull lies in A.
 bool is_hull_within(const SmoothBody& a, const SmoothBody& b) {
   if (b.column_count() > 0 || b.atom_count() > 64) return false;
@@ -169,15 +162,6 @@ Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
   result.kind = b_solid ? RelationKind::overlapping : RelationKind::crossing;
   if (is_hull_within(a, b)) result.containment = Containment::b_in_a;
   return result;
-}
-
-Relation exchanged(Relation r) {
-  std::swap(r.a_solid, r.b_solid);
-  if (r.containment == Containment::a_in_b)
-    r.containment = Containment::b_in_a;
-  else if (r.containment == Containment::b_in_a)
-    r.containment = Containment::a_in_b;
-  return r;
 }
 
 }  // namespace
