@@ -39,8 +39,7 @@ concept OneIsSmooth = std::is_same_v<A, PosedSmooth> || std::is_same_v<B, PosedS
 
 /// Of shapes with round sides only this is compared (`run_convex` refuses the rest).
 template <class A, class B>
-  requires OneIsSmooth<A, B>
-ConvexAnswer asked(ConvexTask task, const A& a, const B& b, ConvexWorkspace*) {
+requires OneIsSmooth<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, ConvexWorkspace*) {
   if (task == ConvexTask::overlap) return {overlap(a, b)};
   const Distance d = distance(a, b);
   return {d.lower == 0, d.lower, d.upper};

@@ -42,7 +42,9 @@ inline fcl::Cylinderd converted(const Cylinder& cylinder) { return {cylinder.rad
 
 inline fcl::Coned converted(const Cone& cone) { return {cone.radius(), 2 * cone.half_height()}; }
 
-inline fcl::Ellipsoidd converted(const Ellipsoid& ellipsoid) { return fcl::Ellipsoidd(converted(ellipsoid.half_axes())); }
+inline fcl::Ellipsoidd converted(const Ellipsoid& ellipsoid) {
+  return fcl::Ellipsoidd(converted(ellipsoid.half_axes()));
+}
 
 inline fcl::Convexd converted(const ConvexHull& hull) {
   auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();

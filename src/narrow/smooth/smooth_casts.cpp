@@ -162,7 +162,7 @@ Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedSmooth& target)
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b) {
   require_motion(motion);
   const PairFrame frame = pair_frame(a, b);
-  return cast_bodies(a, motion, frame, SmoothBody(b, frame, support_kernels()));
+  return cast_bodies(a, motion, frame, SmoothBody(b, frame));
 }
 
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedSmooth& b) {

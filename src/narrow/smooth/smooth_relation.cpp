@@ -174,7 +174,7 @@ Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
 
 Relation relation(const PosedSmooth& a, const PosedConvex& b) {
   const PairFrame frame = pair_frame(a, b);
-  return relation_of(SmoothBody(a, frame), SmoothBody(b, frame, support_kernels()), b.solid());
+  return relation_of(SmoothBody(a, frame), SmoothBody(b, frame), b.solid());
 }
 
 Relation relation(const PosedConvex& a, const PosedSmooth& b) { return exchanged(relation(b, a)); }
@@ -189,7 +189,7 @@ Penetration penetration(const PosedSmooth& a, const PosedConvex& b) {
   if (!b.solid())
     throw Error("penetration: the second shape is a surface, which has no interior to leave; ask for the distance");
   const PairFrame frame = pair_frame(a, b);
-  return penetration_of(SmoothBody(a, frame), SmoothBody(b, frame, support_kernels()), frame);
+  return penetration_of(SmoothBody(a, frame), SmoothBody(b, frame), frame);
 }
 
 Penetration penetration(const PosedConvex& a, const PosedSmooth& b) {

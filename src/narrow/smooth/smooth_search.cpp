@@ -50,10 +50,10 @@ std::array<double, 4> weights_of(const std::array<Vec3, 4>& p, std::size_t size,
 
 }  // namespace
 
-SmoothSearch::SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction)
+SmoothSearch::SmoothSearch(const PlainBody& a, const PlainBody& b, const Vec3& first_direction)
     : a_(a), b_(b), direction_(first_direction == Vec3{} ? Vec3{0, 0, 1} : first_direction) {}
 
-SmoothSearch::SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction, const Mat3& map)
+SmoothSearch::SmoothSearch(const PlainBody& a, const PlainBody& b, const Vec3& first_direction, const Mat3& map)
     : SmoothSearch(a, b, first_direction) {
   map_ = map;
 }

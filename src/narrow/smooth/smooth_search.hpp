@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "narrow/convex/gjk_simplex.hpp"
-#include "narrow/smooth/smooth_body.hpp"
+#include "narrow/smooth/plain_body.hpp"
 #include "toccata/math/mat3.hpp"
 
 namespace toccata {
@@ -15,10 +15,10 @@ namespace toccata {
 /// in doubles: a guess that is to be proved. It goes on where it was left.
 class SmoothSearch {
  public:
-  SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction);
+  SmoothSearch(const PlainBody& a, const PlainBody& b, const Vec3& first_direction);
   /// The same in the image of the pair's frame under a linear map, where slim shapes may be round: what is nearest is
   /// another point there, but whether they meet is the same.
-  SmoothSearch(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction, const Mat3& map);
+  SmoothSearch(const PlainBody& a, const PlainBody& b, const Vec3& first_direction, const Mat3& map);
 
   /// Goes on until a step would bring the nearest point nearer by less than this part of its distance, the origin
   /// seems to be inside, or nothing is gained. At most 128 steps in all.
@@ -50,8 +50,8 @@ class SmoothSearch {
   /// Tells whether the search may go on.
   bool step(double part);
 
-  const SmoothBody& a_;
-  const SmoothBody& b_;
+  const PlainBody& a_;
+  const PlainBody& b_;
   std::optional<Mat3> map_;
   GjkSimplex simplex_;  // the pairs name slots
   std::array<SmoothSupport, 5> slot_a_;

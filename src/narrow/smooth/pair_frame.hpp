@@ -1,0 +1,26 @@
+#pragma once
+
+#include "math/bounded_number.hpp"
+#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
+
+namespace toccata {
+
+/// Where the searches and proofs for a pair happen: the world moved by −origin and multiplied by a power of two, so
+/// that neither a place far from the origin nor tiny or huge lengths cost digits.
+struct PairFrame {
+  Vec3 origin;
+  double factor = 1;
+
+  [[nodiscard]] Vec3 plainly_placed(const Vec3& world) const {
+    return factor < 1 ? factor * world - factor * origin : factor * (world - origin);
+  }
+  [[nodiscard]] BoundedVector place(const Vec3& world) const;
+  [[nodiscard]] BoundedVector scaled(const Vec3& world) const;
+  [[nodiscard]] Vec3 back(const Vec3& placed) const;
+};
+
+[[nodiscard]] PairFrame pair_frame(const PosedSmooth& a, const PosedSmooth& b);
+[[nodiscard]] PairFrame pair_frame(const PosedSmooth& a, const PosedConvex& b);
+
+}  // namespace toccata
