@@ -131,7 +131,8 @@ void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& res
       ++result.disagreements;
     }
     if (any) ++results.front().disagreements;
-    if (any || judged == Judged::all) has_smooth(work.pair) ? judge_one<FineTruth>(work, query, results) : judge_one<Truth>(work, query, results);
+    if (any || judged == Judged::all)
+      has_smooth(work.pair) ? judge_one<FineTruth>(work, query, results) : judge_one<Truth>(work, query, results);
   }
 }
 

@@ -25,13 +25,11 @@ void append(ConvexOffer more, ConvexOffer& offer) {
 }  // namespace
 
 std::vector<std::string> convex_pairs() {
-  return {"hull", "box", "sphere", "sphere-box", "sphere-triangle", "sphere-capsule", "capsule", "capsule-box",
-          "cylinder-box", "cone-box", "ellipsoid"};
+  return {"hull",    "box",         "sphere",       "sphere-box", "sphere-triangle", "sphere-capsule",
+          "capsule", "capsule-box", "cylinder-box", "cone-box",   "ellipsoid"};
 }
 
-bool has_smooth(const std::string& pair) {
-  return pair == "cylinder-box" || pair == "cone-box" || pair == "ellipsoid";
-}
+bool has_smooth(const std::string& pair) { return pair == "cylinder-box" || pair == "cone-box" || pair == "ellipsoid"; }
 
 std::vector<std::string> convex_peers() {
   std::vector<std::string> names;
