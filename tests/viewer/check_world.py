@@ -68,3 +68,24 @@ def look_at_a_pair(checks, browser, steps):
     browser.open("/", "")
     checks.opened(browser, "world.html", link)
     checks.expect(browser.value("toccata.state.moment") == 3 and browser.value("toccata.findings.all[toccata.state.finding].moment") == 3, "a link restores it")
+
+
+def check_large_world(checks, browser):
+    """10,000 bodies that fly: one drawing for all of them, each step as the report has it."""
+    words = ["crowd", "--world", "--count", "10000", "--frames", "3", "--json"]
+    run = json.loads(checks.run(*words, "--html", "large-world.html"))
+    started = time.monotonic()
+    browser.open("/", "")
+    checks.opened(browser, "large-world.html")
+    print(f"a World of 10,000 bodies: {(checks.folder / 'large-world.html').stat().st_size / 1e6:.1f} MB, drawn in {time.monotonic() - started:.2f} s")
+    for moment in [0, 3]:
+        browser.value(GO.format(moment))
+        seen = browser.value(SEEN)
+        checks.expect(len(seen["places"]) == 10_000 and seen["gap"] < 1e-4, f"step {moment}: bodies in contact are drawn {seen['gap']} apart")
+    checks.expect(seen["pairs"] == run["pairs"] > 0, f"pairs of the last step: {seen['pairs']}, {run['pairs']}")
+    browser.value("toccata.stage.drawNow()")
+    layers = browser.value("toccata.stage.overlays.children.length")
+    calls = browser.value("toccata.stage.renderer.info.render.calls")
+    flat, smooth, grid = 1, 1, 1
+    checks.expect(calls <= flat + smooth + grid + layers, f"10,000 bodies and {layers} layers in {calls} drawing calls")
+    checks.quiet(browser, "large world")

@@ -1,5 +1,5 @@
 // What the engine wrote into the page (docs/reference/view-page.md), decoded.
-import { visible } from './visible';
+import { parsedVisibly } from './visible';
 
 export type Vec = [number, number, number];
 
@@ -322,9 +322,9 @@ export class PageData {
   ) {}
 
   static read(): PageData {
-    const header = JSON.parse(textOf('toccata-header'), visible) as Header;
+    const header = parsedVisibly(textOf('toccata-header')) as Header;
     if (header.format !== 'toccata/view/2') throw new Error(`this page cannot show ${header.format}`);
-    const report = JSON.parse(textOf('toccata-report'), visible) as Report;
+    const report = parsedVisibly(textOf('toccata-report')) as Report;
     report.objects = report.objects.map((object) => ({ ...plainObject, ...object }));
     return new PageData(header, report, bytesOf(textOf('toccata-data')));
   }

@@ -1,7 +1,7 @@
 // Layers of many boxes that change as time goes on: bodies, the cells that hold them, and links between two of them.
 // All of a layer at one moment is one drawing, joined on the page: a card that is a program draws thousands of copies
 // one after the other, and takes long.
-import { Box3, BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, Sphere, Vector3 } from 'three';
 import { bodyColours, stepColours, type Theme } from './colours';
 import type { BoxesPlace, Layer, LayerStep, PageData } from './data';
 import { segments } from './layers';
@@ -55,6 +55,7 @@ function joined(layer: Layer, data: PageData, step: LayerStep, pattern: number[]
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('color', new BufferAttribute(colours, 3));
   geometry.setIndex(new BufferAttribute(index.subarray(0, pattern.length * drawn), 1));
+  geometry.boundingSphere = new Sphere(); // nothing asks for it, and three.js would look at all corners
   return geometry;
 }
 

@@ -25,8 +25,9 @@ export class Stage {
     private readonly objects: Objects,
     private readonly afterDrawing: () => void,
   ) {
-    // Where boxes are so many, most are a few points wide: smooth edges would take a card that is a program most of its time.
-    this.renderer = new WebGLRenderer({ canvas, antialias: mostBoxes(data) <= 20_000 });
+    // What are so many are a few points wide each: smooth edges would take a card that is a program most of its time.
+    const most = Math.max(mostBoxes(data), data.report.objects?.length ?? 0);
+    this.renderer = new WebGLRenderer({ canvas, antialias: most < 10_000 });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.orbit = new Orbit(canvas, data.header.up, () => this.redraw());
     this.scene.add(objects.group, this.overlays, this.orbit.camera, new HemisphereLight(0xffffff, 0x9098a4, 1.6));
