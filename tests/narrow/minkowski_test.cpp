@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "narrow/minkowski/general_overlay.hpp"
 #include "narrow/minkowski_checks.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
@@ -100,6 +102,33 @@ TEST(MinkowskiSum, IsThatOfTheOracleForAllKindsAndRegimes) {
       ASSERT_EQ(checked(a, b), "") << kind << " " << number << ": " << test::to_text(pair);
       ASSERT_EQ(checked(b, a, true), "") << kind << " " << number << ": " << test::to_text(pair);
     }
+}
+
+bool same_facets(const SumFacets& p, const SumFacets& q) {
+  const auto same_vector = [](const PlaneVector& u, const PlaneVector& v) {
+    return u.of_b == v.of_b && u.head == v.head && u.tail == v.tail;
+  };
+  const auto same_plane = [&](const auto& m, const auto& n) {
+    return same_vector(m[0], n[0]) && same_vector(m[1], n[1]);
+  };
+  return p.corners == q.corners && p.first == q.first && p.kinds == q.kinds &&
+         std::ranges::equal(p.planes, q.planes, same_plane);
+}
+
+TEST(MinkowskiSum, InGeneralPositionHasTheFacetsOfTheExactOverlay) {
+  int general = 0, in_doubt = 0;
+  for (const std::string kind : {"box", "hull", "needle-hull"})
+    for (std::uint64_t number = 0; number < 420; ++number) {
+      Random random(number);
+      const test::ConvexCase pair = test::numbered_case(kind, number, random);
+      const SumOperand a(test::posed(pair.a), false), b(test::posed(pair.b), number % 2 == 1);
+      const std::optional<SumFacets> found = general_overlay(a, b);
+      ++(found ? general : in_doubt);
+      if (!found) continue;
+      ASSERT_TRUE(same_facets(*found, overlay(a, b))) << kind << " " << number << ": " << test::to_text(pair);
+    }
+  EXPECT_GT(general, 100);
+  EXPECT_GT(in_doubt, 100);
 }
 
 /// Where the rounded vertices lie and between them, each also moved by a last place, and what is far or anywhere.

@@ -92,13 +92,13 @@ class Overlay {
     for (Index f = 0; f < a_.faces().size(); ++f) {
       const FarFeature& far = far_of_a_.feature(f);
       add_polygon(a_, f, b_, far, [](Index on_a, Index on_b) { return SumVertex{on_a, on_b}; });
-      close_face(false, f, far.is_face() ? SumFaceKind::of_both : SumFaceKind::of_a);
+      facets_.close_face(a_, f, false, far.is_face() ? SumFaceKind::of_both : SumFaceKind::of_a);
     }
     for (Index f = 0; f < b_.faces().size(); ++f) {
       const FarFeature& far = far_of_b_.feature(f);
       if (far.is_face()) continue;  // of A, which has made this one
       add_polygon(b_, f, a_, far, [](Index on_b, Index on_a) { return SumVertex{on_a, on_b}; });
-      close_face(true, f, SumFaceKind::of_b);
+      facets_.close_face(b_, f, true, SumFaceKind::of_b);
     }
     seen_.assign(b_.points().size(), no_index);
     tried_.assign(b_.half_edges().size(), no_index);
@@ -118,11 +118,6 @@ class Overlay {
       const FacetPolygon polygon(own, face, other, far);
       for (const PolygonCorner& c : polygon.corners()) facets_.corners.push_back(pair(c.on_first, c.on_second));
     }
-  }
-
-  void close_face(bool of_b, Index face, SumFaceKind kind) {
-    const auto& [p, q, r] = (of_b ? b_ : a_).faces()[face].corners;
-    facets_.close(kind, {of_b, q, p}, {of_b, r, p});
   }
 
   /// Goes through the regions of B's map that the arc of A's edge meets, from the one in which the arc begins. All
@@ -203,19 +198,7 @@ class Overlay {
     return true;
   }
 
-  void add(Index e, Index f, Sign sense) {
-    const SumOperand::HalfEdge &on_a = a_.half_edges()[e], &on_b = b_.half_edges()[f];
-    const PlaneVector u{false, on_a.target, on_a.origin}, v{true, on_b.target, on_b.origin};
-    const SumVertex first{on_a.origin, on_b.origin}, along_a{on_a.target, on_b.origin}, last{on_a.target, on_b.target},
-        along_b{on_a.origin, on_b.target};
-    if (sense == Sign::positive) {
-      facets_.corners.insert(facets_.corners.end(), {first, along_a, last, along_b});
-      facets_.close(SumFaceKind::of_edges, u, v);
-    } else {
-      facets_.corners.insert(facets_.corners.end(), {first, along_b, last, along_a});
-      facets_.close(SumFaceKind::of_edges, v, u);
-    }
-  }
+  void add(Index e, Index f, Sign sense) { facets_.add_parallelogram(a_, e, b_, f, sense); }
 
   const SumOperand& a_;
   const SumOperand& b_;
@@ -228,6 +211,17 @@ class Overlay {
 };
 
 }  // namespace
+
+void SumFacets::add_parallelogram(const SumOperand& a, Index e, const SumOperand& b, Index f, Sign sense) {
+  const SumOperand::HalfEdge &on_a = a.half_edges()[e], &on_b = b.half_edges()[f];
+  const PlaneVector u{false, on_a.target, on_a.origin}, v{true, on_b.target, on_b.origin};
+  const SumVertex origin{on_a.origin, on_b.origin}, along_a{on_a.target, on_b.origin}, last{on_a.target, on_b.target},
+      along_b{on_a.origin, on_b.target};
+  const bool is_forward = sense == Sign::positive;
+  for (const SumVertex& corner : {origin, is_forward ? along_a : along_b, last, is_forward ? along_b : along_a})
+    corners.push_back(corner);
+  close(SumFaceKind::of_edges, is_forward ? u : v, is_forward ? v : u);
+}
 
 SumFacets overlay(const SumOperand& a, const SumOperand& b) { return Overlay(a, b).facets(); }
 

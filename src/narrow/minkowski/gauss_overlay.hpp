@@ -26,6 +26,13 @@ struct SumFacets {
     kinds.push_back(kind);
     planes.push_back({u, v});
   }
+  /// Closes a facet in a face of A, or of B.
+  void close_face(const SumOperand& own, Index face, bool of_b, SumFaceKind kind) {
+    const auto& [p, q, r] = own.faces()[face].corners;
+    close(kind, {of_b, q, p}, {of_b, r, p});
+  }
+  /// That of an edge of each with the normal ±e × f.
+  void add_parallelogram(const SumOperand& a, Index e, const SumOperand& b, Index f, Sign sense);
 };
 
 /// None for a sum that is a point or a segment; two for a flat one.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "narrow/minkowski/general_overlay.hpp"
 #include "narrow/minkowski/sum_parts.hpp"
 #include "narrow/minkowski/sum_side.hpp"
 #include "shapes/hull_links.hpp"
@@ -103,7 +104,8 @@ std::vector<Vec3> rounded_vertices(const Parts& parts) {
 
 MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
   auto parts = std::make_shared<Parts>(a, b, negated);
-  SumFacets facets = overlay(parts->a, parts->b);
+  std::optional<SumFacets> general = general_overlay(parts->a, parts->b);
+  SumFacets facets = general ? *std::move(general) : overlay(parts->a, parts->b);
   if (facets.kinds.empty()) {
     facets = facets_of_line(parts->a, parts->b);
     parts->dimension = facets.kinds.empty() ? 0 : 1;

@@ -45,7 +45,6 @@ void SumOperand::take_hull(const HullTopology& topology, bool reversed) {
     return reversed ? topology.face_start[f] + topology.face_start[f + 1] - 1 - h : h;
   };
   half_edges_.resize(count);
-  leaving_.assign(points_.size(), no_index);
   for (Index h = 0; h < count; ++h) {
     const Index f = topology.face[h], at = place(h);
     const Index first = topology.face_start[f], last = topology.face_start[f + 1] - 1;
@@ -58,13 +57,23 @@ void SumOperand::take_hull(const HullTopology& topology, bool reversed) {
                        .twin = place(topology.twin[h]),
                        .face = dimension_ < 2 ? no_index : f};
   }
-  for (Index h = count; h-- > 0;) leaving_[half_edges_[h].origin] = h;
+  list_leaving();
   if (dimension_ < 2) return;
   faces_.resize(topology.face_count());
   for (Index f = 0; f < topology.face_count(); ++f) {
     faces_[f].first = topology.face_start[f];
     faces_[f].size = topology.face_start[f + 1] - topology.face_start[f];
   }
+}
+
+void SumOperand::list_leaving() {
+  first_leaving_.assign(points_.size() + 1, 0);
+  for (const HalfEdge& h : half_edges_) ++first_leaving_[h.origin];
+  Index total = 0;
+  for (Index& first : first_leaving_) total = first += total;
+  leaving_.resize(half_edges_.size());
+  for (Index h = static_cast<Index>(half_edges_.size()); h-- > 0;)
+    leaving_[--first_leaving_[half_edges_[h].origin]] = h;
 }
 
 void SumOperand::measure() {

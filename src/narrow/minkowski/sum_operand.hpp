@@ -38,8 +38,14 @@ class SumOperand {
   [[nodiscard]] int dimension() const { return dimension_; }
   [[nodiscard]] std::span<const HalfEdge> half_edges() const { return half_edges_; }
   [[nodiscard]] std::span<const Face> faces() const { return faces_; }
-  /// A half-edge that starts at the point; no_index: of a single point.
-  [[nodiscard]] Index leaving(Index point) const { return leaving_[point]; }
+  /// The half-edges that start at the point, ascending; none of a single point.
+  [[nodiscard]] std::span<const Index> leaving_all(Index point) const {
+    return std::span(leaving_).subspan(first_leaving_[point], first_leaving_[point + 1] - first_leaving_[point]);
+  }
+  /// The first of them; no_index: of a single point.
+  [[nodiscard]] Index leaving(Index point) const {
+    return half_edges_.empty() ? no_index : leaving_[first_leaving_[point]];
+  }
   [[nodiscard]] Index next_leaving(Index half_edge) const { return half_edges_[half_edges_[half_edge].twin].next; }
 
   [[nodiscard]] Difference along(Index half_edge) const {
@@ -51,12 +57,18 @@ class SumOperand {
     return {Difference{points_[q], points_[p]}, Difference{points_[r], points_[p]}};
   }
 
-  /// The sign of (normal of this one's face) · (edge of the other), exactly. The bound is that of
+  /// (normal of this one's face) · (edge of the other), rounded.
+  [[nodiscard]] double rounded_slope(Index face, const SumOperand& other, Index half_edge) const {
+    return dot(faces_[face].normal, other.half_edges_[half_edge].along);
+  }
+  /// A rounded slope that is greater in magnitude has the sign of the exact one. The bound is that of
   /// `filtered_triple_product` for the longest edge, twice, for its own rounding.
+  [[nodiscard]] double slope_error(Index face, const SumOperand& other) const {
+    return 2 * filter::triple_product_bound * (faces_[face].magnitude * other.reach_ + filter::floor);
+  }
+  /// The sign of the slope, exactly.
   [[nodiscard]] Sign slope(Index face, const SumOperand& other, Index half_edge) const {
-    const Face& f = faces_[face];
-    const double value = dot(f.normal, other.half_edges_[half_edge].along);
-    const double error = 2 * filter::triple_product_bound * (f.magnitude * other.reach_ + filter::floor);
+    const double value = rounded_slope(face, other, half_edge), error = slope_error(face, other);
     if (value > error) return Sign::positive;
     if (value < -error) return Sign::negative;
     return exact_slope(face, other, half_edge);
@@ -65,14 +77,16 @@ class SumOperand {
  private:
   [[nodiscard]] Sign exact_slope(Index face, const SumOperand& other, Index half_edge) const;
   void take_hull(const HullTopology& topology, bool reversed);
+  void list_leaving();
   void measure();
 
   std::vector<Vec3> points_;
   std::vector<Index> source_;
   std::vector<HalfEdge> half_edges_;
   std::vector<Face> faces_;
-  std::vector<Index> leaving_;
-  double reach_ = 0;  ///< the greatest magnitude of a coordinate of an edge
+  std::vector<Index> first_leaving_;  ///< one more than points
+  std::vector<Index> leaving_;        ///< of point i [first_leaving_[i], first_leaving_[i + 1])
+  double reach_ = 0;                  ///< the greatest magnitude of a coordinate of an edge
   int dimension_ = 0;
 };
 
