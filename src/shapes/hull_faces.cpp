@@ -76,19 +76,36 @@ std::optional<Index> point_off_plane(std::span<const Vec3> points, const Vec3& a
   return off(far) ? far : first_that(points.size(), off);
 }
 
-HullFaces faces_of(std::span<const Vec3> points) {
+/// As many points as span the hull: one, two on a line, three in a plane, or four.
+std::vector<Index> spanning_points(std::span<const Vec3> points) {
   const auto least = std::min_element(points.begin(), points.end(), lexicographically_less);
   const auto greatest = std::max_element(points.begin(), points.end(), lexicographically_less);
   const Index a = static_cast<Index>(least - points.begin()), b = static_cast<Index>(greatest - points.begin());
-  if (*least == *greatest) return {0, {a}, {0}};
+  if (*least == *greatest) return {a};
   const std::optional<Index> c = point_off_line(points, points[a], points[b]);
-  if (!c) return {1, {a, b}, {0, 2}};
+  if (!c) return {a, b};
   const std::optional<Index> d = point_off_plane(points, points[a], points[b], points[*c]);
-  if (!d) return flat_hull_faces(points, {a, b, *c});
-  return merged_faces(points, quickhull(points, {a, b, *c, *d}));
+  if (!d) return {a, b, *c};
+  return {a, b, *c, *d};
+}
+
+HullFaces faces_of(std::span<const Vec3> points) {
+  const std::vector<Index> span = spanning_points(points);
+  if (span.size() == 1) return {0, span, {0}};
+  if (span.size() == 2) return {1, span, {0, 2}};
+  if (span.size() == 3) return flat_hull_faces(points, {span[0], span[1], span[2]});
+  return merged_faces(points, quickhull(points, {span[0], span[1], span[2], span[3]}));
 }
 
 }  // namespace
+
+std::vector<HullTriangle> hull_triangles(std::span<const Vec3> points) {
+  const std::vector<Vec3> scaled = scaled_to_middle(points);
+  if (!scaled.empty()) points = scaled;
+  const std::vector<Index> span = spanning_points(points);
+  if (span.size() < 4) return {};
+  return quickhull(points, {span[0], span[1], span[2], span[3]});
+}
 
 HullFaces hull_faces(std::span<const Vec3> points) {
   const std::vector<Vec3> scaled = scaled_to_middle(points);

@@ -19,6 +19,9 @@ struct HullFaces {
 /// Of finite points, at least one. Of a hull that is one point the only corner belongs to no face.
 [[nodiscard]] HullFaces hull_faces(std::span<const Vec3> points);
 
+/// The same as triangles, if it is not flat; else none.
+[[nodiscard]] std::vector<HullTriangle> hull_triangles(std::span<const Vec3> points);
+
 /// The hull of points in one plane, of which the first three are not on one line, by the numbers of these three.
 /// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 [[nodiscard]] HullFaces flat_hull_faces(std::span<const Vec3> points, const std::array<Index, 3>& triangle);

@@ -169,7 +169,8 @@ TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
     std::vector<Vec3> vertices(prism.vertices().begin(), prism.vertices().end());
     for (Vec3& v : vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
     const Model solid(prism.with_vertices(vertices));
-    const Concavity found = concavity_of(ConvexHull(vertices), solid, std::ldexp(0.5, exponent), std::nullopt);
+    const SolidFrame frame(inspect(solid.mesh()));
+    const Concavity found = concavity_of(ConvexHull(vertices), solid, frame, std::ldexp(0.5, exponent), std::nullopt);
     return std::ldexp(found.upper, -exponent);
   };
   const double plain = bound(0);

@@ -5,6 +5,7 @@
 
 #include "query/decomposition/cell_corners.hpp"
 #include "query/decomposition/exact_polygon.hpp"
+#include "query/decomposition/outermost_corners.hpp"
 
 // Let S be the solid, C a cell and K the closure of S within the open C. An extreme point v of the hull of K is among
 // the points that are gathered: S is a cone near v. If no triangle through v reaches into the open C there, S near v is
@@ -39,7 +40,7 @@ class CellDivider {
   [[nodiscard]] ExactPolygon polygon_of(Index triangle) const {
     ExactPolygon polygon{triangle, {}};
     for (const Index v : solid_.mesh().triangles()[triangle])
-      polygon.corners.push_back(to_rational(solid_.mesh().vertices()[v]));
+      polygon.corners.push_back({to_rational(solid_.mesh().vertices()[v]), {}});
     return polygon;
   }
 
@@ -50,10 +51,11 @@ class CellDivider {
     std::array<std::vector<Index>, 2> whole_of;
     std::array<std::vector<ExactPolygon>, 2> cut_of;
     const auto share = [&](ExactPolygon polygon) {
-      const PolygonSides sides = sides_of(polygon, plane);
-      if (!sides.front && !sides.back) return flat_.push_back({std::move(polygon), node});
-      if (sides.front) cut_of[0].push_back(sides.back ? clipped(polygon, plane, 1) : polygon);
-      if (sides.back) cut_of[1].push_back(sides.front ? clipped(polygon, plane, -1) : std::move(polygon));
+      const PolygonBeside beside(polygon, plane, *at.plane);
+      const bool front = beside.is_in_front(), back = beside.is_behind();
+      if (front) cut_of[0].push_back(back ? beside.clipped(1) : polygon);
+      if (back) cut_of[1].push_back(front ? beside.clipped(-1) : polygon);
+      if (!front && !back) flat_.push_back({std::move(polygon), node});
     };
     for (const Index t : whole) {
       const auto [least, greatest] = signs_of(t, plane);
@@ -92,10 +94,9 @@ class CellDivider {
     std::ranges::sort(used);
     used.erase(std::unique(used.begin(), used.end()), used.end());
     for (const Index v : used) content.points.push_back(solid_.mesh().vertices()[v]);
-    for (const ExactPolygon& polygon : cut) {
-      content.triangles.push_back(polygon.triangle);
-      for (const RationalPoint& corner : polygon.corners) append_doubles_around(corner, content.points);
-    }
+    for (const ExactPolygon& polygon : cut) content.triangles.push_back(polygon.triangle);
+    for (const RationalPoint& corner : outermost_corners(cut, tree_.planes))
+      append_doubles_around(corner, content.points);
     for (const RationalPoint& corner : solid_corners(solid_, tree_.planes, cell))
       append_doubles_around(corner, content.points);
     std::ranges::sort(content.triangles);
@@ -106,10 +107,10 @@ class CellDivider {
     const CutNode& at = tree_.nodes[node];
     if (!at.plane) return pieces.emplace_back(node, polygon), void();
     const CutPlane& plane = tree_.planes[*at.plane];
-    const PolygonSides sides = sides_of(polygon, plane);
-    const bool lies_in_it = !sides.front && !sides.back;
-    if (sides.front || lies_in_it) spread(clipped(polygon, plane, 1), at.child[0], pieces);
-    if (sides.back || lies_in_it) spread(clipped(polygon, plane, -1), at.child[1], pieces);
+    const PolygonBeside beside(polygon, plane, *at.plane);
+    const bool lies_in_it = !beside.is_in_front() && !beside.is_behind();
+    if (beside.is_in_front() || lies_in_it) spread(beside.clipped(1), at.child[0], pieces);
+    if (beside.is_behind() || lies_in_it) spread(beside.clipped(-1), at.child[1], pieces);
   }
 
   /// Next to a piece of surface in a plane the solid is on one side, and there the hulls contain it. If on neither side
@@ -121,7 +122,7 @@ class CellDivider {
       if (content.points.empty()) return false;
       auto& hull = hulls[piece.first];
       if (!hull) hull.emplace(content.points);
-      return std::ranges::all_of(piece.second.corners, [&](const RationalPoint& p) { return contains(*hull, p); });
+      return std::ranges::all_of(piece.second.corners, [&](const ExactCorner& c) { return contains(*hull, c.point); });
     };
     std::vector<std::pair<Index, ExactPolygon>> uncovered;
     for (const FlatPiece& flat : flat_) {
@@ -133,7 +134,7 @@ class CellDivider {
     }
     for (const auto& [node, polygon] : uncovered) {
       contents_[node].triangles.push_back(polygon.triangle);
-      for (const RationalPoint& corner : polygon.corners) append_doubles_around(corner, contents_[node].points);
+      for (const ExactCorner& corner : polygon.corners) append_doubles_around(corner.point, contents_[node].points);
     }
   }
 

@@ -10,36 +10,34 @@ namespace {
 /// The doubles next to a number, below and above; one and the same where it is a double.
 std::array<double, 2> doubles_around(const Rational& value) {
   const double nearest = nearest_double(value);
-  const Rational rounded = to_rational(nearest);
-  if (rounded == value) return {nearest, nearest};
-  if (rounded < value) return {nearest, std::nextafter(nearest, HUGE_VAL)};
+  const int off = Rational(value - to_rational(nearest)).sign();
+  if (off == 0) return {nearest, nearest};
+  if (off > 0) return {nearest, std::nextafter(nearest, HUGE_VAL)};
   return {std::nextafter(nearest, -HUGE_VAL), nearest};
 }
 
 }  // namespace
 
-PolygonSides sides_of(const ExactPolygon& polygon, const CutPlane& plane) {
-  PolygonSides sides;
-  for (const RationalPoint& corner : polygon.corners) {
-    const Sign sign = plane.side(corner);
-    sides.front = sides.front || sign == Sign::positive;
-    sides.back = sides.back || sign == Sign::negative;
+PolygonBeside::PolygonBeside(const ExactPolygon& polygon, const CutPlane& plane, Index number)
+    : polygon_(polygon), number_(number) {
+  heights_.reserve(polygon.corners.size());
+  for (const ExactCorner& corner : polygon.corners) {
+    heights_.push_back(plane.height(corner.point));
+    front_ = front_ || heights_.back() > 0;
+    back_ = back_ || heights_.back() < 0;
   }
-  return sides;
 }
 
-ExactPolygon clipped(const ExactPolygon& polygon, const CutPlane& plane, int sign) {
-  ExactPolygon result{polygon.triangle, {}};
-  const std::size_t count = polygon.corners.size();
-  std::vector<Rational> heights;
-  heights.reserve(count);
-  for (const RationalPoint& corner : polygon.corners) heights.push_back(sign * plane.height(corner));
+ExactPolygon PolygonBeside::clipped(int sign) const {
+  ExactPolygon result{polygon_.triangle, {}};
+  const std::size_t count = heights_.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = (i + 1) % count;
-    const RationalPoint &p = polygon.corners[i], &q = polygon.corners[next];
-    if (heights[i] >= 0) result.corners.push_back(p);
-    if (heights[i].sign() * heights[next].sign() < 0)
-      result.corners.push_back(p + Rational(heights[i] / (heights[i] - heights[next])) * (q - p));
+    const ExactCorner &p = polygon_.corners[i], &q = polygon_.corners[next];
+    if (sign * heights_[i].sign() >= 0) result.corners.push_back(p);
+    if (heights_[i].sign() * heights_[next].sign() < 0)
+      result.corners.push_back(
+          {p.point + Rational(heights_[i] / (heights_[i] - heights_[next])) * (q.point - p.point), number_});
   }
   return result;
 }

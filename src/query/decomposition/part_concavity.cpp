@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "math/vec3_measures.hpp"
 #include "toccata/query/inside.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/signed_distance.hpp"
@@ -18,8 +19,8 @@ constexpr double fraction = 0.05;
 using Tetrahedron = std::array<Vec3, 4>;
 
 struct Region {
-  Tetrahedron corners;
-  double upper = 0;  ///< no point of it is farther from the solid
+  Tetrahedron corners;  ///< local
+  double upper = 0;     ///< no point of it is farther from the solid
   friend bool operator<(const Region& a, const Region& b) { return a.upper < b.upper; }
 };
 
@@ -29,25 +30,19 @@ Vec3 middle_of(const ConvexHull& hull) {
   return sum;
 }
 
-/// The squares are taken of numbers near 1: those of tiny and huge meshes would vanish or be infinite.
-double far_apart(const Vec3& p, const Vec3& q) {
-  const Vec3 way = q - p;
-  const double largest = std::fmax(std::fmax(std::fabs(way.x), std::fabs(way.y)), std::fabs(way.z));
-  if (largest == 0 || std::isinf(largest)) return largest;
-  const int exponent = std::ilogb(largest);
-  const Vec3 scaled{std::ldexp(way.x, -exponent), std::ldexp(way.y, -exponent), std::ldexp(way.z, -exponent)};
-  return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
-}
+double square_of(const Vec3& v) { return dot(v, v); }
+
+double largest_of(const Aabb& box) { return std::fmax(largest_magnitude(box.lower), largest_magnitude(box.upper)); }
 
 class ConcavitySearch {
  public:
-  ConcavitySearch(const ConvexHull& hull, const Model& solid)
-      : hull_(hull), solid_(solid), slack_(0x1p-46 * hull.largest_coordinate()) {
-    const Vec3 middle = middle_of(hull);
+  ConcavitySearch(const ConvexHull& hull, const Model& solid, const SolidFrame& frame)
+      : solid_(solid), frame_(frame), slack_(0x1p-46 * largest_of(solid.vertex_box()) + 0x1p-1070) {
+    const Vec3 middle = frame.local(middle_of(hull));
     const HullTopology topology = hull.topology();
     for (Index f = 0; f < topology.face_count(); ++f) {
       const Index first = topology.face_start[f], end = topology.face_start[f + 1];
-      const auto corner = [&](Index h) { return hull.vertex(topology.origin[h]); };
+      const auto corner = [&](Index h) { return frame.local(hull.vertex(topology.origin[h])); };
       if (end - first == 2) add({middle, corner(first), corner(first), corner(first + 1)}, HUGE_VAL);
       for (Index h = first + 2; h < end; ++h) add({middle, corner(first), corner(h - 1), corner(h)}, HUGE_VAL);
     }
@@ -66,13 +61,14 @@ class ConcavitySearch {
   }
 
  private:
-  /// The slack is for what rounding leaves between two halves.
+  /// The slack is for what rounding leaves between two halves, and between a point and its place in the frame.
   void add(const Tetrahedron& t, double most) {
     const Vec3 at = 0.25 * ((t[0] + t[1]) + (t[2] + t[3]));
-    const SignedDistance distance = signed_distance(at, solid_, {}, SignBy::automatic, workspace_);
+    const SignedDistance distance = signed_distance(frame_.world(at), solid_, {}, SignBy::automatic, workspace_);
     ++questions_;
-    double radius = 0;
-    for (const Vec3& corner : t) radius = std::max(radius, far_apart(at, corner));
+    double square = 0;
+    for (const Vec3& corner : t) square = std::max(square, square_of(corner - at));
+    const double radius = frame_.length(std::sqrt(square));
     lower_ = std::max(lower_, distance.lower);
     const double upper = (distance.upper + radius) + (slack_ + 0x1p-48 * radius);
     regions_.push({t, std::min(most, upper)});
@@ -80,9 +76,11 @@ class ConcavitySearch {
 
   void halve(const Region& region) {
     std::size_t from = 0, to = 1;
+    double longest = 0;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j)
-        if (far_apart(region.corners[i], region.corners[j]) > far_apart(region.corners[from], region.corners[to])) {
+        if (const double square = square_of(region.corners[j] - region.corners[i]); square > longest) {
+          longest = square;
           from = i;
           to = j;
         }
@@ -94,8 +92,8 @@ class ConcavitySearch {
     }
   }
 
-  const ConvexHull& hull_;
   const Model& solid_;
+  const SolidFrame& frame_;
   Workspace workspace_;
   std::priority_queue<Region> regions_;
   double slack_;
@@ -114,9 +112,10 @@ bool lies_within(const ConvexHull& hull, const Model& solid) {
 
 }  // namespace
 
-Concavity concavity_of(const ConvexHull& hull, const Model& solid, double resolution, std::optional<double> limit) {
+Concavity concavity_of(const ConvexHull& hull, const Model& solid, const SolidFrame& frame, double resolution,
+                       std::optional<double> limit) {
   if (lies_within(hull, solid)) return {};
-  return ConcavitySearch(hull, solid).narrowed(resolution, limit);
+  return ConcavitySearch(hull, solid, frame).narrowed(resolution, limit);
 }
 
 }  // namespace toccata

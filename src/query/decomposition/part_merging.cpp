@@ -27,19 +27,36 @@ bool are_apart(const Aabb& a, const Aabb& b) {
   return false;
 }
 
-std::vector<Vec3> joined_corners(const GrowingPart& a, const GrowingPart& b) {
-  std::vector<Vec3> corners = a.corners;
-  corners.insert(corners.end(), b.corners.begin(), b.corners.end());
-  return snapped(std::move(corners));
+std::vector<Vec3> joined_corners(std::vector<Vec3> a, const std::vector<Vec3>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return snapped(std::move(a));
 }
+
+/// Those of the corners that are farthest along some directions: their hull is most of the part's, and quickly made.
+std::vector<Vec3> outline_of(const std::vector<Vec3>& corners) {
+  std::vector<Vec3> outline;
+  for (int direction = 0; direction < 27; ++direction) {
+    const Vec3 along{direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0};
+    const auto height = [&](const Vec3& p) { return dot(along, p); };
+    outline.push_back(*std::ranges::max_element(corners, {}, height));
+  }
+  return snapped(std::move(outline));
+}
+
+/// By how much the hull of two parts is larger than both, or at least.
+struct Growth {
+  double least = never;
+  bool is_exact = true;
+};
 
 class Merging {
  public:
   Merging(std::vector<GrowingPart> parts, int threads)
       : parts_(std::move(parts)), threads_(threads), growth_(parts_.size()) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      growth_[i].resize(i, never);
+      growth_[i].resize(i);
       boxes_.push_back(fit_aabb(parts_[i].corners));
+      outlines_.push_back(outline_of(parts_[i].corners));
       alive_.push_back(i);
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) measure(i);
@@ -47,22 +64,22 @@ class Merging {
 
   [[nodiscard]] std::size_t count() const { return alive_.size(); }
 
-  /// The pair whose hull grows least; of several the first.
-  [[nodiscard]] std::pair<std::size_t, std::size_t> best() const {
-    std::pair<std::size_t, std::size_t> result{0, 0};
-    double least = never;
-    for (const std::size_t i : alive_)
-      for (const std::size_t j : alive_)
-        if (j < i && growth_[i][j] < least) {
-          least = growth_[i][j];
-          result = {i, j};
-        }
-    return result;
+  /// The pair whose hull grows least; of several the first. Measured are only pairs that may be it.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> best() {
+    while (true) {
+      const auto pair = least();
+      if (pair.first == pair.second) return pair;
+      Growth& growth = growth_[pair.first][pair.second];
+      if (growth.is_exact) return pair;
+      const auto& [i, j] = pair;
+      growth = {hull_volume(joined_corners(parts_[i].corners, parts_[j].corners)) - volume_of(i, j), true};
+    }
   }
 
   [[nodiscard]] GrowingPart joined(const std::pair<std::size_t, std::size_t>& pair) const {
     const GrowingPart &a = parts_[pair.first], &b = parts_[pair.second];
-    GrowingPart part{joined_hull(a.hull, b.hull), joined_corners(a, b), 0, a.solid_volume + b.solid_volume, a.faces};
+    GrowingPart part{joined_hull(a.hull, b.hull), joined_corners(a.corners, b.corners), 0,
+                     a.solid_volume + b.solid_volume, a.faces};
     part.volume = hull_volume(part.corners);
     part.faces.insert(part.faces.end(), b.faces.begin(), b.faces.end());
     std::ranges::sort(part.faces);
@@ -73,10 +90,11 @@ class Merging {
   void merge(const std::pair<std::size_t, std::size_t>& pair, GrowingPart part) {
     parts_[pair.second] = std::move(part);
     boxes_[pair.second] = toccata::merge(boxes_[pair.first], boxes_[pair.second]);
+    outlines_[pair.second] = outline_of(parts_[pair.second].corners);
     std::erase(alive_, pair.first);
     measure(pair.second);
     for (const std::size_t i : alive_)
-      if (i > pair.second) growth_[i][pair.second] = growth_of(i, pair.second);
+      if (i > pair.second) growth_[i][pair.second] = at_least(i, pair.second);
   }
 
   /// Those whose boxes are apart are measured only when no others are left.
@@ -85,7 +103,7 @@ class Merging {
     for (const std::size_t i : alive_) measure(i);
   }
 
-  void forbid(const std::pair<std::size_t, std::size_t>& pair) { growth_[pair.first][pair.second] = never; }
+  void forbid(const std::pair<std::size_t, std::size_t>& pair) { growth_[pair.first][pair.second] = {}; }
 
   [[nodiscard]] std::vector<GrowingPart> result() const {
     std::vector<GrowingPart> parts;
@@ -94,9 +112,24 @@ class Merging {
   }
 
  private:
-  [[nodiscard]] double growth_of(std::size_t i, std::size_t j) const {
-    if (!measures_apart_ && are_apart(boxes_[i], boxes_[j])) return never;
-    return hull_volume(joined_corners(parts_[i], parts_[j])) - (parts_[i].volume + parts_[j].volume);
+  [[nodiscard]] std::pair<std::size_t, std::size_t> least() const {
+    std::pair<std::size_t, std::size_t> result{0, 0};
+    double least = never;
+    for (const std::size_t i : alive_)
+      for (const std::size_t j : alive_)
+        if (j < i && growth_[i][j].least < least) {
+          least = growth_[i][j].least;
+          result = {i, j};
+        }
+    return result;
+  }
+
+  [[nodiscard]] double volume_of(std::size_t i, std::size_t j) const { return parts_[i].volume + parts_[j].volume; }
+
+  /// From the outlines, whose hull lies in that of the parts.
+  [[nodiscard]] Growth at_least(std::size_t i, std::size_t j) const {
+    if (!measures_apart_ && are_apart(boxes_[i], boxes_[j])) return {};
+    return {hull_volume(joined_corners(outlines_[i], outlines_[j])) - volume_of(i, j), false};
   }
 
   /// With those before it.
@@ -104,14 +137,15 @@ class Merging {
     std::vector<std::size_t> others;
     for (const std::size_t j : alive_)
       if (j < i) others.push_back(j);
-    parallel_for(others.size(), threads_, [&](std::size_t k) { growth_[i][others[k]] = growth_of(i, others[k]); });
+    parallel_for(others.size(), threads_, [&](std::size_t k) { growth_[i][others[k]] = at_least(i, others[k]); });
   }
 
   std::vector<GrowingPart> parts_;
   int threads_;
-  std::vector<std::vector<double>> growth_;  // by the greater number, then the lesser
+  std::vector<std::vector<Growth>> growth_;  // by the greater number, then the lesser
   std::vector<std::size_t> alive_;
   std::vector<Aabb> boxes_;
+  std::vector<std::vector<Vec3>> outlines_;
   bool measures_apart_ = false;
 };
 

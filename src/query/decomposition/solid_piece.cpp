@@ -194,14 +194,12 @@ double enclosed_volume(const SolidPiece& piece) {
 
 double hull_volume(std::span<const Vec3> points) {
   if (points.size() < 4) return 0;
-  const HullFaces faces = hull_faces(points);
-  if (faces.dimension < 3) return 0;
-  const Vec3 apex = points[faces.corners[0]];
+  const std::vector<HullTriangle> triangles = hull_triangles(points);
   double sum = 0;
-  for (std::size_t f = 0; f + 1 < faces.first.size(); ++f)
-    for (Index c = faces.first[f] + 2; c < faces.first[f + 1]; ++c)
-      sum += six_volume(
-          apex, {points[faces.corners[faces.first[f]]], points[faces.corners[c - 1]], points[faces.corners[c]]});
+  for (const HullTriangle& t : triangles) {
+    const auto& [a, b, c] = t.vertices;
+    sum += six_volume(points[triangles[0].vertices[0]], {points[a], points[b], points[c]});
+  }
   return sum / 6;
 }
 
