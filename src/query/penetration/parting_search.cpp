@@ -101,7 +101,7 @@ void PartingSearch::turn() {
 void PartingSearch::add(const PartPair& pair) {
   if (pair.a == nullptr || pair.b == nullptr) return;
   cover_.add(pair);
-  const Penetration depth = penetration(pair.a->shape, pair.b->shape);
+  const Penetration depth = depth_between(*pair.a, *pair.b);
   if (depth.lower > of_pairs_) of_pairs_ = depth.lower;
   best_.lower = std::max(best_.lower, std::min(of_pairs_, best_.upper));
   if (depth.lower > 0 && depth.lower >= best_.lower / 2) try_along(depth.direction, depth.upper);

@@ -9,7 +9,7 @@
 #include "query/penetration/smooth_hull.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 
 namespace toccata {
 namespace {
@@ -63,6 +63,12 @@ bool is_convex_solid(const PosedMesh& mesh) {
   }
 }
 
+bool holds(const PosedShape& shape, const Vec3& point) {
+  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return overlap(*convex, PosedConvex(Point(point)));
+  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return overlap(*smooth, PosedConvex(Point(point)));
+  return is_interior(point, std::get<PosedTriangles>(shape).mesh);
+}
+
 std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
   std::vector<char> used(mesh.model().mesh().vertices().size());
   for (const auto& triangle : mesh.model().mesh().triangles())
@@ -74,6 +80,12 @@ std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
 }
 
 }  // namespace
+
+Penetration depth_between(const InnerPart& a, const InnerPart& b) {
+  if (a.smooth && b.smooth) return penetration(*a.smooth, *b.smooth);
+  if (a.smooth) return penetration(*a.smooth, b.shape);
+  return b.smooth ? penetration(a.shape, *b.smooth) : penetration(a.shape, b.shape);
+}
 
 SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
   for (const PosedPart& part : posed.parts) {
@@ -90,8 +102,17 @@ void SolidBody::find_inner_parts() {
     const auto* convex = std::get_if<PosedConvex>(&part.shape);
     const auto* smooth = std::get_if<PosedSmooth>(&part.shape);
     const std::optional<ConvexHull> hull = smooth != nullptr ? hull_within(*smooth) : std::nullopt;
-    inner_.push_back(convex != nullptr ? &kept_.emplace_back(*convex) : hull ? &kept_.emplace_back(*hull) : nullptr);
+    InnerPart* const kept = convex != nullptr ? &kept_.emplace_back(*convex)
+                            : hull            ? &kept_.emplace_back(*hull)
+                                              : nullptr;
+    if (hull) kept->smooth = *smooth;
+    inner_.push_back(kept);
   }
+}
+
+const InnerPart* SolidBody::as_one() const {
+  if (exactly_convex_) return whole_;
+  return std::holds_alternative<PosedSmooth>(posed_.parts[0].shape) && posed_.parts.size() == 1 ? inner_[0] : nullptr;
 }
 
 const InnerPart* SolidBody::within(const PosedPart& part) const {
@@ -120,11 +141,8 @@ void SolidBody::find_whole() {
 }
 
 bool SolidBody::contains(const Vec3& point) const {
-  return std::any_of(posed_.parts.begin(), posed_.parts.end(), [&](const PosedPart& part) {
-    if (const auto* convex = std::get_if<PosedConvex>(&part.shape)) return overlap(*convex, PosedConvex(Point(point)));
-    if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape)) return overlap(*smooth, PosedConvex(Point(point)));
-    return is_interior(point, std::get<PosedTriangles>(part.shape).mesh);
-  });
+  return std::any_of(posed_.parts.begin(), posed_.parts.end(),
+                     [&](const PosedPart& part) { return holds(part.shape, point); });
 }
 
 const InnerPart* SolidBody::keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share) {
@@ -146,8 +164,7 @@ std::vector<const InnerPart*> SolidBody::convex_parts() {
 const InnerPart* SolidBody::grow(const Vec3& point, double reach, CutBy cut) {
   if (whole_ != nullptr) return whole_;
   for (const PosedPart& part : posed_.parts) {
-    if (const InnerPart* inner = within(part); inner != nullptr && overlap(inner->shape, PosedConvex(Point(point))))
-      return inner;
+    if (const InnerPart* inner = within(part); inner != nullptr && holds(part.shape, point)) return inner;
     if (!std::holds_alternative<PosedTriangles>(part.shape)) continue;
     const PosedMesh& mesh = std::get<PosedTriangles>(part.shape).mesh;
     if (!is_interior(point, mesh)) continue;

@@ -6,6 +6,7 @@
 
 #include "query/penetration/convex_growth.hpp"
 #include "query/posed_shape.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 
@@ -19,7 +20,11 @@ struct InnerPart {
   std::optional<ConvexHull> hull;
   PosedConvex shape;
   Aabb box;
+  std::optional<PosedSmooth> smooth;  ///< the part itself, where it is smooth and the hull is one within
 };
+
+/// How deep the two overlap; of smooth parts, these and not the hulls within them.
+[[nodiscard]] Penetration depth_between(const InnerPart& a, const InnerPart& b);
 
 /// A bounded solid as the union of posed parts, seen by convex bodies: one around it and as many within as were asked
 /// for. It refers to the posed model, which has to outlive it.
@@ -39,6 +44,9 @@ class SolidBody {
   [[nodiscard]] const InnerPart* whole() const { return whole_; }
   /// It is convex, and `outer` is the solid.
   [[nodiscard]] bool exactly_convex() const { return exactly_convex_; }
+
+  /// The solid, where it is convex or smooth.
+  [[nodiscard]] const InnerPart* as_one() const;
 
   /// Of a part that is a convex shape or a smooth one: a body within it; of a convex shape all of it.
   [[nodiscard]] const InnerPart* within(const PosedPart& part) const;

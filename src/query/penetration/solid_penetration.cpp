@@ -91,12 +91,30 @@ Vec3 normal_at(const Model& model, const Pose& pose, Index element) {
   return unit_or_zero(cross(t[1] - t[0], t[2] - t[0]));
 }
 
+/// Those of a mesh and a smooth shape that lies as told.
+std::vector<SurfaceMeeting> meetings_with_smooth(const Model& a, const PosedSmooth& smooth, const PairQuery& query,
+                                                 std::span<const Contact> found) {
+  constexpr std::size_t most = 12;
+  std::vector<SurfaceMeeting> meetings;
+  const std::size_t stride = 1 + found.size() / most;
+  for (std::size_t i = stride / 2; i < found.size(); i += stride) {
+    const Index element = found[i].triangle_a;
+    const Distance at = distance(PosedConvex(world_triangle(a, query.pose_a, element)), smooth);
+    meetings.push_back({at.on_a, normal_at(a, query.pose_a, element), {}});
+  }
+  return meetings;
+}
+
 /// The points of some contacts of meshes, spread over all of them.
 std::vector<SurfaceMeeting> some_meetings(const Model& a, const Model& b, const PairQuery& query,
                                           Workspace& workspace) {
   constexpr std::size_t most = 12;
   std::vector<SurfaceMeeting> meetings;
-  if (!a.has_mesh() || !b.has_mesh()) return meetings;
+  if (!a.has_mesh() || kind_of(b.shape()) == ShapeKind::compound) return meetings;
+  const PosedShape other = pose_shape(b, query.pose_b, query.solid_b, "model b");
+  if (const auto* smooth = std::get_if<PosedSmooth>(&other))
+    return meetings_with_smooth(a, *smooth, query, contacts(a, b, query, workspace));
+  if (!b.has_mesh()) return meetings;
   const auto found = contacts(a, b, query, workspace);
   const std::size_t stride = 1 + found.size() / most;
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
@@ -142,17 +160,21 @@ void add_points(Penetration& depth, const Distance& after) {
   depth.on_b = after.on_b - depth.upper * depth.direction;
 }
 
-Penetration without_overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+/// Of solids whose interiors do not meet, or not for sure: then the status says so.
+Penetration without_overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace,
+                            Status status) {
   const Distance between = distance(a, b, query, workspace);
   const Vec3 across = unit_or_zero(between.on_b - between.on_a);
-  return {0, 0, across == Vec3{} ? Vec3{0, 0, 1} : across, between.on_a, between.on_b, Status::exact};
+  return {0, 0, across == Vec3{} ? Vec3{0, 0, 1} : across, between.on_a, between.on_b, status};
 }
 
 Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
                       Workspace& workspace) {
   SolidBody body_a(models.a), body_b(models.b);
-  if (body_a.exactly_convex() && body_b.exactly_convex()) {
-    Penetration depth = penetration(body_a.outer(), body_b.outer());
+  const InnerPart *one_a = body_a.as_one(), *one_b = body_b.as_one();
+  if (Penetration depth = one_a && one_b ? depth_between(*one_a, *one_b) : Penetration{}; depth.upper > 0) {
+    if (one_a->smooth || one_b->smooth)
+      depth.status = depth.upper <= 1.5 * depth.lower ? Status::exact : Status::not_converged;
     part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
       return relation(a, b, moved(query, move), workspace).kind == RelationKind::overlapping;
     });
@@ -168,8 +190,8 @@ Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, co
 
 Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
                      Workspace& workspace) {
-  if (relation_of(models.a, models.b, workspace.scratch()).kind != RelationKind::overlapping)
-    return without_overlap(a, b, query, workspace);
+  const Relation lie = relation_of(models.a, models.b, workspace.scratch());
+  if (lie.kind != RelationKind::overlapping) return without_overlap(a, b, query, workspace, lie.status);
   if (is_half_space(models.b)) return of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape));
   if (is_half_space(models.a))
     return flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)));
