@@ -72,6 +72,21 @@ MIDDLES = """(() => {
 })()"""
 
 
+# How many corners of what is drawn over the objects are outside of the picture.
+OUTSIDE = """(() => {
+  const { stage } = toccata, { clientWidth, clientHeight } = stage.canvas, corner = toccata.boxOf(0).min.clone();
+  let outside = 0;
+  for (const drawn of stage.overlays.children) {
+    const { array } = drawn.geometry.attributes.position;
+    for (let i = 0; i < array.length; i += 3) {
+      const at = stage.onScreen(corner.fromArray(array, i).applyMatrix4(drawn.matrixWorld));
+      if (!at || at.x < 0 || at.y < 0 || at.x > clientWidth || at.y > clientHeight) ++outside;
+    }
+  }
+  return outside;
+})()"""
+
+
 def full_picture(browser):
     time.sleep(0.3)
     return rows_of(base64.b64decode(browser.call("Page.captureScreenshot", format="png")["data"]))
@@ -111,6 +126,7 @@ def check_shown(checks, browser):
         summary, tab, listed = browser.value("['summary', 'tab-findings', 'finding-list'].map((id) => document.getElementById(id).textContent)")
         checks.expect("pair" not in summary and "collides" not in listed, f"{words}: {summary}; {listed}")
         checks.expect(tab == "Shown", f"{words}: the tab is {tab}")
+        checks.expect(browser.value(OUTSIDE) == 0, f"{words}: all that is drawn is within the picture at first")
         told = f"{name}: " if name else "One object alone"
         checks.expect(name in summary and listed.startswith(told), f"{words}: {summary}; {listed}")
     checks.run("view", "gen:box", "gen:box", "--pose-b", *"1 0 0 0 1 0 0 0 1 5 0 0".split(), "-o", "shown.html")

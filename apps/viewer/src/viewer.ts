@@ -332,7 +332,7 @@ export class Viewer {
         const counts = opened.size > 0 ? isOpened : this.lookOf(i, opened) !== 'hidden';
         if (counts && object.shape !== 'half-space') box.union(this.objects.boxes[i]);
       });
-      if (opened.size === 0) box.union(boxOfBodies(this.data));
+      if (opened.size === 0) box.union(boxOfBodies(this.data)).union(this.boxOfCells());
       return box.isEmpty() ? this.stage.wholeBox() : box;
     }
     const found = new Box3();
@@ -342,6 +342,18 @@ export class Viewer {
       for (let i = 0; i < numbers.length; i += 3) found.expandByPoint(new Vector3(numbers[i], numbers[i + 1], numbers[i + 2]));
     }
     return this.withRoom(found, chosen);
+  }
+
+  /// Around closed cells that are drawn, such as Voronoi regions, which reach beyond their objects.
+  private boxOfCells(): Box3 {
+    const box = new Box3();
+    this.data.header.layers.forEach((layer, i) => {
+      const step = layer.steps?.[this.state.steps.get(i) ?? -1];
+      if (layer.kind !== 'triangles' || !step || this.state.off.has(layer.role)) return;
+      const corners = this.data.floats(layer.data).subarray(9 * step.first, 9 * (step.first + step.count));
+      for (let at = 0; at < corners.length; at += 3) box.expandByPoint(new Vector3().fromArray(corners, at));
+    });
+    return box;
   }
 
   /// What is tiny beside its objects is shown with some of these around it.
