@@ -97,6 +97,59 @@ TEST(Smooth, RelationAndPenetrationOfAHalfSpace) {
   EXPECT_EQ(depth.direction, (Vec3{0, 0, -1}));
 }
 
+TEST(Smooth, AHalfSpaceMayComeFirst) {
+  const PosedHalfSpace floor(HalfSpace({0, 0, 0}, {0.6, 0, 0.8}));
+  const PosedSmooth sunk(Cylinder(1, 2), Pose::translation(0.3, 0.2, 0.7));
+  const Relation lie = relation(sunk, floor), seen = relation(floor, sunk);
+  EXPECT_EQ(seen.kind, lie.kind);
+  EXPECT_EQ(relation(floor, PosedSmooth(Cone(1, 2), Pose::translation(0, 0, -9))).containment, Containment::b_in_a);
+  const Penetration depth = penetration(sunk, floor), flipped_depth = penetration(floor, sunk);
+  EXPECT_GT(depth.lower, 0);
+  EXPECT_EQ(flipped_depth.lower, depth.lower);
+  EXPECT_EQ(flipped_depth.upper, depth.upper);
+  EXPECT_EQ(flipped_depth.direction, -depth.direction);
+  EXPECT_EQ(flipped_depth.on_a, depth.on_b);
+  EXPECT_EQ(flipped_depth.on_b, depth.on_a);
+  const PosedSmooth above(Cone(1, 1), Pose::translation(0, 0, 5));
+  const Vec3 motion{0.5, -0.25, -8};
+  const Cast falls = cast_shape(above, motion, floor), rises = cast_shape(floor, -motion, above);
+  ASSERT_TRUE(falls.hit);
+  EXPECT_EQ(rises.lower, falls.lower);
+  EXPECT_EQ(rises.upper, falls.upper);
+  EXPECT_EQ(rises.normal, -falls.normal);
+}
+
+// Whole numbers, faces, rims, sides and tips in parallel: the exact gap is 0, whichever axis they lie along.
+TEST(Smooth, TouchingAlongEveryAxisCountsAsContact) {
+  const PosedConvex box(Box({1, 1, 1}));
+  const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int turn = 0; turn < 3; ++turn)
+    for (const double sign : {-1.0, 1.0}) {
+      Pose pose;
+      for (int i = 0; i < 3; ++i) pose.linear[i] = axes[(i + turn) % 3];
+      const int up = [&] {
+        for (int i = 0; i < 3; ++i)
+          if (pose.linear[i].z == 1) return i;
+        return 2;
+      }();
+      const auto at = [&](int axis, double distance) {
+        Pose placed = pose;
+        placed.offset[axis] = sign * distance;
+        return placed;
+      };
+      const int across = (up + 1) % 3;
+      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(up, 4)), box)) << "standing";
+      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 3)), box)) << "lying";
+      EXPECT_TRUE(overlap(PosedSmooth(Cone(2, 3), at(up, 4)), box)) << "on its base, or its tip";
+      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 4)), box)) << "on its pole";
+      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(across, 3)), box)) << "on its side";
+      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(up, 6)), PosedSmooth(Cylinder(1, 3), pose)));
+      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 3)), PosedSmooth(Cylinder(1, 3), pose)));
+      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 5)), PosedSmooth(Cylinder(1, 2), pose)));
+      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 4)), PosedConvex(Sphere(2))));
+    }
+}
+
 TEST(Smooth, DepthOfABallInAWall) {
   const Penetration p =
       penetration(PosedSmooth(Ellipsoid({1, 1, 1}), Pose::translation(0, 0, 2.75)), PosedConvex(Box({5, 5, 2})));
