@@ -41,7 +41,7 @@ void print_table(const std::vector<BroadRow>& rows) {
 }
 
 int run_scene(const BroadArguments& arguments) {
-  const std::vector<PairDigest> truth = true_pairs(arguments);
+  const BroadTruth truth = true_pairs(arguments);
   std::vector<BroadRow> rows;
   for (auto& library : toccata_broad_libraries(arguments.methods, arguments.threads)) {
     rows.push_back(measured(*library, arguments, truth, arguments.seconds));
@@ -55,12 +55,14 @@ int run_scene(const BroadArguments& arguments) {
     Json report = report_of("broad", {{"scene", arguments.scene},
                                       {"count", arguments.count},
                                       {"frames", arguments.frames},
-                                      {"seed", arguments.seed}});
+                                      {"seed", arguments.seed},
+                                      {"truth", truth.how}});
     report["results"] = Json::array();
     for (const BroadRow& row : rows) report["results"].push_back(json_of(row, rows.front()));
     fmt::print("{}\n", report.dump(2));
   } else {
     print_table(rows);
+    fmt::print("  answers compared with {}\n", truth.how);
   }
   return std::any_of(rows.begin(), rows.end(),
                      [](const BroadRow& row) { return row.who.library == "toccata" && row.wrong_frames > 0; })

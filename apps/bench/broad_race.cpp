@@ -29,15 +29,9 @@ Aabb plain(const Aabb& box) {
           {plain(box.upper.x), plain(box.upper.y), plain(box.upper.z)}};
 }
 
-/// By a method that looks at all pairs while they are few enough.
-Pairs pairs_of(std::span<const Aabb> boxes, int threads) {
-  const auto method = boxes.size() <= 20'000 ? BroadPhaseMethod::brute_force : BroadPhaseMethod::morton_tree;
-  return overlapping_pairs(boxes, {method, threads});
-}
-
 /// Which pairs were missing, and whether these boxes have only their sides in common.
 std::string words_of_difference(Pairs found, std::span<const Aabb> boxes) {
-  const Pairs all = pairs_of(boxes, 1);
+  const Pairs all = true_pairs_of(boxes, 1);
   std::sort(found.begin(), found.end());
   Pairs missing;
   std::set_difference(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(missing));
@@ -80,18 +74,7 @@ std::span<const Index> PlainCrowd::step() {
   return moved;
 }
 
-std::vector<PairDigest> true_pairs(const BroadArguments& arguments) {
-  PlainCrowd crowd(arguments);
-  std::vector<PairDigest> truth;
-  for (int frame = 0; frame < arguments.frames; ++frame) {
-    crowd.step();
-    truth.push_back(digest_of(pairs_of(crowd.boxes(), 0)));
-  }
-  return truth;
-}
-
-BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const std::vector<PairDigest>& truth,
-                  double seconds) {
+BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const BroadTruth& truth, double seconds) {
   PlainCrowd crowd(arguments);
   library.add(crowd.boxes());
   // All memory is new the first time; nothing moves.
@@ -111,7 +94,7 @@ BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const 
     Pairs pairs = library.pairs();
     if (!is_ours) pairs = cleaned(std::move(pairs), crowd.boxes());
     const PairDigest digest = digest_of(pairs);
-    if (digest != truth[static_cast<std::size_t>(frame)] && row.wrong_frames++ == 0)
+    if (digest != truth.frames[static_cast<std::size_t>(frame)] && row.wrong_frames++ == 0)
       row.reason = words_of_difference(std::move(pairs), crowd.boxes());
     row.pairs = digest.count;
     bytes = std::max(bytes, library.bytes());
@@ -122,7 +105,7 @@ BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const 
   return row;
 }
 
-BroadRow measured_apart(BroadLibrary& library, const BroadArguments& arguments, const std::vector<PairDigest>& truth,
+BroadRow measured_apart(BroadLibrary& library, const BroadArguments& arguments, const BroadTruth& truth,
                         double seconds) {
   const double patience = 20 + 8 * seconds;
   const auto text =

@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "broad.hpp"
+#include "broad_truth.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowd_frames.hpp"
 #include "toccata/generate/crowds.hpp"
@@ -24,9 +25,6 @@ class PlainCrowd {
   std::vector<Aabb> boxes_;
 };
 
-/// Of each frame, by a method that looks at all pairs while they are few enough.
-std::vector<PairDigest> true_pairs(const BroadArguments& arguments);
-
 struct BroadRow {
   Description who{};
   int threads = 1;
@@ -41,12 +39,11 @@ struct BroadRow {
 };
 
 /// All frames, or, but of two at least, those until `seconds` have passed.
-BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const std::vector<PairDigest>& truth,
-                  double seconds);
+BroadRow measured(BroadLibrary& library, const BroadArguments& arguments, const BroadTruth& truth, double seconds);
 
 /// A peer in a process of its own, which is ended after eight times as long, with what it needs to add the boxes.
 /// Without frames where that happened.
-BroadRow measured_apart(BroadLibrary& library, const BroadArguments& arguments, const std::vector<PairDigest>& truth,
+BroadRow measured_apart(BroadLibrary& library, const BroadArguments& arguments, const BroadTruth& truth,
                         double seconds);
 
 BroadLibraries peers_asked(const BroadArguments& arguments);

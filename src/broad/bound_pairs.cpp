@@ -36,10 +36,16 @@ std::vector<IndexPair> candidates(std::span<const Bound> bounds, const BroadPhas
   return overlapping_pairs(boxes, options);
 }
 
+bool do_overlap(const Rectangle& a, const Rectangle& b) { return overlap(a, b); }
+template <class Bound>
+bool do_overlap(const Bound& a, const Bound& b) {
+  return bounds_overlap(a, b);
+}
+
 /// Without those that do not overlap themselves.
 template <class Bound>
 std::vector<IndexPair> cleaned(std::vector<IndexPair> pairs, std::span<const Bound> bounds) {
-  std::erase_if(pairs, [&](const IndexPair& pair) { return !overlap(bounds[pair.first], bounds[pair.second]); });
+  std::erase_if(pairs, [&](const IndexPair& pair) { return !do_overlap(bounds[pair.first], bounds[pair.second]); });
   return pairs;
 }
 

@@ -1,12 +1,14 @@
 #include "broad/own_bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "bounds/upper_sum.hpp"
+#include "broad/exact_balls.hpp"
 #include "broad/pair_buffer.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -22,13 +24,26 @@ Obb oriented(const Aabb& box) {
   return {centre, Mat3{}, {half(0), half(1), half(2)}};
 }
 
+/// In an order of all their numbers.
+bool is_before(const Obb& a, const Obb& b) {
+  const auto numbers = [](const Obb& box) {
+    std::array<double, 15> all{};
+    auto out = all.begin();
+    for (const Vec3& one : {box.centre, box.half, box.axes[0], box.axes[1], box.axes[2]})
+      for (int axis = 0; axis < 3; ++axis) *out++ = one[axis];
+    return all;
+  };
+  return numbers(a) < numbers(b);
+}
+
 bool do_overlap(const Aabb& a, const Aabb& b) { return overlap(a, b); }
-bool do_overlap(const Ball& a, const Ball& b) { return overlap(a, b); }
-bool do_overlap(const Obb& a, const Obb& b) { return overlap(a, b); }
-bool do_overlap(const Aabb& box, const Ball& ball) { return gap(box, PointVolume{ball.centre}) <= ball.radius; }
+bool do_overlap(const Ball& a, const Ball& b) { return balls_meet(a, b); }
+/// They are compared from the middle of the first, so that there must be a first.
+bool do_overlap(const Obb& a, const Obb& b) { return is_before(b, a) ? overlap(b, a) : overlap(a, b); }
+bool do_overlap(const Aabb& box, const Ball& ball) { return ball_meets_box(ball, box); }
 bool do_overlap(const Obb& box, const Ball& ball) { return gap(box, PointVolume{ball.centre}) <= ball.radius; }
 bool do_overlap(const Aabb& a, const Obb& b) {
-  return !is_finite(a.lower) || !is_finite(a.upper) || overlap(oriented(a), b);
+  return !is_finite(a.lower) || !is_finite(a.upper) || do_overlap(oriented(a), b);
 }
 bool do_overlap(const Ball& ball, const Aabb& box) { return do_overlap(box, ball); }
 bool do_overlap(const Ball& ball, const Obb& box) { return do_overlap(box, ball); }
@@ -120,9 +135,9 @@ bool OwnBounds::overlap_themselves(const IndexPair& pair, std::span<const Aabb> 
   const auto [first, second] = pair;
   const Kind one = kind(first), other = kind(second);
   if (one == Kind::box && other == Kind::box) return true;
-  if (one == Kind::ball && other == Kind::ball) return overlap(balls_[places_[first]], balls_[places_[second]]);
+  if (one == Kind::ball && other == Kind::ball) return do_overlap(balls_[places_[first]], balls_[places_[second]]);
   if (one == Kind::oriented_box && other == Kind::oriented_box)
-    return overlap(oriented_boxes_[places_[first]], oriented_boxes_[places_[second]]);
+    return do_overlap(oriented_boxes_[places_[first]], oriented_boxes_[places_[second]]);
   return bounds_overlap(bound(first, boxes[first]), bound(second, boxes[second]));
 }
 

@@ -73,6 +73,53 @@ TEST(BodyBounds, ABallMeetsABoxWhereItsCentreIsAsNearAsItsRadius) {
   EXPECT_GT(apart, 100);
 }
 
+/// Ways of whole length, so that it is known which balls touch: also where differences of centres are too large for
+/// doubles, or squares too small.
+TEST(BodyBounds, BallsAreComparedExactlyInEitherOrderOfWhateverSize) {
+  struct Way {
+    Vec3 half;
+    double length;  ///< of the half
+  };
+  for (const auto& [half, length] : {Way{{2, 3, 6}, 7}, Way{{-3, 4, 0}, 5}, Way{{1, -4, 2}, std::sqrt(21.0)}})
+    for (const int exponent : {0, 1021, 1000, 480, -510, -1070}) {
+      const bool is_whole = length == std::floor(length);
+      const double scale = std::ldexp(1.0, exponent), radius = scale * length;
+      const Vec3 centre = scale * half;
+      const Ball one{-centre, radius}, other{centre, radius};
+      const Ball smaller{centre, std::nextafter(radius, 0.0)}, larger{centre, std::nextafter(radius, HUGE_VAL)};
+      const auto expect = [&](const AnyBound& a, const AnyBound& b, bool meet) {
+        EXPECT_EQ(bounds_overlap(a, b), meet) << length << " times 2^" << exponent;
+        EXPECT_EQ(bounds_overlap(b, a), meet) << length << " times 2^" << exponent;
+      };
+      if (is_whole) {
+        expect(one, other, true);
+        expect(one, smaller, false);
+        expect(one, larger, true);
+        expect(Ball{{}, radius}, Aabb{centre, centre}, true);
+        expect(Ball{{}, smaller.radius}, Aabb{centre, centre}, false);
+      } else {
+        EXPECT_EQ(bounds_overlap(one, other), bounds_overlap(other, one));
+        EXPECT_EQ(bounds_overlap(one, smaller), bounds_overlap(smaller, one));
+      }
+    }
+}
+
+TEST(BodyBounds, OverlapTheSameInEitherOrderWhereTheyBarelyTouch) {
+  Random random(12);
+  for (int i = 0; i < 2000; ++i) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.between(-900, 900)));
+    const auto bound = [&](int kind) -> AnyBound {
+      const Vec3 centre = scale * test::vector_between(random, -1, 1);
+      if (kind == 0) return Ball{centre, scale * random.between(0.5, 1)};
+      const Obb oriented = test::random_oriented_box(random);
+      if (kind == 1) return Obb{centre, oriented.axes, scale * test::vector_between(random, 0.2, 0.8)};
+      return Aabb{centre, centre + scale * test::vector_between(random, 0, 1)};
+    };
+    const AnyBound a = bound(i % 3), b = bound(i / 3 % 3);
+    EXPECT_EQ(bounds_overlap(a, b), bounds_overlap(b, a)) << i;
+  }
+}
+
 TEST(BodyBounds, ABoxMeetsAnOrientedBoxAsTwoOrientedOnesDo) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Random random(10);
