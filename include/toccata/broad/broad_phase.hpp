@@ -63,9 +63,9 @@ struct BroadPhaseOptions {
 /// What a body may be bounded by.
 using AnyBound = std::variant<Aabb, Ball, Obb>;
 
-/// Whether two overlap, touching included, as the boxes around them and as they are themselves: boxes along the axes and
-/// balls, also with each other, exactly; of oriented boxes false is proved, and true may also be said of two that are
-/// apart by a hair. The same in either order. No number is NaN.
+/// Whether two overlap, touching included, as the boxes around them and as they are themselves: boxes along the axes
+/// and balls, also with each other, exactly; of oriented boxes false is proved, and true may also be said of two that
+/// are apart by a hair. The same in either order. No number is NaN.
 [[nodiscard]] bool bounds_overlap(const AnyBound& a, const AnyBound& b);
 
 /// What an update has changed, both ascending. The pairs kept are those of now without those begun.
