@@ -7,11 +7,13 @@
 #include <optional>
 
 #include "query/decomposition/part_concavity.hpp"
+#include "support/data.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/io/mesh_file.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/query/inside.hpp"
 #include "toccata/query/overlap.hpp"
@@ -131,6 +133,19 @@ TEST(ConvexParts, ContainSeveralComponentsAndAvoidCavities) {
   checked(hollow);
 }
 
+TEST(ConvexParts, OfAMeshThatCrossesItselfContainIt) {
+  checked(joined({box_mesh({0, 0, 0}, {2, 2, 2}), box_mesh({1, 1, 1}, {3, 3, 3})}), {.max_parts = 6});
+}
+
+TEST(ConvexParts, ContainRealMeshes) {
+  const auto data = data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  for (const char* name : {"spot", "cow"}) {
+    SCOPED_TRACE(name);
+    checked(read_mesh(*data / "meshes" / (std::string(name) + ".obj")), {.max_parts = 8}, 2000);
+  }
+}
+
 TEST(ConvexParts, OfAMeshInsideOutAreThoseOfTheMesh) {
   const ConvexParts parts = checked(inverted(l_prism()));
   EXPECT_EQ(parts.parts.size(), 2U);
@@ -200,6 +215,8 @@ TEST(ConvexParts, RefuseWhatIsNoSolidAndLimitsOutOfRange) {
   EXPECT_THROW(static_cast<void>(decompose(l_prism(), {.concavity = -1})), Error);
   EXPECT_THROW(static_cast<void>(decompose(l_prism(), {.concavity = std::nan("")})), Error);
   EXPECT_THROW(static_cast<void>(decompose(Model(Box{{1, 1, 1}}))), Error);
+  EXPECT_THROW(static_cast<void>(decompose(TriangleMesh({}, {}))), Error);
+  EXPECT_THROW(static_cast<void>(decompose(TriangleMesh({{0, 0, 0}, {std::nan(""), 0, 0}}, {{0, 1, 0}}))), Error);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
 }
 
 const bool known =
-    register_sweep({"decompositions", {"upright", "every-face", "inside-out", "turned"}, 10'000, 10, run, 500, 3});
+    register_sweep({"decompositions", {"upright", "every-face", "inside-out", "turned"}, 4'000, 10, run, 500, 3});
 
 }  // namespace
 }  // namespace toccata::test
