@@ -93,7 +93,7 @@ WANTED = {
     "levels-wide": ([KNOT], ["--hierarchy", "wide"], "steps=0:2"),
     "levels-dop": ([KNOT], ["--hierarchy", "26-dop"], "steps=0:4"),
     "voronoi": (VORONOI, ["--voronoi"], "steps=0:1,1:0,2:2&grid=0"),
-    "voronoi-walk": (["gen:icosphere", "gen:icosphere", "--pose-b", *HERE, "2.2", "0.9", "1.3"], ["--voronoi-walk"], "steps=0:99&grid=0&through=1"),
+    "voronoi-walk": (["gen:icosphere", "gen:icosphere", "--pose-b", *HERE, "2.2", "0.9", "1.3"], ["--voronoi-walk"], "steps=0:25&grid=0&through=1"),
     "partition-grid": ([KNOT], ["--partition", "grid"], "steps=0:0&grid=0"),
     "partition-octree": ([KNOT], ["--partition", "octree"], "steps=0:4&grid=0"),
     "partition-kd-tree": ([KNOT], ["--partition", "kd-tree"], "steps=0:7&grid=0"),

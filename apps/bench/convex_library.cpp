@@ -9,11 +9,9 @@ namespace {
 using Maker = ConvexOffer (*)(const ConvexWork&);
 
 const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{{"fcl", fcl_convex},
-                                                {"bullet", bullet_convex},
-                                                {"ode", ode_convex},
-                                                {"tracked", toccata_tracked},
-                                                {"ways", toccata_ways}};
+  static const std::map<std::string, Maker> all{{"dops", toccata_dops},       {"fcl", fcl_convex},
+                                                {"bullet", bullet_convex},    {"ode", ode_convex},
+                                                {"tracked", toccata_tracked}, {"ways", toccata_ways}};
   return all;
 }
 
@@ -25,8 +23,9 @@ void append(ConvexOffer more, ConvexOffer& offer) {
 }  // namespace
 
 std::vector<std::string> convex_pairs() {
-  return {"hull",    "box",         "sphere",       "sphere-box", "sphere-triangle", "sphere-capsule",
-          "capsule", "capsule-box", "cylinder-box", "cone-box",   "ellipsoid"};
+  return {"hull",           "box",          "sphere",        "sphere-box",    "sphere-triangle",
+          "sphere-capsule", "capsule",      "capsule-box",   "cylinder-box",  "cone-box",
+          "ellipsoid",      "sphere-6-dop", "sphere-14-dop", "sphere-18-dop", "sphere-26-dop"};
 }
 
 bool has_smooth(const std::string& pair) { return pair == "cylinder-box" || pair == "cone-box" || pair == "ellipsoid"; }

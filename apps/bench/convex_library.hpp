@@ -97,6 +97,8 @@ ConvexOffer toccata_ways(const ConvexWork& work);
 /// For hulls that move by small steps: by Voronoi regions, by GJK from nothing, by the kept separating axis; the peer
 /// "tracked".
 ConvexOffer toccata_tracked(const ConvexWork& work);
+/// A sphere and a k-DOP by region codes; the peer "dops".
+ConvexOffer toccata_dops(const ConvexWork& work);
 ConvexOffer fcl_convex(const ConvexWork& work);
 ConvexOffer bullet_convex(const ConvexWork& work);
 ConvexOffer ode_convex(const ConvexWork& work);
@@ -118,6 +120,7 @@ auto with_types(const std::string& pair, Function function) {
   if (pair == "cylinder-box") return function.template operator()<Cylinder, Box>();
   if (pair == "cone-box") return function.template operator()<Cone, Box>();
   if (pair == "ellipsoid") return function.template operator()<Ellipsoid, Ellipsoid>();
+  if (pair.ends_with("-dop")) return function.template operator()<Sphere, ConvexHull>();
   return function.template operator()<ConvexHull, ConvexHull>();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "dop_bodies.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
@@ -77,6 +78,7 @@ ConvexBody random_body(const std::string& kind, std::size_t vertices, Random& ra
   if (kind == "triangle") return random_triangle(random);
   if (kind == "cylinder" || kind == "cone") return random_round(kind, random);
   if (kind == "ellipsoid") return Ellipsoid(random_box(random).half_extents());
+  if (kind.ends_with("-dop")) return random_dop(kind, random);
   return random_hull(vertices, random);
 }
 

@@ -97,7 +97,7 @@ class OdeConvex : public ConvexLibrary {
 };
 
 std::string obstacle(const ConvexWork& work) {
-  if (work.pair == "hull") return "its convex shapes are not compared here";
+  if (work.pair == "hull" || work.pair.ends_with("-dop")) return "its convex shapes are not compared here";
   if (work.pair == "sphere-triangle") return "it has triangles only in meshes";
   if (work.pair == "cone-box" || work.pair == "ellipsoid") return "it has no such shape";
   return work.task == ConvexTask::distance ? "it tells no distances" : "";
