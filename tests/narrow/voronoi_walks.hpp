@@ -184,13 +184,23 @@ inline double widest_gap(const PosedConvex& a, const PosedConvex& b) {
   return widest;
 }
 
-/// Between a vertex and a face and between two edges the distance is the widest gap of separating axes; between other
-/// features it is wider. The fault, or nothing.
+/// The last features, which are edges: their product is no axis.
+inline bool are_parallel(const PosedConvex& a, const PosedConvex& b, const TrackedPair& walked) {
+  const auto along = [](const PosedConvex& shape, Index h) {
+    return shape.vertex(shape.topology().target(h)) - shape.vertex(shape.topology().origin[h]);
+  };
+  const Vec3 e = along(a, walked.on_a.index), f = along(b, walked.on_b.index), axis = cross(e, f);
+  return dot(axis, axis) <= 1e-18 * dot(e, e) * dot(f, f);
+}
+
+/// Between a vertex and a face and between two edges that are not parallel the distance is the widest gap of separating
+/// axes; between other features it is wider. The fault, or nothing.
 inline std::string gap_fault(const PosedConvex& a, const PosedConvex& b, const TrackedPair& walked, double distance) {
   if (distance == 0) return "";
   using Kind = ConvexFeature::Kind;
   const Kind on_a = walked.on_a.kind, on_b = walked.on_b.kind;
-  const bool is_plane = on_a == Kind::face || on_b == Kind::face || (on_a == Kind::edge && on_b == Kind::edge);
+  const bool is_plane = on_a == Kind::face || on_b == Kind::face ||
+                        (on_a == Kind::edge && on_b == Kind::edge && !are_parallel(a, b, walked));
   const double cores = distance + a.radius() + b.radius(), gap = widest_gap(a, b);
   const Vec3 across = a.vertex(0) - b.vertex(0);
   const double off = 1e-6 * (cores + std::sqrt(dot(across, across)));
