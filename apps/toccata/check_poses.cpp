@@ -28,8 +28,12 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
   const auto touching = static_cast<std::size_t>(
       std::count_if(report.relations.begin(), report.relations.end(),
                     [](const Relation& relation) { return relation.kind != RelationKind::apart; }));
-  std::string text = columns(rows, 2) + fmt::format("{} of {} in contact, decided exactly.\n", grouped(contacts),
-                                                    counted(rows.size(), "query", "queries"));
+  const auto undecided = static_cast<std::size_t>(
+      std::count_if(report.relations.begin(), report.relations.end(), [](const Relation& relation) {
+        return relation.kind == RelationKind::touching && relation.status != Status::exact;
+      }));
+  std::string text = columns(rows, 2) + fmt::format("{} of {} in contact, {}.\n", grouped(contacts),
+                                                    counted(rows.size(), "query", "queries"), decided_text(undecided));
   if (touching > contacts) text += fmt::format("{} merely touching, ignored as asked.\n", grouped(touching - contacts));
   return text;
 }

@@ -110,6 +110,10 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
       static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
         return pair.relation.kind == RelationKind::apart;
       }));
+  const auto undecided =
+      static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
+        return pair.relation.kind == RelationKind::touching && pair.relation.status != Status::exact;
+      }));
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
                                  counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),
                                  counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
@@ -118,8 +122,9 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
             (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");
   else
     text += pair_lines(scene, report) +
-            fmt::format("{} in contact{}, decided exactly.\n", counted(report.pairs.size() - near, "pair"),
-                        report.clearance ? fmt::format(" and {} not farther apart than asked", near) : "");
+            fmt::format("{} in contact{}, {}.\n", counted(report.pairs.size() - near, "pair"),
+                        report.clearance ? fmt::format(" and {} not farther apart than asked", near) : "",
+                        decided_text(undecided));
   if (report.ignored_touching > 0)
     text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
   return text;

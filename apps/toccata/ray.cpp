@@ -33,20 +33,21 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
   const std::vector<ReportedRay>& rays = report.rays;
   const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
-  std::size_t met = 0;
+  std::size_t met = 0, undecided = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const ReportedRay& ray = rays[i];
     rows.push_back({fmt::format("ray {}", i), "meets nothing"});
     if (!ray.hit.hit) continue;
     ++met;
+    if (ray.hit.status == Status::undecided) ++undecided;
     const Posed& target = input.models[ray.object];
     const std::string where = target.model.has_mesh() ? fmt::format("face {}", ray.hit.face) : "";
     rows.back() = {rows.back()[0], "meets " + names[ray.object], where, "at " + point_text(ray.hit.point),
                    fmt::format("after {:.12g} of the way", ray.hit.upper)};
   }
   for (auto& row : rows) row.resize(5);
-  return columns(rows, 2) +
-         fmt::format("{} of {} met something, decided exactly.\n", grouped(met), counted(rows.size(), "ray"));
+  return columns(rows, 2) + fmt::format("{} of {} met something, {}.\n", grouped(met), counted(rows.size(), "ray"),
+                                        decided_text(undecided));
 }
 
 int run_ray(const RayArguments& arguments) {

@@ -24,6 +24,7 @@ std::string point_text(const Vec3& point) {
 }
 
 std::string distance_text(const Distance& distance) {
+  if (distance.status == Status::undecided) return "meet, or nearly: undecided";
   return distance.upper == 0 ? "meet" : fmt::format("{:.12g} apart", distance.upper);
 }
 
@@ -46,6 +47,10 @@ std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);
   for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
   return digits;
+}
+
+std::string decided_text(std::size_t undecided) {
+  return undecided == 0 ? "decided exactly" : fmt::format("{} undecided and counted", grouped(undecided));
 }
 
 std::string counted(std::size_t number, const std::string& noun) { return counted(number, noun, noun + "s"); }

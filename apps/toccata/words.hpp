@@ -11,7 +11,7 @@ namespace toccata::command {
 /// "(0.5, 0, 1)", to six digits.
 std::string point_text(const Vec3& point);
 
-/// "0.25 apart", or "meet".
+/// "0.25 apart", "meet", or that it is undecided.
 std::string distance_text(const Distance& distance);
 
 /// The nearest points: "(0, 0, 1) to (0, 0, 3)".
@@ -25,6 +25,9 @@ std::string called_as();
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::size_t number);
+
+/// "decided exactly", or how many of the answers are undecided and stand for the safe side.
+std::string decided_text(std::size_t undecided);
 
 /// "1 pair", "2 pairs".
 std::string counted(std::size_t number, const std::string& noun);

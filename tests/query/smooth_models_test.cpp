@@ -141,6 +141,23 @@ TEST(SmoothModels, CompoundsAreTheUnionOfTheirParts) {
   }
 }
 
+// Beside a box of any size, undecided is within 10⁻¹² of the size of the smooth shape alone (docs/truth.md).
+TEST(SmoothModels, OnlyWithinTheBandOfItsOwnSizeIsUndecided) {
+  constexpr double gap = 4e-12;
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    Random random(smooth_seed + number);
+    const SmoothShape shape = smooth_shape(smooth_kinds()[number % 3], {0.5, 0.75, 1});
+    const Mat3 turned = smooth_linear("far", random);
+    const auto at = [&](double height) { return posed({shape, {turned, {0.125, 0.25, height}}}); };
+    const double touching = 8 - distance(at(8), PosedHalfSpace(HalfSpace({0, 0, 0}, {0, 0, 1}))).upper;
+    for (const double size : {1.0, 1e3, 1e6, 1e9}) {
+      const PosedConvex box(Box({4 * size, 4 * size, 4 * size}), Pose::translation(0, 0, -4 * size));
+      EXPECT_EQ(smooth_contact(at(touching + gap), box), SmoothContact::apart) << size << ", " << number;
+      EXPECT_EQ(smooth_contact(at(touching - gap), box), SmoothContact::contact) << size << ", " << number;
+    }
+  }
+}
+
 /// A bracket that holds the depth and whose translation parts the two.
 void expect_depth(const Model& a, const Model& b, const PairQuery& query, double depth) {
   const Penetration found = penetration(a, b, query);

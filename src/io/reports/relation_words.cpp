@@ -29,6 +29,8 @@ std::string verb_of(const Relation& relation) {
 std::string remark_on(const Relation& relation) {
   if (relation.side_unresolved)
     return "(both surfaces; no two faces cross, so the faces cannot tell whether they pass through)";
+  if (relation.kind == RelationKind::touching && relation.status == Status::undecided)
+    return "(undecided: within 10⁻¹² of their size of touching)";
   if (relation.a_solid && relation.b_solid) return "(both solids)";
   if (!relation.a_solid && !relation.b_solid) return "(both surfaces)";
   return relation.a_solid ? "(a solid, a surface)" : "(a surface, a solid)";

@@ -173,7 +173,8 @@ std::string name_of(Status status) {
 
 bool counts_as_contact(const Relation& relation, Touching touching) {
   if (relation.kind == RelationKind::apart) return false;
-  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved;
+  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved ||
+         relation.status != Status::exact;
 }
 
 CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, const ReportOptions& options) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace toccata::io {
@@ -69,27 +70,32 @@ DisplayMesh mesh_of(const Rounded& shape, int circles) {
   return rounded_mesh(core, shape.radius(), core.size() <= few ? circles : std::min(circles, coarse));
 }
 
-/// The hull of points of the surface.
-DisplayMesh round_mesh(std::span<const Vec3> points) {
-  DisplayMesh shown = hull_of(points);
+/// Between rings of radius 1 and of `top`, 0 or 1, around the z axis; sides and discs share no vertices, so that light
+/// breaks at the rims.
+DisplayMesh unit_sides(double top, int circles) {
+  const auto around = static_cast<Index>(4 * circles);
+  DisplayMesh shown;
   shown.smooth = true;
+  for (const auto& [radius, height] : {std::pair{1.0, -1.0}, {top, 1.0}, {1.0, -1.0}, {top, 1.0}})
+    for (Index i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      shown.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+  for (Index i = 0; i < around; ++i) {
+    const Index next = (i + 1) % around, base = 2 * around, lid = 3 * around;
+    shown.triangles.push_back({i, next, around + i});
+    if (top > 0) shown.triangles.push_back({next, around + next, around + i});
+    if (i == 0 || next == 0) continue;
+    shown.triangles.push_back({base, base + next, base + i});
+    if (top > 0) shown.triangles.push_back({lid, lid + i, lid + next});
+  }
+  shown.faces.assign(shown.triangles.size(), 0);
   return shown;
 }
 
-/// Of radius 1 around the z axis.
-std::vector<Vec3> circle_points(double height, int circles) {
-  std::vector<Vec3> points;
-  const int around = 4 * circles;
-  for (int i = 0; i < around; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around;
-    points.push_back({std::cos(angle), std::sin(angle), height});
-  }
-  return points;
-}
-
-std::vector<Vec3> stretched(std::vector<Vec3> points, const Vec3& by) {
-  for (Vec3& p : points) p = {by.x * p.x, by.y * p.y, by.z * p.z};
-  return points;
+DisplayMesh stretched(DisplayMesh shown, const Vec3& by) {
+  for (Vec3& p : shown.vertices) p = {by.x * p.x, by.y * p.y, by.z * p.z};
+  return shown;
 }
 
 /// The parts one after the other, with faces counted as answers count them.
@@ -130,19 +136,12 @@ struct MeshOfShape {
   DisplayMesh operator()(const ConvexHull& shape) const { return mesh_of(shape); }
   DisplayMesh operator()(const Rounded& shape) const { return mesh_of(shape, circles); }
   DisplayMesh operator()(const Cylinder& shape) const {
-    std::vector<Vec3> points = circle_points(1, circles);
-    const std::vector<Vec3> base = circle_points(-1, circles);
-    points.insert(points.end(), base.begin(), base.end());
-    return round_mesh(stretched(std::move(points), {shape.radius(), shape.radius(), shape.half_height()}));
+    return stretched(unit_sides(1, circles), {shape.radius(), shape.radius(), shape.half_height()});
   }
   DisplayMesh operator()(const Cone& shape) const {
-    std::vector<Vec3> points = circle_points(-1, circles);
-    points.push_back({0, 0, 1});
-    return round_mesh(stretched(std::move(points), {shape.radius(), shape.radius(), shape.half_height()}));
+    return stretched(unit_sides(0, circles), {shape.radius(), shape.radius(), shape.half_height()});
   }
-  DisplayMesh operator()(const Ellipsoid& shape) const {
-    return round_mesh(stretched(sphere_points(circles), shape.half_axes()));
-  }
+  DisplayMesh operator()(const Ellipsoid& shape) const { return stretched(unit_sphere(circles), shape.half_axes()); }
   DisplayMesh operator()(const HeightField& shape) const { return mesh_of(*shape.mesh()); }
   DisplayMesh operator()(const std::shared_ptr<const TriangleMesh>& shape) const { return mesh_of(*shape); }
   DisplayMesh operator()(const Compound&) const { return mesh_of_parts(model, circles); }
