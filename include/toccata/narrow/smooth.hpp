@@ -9,8 +9,8 @@
 // half-spaces. Everything is in world coordinates and units, and about the real image of the shape.
 namespace toccata {
 
-/// Apart and contact are proved. Undecided: the sets meet, or lie within 10⁻¹² of the size of the smooth shape of touching
-/// (of two, of the larger; docs/truth.md): its depth or its gap is no larger. It counts as contact.
+/// Apart and contact are proved. Undecided: the sets meet, or lie within 10⁻¹² of the size of the smooth shape of
+/// touching (of two, of the larger; docs/truth.md): its depth or its gap is no larger. It counts as contact.
 enum class SmoothContact : std::uint8_t { apart, contact, undecided };
 
 [[nodiscard]] SmoothContact smooth_contact(const PosedSmooth& a, const PosedSmooth& b);
