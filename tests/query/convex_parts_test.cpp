@@ -193,6 +193,27 @@ TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
   for (const int exponent : {-560, 520}) EXPECT_NEAR(bound(exponent), plain, 1e-9 * plain) << exponent;
 }
 
+TEST(ConvexParts, OfTinyAndHugeMeshesAreThoseOfTheSameMeshScaled) {
+  const TriangleMesh prism = cross_prism();
+  const ConvexParts plain = decompose(prism, {.max_parts = 2});
+  for (const int exponent : {-560, 520}) {
+    const auto scaled = [&](const Vec3& v) {
+      return Vec3{std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+    };
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : prism.vertices()) vertices.push_back(scaled(v));
+    const ConvexParts parts = decompose(prism.with_vertices(vertices), {.max_parts = 2});
+    EXPECT_EQ(parts.concavity, std::ldexp(plain.concavity, exponent));
+    ASSERT_EQ(parts.parts.size(), plain.parts.size());
+    for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+      const ConvexHull &hull = parts.parts[i].hull, &expected = plain.parts[i].hull;
+      ASSERT_EQ(hull.vertex_count(), expected.vertex_count());
+      for (Index v = 0; v < hull.vertex_count(); ++v) EXPECT_EQ(hull.vertex(v), scaled(expected.vertex(v)));
+    }
+  }
+  EXPECT_GT(plain.concavity, 0.1);
+}
+
 TEST(ConvexParts, KeepSheetsOfNoVolume) {
   // A fin of two triangles back to back, in the plane in which the L is cut.
   const TriangleMesh fin({{1, 1, 0}, {1, 3, 3}, {1, 1, 3}}, {{0, 1, 2}, {0, 2, 1}});

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "query/decomposition/cut_cells.hpp"
 #include "query/decomposition/cut_search.hpp"
 #include "query/decomposition/part_concavity.hpp"
@@ -197,6 +201,56 @@ MeshHealth closed_health(const Model& model) {
   return health;
 }
 
+/// Exactly, or nothing where a coordinate would be rounded.
+std::optional<std::vector<Vec3>> times_power_of_two(std::span<const Vec3> points, int exponent) {
+  std::vector<Vec3> result;
+  result.reserve(points.size());
+  for (const Vec3& p : points) {
+    const Vec3 scaled{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    const Vec3 back{std::ldexp(scaled.x, -exponent), std::ldexp(scaled.y, -exponent), std::ldexp(scaled.z, -exponent)};
+    if (!(back == p)) return {};
+    result.push_back(scaled);
+  }
+  return result;
+}
+
+/// Of how many doublings a mesh is too large or too small to be measured quickly; 0 where it is neither, or so small
+/// that lengths would be rounded.
+int exponent_far_from_one(const MeshHealth& health) {
+  constexpr int near_one = 100, least = -900;
+  const double largest = std::fmax(largest_magnitude(health.lower), largest_magnitude(health.upper));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  return exponent >= least && std::abs(exponent) > near_one ? exponent : 0;
+}
+
+/// What is told of the parts of a mesh, for the mesh that is 2^exponent times as large; nothing where a corner of a
+/// part would be rounded.
+std::optional<ConvexParts> enlarged(const ConvexParts& parts, int exponent) {
+  const auto length = [&](double l) { return std::ldexp(l, exponent); };
+  const auto volume = [&](double v) { return std::ldexp(v, 3 * exponent); };
+  ConvexParts result{
+      {}, volume(parts.mesh_volume), volume(parts.hull_volume), volume(parts.excess), length(parts.concavity)};
+  for (const ConvexPart& part : parts.parts) {
+    std::vector<Vec3> corners;
+    for (Index v = 0; v < part.hull.vertex_count(); ++v) corners.push_back(part.hull.vertex(v));
+    const auto scaled = times_power_of_two(corners, exponent);
+    if (!scaled) return {};
+    result.parts.push_back(
+        {ConvexHull(*scaled), volume(part.volume), length(part.concavity), length(part.concavity_found), part.faces});
+  }
+  return result;
+}
+
+/// By a copy of about size 1: queries about it are quick, where the squares of tiny and huge numbers need exact
+/// arithmetic. Nothing where the copy would be rounded.
+std::optional<ConvexParts> decomposed_near_one(const TriangleMesh& mesh, int exponent, DecompositionOptions options) {
+  auto scaled = times_power_of_two(mesh.vertices(), -exponent);
+  if (!scaled) return {};
+  options.concavity = std::fmin(std::ldexp(options.concavity, -exponent), std::numeric_limits<double>::max());
+  const Model copy(mesh.with_vertices(std::move(*scaled)), options.threads);
+  return enlarged(Decomposer(copy, inspect(copy.mesh()), options).decompose(), exponent);
+}
+
 }  // namespace
 
 Compound ConvexParts::compound() const {
@@ -208,6 +262,8 @@ Compound ConvexParts::compound() const {
 ConvexParts decompose(const Model& model, const DecompositionOptions& options) {
   require_limits(options);
   const MeshHealth health = closed_health(model);
+  if (const int exponent = exponent_far_from_one(health); exponent != 0)
+    if (auto parts = decomposed_near_one(model.mesh(), exponent, options)) return *std::move(parts);
   return Decomposer(model, health, options).decompose();
 }
 
