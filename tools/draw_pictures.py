@@ -73,6 +73,7 @@ NEAR = ["--penetration", "--clearance", "all"]
 
 # What is shown, with which options, and how: a scene, a demo's scene by name, or words of the command.
 WANTED = {
+    "demo": (["scenes/a.obj", "scenes/b.stl"], [], "finding=0&grid=0"),
     "contact": ("gears", ["--penetration"], "finding=0&off=normal"),
     "triangles": (TRIANGLES, [], "finding=0&through=1"),
     "polygon": (POLYGON, [], ""),

@@ -33,14 +33,15 @@ struct PosedArguments {
   InputArguments input;
   std::optional<Pose> pose_a;
   std::optional<Pose> pose_b;
-  std::string poses;           ///< a file of queries about two objects; empty: all are asked about as they are
-  std::optional<Solid> solid;  ///< overrides what the scene says
-  std::string save_case;       ///< a file for what is asked and the answer; empty: none
-  std::string html;            ///< a page to write besides; empty: none
-  std::string png;             ///< a picture of it
-  std::string size;            ///< of the picture, "1200x800"; empty: that
-  std::string look;            ///< what the picture shows: the end of a link to the page
-  std::string glb;             ///< a GLB file
+  std::string poses;                 ///< a file of queries about two objects; empty: all are asked about as they are
+  std::optional<Solid> solid;        ///< overrides what the scene says
+  std::string save_case;             ///< a file for what is asked and the answer; empty: none
+  std::string html;                  ///< a page to write besides; empty: none
+  std::string png;                   ///< a picture of it
+  std::string size;                  ///< of the picture, "1200x800"; empty: that
+  std::string look;                  ///< what the picture shows: the end of a link to the page
+  std::string glb;                   ///< a GLB file
+  std::string glb_option = "--glb";  ///< how it is named on the command line
   Format format = Format::table;
   int threads = 0;
 };
@@ -120,7 +121,10 @@ struct TreeArguments {
 };
 
 struct DecomposeArguments : PosedArguments {
-  DecomposeQuestion question;
+  DecomposeArguments() { glb_option = "-o or --glb"; }
+
+  DecomposeQuestion question;  ///< but for its concavity
+  std::string concavity;       ///< a length; empty: 0
 };
 
 struct PairsArguments {
@@ -134,8 +138,9 @@ struct CrowdArguments : PosedArguments {
   std::size_t count = 100'000;
   std::size_t frames = 60;
   std::string method = "auto";
-  bool world = false;    ///< bodies of many shapes in a World instead of boxes
-  bool compare = false;  ///< all methods instead of the one
+  std::string bounds = "boxes";  ///< "boxes", "balls" or "oriented"
+  bool world = false;            ///< bodies of many shapes in a World instead of boxes
+  bool compare = false;          ///< all methods instead of the one
   std::uint64_t seed = 1;
   std::string cells = "method";  ///< those that the page shows, or "tracked"
 };
@@ -166,7 +171,6 @@ int run_nearest(const NearestArguments& arguments);
 int run_minkowski(const MinkowskiArguments& arguments);
 int run_pairs(const PairsArguments& arguments);
 int run_crowd(const CrowdArguments& arguments);
-int run_crowd_world(const CrowdArguments& arguments);
 int run_demo(const DemoArguments& arguments);
 
 }  // namespace toccata::command

@@ -48,6 +48,7 @@ std::string table_of(const CheckInput& input, const InspectReport& report);
 std::string table_of(const CheckInput& input, const RebalanceReport& report);
 std::string table_of(const CheckInput& input, const CostReport& report);
 std::string table_of(const CheckInput& input, const CrowdReport& report);
+std::string table_of(const CheckInput& input, const CrowdWorldReport& report);
 std::string table_of(const CheckInput& input, const DecomposeReport& report);
 std::string table_of(const CheckInput& input, const MinkowskiReport& report);
 

@@ -81,9 +81,6 @@ std::string table_of(const CheckInput&, const CostReport& report) {
 }
 
 int run_cost(const CostArguments& arguments) {
-  const bool asks_itself = changes_objects(arguments) || !is_plain(arguments.options);
-  if (const auto code = answered_case(arguments, {"cost", asks_itself})) return *code;
-  require_view(arguments);
   require_distinct({{"--svg", arguments.svg},
                     {"--html", arguments.html},
                     {"--png", arguments.png},
@@ -91,14 +88,21 @@ int run_cost(const CostArguments& arguments) {
                     {"--save-case", arguments.save_case}},
                    arguments.input.files);
   if (!arguments.svg.empty()) require_output(arguments.svg, OutputKind::plot);
+  const AlsoWritten plot = [&](const CheckInput& input, const SceneAnswer& answer) {
+    if (!arguments.svg.empty() && std::holds_alternative<CostReport>(answer))
+      write_output(report_plot_svg(report_json(input.loaded.scene, input.models, answer)), arguments.svg,
+                   OutputKind::plot);
+    return std::string();
+  };
+  const bool asks_itself = changes_objects(arguments) || !is_plain(arguments.options);
+  if (const auto code = answered_case(arguments, {"cost", asks_itself}, plot)) return *code;
+  require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const CostQuestion question{queries_of(input, arguments), arguments.options};
   const ViewTarget target = target_of(arguments);
   const SceneAnswer answer = ask_for(input, question, arguments, {"measuring"});
   if (draws_something(target)) write_view(target, input, answer);
-  if (!arguments.svg.empty())
-    write_output(report_plot_svg(report_json(input.loaded.scene, input.models, answer)), arguments.svg,
-                 OutputKind::plot);
+  (void)plot(input, answer);
   print_answer(input, question, answer, arguments, [&](const SceneAnswer& found) {
     const CostTable& table = std::get<CostReport>(found).table;
     return tables_of(table, arguments.rows == 0 ? table.rows.size() : arguments.rows,

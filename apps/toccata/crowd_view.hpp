@@ -1,31 +1,27 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "arguments.hpp"
-#include "picture.hpp"
-#include "toccata/io/crowd_report.hpp"
+#include "toccata/io/scene_question.hpp"
+#include "view.hpp"
 
 namespace toccata::command {
 
-/// What shall be written of a crowd: a page, a picture of it, both or neither.
+/// What shall be written of a crowd: a page, a picture of it, a GLB file, some of these or none.
 class CrowdView {
  public:
-  /// Throws Error, before long work, where what is asked for cannot be written or does not go together.
-  CrowdView(const CrowdArguments& arguments, CrowdQuestion question);
+  /// `question` is about a crowd. Throws Error, before long work, where what is asked for cannot be written or does not
+  /// go together.
+  CrowdView(const CrowdArguments& arguments, SceneQuestion question);
 
   /// Runs the crowd once more, frame by frame as it was measured, and writes what it was. Gives a line for each file.
   [[nodiscard]] std::string write() const;
-  /// Writes this page, or its picture. Gives a line for each file, which says what it `holds`.
-  [[nodiscard]] std::string write(const std::string& page, const std::string& holds) const;
-  /// There is something to be written.
-  [[nodiscard]] bool draws() const;
 
  private:
-  CrowdArguments arguments_;
-  CrowdQuestion question_;
-  std::optional<PictureTarget> picture_;
+  SceneQuestion question_;
+  ViewTarget target_;
+  bool is_tracked_;  ///< the page shows a grid's cells in place of the method's
 };
 
 }  // namespace toccata::command

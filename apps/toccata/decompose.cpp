@@ -7,6 +7,8 @@
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "clearance.hpp"
+#include "output.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
@@ -41,11 +43,18 @@ std::string table_of(const CheckInput&, const DecomposeReport& report) {
 }
 
 int run_decompose(const DecomposeArguments& arguments) {
-  const bool asks_itself = changes_objects(arguments) || arguments.question != DecomposeQuestion{};
+  const bool asks_itself =
+      changes_objects(arguments) || arguments.question != DecomposeQuestion{} || !arguments.concavity.empty();
   if (const auto code = answered_case(arguments, {"decompose", asks_itself})) return *code;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
-  (void)answer_to(arguments.question, input, arguments, "cutting");
+  DecomposeQuestion question = arguments.question;
+  if (!arguments.concavity.empty())
+    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene);
+  const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
+  const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
+  if (arguments.format == Format::table)
+    print_answer(written_lines(target_of(arguments), counted(parts, "convex part")));
   return 0;
 }
 

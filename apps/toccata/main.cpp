@@ -96,7 +96,7 @@ int run(const CLI::App& app, Options& options) {
   }
   if (app.got_subcommand("crowd")) {
     options.crowd.format = format_of(options);
-    return options.crowd.world ? run_crowd_world(options.crowd) : run_crowd(options.crowd);
+    return run_crowd(options.crowd);
   }
   options.demo.format = format_of(options);
   return run_demo(options.demo);

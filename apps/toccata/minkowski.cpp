@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <system_error>
@@ -36,6 +37,18 @@ std::string point_line(const MinkowskiSum& sum, const Vec3& point) {
 
 bool is_glb(const std::string& file) { return file.ends_with(".glb"); }
 
+/// Before anything is computed.
+void require_mesh_format(const std::string& file) {
+  constexpr std::array formats{".obj", ".off", ".ply", ".stl"};
+  if (file.empty()) return;
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (std::find(formats.begin(), formats.end(), extension) == formats.end())
+    throw Error(printable(file) +
+                ": the extension names no format that is written (use .obj, .off, .ply, .stl or .glb)");
+}
+
 void require_files(const MinkowskiArguments& arguments) {
   require_view(arguments);
   require_distinct({{"-o", arguments.mesh},
@@ -45,6 +58,7 @@ void require_files(const MinkowskiArguments& arguments) {
                     {"--save-case", arguments.save_case}},
                    arguments.input.files);
   if (is_glb(arguments.mesh)) return require_output(arguments.mesh, OutputKind::glb);
+  require_mesh_format(arguments.mesh);
   // Mesh files have no mark by which one of Toccata's could be told from somebody's work.
   std::error_code none;
   if (!arguments.mesh.empty() && std::filesystem::file_size(arguments.mesh, none) > 0 && !none)

@@ -8,6 +8,7 @@
 #include "question_options.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "toccata/io/crowd_report.hpp"
 #include "whole_number.hpp"
 #include "words.hpp"
 
@@ -150,12 +151,9 @@ void add_decompose(CLI::App& app, Options& options) {
   decompose->add_option("--parts", arguments.question.max_parts, "at most so many")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  decompose
-      ->add_option("--concavity", arguments.question.concavity,
-                   "cut no further where no point of a part is farther than this from the solid, in units of the file")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("LENGTH")
-      ->capture_default_str();
+  add_length(*decompose, "--concavity", arguments.concavity,
+             "cut no further where no point of a part is farther than this from the solid: a length in units of the "
+             "scene or with its own (0.5, 2mm, 0.1in)");
   add_glb(*decompose, arguments, "-o,--output,--glb");
   add_pages(*decompose, arguments);
   add_save_case(*decompose, arguments.save_case);
@@ -167,55 +165,72 @@ void add_decompose(CLI::App& app, Options& options) {
       "Example:\n  {0} decompose part.stl -o parts.glb\n  {0} decompose gen:torus --parts 16 --html parts.html"));
 }
 
-void add_crowd(CLI::App& app, Options& options) {
-  std::vector<std::string> scenes, methods;
-  for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
+/// What a case of a crowd says itself.
+std::vector<CLI::Option*> add_flight(CLI::App& app, CrowdArguments& crowd) {
+  std::vector<std::string> methods;
   for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
-  CLI::App* crowd = app.add_subcommand("crowd", "many moving boxes: which overlap, frame by frame, and how fast");
   const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000});
-  crowd->add_option("--count", options.crowd.count, "boxes or bodies")->check(positive)->capture_default_str();
-  CLI::Option* scene = crowd->add_option("--scene", options.crowd.scene, "how they lie and move")
-                           ->check(CLI::IsMember(scenes))
-                           ->capture_default_str();
-  crowd->add_option("--frames", options.crowd.frames, "the median of their times is told")
-      ->check(positive)
-      ->capture_default_str();
-  CLI::Option* method = crowd->add_option("--method", options.crowd.method, "how pairs are found")
-                            ->check(CLI::IsMember(methods))
-                            ->capture_default_str();
+  return {
+      app.add_option("--count", crowd.count, "boxes or bodies")->check(positive)->capture_default_str(),
+      app.add_option("--frames", crowd.frames, "the median of their times is told")
+          ->check(positive)
+          ->capture_default_str(),
+      app.add_option("--seed", crowd.seed, "another seed, another crowd")->check(whole_number())->capture_default_str(),
+      add_threads(app, crowd.threads, "pairs")->capture_default_str(),
+      app.add_option("--method", crowd.method, "how pairs are found")
+          ->check(CLI::IsMember(methods))
+          ->capture_default_str()};
+}
+
+/// What bodies in a World do not have.
+std::vector<CLI::Option*> add_boxes(CLI::App& app, CrowdArguments& crowd) {
+  std::vector<std::string> scenes, bounds;
+  for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
+  for (const CrowdBounds one : all_crowd_bounds) bounds.emplace_back(name_of(one));
+  return {app.add_option("--scene", crowd.scene, "how they lie and move")
+              ->check(CLI::IsMember(scenes))
+              ->capture_default_str(),
+          app.add_option("--bounds", crowd.bounds,
+                         "what bounds each: its box, the ball around that, or the box turned (oriented)")
+              ->check(CLI::IsMember(bounds))
+              ->capture_default_str(),
+          app.add_option("--cells", crowd.cells,
+                         "which cells the page shows: those of the method, or of a grid those that boxes enter, keep "
+                         "and leave")
+              ->check(CLI::IsMember({"method", "tracked"}))
+              ->capture_default_str()};
+}
+
+void add_crowd(CLI::App& app, Options& options) {
+  CLI::App* crowd = app.add_subcommand("crowd", "many moving boxes: which overlap, frame by frame, and how fast");
+  CLI::Option* files =
+      crowd->add_option("case", options.crowd.input.files, "a case of a crowd, to be answered again")->expected(0, 1);
+  const std::vector<CLI::Option*> flight = add_flight(*crowd, options.crowd), boxes = add_boxes(*crowd, options.crowd);
   CLI::Option* compare =
-      crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other")
-          ->excludes(method);
-  crowd->add_option("--seed", options.crowd.seed, "another seed, another crowd")
-      ->check(whole_number())
-      ->capture_default_str();
-  add_threads(*crowd, options.crowd.threads, "pairs")->capture_default_str();
+      crowd->add_flag("--compare", options.crowd.compare, "all methods that can bear so many, one after the other");
+  compare->excludes(flight.back());
+  CLI::Option* world = crowd->add_flag(
+      "--world", options.crowd.world,
+      "instead of boxes, spheres, boxes, capsules and hulls that fly in a World: which are in contact, exactly");
+  world->excludes(compare);
+  for (CLI::Option* option : boxes) world->excludes(option->excludes(files));
+  for (CLI::Option* option : flight) option->excludes(files);
+  compare->excludes(files);
+  world->excludes(files);
   add_file(*crowd, "--html", options.crowd.html,
            "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
-  CLI::Option* cells =
-      crowd
-          ->add_option(
-              "--cells", options.crowd.cells,
-              "which cells the page shows: those of the method, or of a grid those that boxes enter, keep and leave")
-          ->check(CLI::IsMember({"method", "tracked"}))
-          ->capture_default_str();
-  crowd
-      ->add_flag(
-          "--world", options.crowd.world,
-          "instead of boxes, spheres, boxes, capsules and hulls that fly in a World: which are in contact, exactly")
-      ->excludes(scene)
-      ->excludes(compare)
-      ->excludes(cells);
   add_picture(*crowd, options.crowd);
+  add_glb(*crowd, options.crowd);
   add_save_case(
       *crowd, options.crowd.save_case,
       "write the question and the answer into one file; `replay` asks it again (docs/reference/case-file.md)");
   crowd->add_flag("--json", options.json, "write JSON (docs/reference/crowd.md)");
   crowd->footer(
-      with_name("Exit code: 0, or 2 for trouble.\n\n"
+      with_name("Exit code: 0, or 2 for trouble; of a case also 1, where its answer is another.\n\n"
                 "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
                 "  {0} crowd --count 2000 --frames 100 --html crowd.html\n"
-                "  {0} crowd --world --count 500 --frames 60 --html world.html"));
+                "  {0} crowd --world --count 500 --frames 60 --html world.html --save-case world.json\n"
+                "  {0} crowd world.json --glb world.glb"));
 }
 
 void add_demo(CLI::App& app, Options& options) {

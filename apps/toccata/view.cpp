@@ -134,6 +134,18 @@ Drawn drawn_of(const ViewArguments& arguments) {
   return is_one_json ? drawn_case(arguments) : drawn_as_asked_here(arguments);
 }
 
+/// Throws Error for what the options add to a page and what this one cannot have: of crowds, and without meshes.
+void require_drawable(const ViewOptions& options, const Drawn& drawn) {
+  const bool is_mesh_wanted = options.hierarchy || options.partition;
+  if (!is_mesh_wanted && !options.voronoi) return;
+  const std::string named = options.hierarchy ? "--hierarchy" : options.partition ? "--partition" : "--voronoi";
+  if (is_of_crowd(drawn.question))
+    throw Error(named + " is about the objects of a scene, and a crowd has none: leave it out");
+  const auto has_mesh = [](const Posed& posed) { return posed.model.has_mesh(); };
+  if (is_mesh_wanted && std::none_of(drawn.input.models.begin(), drawn.input.models.end(), has_mesh))
+    throw Error(named + " is about meshes, and here is none: leave it out");
+}
+
 /// Where the answer is another than the recorded one; empty where none is recorded.
 std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
   if (drawn.recorded.empty()) return {};
@@ -160,32 +172,21 @@ struct FindingsTold {
   }
   std::string operator()(const CostReport& r) const { return counted(r.table.rows.size(), "hierarchy", "hierarchies"); }
   std::string operator()(const CrowdReport& r) const {
-    return fmt::format("{} in {}", counted(r.question.count, "box", "boxes"), counted(r.question.frames, "frame"));
+    return fmt::format("{} in {}", crowd_words(r.question), counted(r.question.frames, "frame"));
+  }
+  std::string operator()(const CrowdWorldReport& r) const {
+    return fmt::format("{} in {}", crowd_words(r.question), counted(r.question.frames, "step"));
   }
   std::string operator()(const DecomposeReport& r) const { return counted(r.parts.parts.size(), "convex part"); }
   std::string operator()(const MinkowskiReport& r) const { return "their " + name_of(r.question); }
   std::string operator()(const InspectReport& r) const {
     std::size_t faults = 0;
-    for (const InspectedObject& object : r.objects)
-      for (const MeshFault& fault : object.faults) faults += fault.count();
+    for (const InspectedObject& object : r.objects) faults += object.faults.size();
     return counted(faults, "fault");
   }
 };
 
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
-
-/// What was written, a line each.
-std::string told_of(const ViewTarget& target, const std::string& holds) {
-  std::string told;
-  if (!target.path.empty())
-    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(target.path), holds,
-                        megabytes_of(target.path));
-  if (!target.glb.empty())
-    told += fmt::format("{}: {}, {:.1f} MB; open it in Blender or another program for glTF.\n", printable(target.glb),
-                        holds, megabytes_of(target.glb));
-  if (target.picture) told += fmt::format("{}: a picture of {}.\n", printable(target.picture->path), holds);
-  return told;
-}
 
 }  // namespace
 
@@ -223,13 +224,32 @@ void require_view(const PosedArguments& arguments) { require_view(target_of(argu
 
 void require_view(const ViewTarget& target, const PosedArguments& arguments) {
   require_distinct({{"-o or --html", target.path},
-                    {"--glb", target.glb},
+                    {arguments.glb_option, target.glb},
                     {"--png", target.picture ? target.picture->path : ""},
                     {"--save-case", arguments.save_case}},
                    arguments.input.files);
   if (!target.path.empty()) require_output(target.path, OutputKind::page);
   if (!target.glb.empty()) require_output(target.glb, OutputKind::glb);
   if (target.picture) require_picture(*target.picture);
+}
+
+void write_files(const ViewTarget& target, const std::string& page, const std::string& glb) {
+  if (target.picture) write_picture(page, *target.picture);
+  const UninterruptedWriting writing;
+  if (!target.path.empty()) write_view_page(page, target.path);
+  if (!target.glb.empty()) write_glb(glb, target.glb);
+}
+
+std::string written_lines(const ViewTarget& target, const std::string& holds) {
+  std::string told;
+  if (!target.path.empty())
+    told += fmt::format("{}: {}, {:.1f} MB; open it in a browser.\n", printable(target.path), holds,
+                        megabytes_of(target.path));
+  if (!target.glb.empty())
+    told += fmt::format("{}: {}, {:.1f} MB; open it in Blender or another program for glTF.\n", printable(target.glb),
+                        holds, megabytes_of(target.glb));
+  if (target.picture) told += fmt::format("{}: a picture of {}.\n", printable(target.picture->path), holds);
+  return told;
 }
 
 void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& found) {
@@ -242,10 +262,7 @@ void write_view(const ViewTarget& target, const CheckInput& input, const SceneAn
                                ? ""
                                : view_page(loaded.scene, input.models, answer, target.options, loaded.warnings);
   const std::string glb = target.glb.empty() ? "" : scene_glb(loaded.scene, input.models, answer, target.options);
-  if (target.picture) write_picture(page, *target.picture);
-  const UninterruptedWriting writing;
-  if (!target.path.empty()) write_view_page(page, target.path);
-  if (!target.glb.empty()) write_glb(glb, target.glb);
+  write_files(target, page, glb);
 }
 
 int run_view(const ViewArguments& arguments) {
@@ -254,6 +271,7 @@ int run_view(const ViewArguments& arguments) {
   Drawn drawn = drawn_of(arguments);
   if (arguments.up.empty()) target.options.up = up_of(drawn.files);
   if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
+  require_drawable(target.options, drawn);
   SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
   const std::string difference = difference_of(drawn, answer);
   if (!difference.empty())
@@ -263,7 +281,7 @@ int run_view(const ViewArguments& arguments) {
   write_view(target, drawn.input, answer);
   const std::string found = std::visit(FindingsTold{}, answer);
   const std::size_t objects = drawn.input.models.size();
-  print_answer(told_of(target, objects == 0 ? found : counted(objects, "object") + " and " + found));
+  print_answer(written_lines(target, objects == 0 ? found : counted(objects, "object") + " and " + found));
   return difference.empty() ? 0 : 1;
 }
 

@@ -45,6 +45,16 @@ std::string title_of(const std::vector<std::string>& files);
 /// `answer` has faces, where the page shall show them. Throws Error for a GLB file of what none can show.
 void write_view(const ViewTarget& target, const CheckInput& input, const SceneAnswer& answer);
 
+/// Writes what was made of each that the target names.
+void write_files(const ViewTarget& target, const std::string& page, const std::string& glb);
+
+/// A line for each file that was written, with what it `holds`.
+std::string written_lines(const ViewTarget& target, const std::string& holds);
+
+/// "100 boxes", "1 body that flies".
+std::string crowd_words(const CrowdQuestion& question);
+std::string crowd_words(const CrowdWorldQuestion& question);
+
 /// What `check` asks.
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances);
 

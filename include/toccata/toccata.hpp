@@ -42,6 +42,7 @@
 #include "toccata/io/cost_report.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/crowd_report.hpp"
+#include "toccata/io/crowd_world_report.hpp"
 #include "toccata/io/decompose_report.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"

@@ -58,6 +58,22 @@ TEST_F(Cost, IsDrawnAtOnceAndFromAReportThatWasKept) {
   EXPECT_EQ(drawing("cost.svg"), drawing("again.svg"));
 }
 
+/// Of the answer of now; a difference is told by the row's own key, as times put rows anywhere.
+TEST_F(Cost, ACaseIsDrawnAndItsRowsAreNamed) {
+  ASSERT_EQ(cost({"--quick", "--volumes", "aabb,obb", "--save-case", "case.json"}).exit_code, 0);
+  const auto drawn = run_command({"cost", "case.json", "--svg", "case.svg"}, folder.path());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_TRUE(test::text_of(folder.path() / "case.svg").starts_with("<!-- Plot of Toccata -->"));
+  std::string text = test::text_of(folder.path() / "case.json");
+  const std::size_t place = text.rfind("\"N_bv\":") + 7;
+  folder.write("case.json", text.insert(place, "1"));
+  const auto other = run_command({"replay", "case.json"}, folder.path());
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_TRUE(other.out.find("/rows/rigid ") != std::string::npos || other.out.find("/rows/re") != std::string::npos)
+      << other.out;
+  EXPECT_NE(other.out.find("/N_bv: recorded 1"), std::string::npos) << other.out;
+}
+
 TEST_F(Cost, PlotsThatCannotBeAreRefused) {
   const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
     const auto result = run_command(words, folder.path());

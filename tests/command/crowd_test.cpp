@@ -65,24 +65,23 @@ TEST(CrowdCommand, FindsTheSamePairsInAWorldByEveryMethod) {
     EXPECT_GT(json["begun"], 0);
     EXPECT_GT(json["ended"], 0);
     EXPECT_LE(json["median_ms"], json["worst_ms"]);
-    answers.insert(Json({json["pairs"], json["begun"], json["ended"]}).dump());
+    answers.insert(Json({json["pairs"], json["begun"], json["ended"], json["digest"]}).dump());
   }
   EXPECT_EQ(answers.size(), 1U);
 }
 
 /// Some where options are read, some before a World is made.
 TEST(CrowdCommand, RefusesWhatMakesNoWorld) {
-  const std::map<std::vector<std::string>, std::string> refused{
-      {{"--count", "0"}, "--count"},
-      {{"--count", "100000001"}, "--count"},
-      {{"--frames", "0"}, "--frames"},
-      {{"--threads", "-1"}, "--threads"},
-      {{"--method", "gird"}, "--method: gird"},
-      {{"--scene", "uniform"}, "--scene excludes --world"},
-      {{"--cells", "tracked"}, "--cells excludes --world"},
-      {{"--compare"}, "--compare excludes --world"},
-      {{"--save-case", "case.json"}, "--save-case is about boxes"},
-      {{"--size", "90x90"}, "--png FILE.png"}};
+  const std::map<std::vector<std::string>, std::string> refused{{{"--count", "0"}, "--count"},
+                                                                {{"--count", "100000001"}, "--count"},
+                                                                {{"--frames", "0"}, "--frames"},
+                                                                {{"--threads", "-1"}, "--threads"},
+                                                                {{"--method", "gird"}, "--method: gird"},
+                                                                {{"--scene", "uniform"}, "--scene"},
+                                                                {{"--bounds", "balls"}, "--bounds"},
+                                                                {{"--cells", "tracked"}, "--cells"},
+                                                                {{"--compare"}, "--compare"},
+                                                                {{"--size", "90x90"}, "--png FILE.png"}};
   const test::TemporaryFolder folder;
   for (const auto& [words, complaint] : refused) {
     std::vector<std::string> all = {"crowd", "--world"};
@@ -101,6 +100,100 @@ TEST(CrowdCommand, RefusesMoreThanAPageHolds) {
   const auto run = run_command({"crowd", "--count", "100000000", "--html", "x.html"}, folder.path());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("a page holds at most 1,142,857 boxes, not 100,000,000"), std::string::npos) << run.err;
+}
+
+/// All methods find the same pairs of them, fewer than of the boxes around them, and other ones.
+TEST(CrowdCommand, BoundsMayBeBallsAndTurnedBoxes) {
+  std::set<std::string> digests;
+  for (const std::string bounds : {"boxes", "balls", "oriented"}) {
+    const auto run = run_command(
+        {"crowd", "--count", "300", "--frames", "3", "--bounds", bounds, "--compare", "--threads", "2", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["bounds"], bounds);
+    for (const Json& one : json["methods"]) EXPECT_EQ(one["digest"], json["methods"][0]["digest"]) << one["method"];
+    EXPECT_GT(json["methods"][0]["pairs"], 0);
+    digests.insert(json["methods"][0]["digest"]);
+  }
+  EXPECT_EQ(digests.size(), 3U);
+  const auto told = run_command({"crowd", "--count", "50", "--frames", "1", "--bounds", "oriented"});
+  EXPECT_TRUE(told.out.starts_with("50 oriented boxes, uniform, 1 frame\n")) << told.out;
+}
+
+/// Of boxes and of bodies: a case answers again with the same pairs, is drawn, and tells where it has others.
+TEST(CrowdCommand, CasesAreAnsweredAgainBitForBit) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--count", "60", "--bounds", "balls"}, {"--world", "--count", "60"}}) {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> all = {"crowd", "--frames", "8", "--save-case", "case.json"};
+    all.insert(all.end(), words.begin(), words.end());
+    const auto asked = run_command(all, folder.path());
+    ASSERT_EQ(asked.exit_code, 0) << asked.err;
+    for (const std::vector<std::string>& again :
+         {std::vector<std::string>{"crowd", "case.json"}, {"check", "case.json"}, {"replay", "case.json"}}) {
+      const auto answered = run_command(again, folder.path());
+      EXPECT_EQ(answered.exit_code, 0) << answered.err;
+      EXPECT_EQ(answered.out.substr(0, answered.out.find('\n')), asked.out.substr(0, asked.out.find('\n')));
+      EXPECT_EQ(answered.err, "");
+    }
+    const auto drawn = run_command({"crowd", "case.json", "--html", "a.html", "--glb", "a.glb"}, folder.path());
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "a.html"));
+    EXPECT_TRUE(test::text_of(folder.path() / "a.glb").starts_with("glTF"));
+    std::string text = test::text_of(folder.path() / "case.json");
+    const std::size_t digest = text.find("\"digest\":") + 12;
+    text[text[digest] == '"' ? digest + 1 : digest] ^= 1;
+    folder.write("case.json", text);
+    const auto other = run_command({"crowd", "case.json"}, folder.path());
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.err.find("digest: recorded"), std::string::npos) << other.err;
+  }
+}
+
+TEST(CrowdCommand, ReadsNothingButItsCases) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& complaint) {
+    const auto run = run_command(words, folder.path());
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find(complaint), std::string::npos) << run.err;
+  };
+  refused({"crowd", "gen:box"}, "gen:box is no case of a crowd");
+  ASSERT_EQ(run_command({"inspect", "gen:box", "--save-case", "box.json"}, folder.path()).exit_code, 0);
+  refused({"crowd", "box.json"}, "box.json holds a question, inspect: `");
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--count", "5"},
+                                                 {"--method", "grid"},
+                                                 {"--world"},
+                                                 {"--threads", "2"},
+                                                 {"--compare"}}) {
+    std::vector<std::string> all = {"crowd", "box.json"};
+    all.insert(all.end(), option.begin(), option.end());
+    refused(all, option[0]);
+  }
+}
+
+TEST(CrowdCommand, WritesAnAnimationForBlender) {
+  const test::TemporaryFolder folder;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"crowd", "--count", "40", "--frames", "3"},
+                                                {"crowd", "--world", "--count", "40", "--frames", "3"}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--glb", "crowd.glb"});
+    const auto run = run_command(all, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find("crowd.glb: 4 "), std::string::npos) << run.out;
+    EXPECT_NE(test::text_of(folder.path() / "crowd.glb").find("\"animations\""), std::string::npos);
+  }
+}
+
+/// On a terminal a bar tells how far it is; nothing of it is in what is redirected.
+TEST(CrowdCommand, TheProgressBarIsForTerminalsAlone) {
+  std::vector<std::string> words = {"crowd", "--count", "20000", "--frames", "1000", "--method", "brute-force"};
+  const std::string seen = test::seen_on_terminal(words, "]");
+  EXPECT_NE(seen.find("\rframes ["), std::string::npos) << seen;
+  words[4] = "12";
+  const auto redirected = run_command(words);
+  EXPECT_EQ(redirected.exit_code, 0);
+  EXPECT_EQ(redirected.err, "");
+  EXPECT_EQ(redirected.out.find('\r'), std::string::npos);
 }
 
 TEST(CrowdCommand, HelpTellsExitCodesAndThreads) {

@@ -108,6 +108,38 @@ TEST(MadeShapesCommand, WhatWasMadeIsDrawn) {
   }
 }
 
+/// Of the scale and unit that are given: the table, the report and what is drawn.
+TEST(MadeShapesCommand, PartsAreToldWhereTheyAreDrawn) {
+  const TemporaryFolder folder;
+  folder.write("spike.off", spike("1"));
+  const auto asked = run_command({"decompose", "spike.off", "--scale", "4", "-o", "parts.glb"}, folder.path());
+  ASSERT_EQ(asked.exit_code, 0) << asked.err;
+  EXPECT_NE(asked.out.find("1 convex part with 10.6667 in all around a solid of 10.6667"), std::string::npos);
+  EXPECT_NE(asked.out.find("parts.glb: 1 convex part, "), std::string::npos) << asked.out;
+  const auto told = run_command({"inspect", "parts.glb", "--json"}, folder.path());
+  EXPECT_NE(told.out.find("4.0"), std::string::npos) << told.out;
+  const auto json = run_command({"decompose", "spike.off", "--scale", "4", "--json"}, folder.path());
+  EXPECT_NE(json.out.find("[0.0,0.0,4.0]"), std::string::npos) << json.out;
+  const auto with_unit =
+      run_command({"decompose", "spike.off", "--unit", "mm", "--concavity", "1mm", "--json"}, folder.path());
+  EXPECT_NE(with_unit.out.find("\"concavity\":0.001"), std::string::npos) << with_unit.out << with_unit.err;
+}
+
+TEST(MadeShapesCommand, DecomposeRefusesInWords) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const MadeBy& words, const std::string& complaint) {
+    const auto run = run_command(words, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_NE(run.err.find(complaint), std::string::npos) << run.err;
+  };
+  refused({"decompose", "gen:box", "gen:box"}, "here are 2 objects: name one file, of one mesh");
+  refused({"decompose", "gen:box", "--concavity", "-1"}, "--concavity -1: write LENGTH, where a length is 0 or more");
+  refused({"decompose", "gen:box", "--concavity", "2mm"}, "add --unit, or leave the unit out");
+  refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "-o or --glb would write a");
+  folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
+  refused({"decompose", "open.off"}, "'open'");
+}
+
 TEST(MadeShapesCommand, OptionsAskAnotherQuestionOfACase) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_command({"minkowski", "gen:box", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 0);

@@ -71,7 +71,8 @@ TEST(MinkowskiCommand, RefusesWhatItCannotDo) {
   };
   trouble({"minkowski", "gen:torus", "gen:box"}, "--hull takes its convex hull");
   trouble({"minkowski", "gen:box"}, "two objects");
-  trouble({"minkowski", "gen:box", "gen:box", "-o", "sum.xyz"}, "sum.xyz");
+  trouble({"minkowski", "gen:box", "gen:box", "-o", "sum.xyz"},
+          "sum.xyz: the extension names no format that is written (use .obj, .off, .ply, .stl or .glb)");
   folder.write("plane.json", R"({"format": "toccata-scene", "version": 1, "objects": [
     {"name": "floor", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]})");
   trouble({"minkowski", "gen:box", "plane.json"}, "bounded convex shapes");

@@ -89,6 +89,23 @@ TEST(ViewCommand, CheckWritesAGlbFileBesideItsAnswer) {
   EXPECT_NE(read.out.find("level 3"), std::string::npos) << read.out << read.err;
 }
 
+/// In the page and in the GLB file, of a scene, of a report and of a case.
+TEST(ViewCommand, DrawsPartitionsAndVoronoiRegions) {
+  const TemporaryFolder folder;
+  folder.write("report.json", run_command({"distance", "gen:box", "gen:box", "--json"}, folder.path()).out);
+  ASSERT_EQ(run_command({"inspect", "gen:box", "--save-case", "case.json"}, folder.path()).exit_code, 0);
+  for (const std::string file : {"gen:box", "report.json", "case.json"}) {
+    const auto drawn = run_command(
+        {"view", file, "--partition", "octree", "--voronoi", "-o", "page.html", "--glb", "page.glb"}, folder.path());
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    const std::string page = text_of(folder.path() / "page.html"), glb = text_of(folder.path() / "page.glb");
+    for (const char* name : {"box: cells of the octree", "box: Voronoi regions"})
+      EXPECT_NE(page.find(name), std::string::npos) << file << ": " << name;
+    for (const char* name : {"cells of the octree over box", "Voronoi regions of box", "nearest to an edge"})
+      EXPECT_NE(glb.find(name), std::string::npos) << file << ": " << name;
+  }
+}
+
 /// Long work is not begun for a file that cannot be written.
 TEST(ViewCommand, RefusesAtOnceWhatCannotBeWritten) {
   const TemporaryFolder folder;
@@ -126,6 +143,8 @@ TEST(ViewCommand, TroubleWritesNothing) {
   refused({"check", "gen:box", "--self", "--html", "notes.txt"}, "is not a page of Toccata");
   refused({"view", "gen:box", "--glb", "notes.txt"}, "is not a GLB file of Toccata");
   refused({"view", "gen:box", "-o", "page.html", "--hierarchy", ""}, "a volume must be named");
+  refused({"view", "gen:torus", "-o", "page.html", "--voronoi"}, "has no Voronoi regions to draw");
+  refused({"view", "gen:box", "-o", "page.html", "--partition", "octre"}, "did you mean 'octree'?");
   refused({"view", "gen:box", "-o", ""}, "a file must be named");
   refused({"view", "gen:box", "-o", "a.html", "--glb", "./a.html"},
           "--glb would write ./a.html, which is that of -o or --html too: give them different names");

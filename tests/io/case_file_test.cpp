@@ -155,7 +155,7 @@ std::vector<PairQuery> queries(Random& random, const Scene& of) {
 SceneQuestion question(Random& random, const Scene& of) {
   const bool yes = random.below(2) == 0;
   const double reach = random.below(3) == 0 ? std::numeric_limits<double>::infinity() : length(random);
-  switch (random.below(11)) {
+  switch (random.below(12)) {
     case 0: {
       CheckQuestion check{yes ? Touching::ignore : Touching::count, random.below(2) == 0, random.below(2) == 0, {}, {}};
       if (!yes) check.clearance = reach;
@@ -187,8 +187,16 @@ SceneQuestion question(Random& random, const Scene& of) {
       if (of.objects.size() == 2) return MinkowskiQuestion{yes, true, vector(random, true)};
       return HierarchyQuestion{};
     case 9:
-      return CrowdQuestion{"static",      40, 3, {BroadPhaseMethod::brute_force, BroadPhaseMethod::automatic},
-                           random.bits(), 1};
+      return CrowdQuestion{"static",
+                           40,
+                           3,
+                           {BroadPhaseMethod::brute_force, BroadPhaseMethod::automatic},
+                           random.bits(),
+                           1,
+                           yes ? CrowdBounds::balls : CrowdBounds::oriented};
+    case 10:
+      return CrowdWorldQuestion{30, 3, yes ? BroadPhaseMethod::uniform_grid : BroadPhaseMethod::automatic,
+                                random.bits(), 1};
     case 7:
       return InspectQuestion{false, random.below(4) == 0, yes};
     default:
@@ -199,7 +207,7 @@ SceneQuestion question(Random& random, const Scene& of) {
 /// Its answer tells times.
 bool is_measured(const SceneQuestion& question) {
   const auto* inspect = std::get_if<InspectQuestion>(&question);
-  return std::holds_alternative<CrowdQuestion>(question) || (inspect != nullptr && inspect->partitions);
+  return is_of_crowd(question) || (inspect != nullptr && inspect->partitions);
 }
 
 TEST(CaseFile, EveryQuestionAboutEveryShapeHasTheSameAnswerToTheBit) {

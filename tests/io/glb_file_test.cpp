@@ -26,6 +26,7 @@
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/partitions/levels.hpp"
 #include "toccata/query/scene_models.hpp"
 
 namespace toccata {
@@ -500,6 +501,89 @@ TEST(GlbFile, PosesAreKeysOfAnAnimation) {
   question.queries[7].pose_b.linear[0].y = 0.5;
   const SceneAnswer sheared = ask(models, question);
   EXPECT_THROW(static_cast<void>(scene_glb(scene, models, sheared, options)), Error);
+}
+
+TEST(GlbFile, CrowdsMoveAndTheirPairsAreSeenInTheirFrames) {
+  const CrowdRecording recording = record_crowd({"uniform", 30, 3, {BroadPhaseMethod::uniform_grid}});
+  const SoundGlb glb(recording_glb(recording));
+  for (std::size_t i = 0; i < recording.frames().size(); ++i) {
+    const CrowdRecording::Frame& frame = recording.frames()[i];
+    for (std::size_t box = 0; box < frame.boxes.size(); ++box)
+      EXPECT_LE(difference(transform(pose_at_key(glb, "box " + std::to_string(box) + " moving", i), {1, 1, 1}),
+                           frame.boxes[box].upper),
+                1e-5);
+    const auto nodes = glb.nodes_named("frame " + std::to_string(i));  // of pairs, and of cells
+    ASSERT_EQ(nodes.size(), 2U);
+    for (const Json& node : nodes) {
+      const bool is_pairs = node["extras"].contains("pairs");
+      const Json& shown = glb.top["nodes"][node["children"][0].get<std::size_t>()];
+      const Json& part = glb.top["meshes"][shown["mesh"].get<std::size_t>()]["primitives"][0];
+      const Json& points = glb.top["accessors"][part["attributes"]["POSITION"].get<std::size_t>()];
+      EXPECT_EQ(part["mode"], 1);
+      EXPECT_EQ(points["count"], is_pairs ? 2 * frame.pairs.size() : 8 * frame.space.cells.size());
+      EXPECT_EQ(node["extras"][is_pairs ? "pairs" : "cells"], is_pairs ? frame.pairs.size() : frame.space.cells.size());
+    }
+  }
+  EXPECT_THROW(static_cast<void>(recording_glb(CrowdRecording{})), Error);
+  const CrowdRecording many = record_crowd({"uniform", 20'001, 1});
+  EXPECT_THROW(static_cast<void>(recording_glb(many)), Error);
+}
+
+/// A body that comes later and one that goes are nowhere in the other frames.
+TEST(GlbFile, BodiesOfAWorldMoveComeAndGo) {
+  World world({.distance = true, .manifold = true});
+  const BodyId ball = world.add({Model(Sphere(1)), Pose::translation(0, 0, 1.5)});
+  world.add({Model(Box({1, 1, 1}))});
+  world.step();
+  WorldRecording recording;
+  recording.add(world);
+  const BodyId late = world.add({Model(Sphere(1)), Pose::translation(5, 0, 0)});
+  world.move(ball, Pose::translation(0, 0, 3));
+  world.step();
+  recording.add(world);
+  world.remove(late);
+  world.step();
+  recording.add(world);
+  const SoundGlb glb(recording_glb(recording));
+  const auto place_of = [&](std::size_t body, std::size_t key) {
+    return pose_at_key(glb, "body " + std::to_string(body) + " moving", key);
+  };
+  EXPECT_LE(difference(place_of(0, 0).offset, {0, 0, 1.5}), 1e-6);
+  EXPECT_LE(difference(place_of(0, 1).offset, {0, 0, 3}), 1e-6);
+  EXPECT_EQ(place_of(2, 0).linear, (Mat3{{Vec3{}, Vec3{}, Vec3{}}}));
+  EXPECT_LE(difference(place_of(2, 1).offset, {5, 0, 0}), 1e-6);
+  EXPECT_EQ(place_of(2, 2).linear, (Mat3{{Vec3{}, Vec3{}, Vec3{}}}));
+  const std::vector<Json> first = glb.nodes_named("step 0"), second = glb.nodes_named("step 1");
+  ASSERT_EQ(first.size(), 1U);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(first[0]["extras"], Json({{"begun", 1}, {"kept", 0}, {"ended", 0}}));
+  EXPECT_EQ(second[0]["extras"], Json({{"begun", 0}, {"kept", 0}, {"ended", 1}}));
+  EXPECT_EQ(glb.nodes_named("contact points").size(), 1U);
+}
+
+TEST(GlbFile, PartitionsAndVoronoiRegionsAreNodes) {
+  const Scene scene = scene_of({object("one", ball()), object("two", ball(), {{}, {3, 0, 0}})});
+  const std::vector<Posed> models = scene_models(scene);
+  ViewOptions options;
+  options.partition = PartitionKind::octree;
+  const SoundGlb glb(scene_glb(scene, models, CheckReport{}, options));
+  const auto levels = partition_levels(PartitionKind::octree, PartitionItems(models[0].model.mesh()));
+  for (const char* name : {"cells of the octree over one", "cells of the octree over two"}) {
+    ASSERT_EQ(glb.nodes_named(name).size(), 1U);
+    EXPECT_EQ(glb.nodes_named(name)[0]["children"].size(), levels.size());
+  }
+  const Json depth = glb.nodes_named("depth 1").at(0);
+  EXPECT_EQ(depth["extras"]["cells"], levels.at(1).cells.size());
+  const Json& part = glb.top["meshes"][depth["mesh"].get<std::size_t>()]["primitives"][0];
+  EXPECT_EQ(glb.top["accessors"][part["indices"].get<std::size_t>()]["count"], 24 * levels[1].cells.size());
+  const Scene boxes = scene_of({object("box", Box({1, 2, 3}))});
+  options.partition.reset();
+  options.voronoi = true;
+  const SoundGlb regions(scene_glb(boxes, scene_models(boxes), CheckReport{}, options));
+  ASSERT_EQ(regions.nodes_named("Voronoi regions of box").size(), 1U);
+  EXPECT_EQ(regions.nodes_named("Voronoi regions of box")[0]["children"].size(), 3U);
+  const Scene gears = gear_train();
+  EXPECT_THROW(static_cast<void>(scene_glb(gears, scene_models(gears), CheckReport{}, options)), Error);
 }
 
 TEST(GlbFile, ReplacesNothingThatIsNotItsOwn) {

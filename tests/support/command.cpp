@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -18,10 +19,7 @@ void redirect(const std::filesystem::path& file, int descriptor) {
   close(opened);
 }
 
-[[noreturn]] void become_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
-                                 const std::filesystem::path& out, const std::filesystem::path& err) {
-  redirect(out, STDOUT_FILENO);
-  redirect(err, STDERR_FILENO);
+[[noreturn]] void become_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   std::vector<char*> arguments;
   std::string program = TOCCATA_COMMAND;
   arguments.push_back(program.data());
@@ -40,11 +38,41 @@ CommandResult run_command(const std::vector<std::string>& words, const std::file
   const std::filesystem::path err = results.path() / "err";
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
-  if (child == 0) become_command(words, folder, out, err);
+  if (child == 0) {
+    redirect(out, STDOUT_FILENO);
+    redirect(err, STDERR_FILENO);
+    become_command(words, folder);
+  }
   int state = 0;
   waitpid(child, &state, 0);
   const int code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
   return {code, text_of(out), text_of(err)};
+}
+
+std::string seen_on_terminal(const std::vector<std::string>& words, const std::string& awaited) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) throw std::runtime_error("no terminal");
+  const std::string name = ptsname(terminal);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0) {
+    redirect("/dev/null", STDOUT_FILENO);
+    redirect(name, STDERR_FILENO);
+    become_command(words, ".");
+  }
+  std::string seen;
+  char bytes[4096];
+  while (seen.find(awaited) == std::string::npos) {
+    const ssize_t count = read(terminal, bytes, sizeof bytes);
+    if (count > 0) seen.append(bytes, static_cast<std::size_t>(count));
+    // Before the other side is opened, and after it is closed, there is nothing to read.
+    if (count <= 0 && waitpid(child, nullptr, WNOHANG) != 0) return close(terminal), seen;
+    if (count <= 0) usleep(1000);
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  close(terminal);
+  return seen;
 }
 
 TemporaryFolder::TemporaryFolder() {

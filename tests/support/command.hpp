@@ -16,6 +16,10 @@ struct CommandResult {
 /// Runs the built command with these words, in `folder`.
 CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
 
+/// Runs it with a terminal for its standard error, until `awaited` is seen there or it ends; then it is killed. Gives
+/// what was seen.
+[[nodiscard]] std::string seen_on_terminal(const std::vector<std::string>& words, const std::string& awaited);
+
 /// A fresh folder that is removed with everything in it at the end.
 class TemporaryFolder {
  public:

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "toccata/broad/broad_phase.hpp"
@@ -12,6 +14,18 @@
 
 namespace toccata {
 
+/// What bounds the bodies of a crowd, of which each fills a box.
+enum class CrowdBounds {
+  boxes,     ///< these boxes, along the axes
+  balls,     ///< the balls around them
+  oriented,  ///< the boxes themselves, turned about z, each by an angle of its own
+};
+
+/// "boxes", "balls", "oriented".
+[[nodiscard]] std::string_view name_of(CrowdBounds bounds);
+
+inline constexpr std::array all_crowd_bounds{CrowdBounds::boxes, CrowdBounds::balls, CrowdBounds::oriented};
+
 /// How fast which methods find the pairs of a crowd of moving boxes, and whether all find the same: `crowd`.
 struct CrowdQuestion {
   std::string scene = "uniform";                                       ///< one of crowd_scenes
@@ -19,7 +33,8 @@ struct CrowdQuestion {
   std::size_t frames = 60;                                             ///< at least one
   std::vector<BroadPhaseMethod> methods{BroadPhaseMethod::automatic};  ///< one after the other; at least one
   std::uint64_t seed = 1;
-  int threads = 1;  ///< times compare with each other so; 0: as many as there are
+  int threads = 1;  ///< times compare with each other so; 0: as many as there are. From 0 to 1024
+  CrowdBounds bounds = CrowdBounds::boxes;
 };
 
 /// A method's way through all frames.
@@ -40,7 +55,7 @@ struct CrowdReport {
 };
 
 /// Runs the crowd for every method. Throws Error where two find different pairs, naming the frame, for a scene that is
-/// not there, and where there is no box, frame or method.
+/// not there, for threads out of their range, and where there is no box, frame or method.
 [[nodiscard]] CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress = {});
 
 /// JSON by the schema toccata/crowd/1 of docs/reference/crowd.md.

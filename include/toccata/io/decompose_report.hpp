@@ -10,7 +10,8 @@
 
 namespace toccata {
 
-/// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh in its own frame.
+/// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
+/// world.
 struct DecomposeQuestion {
   std::size_t max_parts = 32;  ///< as DecompositionOptions says
   double concavity = 0;
@@ -19,7 +20,7 @@ struct DecomposeQuestion {
 
 struct DecomposeReport {
   std::string name;  ///< of the object
-  Pose pose;         ///< where it is, and so its parts
+  Pose pose;         ///< of its parts: none where they are in the world, as `ask` makes them
   ConvexParts parts;
 };
 

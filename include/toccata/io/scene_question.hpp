@@ -10,6 +10,7 @@
 #include "toccata/core/progress.hpp"
 #include "toccata/io/cost_report.hpp"
 #include "toccata/io/crowd_report.hpp"
+#include "toccata/io/crowd_world_report.hpp"
 #include "toccata/io/decompose_report.hpp"
 #include "toccata/io/distance_report.hpp"
 #include "toccata/io/faces_report.hpp"
@@ -87,11 +88,14 @@ struct CostQuestion {
   CostOptions options{};           ///< `progress` plays no part: AskOptions has one
 };
 
-/// That of a crowd is about no scene: it is asked of no models.
+/// Those of crowds are about no scene: they are asked of no models (`is_of_crowd`).
 using SceneQuestion =
     std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion, DistancePosesQuestion, RayQuestion,
                  FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion,
-                 DecomposeQuestion, MinkowskiQuestion>;
+                 DecomposeQuestion, MinkowskiQuestion, CrowdWorldQuestion>;
+
+/// It makes what it asks about, from a seed, and no scene has a part in it.
+[[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -120,7 +124,7 @@ struct CostReport {
 /// What a question found, in the order of SceneQuestion's alternatives.
 using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
                                  FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport,
-                                 DecomposeReport, MinkowskiReport>;
+                                 DecomposeReport, MinkowskiReport, CrowdWorldReport>;
 
 struct AskOptions {
   int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
@@ -138,7 +142,7 @@ struct AskOptions {
                               const AskOptions& options = {});
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
-/// "hierarchy", "cost", "crowd", "decompose", "minkowski".
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.

@@ -64,6 +64,10 @@ class WorldRecording {
   std::size_t bytes_ = 0;
 };
 
+/// The bodies of `crowd --world` once more (run_crowd_world), with relations, contact points and depths, kept step by
+/// step; the first is that before anything moves. Throws Error as WorldRecording and run_crowd_world do.
+[[nodiscard]] WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
+
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
 /// each frame as they have begun, are kept and have ended, with contact points and distances where the World tells
 /// these, and a list of them. Places are rounded for display to floats and turns to 1/32767; poses at first, depths and

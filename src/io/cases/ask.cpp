@@ -131,6 +131,10 @@ class Asking {
 
   SceneAnswer operator()(const CrowdQuestion& question) const { return run_crowd(question, options_.progress); }
 
+  SceneAnswer operator()(const CrowdWorldQuestion& question) const {
+    return run_crowd_world(question, options_.progress);
+  }
+
   SceneAnswer operator()(const DecomposeQuestion& question) const {
     return io::ask_decompose(models_, question, options_);
   }
@@ -193,6 +197,7 @@ struct ReportWriter {
   std::string operator()(const RebalanceReport& r) const { return hierarchy_report_json(scene, models, r, warnings); }
   std::string operator()(const CostReport& r) const { return cost_report_json(scene, models, r.table, warnings); }
   std::string operator()(const CrowdReport& r) const { return crowd_report_json(r); }
+  std::string operator()(const CrowdWorldReport& r) const { return crowd_world_report_json(r); }
   std::string operator()(const DecomposeReport& r) const { return decompose_report_json(scene, models, r, warnings); }
   std::string operator()(const MinkowskiReport& r) const { return minkowski_report_json(scene, models, r, warnings); }
 };
@@ -226,10 +231,14 @@ SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQu
   return std::visit(Asking(models, options, &scene), question);
 }
 
+bool is_of_crowd(const SceneQuestion& question) {
+  return std::holds_alternative<CrowdQuestion>(question) || std::holds_alternative<CrowdWorldQuestion>(question);
+}
+
 std::string name_of(const SceneQuestion& question) {
   constexpr std::array<const char*, std::variant_size_v<SceneQuestion>> names = {
-      "check",   "check-poses", "check-self", "distance", "distance-poses", "ray",       "faces",
-      "nearest", "inspect",     "hierarchy",  "cost",     "crowd",          "decompose", "minkowski"};
+      "check",   "check-poses", "check-self", "distance", "distance-poses", "ray",       "faces",      "nearest",
+      "inspect", "hierarchy",   "cost",       "crowd",    "decompose",      "minkowski", "crowd-world"};
   return names[question.index()];
 }
 

@@ -50,6 +50,13 @@ class Operand {
   PosedConvex posed_;
 };
 
+/// As the pose places it: what is asked and told of it is in the world.
+Model model_in_world(const Posed& posed) {
+  if (!posed.model.has_mesh() || posed.pose == Pose{}) return posed.model;
+  const TriangleMesh& mesh = posed.model.mesh();
+  return Model(std::make_shared<const TriangleMesh>(mesh.with_vertices(transform(posed.pose, mesh.vertices()))));
+}
+
 const char* is_or_are(std::size_t count) { return count == 1 ? "is" : "are"; }
 
 }  // namespace
@@ -57,15 +64,15 @@ const char* is_or_are(std::size_t count) { return count == 1 ? "is" : "are"; }
 DecomposeReport ask_decompose(std::span<const Posed> models, const DecomposeQuestion& question,
                               const AskOptions& options) {
   if (models.size() != 1)
-    throw Error(fmt::format("one closed mesh is cut into convex parts; here {} {} objects", is_or_are(models.size()),
-                            models.size()));
+    throw Error(fmt::format("one closed mesh is cut into convex parts; here {} {} objects: name one file, of one mesh",
+                            is_or_are(models.size()), models.size()));
   const Posed& posed = models[0];
   return asked_of(posed.name, [&] {
-    return DecomposeReport{posed.name, posed.pose,
-                           decompose(posed.model, {.max_parts = question.max_parts,
-                                                   .concavity = question.concavity,
-                                                   .threads = options.threads,
-                                                   .progress = options.progress})};
+    return DecomposeReport{posed.name, Pose{},
+                           decompose(model_in_world(posed), {.max_parts = question.max_parts,
+                                                             .concavity = question.concavity,
+                                                             .threads = options.threads,
+                                                             .progress = options.progress})};
   });
 }
 

@@ -137,7 +137,7 @@ Case read_case(const fs::path& path) {
 
 void write_case(const Case& content, const fs::path& path) {
   io::require_writable(content.scene);
-  const bool is_crowd = content.question && std::holds_alternative<CrowdQuestion>(*content.question);
+  const bool is_crowd = content.question && is_of_crowd(*content.question);
   if (content.scene.objects.empty() && !is_crowd) throw Error("the scene has no objects; a case is about at least one");
   if (!content.answer.empty() && !nlohmann::json::accept(content.answer))
     throw Error("the answer of the case is not JSON; write what report_json or error_json gives");

@@ -28,26 +28,37 @@ const json* member(const json& object, const std::string& key) {
   return found == object.end() ? nullptr : &*found;
 }
 
-/// What a clock told is another each time, and so is what follows from it, as the reason of a choice; memory depends on
-/// what takes part in a process.
+/// What a clock told is another each time, and so is what follows from it, as a choice and its reason; memory depends
+/// on what takes part in a process.
 bool is_measured(std::string_view key) {
-  return key.ends_with("_ns") || key.ends_with("_ms") || key == "bytes_per_body" || key == "reason";
+  return key.ends_with("_ns") || key.ends_with("_ms") || key == "bytes_per_body" || key == "reason" ||
+         key == "used_method";
 }
 
-/// The rows of a cost report are sorted by times, and its winners told by them: these go, and the rows are put in an
-/// order of their own.
+/// "rigid obb median 2".
+std::string key_of_cost_row(const json& row) {
+  std::string key;
+  for (const char* name : {"workload", "volume", "builder", "arity"}) {
+    const json value = row.is_object() ? row.value(name, json()) : json();
+    key += (key.empty() ? "" : " ") + (value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return key;
+}
+
+/// The rows of a cost report are sorted by times, and its winners told by them: these go, and the rows are told apart
+/// by what they are of.
 json without_order_by_time(json report) {
   if (!report.is_object() || report.value("schema", json()) != "toccata/cost/1") return report;
   report.erase("winners");
   const auto found = report.find("rows");
   if (found == report.end() || !found->is_array()) return report;
-  const auto key_of = [](const json& row) {
-    json key = json::array();
-    for (const char* name : {"workload", "volume", "builder", "arity"})
-      key.push_back(row.is_object() ? row.value(name, json()) : json());
-    return key;
-  };
-  std::stable_sort(found->begin(), found->end(), [&](const json& a, const json& b) { return key_of(a) < key_of(b); });
+  json rows = json::object();
+  for (const json& row : *found) {
+    std::string key = key_of_cost_row(row);
+    while (rows.contains(key)) key += " again";  // no report of ours has two
+    rows[key] = row;
+  }
+  *found = std::move(rows);
   return report;
 }
 

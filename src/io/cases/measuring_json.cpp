@@ -52,6 +52,15 @@ std::uint64_t seed_of(const JsonValue& value) {
   return seed;
 }
 
+/// How many fly, for how long, from which seed.
+template <class Question>
+void take_flight(Question& question, const JsonValue& value) {
+  question.count = value.whole_or("count", 100'000'000, question.count);
+  question.frames = value.whole_or("frames", 100'000'000, question.frames);
+  if (value.has("seed")) question.seed = seed_of(value.at("seed"));
+  question.threads = static_cast<int>(value.whole_or("threads", 1024, 1));
+}
+
 constexpr std::array all_tasks{CostTask::overlap, CostTask::contacts, CostTask::distance};
 constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
 
@@ -101,18 +110,33 @@ Json json_of_measuring(const CrowdQuestion& question) {
           {"frames", question.frames},
           {"methods", names_of(question.methods)},
           {"seed", std::to_string(question.seed)},
+          {"threads", question.threads},
+          {"bounds", name_of(question.bounds)}};
+}
+
+Json json_of_measuring(const CrowdWorldQuestion& question) {
+  return {{"count", question.count},
+          {"frames", question.frames},
+          {"method", name_of(question.method)},
+          {"seed", std::to_string(question.seed)},
           {"threads", question.threads}};
 }
 
 SceneQuestion crowd_question_of(const JsonValue& value) {
-  value.expect_keys({"question", "scene", "count", "frames", "methods", "seed", "threads"});
+  value.expect_keys({"question", "scene", "count", "frames", "methods", "seed", "threads", "bounds"});
   CrowdQuestion question;
   question.scene = value.text_or("scene", question.scene);
-  question.count = value.whole_or("count", 100'000'000, question.count);
-  question.frames = value.whole_or("frames", 100'000'000, question.frames);
+  take_flight(question, value);
   take_list<BroadPhaseMethod>(question.methods, value, "methods", broad_phase_methods());
-  if (value.has("seed")) question.seed = seed_of(value.at("seed"));
-  question.threads = static_cast<int>(value.whole_or("threads", 1024, 1));
+  if (value.has("bounds")) question.bounds = named<CrowdBounds>(value.at("bounds"), all_crowd_bounds);
+  return question;
+}
+
+SceneQuestion crowd_world_question_of(const JsonValue& value) {
+  value.expect_keys({"question", "count", "frames", "method", "seed", "threads"});
+  CrowdWorldQuestion question;
+  take_flight(question, value);
+  if (value.has("method")) question.method = named<BroadPhaseMethod>(value.at("method"), broad_phase_methods());
   return question;
 }
 

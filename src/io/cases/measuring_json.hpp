@@ -11,7 +11,9 @@ namespace toccata::io {
 /// Reading throws Error naming the place.
 [[nodiscard]] nlohmann::ordered_json json_of_measuring(const CostQuestion& question);
 [[nodiscard]] nlohmann::ordered_json json_of_measuring(const CrowdQuestion& question);
+[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CrowdWorldQuestion& question);
 [[nodiscard]] CostQuestion cost_question_of(const JsonValue& value);
 [[nodiscard]] SceneQuestion crowd_question_of(const JsonValue& value);
+[[nodiscard]] SceneQuestion crowd_world_question_of(const JsonValue& value);
 
 }  // namespace toccata::io

@@ -98,6 +98,7 @@ struct Writer {
     return json;
   }
   Json operator()(const CrowdQuestion& q) const { return json_of_measuring(q); }
+  Json operator()(const CrowdWorldQuestion& q) const { return json_of_measuring(q); }
   Json operator()(const DecomposeQuestion& q) const {
     return {{"parts", q.max_parts}, {"concavity", json_of_length(q.concavity)}};
   }
@@ -281,6 +282,7 @@ SceneQuestion question_of(const JsonValue& value) {
                                                                        {"hierarchy", hierarchy_of},
                                                                        {"cost", cost_of},
                                                                        {"crowd", crowd_question_of},
+                                                                       {"crowd-world", crowd_world_question_of},
                                                                        {"decompose", decompose_of},
                                                                        {"minkowski", minkowski_of}};
   const std::string name = value.at("question").text();

@@ -50,7 +50,7 @@ std::vector<AskedFile> files_of(const io::JsonValue& list, const SceneQuestion& 
     file.expect_keys({"name", "digest"});
     files.push_back({file.at("name").text(), file.at("digest").text()});
   }
-  if (files.empty() && !std::holds_alternative<CrowdQuestion>(question)) list.fail("no file is named", "ask again");
+  if (files.empty() && !is_of_crowd(question)) list.fail("no file is named", "ask again");
   return files;
 }
 

@@ -21,9 +21,14 @@ std::vector<Posed> models_of(const Scene& scene, std::span<const Posed> models, 
 
 std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                       const ViewOptions& options) {
-  if (options.hierarchy && !io::queries_of(answer).empty())
+  if (const auto* crowd = std::get_if<CrowdReport>(&answer))
+    return recording_glb(record_crowd(crowd->question), options);
+  if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
+    return recording_glb(record_crowd_world(crowd->question), options);
+  if ((options.hierarchy || options.partition || options.voronoi) && !io::queries_of(answer).empty())
     throw Error(
-        "hierarchies over objects that move are not in a GLB file; a page shows them: view_page, or -o FILE.html");
+        "hierarchies, partitions and Voronoi regions of objects that move are not in a GLB file; a page shows them: "
+        "view_page, or -o FILE.html");
   const std::vector<Posed> drawn = models_of(scene, models, answer);
   const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
@@ -31,6 +36,8 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
   io::add_findings(glb, answer);
   if (const auto* trees = std::get_if<RebalanceReport>(&answer)) io::add_trees(glb, scene, *trees);
   if (options.hierarchy) io::add_hierarchies(glb, *options.hierarchy);
+  if (options.partition) io::add_partitions(glb, *options.partition);
+  if (options.voronoi) io::add_voronoi(glb);
   return glb.file(options, scene.unit);
 }
 

@@ -108,9 +108,8 @@ class FindingNodes {
   void operator()(const CostReport&) {}       // it tells of costs alone
   void operator()(const DecomposeReport&) {}  // parts and sums are objects
   void operator()(const MinkowskiReport&) {}
-  void operator()(const CrowdReport&) {
-    throw Error("a GLB file has no time, and a crowd moves; a page shows it: view_page, or -o FILE.html");
-  }
+  void operator()(const CrowdReport&) {}  // crowds are recorded (glb_recordings.cpp)
+  void operator()(const CrowdWorldReport&) {}
 
   void operator()(const PosesReport& report) {
     std::vector<std::size_t> at_poses;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -75,14 +76,14 @@ class ObjectMeshes {
         glb_.add_node(glb_.name_of(object), place.node, frame, {{"mesh", mesh_number(object, role, place, frame)}}));
   }
 
-  /// The same of an object that moves through the poses; models of such objects are at their own places.
-  void add_moving(std::size_t object, Role role, std::span<const Pose> poses) {
+  /// The same of an object that moves through the keys; models of such objects are at their own places.
+  void add_moving(std::size_t object, Role role, std::span<const GlbKey> keys) {
     const GlbPlace place = GlbPlace::of(glb_.pose_of(object));
     const GlbFrame frame = frame_of(glb_.meshes().drawn()[object].mesh, place);
     const std::string name = glb_.name_of(object);
     const std::size_t node =
         glb_.add_moved(name, place.node, frame, {{"mesh", mesh_number(object, role, place, frame)}});
-    nodes_.push_back(glb_.add_moving(name + " moving", node, poses));
+    nodes_.push_back(glb_.add_moving(name + " moving", node, keys));
   }
 
   [[nodiscard]] const std::vector<std::size_t>& nodes() const { return nodes_; }
@@ -128,10 +129,10 @@ class ObjectMeshes {
   std::vector<std::size_t> nodes_;
 };
 
-std::vector<Pose> poses_of(std::span<const PairQuery> queries, std::size_t object) {
+std::vector<GlbKey> keys_of_queries(std::span<const PairQuery> queries, std::size_t object) {
   std::vector<Pose> poses;
   for (const PairQuery& query : queries) poses.push_back(object == 0 ? query.pose_a : query.pose_b);
-  return poses;
+  return keys_of(poses);
 }
 
 }  // namespace
@@ -144,7 +145,17 @@ void add_objects(GlbScene& glb, const SceneAnswer& answer) {
     if (queries.empty())
       meshes.add(object, roles[object]);
     else
-      meshes.add_moving(object, object == 0 ? Role::first : Role::second, poses_of(queries, object));
+      meshes.add_moving(object, object == 0 ? Role::first : Role::second, keys_of_queries(queries, object));
+  glb.add_group("objects", meshes.nodes());
+}
+
+void add_moving_objects(GlbScene& glb, const std::vector<std::vector<GlbKey>>& keys,
+                        const std::vector<bool>& is_named) {
+  ObjectMeshes meshes(glb);
+  const auto has_pose = [](const GlbKey& key) { return key.pose.has_value(); };
+  for (std::size_t object = 0; object < keys.size(); ++object)
+    if (std::any_of(keys[object].begin(), keys[object].end(), has_pose))
+      meshes.add_moving(object, is_named[object] ? Role::first : Role::alone, keys[object]);
   glb.add_group("objects", meshes.nodes());
 }
 

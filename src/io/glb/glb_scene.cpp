@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -107,30 +108,41 @@ std::size_t GlbScene::add_moved(const std::string& name, const Pose& pose, const
   return node_at(name, pose_between({}, pose, own), std::move(more));
 }
 
-void GlbScene::animate(std::size_t node, const char* path, std::span<const float> times, std::span<const float> keys,
+void GlbScene::animate(std::size_t node, const char* path, const std::vector<float>& times, std::span<const float> keys,
                        std::size_t width) {
+  if (times.size() < 2) return;  // the node rests as it is
+  const auto [known, is_new] = times_.try_emplace(times);
+  if (is_new) known->second = writer_.add_keys(times, 1);
   channels_.push_back({{"sampler", samplers_.size()}, {"target", {{"node", node}, {"path", path}}}});
-  samplers_.push_back(
-      {{"input", writer_.add_keys(times, 1)}, {"output", writer_.add_keys(keys, width)}, {"interpolation", "STEP"}});
+  samplers_.push_back({{"input", known->second}, {"output", writer_.add_keys(keys, width)}, {"interpolation", "STEP"}});
 }
 
-std::size_t GlbScene::add_moving(const std::string& name, std::size_t child, std::span<const Pose> poses) {
+GlbTurn GlbScene::turn_at(const std::string& name, const GlbKey& key) const {
+  if (!can_be_a_node(*key.pose))
+    throw Error(
+        fmt::format("a GLB file cannot shear or flatten what moves, as '{}' is at pose {}; a page shows it: "
+                    "view_page, or -o FILE.html",
+                    name, key.frame));
+  return turn_of(pose_between(frame_, *key.pose, {}));
+}
+
+std::size_t GlbScene::add_moving(const std::string& name, std::size_t child, std::span<const GlbKey> keys) {
+  const auto has_pose = [](const GlbKey& key) { return key.pose.has_value(); };
+  GlbTurn turn = turn_at(name, *std::find_if(keys.begin(), keys.end(), has_pose));
   std::vector<float> times, translations, rotations, scales;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (!can_be_a_node(poses[i]))
-      throw Error(
-          fmt::format("a GLB file cannot shear or flatten what moves, as '{}' is at pose {}; a page shows it: "
-                      "view_page, or -o FILE.html",
-                      name, i));
-    const GlbTurn turn = turn_of(pose_between(frame_, poses[i], {}));
-    times.push_back(moment_of(i));
+  for (const GlbKey& key : keys) {
+    if (key.pose) turn = turn_at(name, key);
+    times.push_back(moment_of(key.frame));
     translations.insert(translations.end(), turn.translation.begin(), turn.translation.end());
     rotations.insert(rotations.end(), turn.rotation.begin(), turn.rotation.end());
-    scales.insert(scales.end(), turn.scale.begin(), turn.scale.end());
+    for (const float scale : turn.scale) scales.push_back(key.pose ? scale : 0);
   }
-  Json moving = {{"name", name}, {"children", {child}}};  // which rests at the first pose
-  const GlbTurn first = turn_of(pose_between(frame_, poses.front(), {}));
-  moving.update({{"translation", first.translation}, {"rotation", first.rotation}, {"scale", first.scale}});
+  const auto first = [](const std::vector<float>& numbers, std::size_t count) {
+    return std::vector<float>(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  Json moving = {{"name", name}, {"children", {child}}};  // which rests at the first key
+  moving.update(
+      {{"translation", first(translations, 3)}, {"rotation", first(rotations, 4)}, {"scale", first(scales, 3)}});
   const std::size_t node = writer_.add_node(std::move(moving));
   animate(node, "translation", times, translations, 3);
   animate(node, "rotation", times, rotations, 4);
@@ -167,6 +179,28 @@ std::string GlbScene::file(const ViewOptions& options, const std::string& unit) 
   if (!samplers_.empty())
     writer_.add_animation({{"name", "poses"}, {"samplers", std::move(samplers_)}, {"channels", std::move(channels_)}});
   return writer_.file(writer_.add_node(std::move(root)));
+}
+
+std::vector<GlbKey> keys_of(std::span<const Pose> poses) {
+  std::vector<GlbKey> keys;
+  for (const Pose& pose : poses) keys.push_back({keys.size(), pose});
+  return keys;
+}
+
+GlbPart edges_part(std::span<const Aabb> boxes, const GlbPlace& place, const GlbFrame& frame) {
+  constexpr std::array<std::array<Index, 2>, 12> edges{
+      {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  GlbPart part;
+  std::vector<Vec3> corners;
+  for (const Aabb& box : boxes) {
+    for (const auto& edge : edges)
+      for (const Index end : edge) part.corners.push_back(static_cast<Index>(corners.size()) + end);
+    for (unsigned i = 0; i < 8; ++i)
+      corners.push_back({(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
+                         (i & 4U) != 0 ? box.upper.z : box.lower.z});
+  }
+  for (const Vec3& corner : place.placed(corners)) part.points.push_back(frame.counted(corner));
+  return part;
 }
 
 GlbPart joined_part(std::span<const Vec3> points, const GlbFrame& frame) {

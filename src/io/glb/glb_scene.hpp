@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "io/view/view_meshes.hpp"
 #include "toccata/io/scene_question.hpp"
 #include "toccata/io/view_page.hpp"
+#include "toccata/partitions/measure.hpp"
 
 namespace toccata::io {
 
@@ -31,6 +33,15 @@ struct GlbPlace {
   /// Its vertices as they are in the frame of the node.
   [[nodiscard]] std::vector<Vec3> placed(std::span<const Vec3> points) const;
 };
+
+/// Where something that moves is from a frame on: nowhere while it has no pose.
+struct GlbKey {
+  std::size_t frame = 0;
+  std::optional<Pose> pose{};
+};
+
+/// A key for each pose, one a frame.
+[[nodiscard]] std::vector<GlbKey> keys_of(std::span<const Pose> poses);
 
 /// A GLB file that is being filled with objects and what was found of them: groups of nodes under one that holds the
 /// unit, the axes, and where the scene is.
@@ -59,8 +70,9 @@ class GlbScene {
 
   /// A node of an object that moves, under the one that moves it: as `add_node`, but in the object's own frame.
   std::size_t add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, Json more);
-  /// What moves `child` through these poses. Throws Error naming the first that no node can have.
-  std::size_t add_moving(const std::string& name, std::size_t child, std::span<const Pose> poses);
+  /// What moves `child`: the keys' frames ascend from 0, and some key has a pose. Throws Error naming the first pose
+  /// that no node can have.
+  std::size_t add_moving(const std::string& name, std::size_t child, std::span<const GlbKey> keys);
   /// What is seen at one of so many poses alone.
   std::size_t add_at_pose(const std::string& name, const std::vector<std::size_t>& children, std::size_t pose,
                           std::size_t poses, Json more);
@@ -70,8 +82,9 @@ class GlbScene {
 
  private:
   std::size_t node_at(const std::string& name, const Pose& pose, Json more);
+  [[nodiscard]] GlbTurn turn_at(const std::string& name, const GlbKey& key) const;
   /// `keys` of a node's translation, rotation or scale, each held until the next.
-  void animate(std::size_t node, const char* path, std::span<const float> times, std::span<const float> keys,
+  void animate(std::size_t node, const char* path, const std::vector<float>& times, std::span<const float> keys,
                std::size_t width);
   std::size_t material(const GlbPaint& paint);
 
@@ -81,6 +94,7 @@ class GlbScene {
   GlbWriter writer_;
   std::map<std::string, std::size_t> materials_;
   std::vector<std::size_t> groups_;
+  std::map<std::vector<float>, std::size_t> times_;  ///< which several things move by
   Json samplers_ = Json::array();
   Json channels_ = Json::array();
 };
@@ -88,14 +102,23 @@ class GlbScene {
 /// Points, each kept once, and their numbers in the order given.
 [[nodiscard]] GlbPart joined_part(std::span<const Vec3> points, const GlbFrame& frame);
 
+/// The edges of boxes in the frame of a place, each box by itself.
+[[nodiscard]] GlbPart edges_part(std::span<const Aabb> boxes, const GlbPlace& place, const GlbFrame& frame);
+
 /// Every object under its name, those of which something was found seen through and in the two colours.
 void add_objects(GlbScene& glb, const SceneAnswer& answer);
-/// What was found: of pairs the faces and curves in which they meet, depth, distance; ways of rays, and so on. Throws
-/// Error for a crowd.
+/// Every object through its keys; seen through are those of which `is_named` says so.
+void add_moving_objects(GlbScene& glb, const std::vector<std::vector<GlbKey>>& keys, const std::vector<bool>& is_named);
+/// What was found: of pairs the faces and curves in which they meet, depth, distance; ways of rays, and so on.
 void add_findings(GlbScene& glb, const SceneAnswer& answer);
 /// The scene's tree of nodes as it is, cured, and rebuilt: the edges of its boxes, level by level.
 void add_trees(GlbScene& glb, const Scene& scene, const RebalanceReport& report);
 /// Of each mesh the levels of a hierarchy. Throws Error when there are too many meshes to be looked at.
 void add_hierarchies(GlbScene& glb, CostVolume volume);
+/// Of each mesh the edges of the cells of a partition of space over it, depth by depth. Throws Error as
+/// partition_layers does.
+void add_partitions(GlbScene& glb, PartitionKind kind);
+/// Of each convex polytope its Voronoi regions. Throws Error as voronoi_layers does.
+void add_voronoi(GlbScene& glb);
 
 }  // namespace toccata::io

@@ -3,51 +3,94 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <numeric>
 
+#include "io/reports/crowd_parts.hpp"
 #include "io/reports/report_parts.hpp"
+#include "toccata/bounds/ball.hpp"
+#include "toccata/bounds/obb.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "toccata/io/crowd_page.hpp"
+#include "toccata/math/rotation.hpp"
 
 namespace toccata {
 namespace {
 
 using io::Json;
 
-/// Takes over what moved and finds all pairs.
-void update(BroadPhase& phase, std::span<const Index> moved, const std::vector<Aabb>& to) {
-  phase.move(moved, to);
-  phase.update();
+/// Around the box: its corners are as far from its middle, but for rounding.
+Ball ball_of(const Aabb& box, Index) {
+  const std::array<Vec3, 2> corners{box.lower, box.upper};
+  return fit_ball_fast(corners);
 }
 
-std::vector<Aabb> boxes_of(std::span<const Index> moved, const std::vector<Aabb>& boxes) {
-  std::vector<Aabb> to;
-  to.reserve(moved.size());
-  for (const Index number : moved) to.push_back(boxes[number]);
-  return to;
+/// By the golden angle: no two that are near in number stand alike.
+Obb turned_box(const Aabb& box, Index number) {
+  const Vec3 half = 0.5 * (box.upper - box.lower);
+  return {box.lower + half, rotation_about({0, 0, 1}, std::fmod(137.5 * number, 360.0)), half};
 }
 
-/// Gives the milliseconds.
-double timed_update(BroadPhase& phase, std::span<const Index> moved, const std::vector<Aabb>& boxes) {
-  using Clock = std::chrono::steady_clock;
-  const std::vector<Aabb> to = boxes_of(moved, boxes);
-  const auto start = Clock::now();
-  update(phase, moved, to);
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+/// The boxes of a crowd in a broad phase, bounded as it is asked.
+class BoundedCrowd {
+ public:
+  explicit BoundedCrowd(const CrowdQuestion& question, BroadPhaseMethod method)
+      : bounds_(question.bounds),
+        crowd_(question.scene, question.count, question.seed),
+        phase_({method, question.threads}) {
+    std::vector<Index> all(crowd_.boxes().size());
+    std::iota(all.begin(), all.end(), Index{0});
+    with_bounds(all, [&](const auto& bounds) { phase_.add(bounds); });
+    phase_.update();
+  }
+
+  [[nodiscard]] Crowd& crowd() { return crowd_; }
+  [[nodiscard]] const BroadPhase& phase() const { return phase_; }
+
+  /// Takes over what moved and finds all pairs. Gives the milliseconds.
+  double update(std::span<const Index> moved) {
+    using Clock = std::chrono::steady_clock;
+    double milliseconds = 0;
+    with_bounds(moved, [&](const auto& to) {
+      const auto start = Clock::now();
+      phase_.move(moved, to);
+      phase_.update();
+      milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    });
+    return milliseconds;
+  }
+
+ private:
+  template <class Take>
+  void with_bounds(std::span<const Index> numbers, const Take& take) const {
+    const auto made = [&](const auto& bound_of) {
+      std::vector<decltype(bound_of(crowd_.boxes()[0], Index{0}))> bounds;
+      bounds.reserve(numbers.size());
+      for (const Index number : numbers) bounds.push_back(bound_of(crowd_.boxes()[number], number));
+      take(bounds);
+    };
+    if (bounds_ == CrowdBounds::balls) return made(ball_of);
+    if (bounds_ == CrowdBounds::oriented) return made(turned_box);
+    made([](const Aabb& box, Index) { return box; });
+  }
+
+  CrowdBounds bounds_;
+  Crowd crowd_;
+  BroadPhase phase_;
+};
 
 CrowdRun run_of(BroadPhaseMethod method, const CrowdQuestion& question, const Progress& progress, std::size_t done) {
   const std::size_t total = question.methods.size() * question.frames;
-  Crowd crowd(question.scene, question.count, question.seed);
-  BroadPhase phase({method, question.threads});
-  phase.add(crowd.boxes());
-  phase.update();
+  BoundedCrowd crowd(question, method);
+  const BroadPhase& phase = crowd.phase();
   CrowdRun run;
   run.method = method;
   run.frames = run_frames(
-      crowd, question.frames, [&](std::span<const Index> moved) { return timed_update(phase, moved, crowd.boxes()); },
+      crowd.crowd(), question.frames, [&](std::span<const Index> moved) { return crowd.update(moved); },
       [&] {
         const PairChanges changes = phase.changes();
         run.begun += changes.begun.size();
@@ -77,6 +120,7 @@ void require_same(const std::vector<CrowdRun>& runs) {
 void require_something(const CrowdQuestion& question) {
   if (question.count == 0 || question.frames == 0 || question.methods.empty())
     throw Error("a crowd has at least one box, one frame, and one method that finds its pairs");
+  io::require_threads(question.threads);
 }
 
 Json json_of(const CrowdRun& run) {
@@ -86,11 +130,17 @@ Json json_of(const CrowdRun& run) {
           {"pairs", run.pairs()},
           {"begun", run.begun},
           {"ended", run.ended},
+          {"digest", io::text_of(run.frames.pairs)},
           {"bytes_per_body", run.bytes_per_body},
           {"reason", run.reason}};
 }
 
 }  // namespace
+
+std::string_view name_of(CrowdBounds bounds) {
+  constexpr std::array<std::string_view, all_crowd_bounds.size()> names{"boxes", "balls", "oriented"};
+  return names[static_cast<std::size_t>(bounds)];
+}
 
 CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress) {
   require_something(question);
@@ -103,21 +153,17 @@ CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress) {
 
 CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progress, const CrowdCells& cells) {
   require_something(question);
-  Crowd crowd(question.scene, question.count, question.seed);
-  BroadPhase phase({question.methods.front(), question.threads});
-  phase.add(crowd.boxes());
-  phase.update();
+  BoundedCrowd crowd(question, question.methods.front());
   CrowdRecording recording;
   const auto record = [&] {
     if (cells)
-      recording.add(phase, cells(crowd.boxes()));
+      recording.add(crowd.phase(), cells(crowd.crowd().boxes()));
     else
-      recording.add(phase);
+      recording.add(crowd.phase());
   };
   record();
   for (std::size_t frame = 0; frame < question.frames; ++frame) {
-    const std::span<const Index> moved = crowd.step();
-    update(phase, moved, boxes_of(moved, crowd.boxes()));
+    crowd.update(crowd.crowd().step());
     record();
     if (progress) progress(frame + 1, question.frames);
   }
@@ -126,9 +172,11 @@ CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progr
 
 std::string crowd_report_json(const CrowdReport& report) {
   const CrowdQuestion& question = report.question;
-  Json json = {{"schema", "toccata/crowd/1"}, {"version", version},        {"scene", question.scene},
-               {"count", question.count},     {"frames", question.frames}, {"seed", question.seed},
-               {"threads", question.threads}, {"methods", Json::array()}};
+  Json json = {{"schema", "toccata/crowd/1"}, {"version", version},
+               {"scene", question.scene},     {"bounds", name_of(question.bounds)},
+               {"count", question.count},     {"frames", question.frames},
+               {"seed", question.seed},       {"threads", question.threads},
+               {"methods", Json::array()}};
   for (const CrowdRun& run : report.runs) json["methods"].push_back(json_of(run));
   return io::document(json);
 }

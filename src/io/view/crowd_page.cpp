@@ -15,6 +15,7 @@
 #include "io/view/drawn_cells.hpp"
 #include "io/view/filled_page.hpp"
 #include "io/view/quantised_boxes.hpp"
+#include "io/view/recorded_boxes.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/report.hpp"
@@ -24,28 +25,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Frame = CrowdRecording::Frame;
-
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-void widen(Aabb& around, const Aabb& box) {
-  for (const auto coordinate : coordinates)
-    for (const double end : {box.lower.*coordinate, box.upper.*coordinate}) {
-      if (is_empty(box) || !std::isfinite(end)) continue;
-      around.lower.*coordinate = std::min(around.lower.*coordinate, end);
-      around.upper.*coordinate = std::max(around.upper.*coordinate, end);
-    }
-}
-
-/// Around what is finite; where nothing is, a point.
-Aabb bounds_of(std::span<const Frame> frames) {
-  Aabb around;
-  for (const Frame& frame : frames)
-    for (const Aabb& box : frame.boxes) widen(around, box);
-  for (const auto coordinate : coordinates)
-    if (!(around.lower.*coordinate <= around.upper.*coordinate))
-      around.lower.*coordinate = around.upper.*coordinate = 0;
-  return around;
-}
 
 /// Which items of a layer are of each moment: the first and how many.
 class Moments {
@@ -66,7 +45,7 @@ class CrowdLayers {
   CrowdLayers(const CrowdRecording& recording, io::ViewData& data)
       : recording_(recording),
         data_(data),
-        scene_(bounds_of(recording.frames())),
+        scene_(io::bounds_of(recording)),
         frame_(io::DisplayFrame::around(scene_)) {}
 
   void write(Json& header) {
@@ -133,7 +112,7 @@ class CrowdLayers {
     Aabb around;
     for (const Frame& frame : recording_.frames()) {
       drawn.push_back(io::drawn_cells(frame.space, scene_));
-      for (const Aabb& cell : drawn.back()) widen(around, cell);
+      for (const Aabb& cell : drawn.back()) io::widen(around, cell);
     }
     io::QuantisedBoxes boxes(around);
     Moments moments;

@@ -152,6 +152,7 @@ struct FindingMarks {
   void operator()(const RebalanceReport&) const {}
   void operator()(const CostReport&) const {}
   void operator()(const CrowdReport&) const {}
+  void operator()(const CrowdWorldReport&) const {}
   void operator()(const DecomposeReport&) const {}
   void operator()(const MinkowskiReport&) const {}
 

@@ -58,10 +58,6 @@ Aabb bounds_of(const std::vector<PartitionLevel>& levels) {
   return is_empty(around) ? Aabb{{0, 0, 0}, {0, 0, 0}} : around;
 }
 
-std::string label_of(const PartitionLevel& level, std::size_t levels) {
-  return levels == 1 ? "all cells" : fmt::format("depth {}", level.depth);
-}
-
 Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
   const std::vector<PartitionLevel> levels = partition_levels(kind, PartitionItems(mesh));
   QuantisedBoxes boxes(bounds_of(levels));
@@ -69,7 +65,7 @@ Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
   for (const PartitionLevel& level : levels) {
     const std::size_t first = boxes.size();
     for (const PartitionCell& cell : level.cells) boxes.add(cell.box, class_of(cell));
-    steps.push_back({{"label", label_of(level, levels.size())},
+    steps.push_back({{"label", partition_label(level, levels.size())},
                      {"note", note_of(level.cells, mesh.triangle_count())},
                      {"first", first},
                      {"count", level.cells.size()}});
@@ -81,9 +77,17 @@ Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
           {"steps", steps}};
 }
 
-constexpr std::size_t most_partitioned = 32;
-
 }  // namespace
+
+std::string partition_label(const PartitionLevel& level, std::size_t levels) {
+  return levels == 1 ? "all cells" : fmt::format("depth {}", level.depth);
+}
+
+void require_few_partitions(std::size_t meshes) {
+  constexpr std::size_t most = 32;
+  if (meshes > most)
+    throw Error(fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most));
+}
 
 std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind kind, ViewData& data) {
   std::map<const TriangleMesh*, Json> layer_of_mesh;
@@ -91,9 +95,7 @@ std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind 
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!models[i].model.has_mesh()) continue;
     const auto [found, is_new] = layer_of_mesh.try_emplace(&models[i].model.mesh());
-    if (layer_of_mesh.size() > most_partitioned)
-      throw Error(
-          fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most_partitioned));
+    require_few_partitions(layer_of_mesh.size());
     if (is_new) found->second = layer_of(models[i].model.mesh(), kind, data);
     Json& layer = layers.emplace_back(found->second);
     layer["object"] = i;

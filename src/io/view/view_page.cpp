@@ -19,6 +19,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
+#include "toccata/io/world_page.hpp"
 
 namespace toccata {
 namespace {
@@ -96,6 +97,8 @@ std::string page_of(const Scene& scene, std::span<const Posed> models, const Sce
 std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                       const ViewOptions& options, std::span<const std::string> warnings) {
   if (const auto* crowd = std::get_if<CrowdReport>(&answer)) return crowd_page(record_crowd(crowd->question), options);
+  if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
+    return world_page(record_crowd_world(crowd->question), options);
   const io::DrawnScene drawn = io::drawn_scene(scene, models, answer);
   return page_of(drawn.scene, drawn.models, answer, options, warnings);
 }

@@ -151,19 +151,13 @@ double reach_of(const ConvexHull& hull) {
   return 0.2 * plain_length(upper - lower);
 }
 
-Json layer_of(const ConvexHull& hull, const ViewMeshes& meshes, ViewData& data) {
+DrawnVoronoi drawn_of(const Posed& posed) {
+  const ConvexHull hull = world_polytope(posed);
   VoronoiCells cells(hull, reach_of(hull));
-  Json steps = Json::array();
-  std::vector<float> numbers;
-  const auto add = [&](const char* label, const std::vector<Vec3>& corners) {
-    steps.push_back({{"label", label}, {"first", numbers.size() / 9}, {"count", corners.size() / 3}});
-    for (const Vec3& corner : corners)
-      for (const float number : meshes.frame().shown(corner)) numbers.push_back(number);
-  };
-  add("nearest to a face", cells.of_faces());
-  add("nearest to an edge", cells.of_edges());
-  add("nearest to a vertex", cells.of_vertices());
-  return {{"kind", "triangles"}, {"role", "voronoi"}, {"data", data.add(numbers)}, {"steps", steps}};
+  return {as_utf8(posed.name),
+          {{"nearest to a face", cells.of_faces()},
+           {"nearest to an edge", cells.of_edges()},
+           {"nearest to a vertex", cells.of_vertices()}}};
 }
 
 }  // namespace
@@ -183,11 +177,27 @@ ConvexHull world_polytope(const Posed& posed) {
   return hull;
 }
 
+std::vector<DrawnVoronoi> drawn_voronoi(std::span<const Posed> models) {
+  std::vector<DrawnVoronoi> drawn;
+  for (const Posed& posed : models) drawn.push_back(drawn_of(posed));
+  return drawn;
+}
+
 std::vector<Json> voronoi_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
   std::vector<Json> layers;
-  for (const Posed& posed : models) {
-    Json& layer = layers.emplace_back(layer_of(world_polytope(posed), meshes, data));
-    layer["name"] = fmt::format("{}: Voronoi regions", as_utf8(posed.name));
+  for (const DrawnVoronoi& regions : drawn_voronoi(models)) {
+    Json steps = Json::array();
+    std::vector<float> numbers;
+    for (const auto& [label, corners] : regions.kinds) {
+      steps.push_back({{"label", label}, {"first", numbers.size() / 9}, {"count", corners.size() / 3}});
+      for (const Vec3& corner : corners)
+        for (const float number : meshes.frame().shown(corner)) numbers.push_back(number);
+    }
+    layers.push_back({{"kind", "triangles"},
+                      {"role", "voronoi"},
+                      {"data", data.add(numbers)},
+                      {"steps", steps},
+                      {"name", fmt::format("{}: Voronoi regions", regions.object)}});
   }
   return layers;
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "io/view/view_data.hpp"
@@ -14,6 +15,19 @@ namespace toccata::io {
 /// A convex polytope at its place: the hull of its vertices in the world. Throws Error naming an object that is none,
 /// or has more than 2,000 vertices.
 [[nodiscard]] ConvexHull world_polytope(const Posed& posed);
+
+/// The regions of a convex polytope as closed cells in the world, up to some distance: three corners of each triangle.
+struct DrawnVoronoi {
+  struct Kind {
+    const char* label;  ///< "nearest to a face"
+    std::vector<Vec3> corners;
+  };
+  std::string object;  ///< its name
+  std::vector<Kind> kinds;
+};
+
+/// Of every object. Throws Error as voronoi_layers does.
+[[nodiscard]] std::vector<DrawnVoronoi> drawn_voronoi(std::span<const Posed> models);
 
 /// A layer for every convex polytope: its Voronoi regions as closed cells up to some distance, a step for each kind of
 /// feature. Throws Error as `world_polytope`.

@@ -12,6 +12,7 @@
 #include "io/reports/report_parts.hpp"
 #include "io/view/counted.hpp"
 #include "io/view/filled_page.hpp"
+#include "io/view/recorded_bodies.hpp"
 #include "io/view/recorded_motion.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
@@ -36,21 +37,6 @@ std::size_t count_of(const RecordedFrame& frame, Change change) {
   return count;
 }
 
-/// The bodies as objects of a page, as they were first seen.
-struct Bodies {
-  Scene scene;
-  std::vector<Posed> models;
-
-  explicit Bodies(std::span<const Body> objects) {
-    scene.unit = "unit";
-    for (const Body& body : objects) {
-      const std::string name = body.name.empty() ? fmt::format("body {}", models.size()) : body.name;
-      scene.objects.push_back({name, body.model.shape(), body.pose, body.solid, "", {}, "a World"});
-      models.push_back({body.model, body.pose, body.solid, name, ""});
-    }
-  }
-};
-
 Json json_of(const RecordedPair& pair) {
   Json json = {
       {"a_index", pair.a}, {"b_index", pair.b}, {"change", name_of(pair.change)}, {"in_contact", pair.in_contact}};
@@ -66,7 +52,7 @@ Json json_of(const RecordedPair& pair) {
   return json;
 }
 
-std::string report_of(const WorldRecording& recording, const Bodies& bodies) {
+std::string report_of(const WorldRecording& recording, const io::RecordedBodies& bodies) {
   Json json = io::report_head("toccata/world/1", bodies.scene, bodies.models, {});
   Json& steps = json["steps"] = Json::array();
   for (const RecordedFrame& frame : recording.frames()) {
@@ -152,11 +138,8 @@ Json time_of(const WorldRecording& recording) {
 
 std::string world_page(const WorldRecording& recording, const ViewOptions& options) {
   if (recording.frames().empty()) throw Error("there is no step to be shown: record one first");
-  const Bodies bodies(recording.objects());
-  std::vector<io::ViewMeshes::Place> places;
-  for (const RecordedFrame& frame : recording.frames())
-    for (const WorldRecording::Place& place : frame.placed) places.push_back({place.object, place.pose});
-  const io::ViewMeshes meshes(bodies.models, places);
+  const io::RecordedBodies bodies(recording.objects());
+  const io::ViewMeshes meshes(bodies.models, io::places_of(recording));
   io::ViewData data;
   Json header = {{"format", "toccata/view/2"},
                  {"title", io::as_utf8(options.title)},

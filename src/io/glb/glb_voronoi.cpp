@@ -1,0 +1,34 @@
+#include <array>
+#include <utility>
+
+#include "io/glb/glb_scene.hpp"
+#include "io/view/voronoi_layers.hpp"
+
+namespace toccata::io {
+namespace {
+
+constexpr double seen_through = 0.2;
+const std::array paints{GlbPaint{"nearest to faces", 0x0072b2, seen_through},
+                        GlbPaint{"nearest to edges", 0xe69f00, seen_through},
+                        GlbPaint{"nearest to vertices", 0x009e73, seen_through}};
+
+}  // namespace
+
+void add_voronoi(GlbScene& glb) {
+  std::vector<std::size_t> objects;
+  for (const DrawnVoronoi& regions : drawn_voronoi(glb.models())) {
+    std::vector<std::size_t> kinds;
+    for (std::size_t i = 0; i < regions.kinds.size(); ++i) {
+      const auto& [label, corners] = regions.kinds[i];
+      if (corners.empty()) continue;  // a point and a segment have no faces
+      const GlbFrame frame = GlbFrame::around(corners);
+      GlbWriter::Json parts = GlbWriter::Json::array();
+      parts.push_back(glb.part(joined_part(corners, frame), GlbMode::triangles, paints[i]));
+      kinds.push_back(glb.add_node(label, {}, frame, {{"mesh", glb.add_mesh(label, std::move(parts))}}));
+    }
+    if (!kinds.empty()) objects.push_back(glb.add_parent("Voronoi regions of " + regions.object, kinds));
+  }
+  glb.add_group("Voronoi regions", objects);
+}
+
+}  // namespace toccata::io
