@@ -137,8 +137,11 @@ Drawn drawn_of(const ViewArguments& arguments) {
 /// Throws Error for what the options add to a page and what this one cannot have: of crowds, and without meshes.
 void require_drawable(const ViewOptions& options, const Drawn& drawn) {
   const bool is_mesh_wanted = options.hierarchy || options.partition;
-  if (!is_mesh_wanted && !options.voronoi) return;
-  const std::string named = options.hierarchy ? "--hierarchy" : options.partition ? "--partition" : "--voronoi";
+  if (!is_mesh_wanted && !options.voronoi && !options.voronoi_walk) return;
+  const std::string named = options.hierarchy   ? "--hierarchy"
+                            : options.partition ? "--partition"
+                            : options.voronoi   ? "--voronoi"
+                                                : "--voronoi-walk";
   if (is_of_crowd(drawn.question))
     throw Error(named + " is about the objects of a scene, and a crowd has none: leave it out");
   const auto has_mesh = [](const Posed& posed) { return posed.model.has_mesh(); };

@@ -29,6 +29,8 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
     throw Error(
         "hierarchies, partitions and Voronoi regions of objects that move are not in a GLB file; a page shows them: "
         "view_page, or -o FILE.html");
+  if (options.voronoi_walk)
+    throw Error("walks through Voronoi regions are not in a GLB file; a page shows them: view_page, or -o FILE.html");
   const std::vector<Posed> drawn = models_of(scene, models, answer);
   const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
