@@ -321,7 +321,9 @@ std::optional<Index> node_of(const JsonValue& object, std::size_t nodes) {
 
 /// A crowd is made from its seed.
 bool is_about_no_scene(const JsonValue& top) {
-  return top.has("query") && top.at("query").text_or("question", "") == "crowd";
+  if (!top.has("query")) return false;
+  const std::string question = top.at("query").text_or("question", "");
+  return question == "crowd" || question == "crowd-world";
 }
 
 }  // namespace
