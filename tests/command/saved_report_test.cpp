@@ -45,7 +45,7 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
       {{"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"}, "1 object and 1 ray"},
       {{"faces", "bow.off", "--ball", "0", "0", "0", "1"}, "1 object and 1 object in the region"},
       {{"nearest", "gen:box", "bow.off", "--point", "0", "0", "9"}, "2 objects and 1 point"},
-      {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 2 faults"},
+      {{"inspect", "bow.off", "gen:box", "--partitions"}, "2 objects and 1 fault"},
       {{"inspect", "bow.off", "gen:box", "--hierarchy"}, "2 objects and 2 levels of nodes"},
       {{"cost", "bow.off", "gen:box", "--quick"}, "2 objects and "},
       {{"crowd", "--count", "30", "--frames", "4"}, "30 boxes in 4 frames"},
