@@ -45,9 +45,9 @@ TEST(SmoothDepths, OfShapesInAChannelAreFoundShallowAndDeep) {
 // A can whose axis is upright sinks into a convex mesh.
 TEST(SmoothDepths, OfConvexMeshesAreThoseOfTheirHulls) {
   Pose upright = Pose::translation(0, 0, 1.75);
-  expect_bracket(Model(box_mesh({2, 2, 1})), Cylinder(0.5, 1), upright, 0.25, 1.01);
+  expect_bracket(Model(toccata::box_mesh({2, 2, 1})), Cylinder(0.5, 1), upright, 0.25, 1.01);
   upright.offset.z = 1.99;
-  expect_bracket(Model(box_mesh({2, 2, 1})), Cone(0.5, 1), upright, 0.01, 1.01);
+  expect_bracket(Model(toccata::box_mesh({2, 2, 1})), Cone(0.5, 1), upright, 0.01, 1.01);
 }
 
 TEST(SmoothDepths, OfWhatDoesNotOverlapAreZero) {
