@@ -196,7 +196,23 @@ def check_keys(checks, browser):
     browser.press("h")
     browser.wait_for(f"toccata.stage.canvas.clientWidth === {wide}", 10)
     check_help(checks, browser)
+    check_tabs(checks, browser)
     check_link(checks, browser)
+
+
+def check_tabs(checks, browser):
+    """The arrows go from tab to tab, and nothing else; Tab has one of them to stop at."""
+    browser.value("document.getElementById('tab-findings').focus()")
+    was = browser.value("location.hash")
+    for key, opened in [("ArrowRight", "objects"), ("ArrowRight", "findings"), ("ArrowLeft", "objects"), ("Home", "findings"), ("End", "objects"), ("Home", "findings")]:
+        browser.press(key)
+        checks.expect(browser.value("document.activeElement.id") == f"tab-{opened}", f"{key} goes to the tab {opened}")
+        shown = browser.value("[...document.querySelectorAll('[role=tabpanel]')].filter((one) => !one.hidden).map((one) => one.id).join()")
+        checks.expect(shown == opened, f"{key} opens {shown}, not {opened}")
+        stops = browser.value("[...document.querySelectorAll('[role=tab]')].filter((one) => one.tabIndex === 0).map((one) => one.id).join()")
+        checks.expect(stops == f"tab-{opened}", f"Tab stops at {stops}")
+    checks.expect(browser.value("location.hash") == was, "the scene stays as it is")
+    browser.value("document.activeElement.blur()")
 
 
 def check_help(checks, browser):

@@ -66,6 +66,8 @@ const orderNames: Record<Order, string> = {
   listed: 'as listed',
 };
 
+const tabs = ['findings', 'objects'];
+
 export class Panels {
   private order: number[] = [];
   private readonly tree: Tree;
@@ -77,7 +79,10 @@ export class Panels {
     private readonly actions: Actions,
   ) {
     this.tree = new Tree(data);
-    for (const tab of ['findings', 'objects']) element(`tab-${tab}`).onclick = () => this.open(tab);
+    for (const tab of tabs) {
+      element(`tab-${tab}`).onclick = () => this.open(tab);
+      element(`tab-${tab}`).onkeydown = (event) => this.goToTab(event);
+    }
     this.offerOrders();
     element('filter').oninput = () => this.listObjects();
     element('title').replaceChildren(nameIn(data.header.title));
@@ -111,12 +116,24 @@ export class Panels {
     return made;
   }
 
-
   open(tab: string): void {
-    for (const name of ['findings', 'objects']) {
+    for (const name of tabs) {
       element(name).hidden = name !== tab;
       element(`tab-${name}`).setAttribute('aria-selected', String(name === tab));
+      element(`tab-${name}`).tabIndex = name === tab ? 0 : -1;
     }
+  }
+
+  /// The arrows go from a tab to the other, and Tab into what is open, as readers of the screen expect of tabs.
+  private goToTab(event: KeyboardEvent): void {
+    const others: Record<string, string> = { ArrowLeft: 'other', ArrowRight: 'other', Home: tabs[0], End: tabs[1] };
+    const wanted = others[event.key];
+    if (!wanted) return;
+    event.preventDefault();
+    event.stopPropagation();  // the arrows turn the scene elsewhere
+    const tab = wanted === 'other' ? (element('findings').hidden ? tabs[0] : tabs[1]) : wanted;
+    this.open(tab);
+    element(`tab-${tab}`).focus();
   }
 
   private summarise(): void {
