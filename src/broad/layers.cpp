@@ -21,7 +21,7 @@ class Layers final : public PairFinder {
     const std::size_t most_movers = now.boxes.size() / 8;
     if (now.changed.size() > most_movers) {
       if (is_first(now)) return find_and_make(now, std::move(storage));
-      if (!everything_) everything_ = make_kd_tiles();
+      if (!everything_) forget_layers();
       return everything_->find(now, std::move(storage));
     }
     const bool is_made = !everything_ && !roles_.empty();
@@ -83,6 +83,17 @@ class Layers final : public PairFinder {
     PairList pairs = make_kd_tiles()->find(now, std::move(storage));
     make(now.boxes, {});
     return pairs;
+  }
+
+  /// They are out of date, and would be twice the memory.
+  void forget_layers() {
+    everything_ = make_kd_tiles();
+    resting_ = {};
+    moving_ = {};
+    roles_ = {};
+    places_ = {};
+    movers_ = {};
+    flat_movers_ = {};
   }
 
   void make(std::span<const Aabb> boxes, std::span<const Index> movers) {
@@ -148,7 +159,7 @@ class Layers final : public PairFinder {
     new_pairs_ = sorted_pairs(found_, now.boxes.size(), now.threads, std::move(new_pairs_));
   }
 
-  std::unique_ptr<PairFinder> everything_;  ///< while too many move: then the layers are out of date
+  std::unique_ptr<PairFinder> everything_;  ///< while too many move: then there are no layers
   std::size_t wasted_ = 0;                  ///< how often a mover was looked for that had not moved
   std::size_t updates_since_order_ = 0;
   FloatFrame frame_;

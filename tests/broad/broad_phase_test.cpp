@@ -155,6 +155,21 @@ TEST(Layers, FindTheSameAmongManyMovers) {
   EXPECT_FALSE(layers.cells().cells.empty());
 }
 
+TEST(Layers, KeepNoTreeOfWhatRestsWhileAllMove) {
+  Random random(3);
+  const std::vector<Aabb> boxes = test::random_boxes("uniform", 5000, random);
+  const std::vector<Aabb> moved = test::random_boxes("uniform", 5000, random);
+  const auto bytes_of = [&](BroadPhaseMethod method) {
+    BroadPhase phase({method});
+    const std::vector<Index> numbers = phase.add(boxes);
+    phase.update();
+    phase.move(numbers, moved);
+    phase.update();
+    return phase.bytes();
+  };
+  EXPECT_LT(bytes_of(BroadPhaseMethod::layers), bytes_of(BroadPhaseMethod::kd_tiles) + 10 * boxes.size());
+}
+
 TEST(PairBuffer, HoldsNoMoreThanWhatIsWanted) {
   const PairFilter wanted = [](const IndexPair& pair) { return pair.first % 1000 == 7; };
   PairBuffer all, some;

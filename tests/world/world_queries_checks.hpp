@@ -13,21 +13,27 @@ namespace toccata::test {
 
 class QuestionedWorld {
  public:
-  QuestionedWorld(const std::string& family, bool convex) : family_(family), convex_(convex), queries_(world_) {}
+  /// Bodies are up to `spread` of their sizes from the middle, along each axis.
+  QuestionedWorld(const std::string& family, bool convex, double spread = few_spread)
+      : family_(family), convex_(convex), spread_(spread), queries_(world_) {}
 
-  /// Some bodies are added, others move or go.
-  void live(Random& random) {
-    for (std::uint64_t i = random.below(12); i > 0; --i) {
-      const Posed posed = random_posed(spread, random);
+  void add(std::uint64_t count, Random& random) {
+    for (; count > 0; --count) {
+      const Posed posed = random_posed(spread_, random);
       Body body{posed.model, posed.pose};
       body.group = 1 + random.below(7);
       body.mask = 1 + random.below(7);
       bodies_.emplace(world_.add(body), body);
     }
+  }
+
+  /// Some bodies are added, others move or go.
+  void live(Random& random) {
+    add(random.below(12), random);
     std::vector<BodyId> gone;
     for (auto& [id, body] : bodies_) {
       if (random.below(4) == 0) {
-        body.pose.offset = random_posed(spread, random).pose.offset;
+        body.pose.offset = random_posed(spread_, random).pose.offset;
         world_.move(id, body.pose);
       } else if (random.below(8) == 0) {
         gone.push_back(id);
@@ -55,10 +61,17 @@ class QuestionedWorld {
   [[nodiscard]] const World& world() const { return world_; }
 
  private:
-  static constexpr double spread = 4;
+  static constexpr double few_spread = 4;
 
+  /// Among many there are no half-spaces: all would be within them.
+  [[nodiscard]] Shape random_shape(Random& random) const {
+    for (;;) {
+      const Shape shape = convex_ ? convex_in_crowd(random) : shape_in_crowd(random);
+      if (spread_ <= few_spread || kind_of(shape) != ShapeKind::half_space) return shape;
+    }
+  }
   [[nodiscard]] Posed random_posed(double within, Random& random) const {
-    return posed_in_crowd(family_, convex_ ? convex_in_crowd(random) : shape_in_crowd(random), within, random);
+    return posed_in_crowd(family_, random_shape(random), within, random);
   }
 
   static BodyFilter random_filter(Random& random) {
@@ -84,8 +97,8 @@ class QuestionedWorld {
       for (const Index object : wanted) named.push_back(ids[object]);
       return found == named;
     };
-    const Posed shape = random_posed(1.5 * spread, random);
-    const Ray ray{shape.pose.offset, way_in_crowd(family_, 3 * spread, random)};
+    const Posed shape = random_posed(1.5 * spread_, random);
+    const Ray ray{shape.pose.offset, way_in_crowd(family_, 3 * spread_, random)};
     const std::vector<ObjectRayHit> hits = expected.ray_hits(ray);
     if (!same(queries_.cast_ray(ray, filter), first_of(hits))) return "cast_ray";
     const std::vector<BodyRayHit> through = queries_.cast_ray_through(ray, filter);
@@ -114,6 +127,7 @@ class QuestionedWorld {
 
   std::string family_;
   bool convex_;
+  double spread_;
   World world_;
   std::map<BodyId, Body> bodies_;
   WorldQueries queries_;

@@ -25,6 +25,21 @@ TEST(WorldQueries, AnswerAsEveryBodyByItselfThroughALife) {
     }
 }
 
+TEST(WorldQueries, AnswerAsEveryBodyByItselfAmongThousands) {
+  for (const std::string family : {"near", "lattice", "far"})
+    for (const bool convex : {true, false}) {
+      Random random(41);
+      test::QuestionedWorld world(family, convex, 15);
+      world.add(3000, random);
+      for (int frame = 0; frame < 3; ++frame) {
+        world.live(random);
+        for (int question = 0; question < 2; ++question)
+          ASSERT_EQ(world.fault(random), "") << family << ", frame " << frame << ", question " << question;
+      }
+      EXPECT_GT(world.world().size(), 1500U);
+    }
+}
+
 /// Three balls in a row, of which the one in the middle is in another group.
 World row_of_balls() {
   World world;
