@@ -14,6 +14,7 @@
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
+#include "toccata/query/overlap.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 
@@ -181,7 +182,11 @@ Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, co
     return depth;
   }
   PartingSearch search(body_a, body_b,
-                       {[&](const Vec3& move) { return distance(a, b, moved(query, move), workspace).lower; },
+                       {[&](const Vec3& move) {
+                          // What meets needs no distance, for which all triangles that meet a shape are looked at.
+                          const PairQuery there = moved(query, move);
+                          return overlap(a, b, there, workspace) ? 0 : distance(a, b, there, workspace).lower;
+                        },
                         [&](const Vec3& move) { return some_meetings(a, b, moved(query, move), workspace); }});
   Penetration depth = search.answer();
   add_points(depth, distance(a, b, moved(query, depth.upper * depth.direction), workspace));
