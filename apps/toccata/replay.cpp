@@ -24,7 +24,8 @@ struct Replayed {
 };
 
 Replayed asked_again(const Case& content, int threads) {
-  Replayed now{{{content.scene, {0, content.scene.objects.size()}, {0}, {}}, {}}, {}, {}};
+  const Scene& scene = content.scene;
+  Replayed now{{{scene, {0, scene.objects.size()}, {0, scene.nodes.size()}, {}, {scene.unit}}, {}}, {}, {}};
   try {
     now.input.models = scene_models(content.scene, threads);
     now.answer = ask(content.scene, now.input.models, *content.question, {threads, {}});
@@ -36,19 +37,21 @@ Replayed asked_again(const Case& content, int threads) {
 }
 
 std::string verdict(const Case& content, const std::string& difference) {
-  const std::string what = fmt::format("the question {} about {}", name_of(*content.question),
-                                       counted(content.scene.objects.size(), "object"));
+  const std::size_t objects = content.scene.objects.size();
+  const std::string what = fmt::format("the question {}{}", name_of(*content.question),
+                                       objects == 0 ? "" : " about " + counted(objects, "object"));
   if (content.answer.empty()) return fmt::format("No answer was recorded to {}.\n", what);
   if (difference.empty()) return fmt::format("The same answer as recorded, bit for bit, to {}.\n", what);
   return fmt::format("Another answer than recorded to {}, first at\n  {}\n", what, printable(difference));
 }
 
-/// Of an error, which is an answer too, the message.
-void print_replayed(const Replayed& now, const ReplayArguments& arguments) {
-  if (now.answer)
-    print_answer(now.input, *now.answer, arguments.format);
-  else
-    print_answer(now.json + "\n");
+/// Of an error, which is an answer too, the message. A report says that it is about the case.
+void print_replayed(const Case& content, const Replayed& now, const ReplayArguments& arguments) {
+  if (!now.answer) return print_answer(now.json + "\n");
+  PosedArguments asked;
+  asked.input.files = {arguments.file};
+  asked.format = arguments.format;
+  print_answer(now.input, *content.question, *now.answer, asked);
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ int run_replay(const ReplayArguments& arguments) {
     const UninterruptedWriting writing;
     write_case(content, arguments.save_case);
   }
-  print_replayed(now, arguments);
+  print_replayed(content, now, arguments);
   if (arguments.format == Format::table)
     print_answer(told);
   else

@@ -189,6 +189,15 @@ struct FindingsTold {
   }
 };
 
+/// What is shown, in words: of one object alone nothing was asked that it could have with others.
+std::string told_of(const Drawn& drawn, const SceneAnswer& answer) {
+  const std::size_t objects = drawn.input.models.size();
+  const std::string found = std::visit(FindingsTold{}, answer);
+  if (objects == 0) return found;
+  const std::string shown = counted(objects, "object");
+  return objects == 1 && std::holds_alternative<CheckReport>(answer) ? shown : shown + " and " + found;
+}
+
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
 
 }  // namespace
@@ -282,9 +291,7 @@ int run_view(const ViewArguments& arguments) {
         "the answer of now is drawn, and it is another than the recorded one, first at " + difference);
   print_warnings(drawn.input.loaded.warnings);
   write_view(target, drawn.input, answer);
-  const std::string found = std::visit(FindingsTold{}, answer);
-  const std::size_t objects = drawn.input.models.size();
-  print_answer(written_lines(target, objects == 0 ? found : counted(objects, "object") + " and " + found));
+  print_answer(written_lines(target, told_of(drawn, answer)));
   return difference.empty() ? 0 : 1;
 }
 

@@ -101,7 +101,9 @@ TEST(MadeShapesCommand, WhatWasMadeIsDrawn) {
       EXPECT_NE(text_of(folder.path() / "page.html").find("\"name\": \"" + name + "\""), std::string::npos);
       EXPECT_NE(glb.find("\"name\":\"" + name + "\""), std::string::npos) << name;
     }
-    for (const std::string kept : {"report.json", "case.json"}) {
+    EXPECT_EQ(glb.find("parts in colour 1") != std::string::npos, words[0] == "decompose");
+    folder.write("replayed.json", run_command({"replay", "case.json", "--json"}, folder.path()).out);
+    for (const std::string kept : {"report.json", "case.json", "replayed.json"}) {
       ASSERT_EQ(run_command({"view", kept, "--glb", "again.glb"}, folder.path()).exit_code, 0);
       EXPECT_TRUE(numbers_of(text_of(folder.path() / "again.glb")) == numbers_of(glb)) << kept;
     }

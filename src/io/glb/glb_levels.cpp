@@ -11,11 +11,9 @@ namespace {
 
 using Json = GlbWriter::Json;
 
-constexpr std::array<unsigned, 6> colours{0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xd55e00};
-
 GlbPaint paint_of(std::size_t colour) {
   constexpr double seen_through = 0.2;
-  return {fmt::format("volumes {}", colour + 1), colours[colour], seen_through};
+  return {fmt::format("volumes {}", colour + 1), colours_in_turn[colour], seen_through};
 }
 
 /// Without the triangles of which floats have left a line, and what only those use: rounding makes corners of volumes
@@ -35,15 +33,15 @@ void add_volume(GlbPart& part, const GlbPart& volume) {
 }
 
 /// The volumes of a level by colour, neighbours in different ones. Each is a surface of its own.
-std::array<GlbPart, colours.size()> parts_of(const DrawnHierarchy& hierarchy, const DrawnLevel& level,
-                                             const GlbPlace& place, const GlbFrame& frame) {
-  std::array<GlbPart, colours.size()> parts;
+std::array<GlbPart, colours_in_turn.size()> parts_of(const DrawnHierarchy& hierarchy, const DrawnLevel& level,
+                                                     const GlbPlace& place, const GlbFrame& frame) {
+  std::array<GlbPart, colours_in_turn.size()> parts;
   for (std::size_t face = level.first_face; face < level.first_face + level.faces;) {
     const Index node = hierarchy.node_of_face[face];
     std::vector<Vec3> corners;
     for (; face < level.first_face + level.faces && hierarchy.node_of_face[face] == node; ++face)
       corners.insert(corners.end(), hierarchy.faces[face].begin(), hierarchy.faces[face].end());
-    add_volume(parts[node % colours.size()], joined_part(place.placed(corners), frame));
+    add_volume(parts[node % colours_in_turn.size()], joined_part(place.placed(corners), frame));
   }
   return parts;
 }
@@ -86,7 +84,7 @@ class HierarchyNodes {
     for (const DrawnLevel& level : hierarchy.levels) {
       Json parts = Json::array();
       const auto by_colour = parts_of(hierarchy, level, place, frame);
-      for (std::size_t colour = 0; colour < colours.size(); ++colour)
+      for (std::size_t colour = 0; colour < colours_in_turn.size(); ++colour)
         if (!by_colour[colour].corners.empty())
           parts.push_back(glb_.part(by_colour[colour], GlbMode::triangles, paint_of(colour)));
       if (parts.empty()) break;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -11,10 +13,13 @@ namespace {
 
 using Json = GlbWriter::Json;
 
-enum class Role { alone, first, second };
+enum class Role { alone, first, second, part };
 
-GlbPaint paint_of(Role role) {
+/// Parts differ from those beside them.
+GlbPaint paint_of(Role role, std::size_t object) {
   constexpr double seen_through = 0.5;
+  const std::size_t colour = object % colours_in_turn.size();
+  if (role == Role::part) return {fmt::format("parts in colour {}", colour), colours_in_turn[colour], 1};
   if (role == Role::alone) return {"object", 0xa9b2bb, 1};
   return role == Role::first ? GlbPaint{"first of a pair", 0x56b4e9, seen_through}
                              : GlbPaint{"second of a pair", 0xe69f00, seen_through};
@@ -51,6 +56,7 @@ struct Named {
 
 /// As it is in the first of the findings that name it.
 std::vector<Role> roles_of(std::size_t objects, const SceneAnswer& answer) {
+  if (std::holds_alternative<DecomposeReport>(answer)) return std::vector<Role>(objects, Role::part);
   std::vector<std::optional<Role>> roles(objects);
   std::visit(Named{roles}, answer);
   std::vector<Role> known;
@@ -108,7 +114,7 @@ class ObjectMeshes {
   }
 
   std::size_t new_mesh(std::size_t object, Role role, Json part) {
-    return glb_.add_mesh(glb_.name_of(object), Json::array({glb_.painted(std::move(part), paint_of(role))}));
+    return glb_.add_mesh(glb_.name_of(object), Json::array({glb_.painted(std::move(part), paint_of(role, object))}));
   }
 
   Json new_part(std::size_t object, Role role, const GlbPlace& place, const GlbFrame& frame) {
@@ -119,7 +125,7 @@ class ObjectMeshes {
     part.corners.reserve(3 * drawn.triangles.size());
     for (const auto& triangle : drawn.triangles)
       part.corners.insert(part.corners.end(), triangle.begin(), triangle.end());
-    return glb_.part(part, mode_of(drawn), paint_of(role));
+    return glb_.part(part, mode_of(drawn), paint_of(role, object));
   }
 
   GlbScene& glb_;

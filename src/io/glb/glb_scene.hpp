@@ -23,6 +23,9 @@ struct GlbPaint {
   double cover = 1;
 };
 
+/// Of levels and of parts, one after the other.
+constexpr std::array<unsigned, 6> colours_in_turn{0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xd55e00};
+
 /// Where a mesh lies: some poses no node can have, and its vertices take them.
 struct GlbPlace {
   Pose node;
