@@ -7,9 +7,10 @@
 namespace toccata {
 
 /// Is the exact distance of the two posed models at most `tolerance` (in world units)? Decided exactly, as everything
-/// about world doubles is; with a tolerance of 0 it is `overlap`. It ends at the first two elements that are so near,
-/// and looks at nothing that is farther, so it costs less than the distance. Throws Error like `distance`, and when the
-/// tolerance is negative or no number; it may be infinite.
+/// about world doubles is; of cylinders, cones and ellipsoids a no is proved, and a tolerance within the interval of
+/// the distance counts as yes. With a tolerance of 0 it is `overlap`. It ends at the first two elements that are so
+/// near, and looks at nothing that is farther, so it costs less than the distance. Throws Error like `distance`, and
+/// when the tolerance is negative or no number; it may be infinite.
 [[nodiscard]] bool closer_than(const Model& a, const Model& b, double tolerance, const PairQuery& query = {});
 
 /// The same, for a caller who asks often: what was found near the last time is looked at first.

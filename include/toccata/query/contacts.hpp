@@ -22,9 +22,9 @@ struct Contact {
   Meeting meeting;  ///< of two triangles; else of kind none, and `manifold` tells points
 };
 
-/// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact; nothing is left out. A model inside
-/// a solid mesh without touching its surface has no contacts: ask `relation`. (A triangle inside a box or another
-/// solid that is one element meets it.)
+/// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact, as `overlap` is; nothing is left out.
+/// A model inside a solid mesh without touching its surface has no contacts: ask `relation`. (A triangle inside a box
+/// or another solid that is one element meets it.)
 [[nodiscard]] std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often. The contacts lie in the workspace until it is used again.
