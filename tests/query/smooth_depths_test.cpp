@@ -50,6 +50,19 @@ TEST(SmoothDepths, OfConvexMeshesAreThoseOfTheirHulls) {
   expect_bracket(Model(toccata::box_mesh({2, 2, 1})), Cone(0.5, 1), upright, 0.01, 1.01);
 }
 
+// Corners of the difference that nearly lie in its facets: the surface that grows there multiplied without end.
+TEST(SmoothDepths, OfTwoConesThatNearlyLieInEachOthersSidesAreFound) {
+  const Pose pose =
+      Pose::from_numbers({0.86724713126313313, 0.48281002237661391, -0.12156025505303759, -0.4935746197305611,
+                          0.86576344240745406, -0.082690728311140604, 0.065318512488405658, 0.13171235357204888,
+                          0.98913363497700024, -0.46646785180540329, 0.21856884915272337, 0.13590631336821563});
+  const Cone slim(1.1564776831634607, 1.2082436255293743), wide(1.3590906566673655, 0.47138473561347016);
+  const Penetration found = penetration(slim, wide, {.pose_b = pose});
+  EXPECT_GT(found.lower, 0);
+  EXPECT_LE(found.upper, 1.01 * found.lower);
+  EXPECT_EQ(penetration(wide, slim, {.pose_a = pose}), flipped(found));
+}
+
 TEST(SmoothDepths, OfWhatDoesNotOverlapAreZero) {
   const Model channel(channel_of_depths());
   const Penetration apart = penetration(channel, Ellipsoid({0.5, 0.5, 0.5}), {.pose_b = Pose::translation(0, 1, 2)});

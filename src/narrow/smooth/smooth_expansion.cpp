@@ -44,7 +44,7 @@ const SmoothExpansion::Facet& SmoothExpansion::nearest() const {
                            [](const Facet& f, const Facet& g) { return f.height < g.height; });
 }
 
-void SmoothExpansion::add_corner(const Corner& corner) {
+bool SmoothExpansion::add_corner(const Corner& corner) {
   std::vector<Edge> horizon;
   std::vector<Facet> kept;
   for (const Facet& f : facet_) {
@@ -54,9 +54,12 @@ void SmoothExpansion::add_corner(const Corner& corner) {
     }
     for (std::size_t i = 0; i < 3; ++i) toggle(horizon, {f.corner[i], f.corner[(i + 1) % 3]});
   }
+  // More than a closed surface has: rounding tore what is seen to pieces, which from there on would only multiply.
+  if (kept.size() + horizon.size() > 2 * (corner_.size() + 1) - 4) return false;
   facet_ = std::move(kept);
   corner_.push_back(corner);
   for (const Edge& edge : horizon) add_facet(edge[0], edge[1], corner_.size() - 1);
+  return true;
 }
 
 void SmoothExpansion::grow(double part, std::size_t most_corners) {
@@ -66,7 +69,7 @@ void SmoothExpansion::grow(double part, std::size_t most_corners) {
     const SmoothSupport of_a = a_.support(facet.normal), of_b = b_.support(-facet.normal);
     const Corner corner{of_a, of_b, of_a.point - of_b.point};
     if (!(dot(facet.normal, corner.point) > facet.height * (1 + part) + 0x1p-50)) return;
-    add_corner(corner);
+    if (!add_corner(corner)) return;
   }
 }
 

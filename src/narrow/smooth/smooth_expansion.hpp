@@ -38,7 +38,8 @@ class SmoothExpansion {
 
  private:
   void add_facet(std::size_t i, std::size_t j, std::size_t k);
-  void add_corner(const Corner& corner);
+  /// False, and nothing is changed, where rounding lets no closed surface come of it.
+  bool add_corner(const Corner& corner);
 
   const SmoothBody& a_;
   const SmoothBody& b_;
