@@ -586,6 +586,28 @@ TEST(GlbFile, PartitionsAndVoronoiRegionsAreNodes) {
   EXPECT_THROW(static_cast<void>(scene_glb(gears, scene_models(gears), CheckReport{}, options)), Error);
 }
 
+TEST(GlbFile, VisitsOfAWalkThroughVoronoiRegionsAreNodes) {
+  const Scene scene = scene_of({object("one", Box({1, 1, 1})), object("two", Box({1, 1, 1}), {{}, {3.5, 0.5, 0.25}})});
+  ViewOptions options;
+  options.voronoi_walk = true;
+  const SoundGlb glb(scene_glb(scene, scene_models(scene), CheckReport{}, options));
+  const std::vector<Json> walks = glb.nodes_named("Voronoi walk of one and two");
+  ASSERT_EQ(walks.size(), 1U);
+  const Json& visits = walks[0]["children"];
+  ASSERT_GT(visits.size(), 2U);
+  double before = 1e9;
+  for (const Json& index : visits) {
+    const Json& visit = glb.top["nodes"][index.get<std::size_t>()];
+    const double distance = visit["extras"]["distance"].get<double>();
+    EXPECT_LT(distance, before);
+    before = distance;
+    EXPECT_EQ(glb.top["meshes"][visit["mesh"].get<std::size_t>()]["primitives"][0]["mode"], 1);
+  }
+  EXPECT_DOUBLE_EQ(before, 1.5);
+  const Scene alone = scene_of({object("one", Box({1, 1, 1}))});
+  EXPECT_THROW(static_cast<void>(scene_glb(alone, scene_models(alone), CheckReport{}, options)), Error);
+}
+
 TEST(GlbFile, ReplacesNothingThatIsNotItsOwn) {
   const test::TemporaryFolder folder;
   const std::string bytes = exported(scene_of({object("a", ball())})).bytes;

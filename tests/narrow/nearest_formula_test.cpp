@@ -49,8 +49,8 @@ TEST(NearestFormula, IsOffByNoMoreThanItSays) {
   int proved = 0;
   for_many_pairs([&](const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features,
                      const test::ConvexCase& pair) {
-    NearestFormula formula(a, b, features);
-    if (!formula.prove()) return;
+    NearestFormula formula(features, points_of(features, a, b));
+    if (!formula.prove(a, b)) return;
     ++proved;
     const FormulaNearest& nearest = formula.nearest();
     const Distance exact = rounded_distance(exact_nearest(a.shape(), b.shape(), pairs({{0, 0}})), 0, 0);
@@ -70,16 +70,17 @@ TEST(NearestFormula, TurnsRoundWithTheShapesBitByBit) {
   for_many_pairs([&](const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features,
                      const test::ConvexCase& pair) {
     const NearestFeatures other_way = reversed(features);
-    NearestFormula forth(a, b, features), back(b, a, other_way);
-    const bool proved = forth.prove();
-    ASSERT_EQ(proved, back.prove()) << to_text(pair);
+    NearestFormula forth(features, points_of(features, a, b)), back(other_way, points_of(other_way, b, a));
+    const bool proved = forth.prove(a, b);
+    ASSERT_EQ(proved, back.prove(b, a)) << to_text(pair);
     if (!proved) return;
     EXPECT_EQ(forth.nearest().on_a, back.nearest().on_b) << to_text(pair);
     EXPECT_EQ(forth.nearest().on_b, back.nearest().on_a) << to_text(pair);
     EXPECT_EQ(forth.nearest().difference, -back.nearest().difference) << to_text(pair);
     EXPECT_EQ(forth.nearest().distance, back.nearest().distance) << to_text(pair);
     EXPECT_EQ(forth.nearest().distance_error, back.nearest().distance_error) << to_text(pair);
-    const auto answer = forth.distance(), answer_back = back.distance();
+    const double radius_a = a.shape().radius(), radius_b = b.shape().radius();
+    const auto answer = forth.distance(radius_a, radius_b), answer_back = back.distance(radius_b, radius_a);
     ASSERT_EQ(answer.has_value(), answer_back.has_value()) << to_text(pair);
     if (answer) {
       EXPECT_EQ(answer->lower, answer_back->lower);
@@ -111,7 +112,7 @@ TEST(NearestFormula, RefusesFacesThatAreEquallyNearEverywhere) {
   const SupportSearch search_a(a, kernels), search_b(b, kernels);
   const GjkEnd end = search_nearest(search_a, search_b, {}, {std::numeric_limits<double>::quiet_NaN()});
   if (const auto features = canonical_features(end.simplex.pairs)) {
-    EXPECT_FALSE(NearestFormula(search_a, search_b, *features).prove());
+    EXPECT_FALSE(NearestFormula(*features, points_of(*features, search_a, search_b)).prove(search_a, search_b));
   }
 }
 
@@ -127,8 +128,8 @@ TEST(NearestFormula, ProvesNearlyAllHullsThatAreApart) {
     const auto features = canonical_features(end.simplex.pairs);
     if (end.inside || !features) continue;
     ++asked;
-    NearestFormula formula(search_a, search_b, *features);
-    proved += formula.prove() && formula.distance() ? 1 : 0;
+    NearestFormula formula(*features, points_of(*features, search_a, search_b));
+    proved += formula.prove(search_a, search_b) && formula.distance(0, 0) ? 1 : 0;
   }
   EXPECT_GT(asked, 250);
   EXPECT_GE(proved, asked * 95 / 100);

@@ -132,6 +132,39 @@ TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
   }
 }
 
+// Of a box the vertices are in the world, its regions in its own frame.
+TEST(VoronoiWalk, AnyFeaturesOfTurnedBoxesMayBeKept) {
+  const Box box({0.5, 1, 1.5});
+  const VoronoiRegions regions(box);
+  const PosedConvex a(box, {rotation_about({1, 2, 3}, 40), {}}), b(box, {rotation_about({3, -1, 1}, 70), {2.5, 1, 1}});
+  const Distance truth = distance_by_gjk(a, b);
+  for (const ConvexFeature& on_a : regions.features())
+    for (const ConvexFeature& on_b : regions.features()) {
+      TrackedPair any{on_a, on_b, TrackedPair::State::apart};
+      EXPECT_EQ(distance_by_voronoi_walk(a, regions, b, regions, any), truth);
+    }
+}
+
+TEST(VoronoiWalk, RegionsOfAnotherShapeOfAsManyVerticesChangeNothing) {
+  const Moved a = moved_hull(5, 20), b = moved_hull(6, 20), other = moved_hull(7, 20);
+  ASSERT_EQ(b.hull.vertex_count(), other.hull.vertex_count());
+  TrackedPair tracked;
+  for (int i = 0; i < 40; ++i) {
+    const PosedConvex posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 3.0 * i), {2.2, 0.1, 0.05 * i}});
+    EXPECT_EQ(distance_by_voronoi_walk(posed_a, a.regions, posed_b, other.regions, tracked),
+              distance_by_gjk(posed_a, posed_b));
+  }
+}
+
+TEST(VoronoiWalk, RegionsOfAnEqualHullBuiltApartAreAsGood) {
+  const Moved a = moved_hull(5, 20), again = moved_hull(5, 20), b = moved_hull(6, 20);
+  const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, 0.1, 0.3));
+  TrackedPair tracked;
+  EXPECT_EQ(distance_by_voronoi_walk(posed_a, again.regions, posed_b, b.regions, tracked),
+            distance_by_gjk(posed_a, posed_b));
+  EXPECT_EQ(tracked.counts.searched, 0U);
+}
+
 TEST(VoronoiWalk, RegionsOfAnotherShapeAreRefused) {
   const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);
   TrackedPair tracked;

@@ -13,11 +13,11 @@ namespace toccata {
 /// The same as a page shows (view_page), as a GLB file for Blender and other programs (docs/reference/glb-file.md):
 /// objects under their names, and where the answer tells it, for each pair the faces that meet, the curves in which
 /// they do, depth and distance, or ways of rays, nearest points, faces in a region, self-contacts; levels of a
-/// hierarchy, cells of a partition, Voronoi regions; a crowd as recording_glb does. Metres, Y up: the root node holds
-/// the change from the scene's unit (one that is not known counts as a metre) and from `options.up`. Vertices are
-/// floats, counted from a place near them, and nodes are doubles: points are off by at most 2⁻²⁰ of the size of their
-/// mesh or, where they are shown of pairs, of their pair. The same bytes on every machine. Throws Error as view_page
-/// does, when the file would have 4 GiB, and for poses that shear what they move.
+/// hierarchy, cells of a partition, Voronoi regions and walks through them; a crowd as recording_glb does. Metres, Y
+/// up: the root node holds the change from the scene's unit (one that is not known counts as a metre) and from
+/// `options.up`. Vertices are floats, counted from a place near them, and nodes are doubles: points are off by at most
+/// 2⁻²⁰ of the size of their mesh or, where they are shown of pairs, of their pair. The same bytes on every machine.
+/// Throws Error as view_page does, when the file would have 4 GiB, and for poses that shear what they move.
 [[nodiscard]] std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
                                     const ViewOptions& options = {});
 

@@ -25,12 +25,11 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
     return recording_glb(record_crowd(crowd->question), options);
   if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
     return recording_glb(record_crowd_world(crowd->question), options);
-  if ((options.hierarchy || options.partition || options.voronoi) && !io::queries_of(answer).empty())
+  const bool is_about_rest = options.hierarchy || options.partition || options.voronoi || options.voronoi_walk;
+  if (is_about_rest && !io::queries_of(answer).empty())
     throw Error(
-        "hierarchies, partitions and Voronoi regions of objects that move are not in a GLB file; a page shows them: "
-        "view_page, or -o FILE.html");
-  if (options.voronoi_walk)
-    throw Error("walks through Voronoi regions are not in a GLB file; a page shows them: view_page, or -o FILE.html");
+        "hierarchies, partitions, Voronoi regions and walks through them, of objects that move, are not in a GLB file; "
+        "a page shows them: view_page, or -o FILE.html");
   const std::vector<Posed> drawn = models_of(scene, models, answer);
   const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
@@ -40,6 +39,7 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
   if (options.hierarchy) io::add_hierarchies(glb, *options.hierarchy);
   if (options.partition) io::add_partitions(glb, *options.partition);
   if (options.voronoi) io::add_voronoi(glb);
+  if (options.voronoi_walk) io::add_voronoi_walks(glb);
   return glb.file(options, scene.unit);
 }
 

@@ -123,5 +123,7 @@ void add_hierarchies(GlbScene& glb, CostVolume volume);
 void add_partitions(GlbScene& glb, PartitionKind kind);
 /// Of each convex polytope its Voronoi regions. Throws Error as voronoi_layers does.
 void add_voronoi(GlbScene& glb);
+/// Of each pair of convex polytopes the walk through them, visit by visit. Throws Error as voronoi_walk_layers does.
+void add_voronoi_walks(GlbScene& glb);
 
 }  // namespace toccata::io

@@ -3,6 +3,7 @@
 
 #include "io/glb/glb_scene.hpp"
 #include "io/view/voronoi_layers.hpp"
+#include "io/view/voronoi_walk_layers.hpp"
 
 namespace toccata::io {
 namespace {
@@ -11,6 +12,17 @@ constexpr double seen_through = 0.2;
 const std::array paints{GlbPaint{"nearest to faces", 0x0072b2, seen_through},
                         GlbPaint{"nearest to edges", 0xe69f00, seen_through},
                         GlbPaint{"nearest to vertices", 0x009e73, seen_through}};
+const GlbPaint walk_paint{"walks", 0xcc79a7};
+
+std::size_t add_visit(GlbScene& glb, const DrawnVisit& visit) {
+  const GlbFrame frame = GlbFrame::around(visit.ends);
+  const std::string name = "visit " + visit.label;
+  GlbWriter::Json parts = GlbWriter::Json::array();
+  parts.push_back(glb.part(joined_part(visit.ends, frame), GlbMode::lines, walk_paint));
+  return glb.add_node(name, {}, frame,
+                      {{"mesh", glb.add_mesh(name, std::move(parts))},
+                       {"extras", {{"found", visit.note}, {"distance", visit.distance}}}});
+}
 
 }  // namespace
 
@@ -29,6 +41,16 @@ void add_voronoi(GlbScene& glb) {
     if (!kinds.empty()) objects.push_back(glb.add_parent("Voronoi regions of " + regions.object, kinds));
   }
   glb.add_group("Voronoi regions", objects);
+}
+
+void add_voronoi_walks(GlbScene& glb) {
+  std::vector<std::size_t> walks;
+  for (const DrawnWalk& walk : drawn_voronoi_walks(glb.models())) {
+    std::vector<std::size_t> visits;
+    for (const DrawnVisit& visit : walk.visits) visits.push_back(add_visit(glb, visit));
+    if (!visits.empty()) walks.push_back(glb.add_parent("Voronoi walk of " + walk.a + " and " + walk.b, visits));
+  }
+  glb.add_group("Voronoi walks", walks);
 }
 
 }  // namespace toccata::io

@@ -66,32 +66,37 @@ std::string note_of(const VoronoiPath& path, std::size_t i) {
   return i + 1 < path.visits.size() ? apart : fmt::format("{}: {}", apart, words_of(path.end));
 }
 
-Json layer_of(const Walked& a, const Walked& b, const ViewMeshes& meshes, ViewData& data) {
+DrawnWalk walk_of(const Walked& a, const Walked& b) {
   TrackedPair tracked;
   VoronoiPath path;
-  const PosedConvex posed_a(a.hull), posed_b(b.hull);
-  (void)distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked, path);
+  (void)distance_by_voronoi_walk(PosedConvex(a.hull), a.regions, PosedConvex(b.hull), b.regions, tracked, path);
+  DrawnWalk walk{a.name, b.name, {}};
+  for (std::size_t i = 0; i < path.visits.size(); ++i)
+    walk.visits.push_back({ends_at(a, b, path.visits, i), fmt::format("{} of {}", i + 1, path.visits.size()),
+                           note_of(path, i), std::sqrt(path.visits[i].distance_squared)});
+  return walk;
+}
+
+Json layer_of(const DrawnWalk& walk, const ViewMeshes& meshes, ViewData& data) {
   Json steps = Json::array();
   std::vector<float> numbers;
-  for (std::size_t i = 0; i < path.visits.size(); ++i) {
+  for (const DrawnVisit& visit : walk.visits) {
     const std::size_t first = numbers.size() / 6;
-    for (const Vec3& end : ends_at(a, b, path.visits, i))
+    for (const Vec3& end : visit.ends)
       for (const float number : meshes.frame().shown(end)) numbers.push_back(number);
-    steps.push_back({{"label", fmt::format("{} of {}", i + 1, path.visits.size())},
-                     {"note", note_of(path, i)},
-                     {"first", first},
-                     {"count", numbers.size() / 6 - first}});
+    steps.push_back(
+        {{"label", visit.label}, {"note", visit.note}, {"first", first}, {"count", numbers.size() / 6 - first}});
   }
   return {{"kind", "segments"},
           {"role", "voronoi-walk"},
-          {"name", fmt::format("{} and {}: Voronoi walk", a.name, b.name)},
+          {"name", fmt::format("{} and {}: Voronoi walk", walk.a, walk.b)},
           {"data", data.add(numbers)},
           {"steps", steps}};
 }
 
 }  // namespace
 
-std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
+std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const Posed> models) {
   const std::size_t pairs = models.size() * (models.size() - 1) / 2;
   if (models.size() < 2 || pairs > most_pairs)
     throw Error(fmt::format("--voronoi-walk is about 1 to {} pairs of objects, and here are {}: give two objects",
@@ -101,9 +106,15 @@ std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewM
     const ConvexHull hull = world_polytope(posed);
     walked.push_back({as_utf8(posed.name), hull, VoronoiRegions(hull)});
   }
-  std::vector<Json> layers;
+  std::vector<DrawnWalk> walks;
   for (std::size_t a = 0; a < walked.size(); ++a)
-    for (std::size_t b = a + 1; b < walked.size(); ++b) layers.push_back(layer_of(walked[a], walked[b], meshes, data));
+    for (std::size_t b = a + 1; b < walked.size(); ++b) walks.push_back(walk_of(walked[a], walked[b]));
+  return walks;
+}
+
+std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
+  std::vector<Json> layers;
+  for (const DrawnWalk& walk : drawn_voronoi_walks(models)) layers.push_back(layer_of(walk, meshes, data));
   return layers;
 }
 

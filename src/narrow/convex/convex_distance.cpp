@@ -146,20 +146,20 @@ class PairQuestion {
     const std::optional<NearestFeatures> features = canonical_features(simplex);
     if (!features || (asked_ && *features == *asked_)) return {};
     asked_ = features;
-    NearestFormula formula(a_, b_, *features);
-    if (formula.prove()) return distance_by(formula);
+    NearestFormula formula(*features, points_of(*features, a_, b_));
+    if (formula.prove(a_, b_)) return distance_by(formula);
     if (!formula.before()) return {};
     for (std::size_t i = 0; i < features->count_a + features->count_b; ++i) {
       const std::optional<NearestFeatures> others = exchanged(*features, i, *formula.before());
       if (!others) continue;
-      NearestFormula other(a_, b_, *others);
-      if (other.prove()) return distance_by(other);
+      NearestFormula other(*others, points_of(*others, a_, b_));
+      if (other.prove(a_, b_)) return distance_by(other);
     }
     return {};
   }
 
   std::optional<Distance> distance_by(const NearestFormula& formula) {
-    const std::optional<Distance> distance = formula.distance();
+    const std::optional<Distance> distance = formula.distance(a_.shape().radius(), b_.shape().radius());
     if (!distance) return {};
     keep(workspace_, pairs_of(formula.features()), formula.nearest().difference);
     return certified(distance);

@@ -202,14 +202,15 @@ double SupportSearch::close_depth(const Vec3& direction, double spread, const Ve
   return (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
 }
 
-/// A depth is its height less what the spread adds, at most that of the extent along all axes; both are rounded.
-SupportSearch::Level SupportSearch::close_level(const Vec3& direction, double slack, const Vec3& vertex) const {
-  const double spread = spread_of(direction, slack), extent = shape_->stored_extent();
-  const Vec3 along = times(world_in_local_, direction);
-  const double depth = close_depth(direction, spread, vertex);
-  const double depths = (spread * sum_of_magnitudes(stretch_) + 3 * lost_per_coordinate) * extent;
-  const double own = depths + 0x1p-49 * sum_of_magnitudes(along) * extent;
-  return {along, (depth + 0x1p-49 * std::fabs(depth)) + (1.0625 * own + lost_per_height)};
+/// With M = Σ |R_ij| extent + Σ |t_i|, the depth of a vertex is less than its height by spread · M at most, and the
+/// bound is more than the height of the given vertex by 3 spread · M. As the spread is 32u of the direction, the
+/// roundings of depths, of the bound and of either world vertex add less than 1 spread · M, and those of a height in
+/// the shape's own frame half of one.
+double most_close_rise(const Pose& pose, double extent, const Vec3& direction, double slack) {
+  const Mat3& r = pose.linear;
+  const double stretch = (sum_of_magnitudes(r[0]) + sum_of_magnitudes(r[1])) + sum_of_magnitudes(r[2]);
+  const double most = 8 * spread_of(direction, slack) * (stretch * extent + sum_of_magnitudes(pose.offset));
+  return most + 8 * (lost_per_height + 3 * lost_per_coordinate * extent);
 }
 
 Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,

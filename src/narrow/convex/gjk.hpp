@@ -35,13 +35,6 @@ class SupportSearch {
   [[nodiscard]] Index close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                             std::span<Index> found) const;
 
-  /// What `close` takes for close: no vertex of which the height along `direction`, in the shape's own frame, is more.
-  struct Level {
-    Vec3 direction;
-    double height = 0;
-  };
-  [[nodiscard]] Level close_level(const Vec3& direction, double slack, const Vec3& vertex) const;
-
   /// No world vertex is lower; NaN where nothing is certain.
   [[nodiscard]] double lower_bound(const Vec3& direction) const;
 
@@ -83,6 +76,11 @@ class SupportSearch {
 
 /// Directions for which the bounds of SupportSearch hold.
 [[nodiscard]] bool in_certain_range(const Vec3& direction);
+
+/// `close` finds no vertex that is higher than the given one by more than this, where a height is the product in
+/// doubles with the direction turned into the shape's own frame; `extent` is the greatest magnitude of a coordinate
+/// there.
+[[nodiscard]] double most_close_rise(const Pose& pose, double extent, const Vec3& direction, double slack);
 
 /// Where the search ended.
 struct GjkEnd {

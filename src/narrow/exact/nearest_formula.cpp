@@ -77,17 +77,22 @@ std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::s
   return NearestFeatures{distinct(a, count_a).vertex, distinct(b, count_b).vertex, count_a, count_b};
 }
 
-NearestFormula::NearestFormula(const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features)
-    : a_(a),
-      b_(b),
-      features_(features),
-      first_a_(a.vertex(features.a[0])),
-      first_b_(b.vertex(features.b[0])),
+FeaturePoints points_of(const NearestFeatures& features, const SupportSearch& a, const SupportSearch& b) {
+  FeaturePoints points;
+  for (std::size_t i = 0; i < features.count_a; ++i) points.a[i] = a.vertex(features.a[i]);
+  for (std::size_t i = 0; i < features.count_b; ++i) points.b[i] = b.vertex(features.b[i]);
+  return points;
+}
+
+NearestFormula::NearestFormula(const NearestFeatures& features, const FeaturePoints& points)
+    : features_(features),
+      first_a_(points.a[0]),
+      first_b_(points.b[0]),
       first_(first_a_ - first_b_),
       edges_(features.count_a + features.count_b - 2) {
   std::size_t edge = 0;
-  for (std::size_t i = 1; i < features.count_a; ++i) edge_[edge++] = {a.vertex(features.a[i]), first_a_};
-  for (std::size_t i = 1; i < features.count_b; ++i) edge_[edge++] = {first_b_, b.vertex(features.b[i])};
+  for (std::size_t i = 1; i < features.count_a; ++i) edge_[edge++] = {points.a[i], first_a_};
+  for (std::size_t i = 1; i < features.count_b; ++i) edge_[edge++] = {first_b_, points.b[i]};
 }
 
 bool NearestFormula::solve() {
@@ -185,29 +190,29 @@ Sign NearestFormula::height_sign(const Difference& vector) const {
 }
 
 /// All vertices of the shapes but those of the features lie beyond the planes through the features.
-bool NearestFormula::others_beyond() {
+bool NearestFormula::others_beyond(const SupportSearch& a, const SupportSearch& b) {
   if (!in_certain_range(across_)) return false;
   std::array<Index, most_close> close_a, close_b;
-  const Index count_a = a_.close(across_, slack_, first_a_, std::span(features_.a).first(features_.count_a), close_a);
-  const Index count_b = b_.close(-across_, slack_, first_b_, std::span(features_.b).first(features_.count_b), close_b);
+  const Index count_a = a.close(across_, slack_, first_a_, std::span(features_.a).first(features_.count_a), close_a);
+  const Index count_b = b.close(-across_, slack_, first_b_, std::span(features_.b).first(features_.count_b), close_b);
   if (count_a + count_b == 0) return true;
   if (count_a > most_close || count_b > most_close || edges_ < 2) return false;
   // What rounding does not tell apart, exact signs do.
   for (const Index i : std::span(close_a).first(count_a))
-    if (const Sign sign = height_sign({a_.vertex(i), first_a_}); sign != Sign::positive) {
+    if (const Sign sign = height_sign({a.vertex(i), first_a_}); sign != Sign::positive) {
       if (sign == Sign::negative) before_ = {true, i};
       return false;
     }
   for (const Index i : std::span(close_b).first(count_b))
-    if (const Sign sign = height_sign({first_b_, b_.vertex(i)}); sign != Sign::positive) {
+    if (const Sign sign = height_sign({first_b_, b.vertex(i)}); sign != Sign::positive) {
       if (sign == Sign::negative) before_ = {false, i};
       return false;
     }
   return true;
 }
 
-std::optional<Distance> NearestFormula::distance() const {
-  const double radius_a = a_.shape().radius(), radius_b = b_.shape().radius(), reach = radius_a + radius_b;
+std::optional<Distance> NearestFormula::distance(double radius_a, double radius_b) const {
+  const double reach = radius_a + radius_b;
   const Vec3 &on_a = nearest_.on_a, &on_b = nearest_.on_b;
   // What either point is off by, apart from roundings of coordinates of the shapes; the promise is about a greatest
   // coordinate that is at least each of these.

@@ -34,30 +34,35 @@ struct FormulaNearest {
   double distance_error = 0;
 };
 
+/// The vertices of features in the world, in their order.
+struct FeaturePoints {
+  std::array<Vec3, 3> a;
+  std::array<Vec3, 3> b;
+};
+
+[[nodiscard]] FeaturePoints points_of(const NearestFeatures& features, const SupportSearch& a, const SupportSearch& b);
+
 /// The formula of two features. Edges start at the first vertex of each shape, those of B turned round, so that
 /// exchanging the shapes turns the first difference and all edges round, exactly.
 class NearestFormula {
  public:
   /// The features are canonical.
-  NearestFormula(const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features);
+  NearestFormula(const NearestFeatures& features, const FeaturePoints& points);
 
   /// No where rounding leaves any doubt that the two features are the only nearest ones. Whether they are proved to be,
   /// and every bit of the numbers, depends on the shapes and the features alone; exchanging the shapes exchanges the
   /// points and turns the difference round.
-  [[nodiscard]] bool prove() { return solve() && others_beyond(); }
+  [[nodiscard]] bool prove(const SupportSearch& a, const SupportSearch& b) { return solve() && others_beyond(a, b); }
 
   /// The two halves of the proof: that the nearest points lie inside the features, and, after that, that every other
   /// vertex lies beyond them.
   [[nodiscard]] bool solve();
-  [[nodiscard]] bool others_beyond();
+  [[nodiscard]] bool others_beyond(const SupportSearch& a, const SupportSearch& b);
 
   /// After `solve`: a positive multiple of the exact difference, and what each of its coordinates may be off by. Where
   /// `close` finds no vertex of A along it and none of B against it, but those of the features, all others are beyond.
   [[nodiscard]] const Vec3& across() const { return across_; }
   [[nodiscard]] double slack() const { return slack_; }
-  /// The first vertices of the features, in the world.
-  [[nodiscard]] const Vec3& first_a() const { return first_a_; }
-  [[nodiscard]] const Vec3& first_b() const { return first_b_; }
 
   /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
   /// rounding has bent: which.
@@ -68,8 +73,9 @@ class NearestFormula {
   /// After a proof.
   [[nodiscard]] const FormulaNearest& nearest() const { return nearest_; }
 
-  /// After a proof: the answer of `distance`, if the numbers are good enough for what is promised of it.
-  [[nodiscard]] std::optional<Distance> distance() const;
+  /// After a proof: the answer of `distance` for the shapes' radii, if the numbers are good enough for what is promised
+  /// of it.
+  [[nodiscard]] std::optional<Distance> distance(double radius_a, double radius_b) const;
 
  private:
   [[nodiscard]] Vec3 along(std::size_t i) const { return edge_[i].head - edge_[i].tail; }
@@ -78,8 +84,6 @@ class NearestFormula {
   [[nodiscard]] bool on_plane();
   [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
-  const SupportSearch& a_;
-  const SupportSearch& b_;
   const NearestFeatures& features_;
   Vec3 first_a_, first_b_, first_;
   std::array<Difference, 2> edge_;

@@ -1,11 +1,6 @@
 #include "narrow/voronoi/feature_walk.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-
-#include "math/vec3_measures.hpp"
-#include "math/world_vertex.hpp"
 
 namespace toccata {
 namespace {
@@ -15,67 +10,47 @@ using Kind = ConvexFeature::Kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Vec3 transposed_times(const Mat3& m, const Vec3& v) { return v.x * m[0] + v.y * m[1] + v.z * m[2]; }
-Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
-/// Of a matrix that turns and scales evenly, within what a walk can bear, the square of its scale; else 0.
-double squared_scale(const Mat3& m) {
-  const double xx = dot(m[0], m[0]), yy = dot(m[1], m[1]), zz = dot(m[2], m[2]);
-  const double off = std::max({std::fabs(dot(m[0], m[1])), std::fabs(dot(m[1], m[2])), std::fabs(dot(m[2], m[0])),
-                               std::fabs(xx - yy), std::fabs(yy - zz)});
-  return off <= 0x1p-30 * xx ? xx : 0;
-}
-
-/// A face with the planes through its edges, in a frame in which they are at right angles to it: the shape's own,
-/// where the pose keeps angles, else the world.
-class FacePrism {
+/// A face in the world.
+class WorldFace {
  public:
-  FacePrism(const WalkBody& body, Index face) : parts_(*body.parts), pose_(*body.pose), face_(face) {
-    squared_scale_ = squared_scale(pose_.linear);
-    if (squared_scale_ > 0) {
-      side_ = parts_.sides[face].plane;
-      return;
-    }
+  WorldFace(const WalkBody& body, Index face) : body_(body), face_(face) {
     // Normals turn by the matrix of cofactors, and round where the pose mirrors.
-    const Mat3& r = pose_.linear;
+    const Mat3& r = body.pose->linear;
     const Mat3 cofactors{{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])}};
     turn_ = dot(r[0], cofactors[0]) < 0 ? -1 : 1;
-    side_.normal = turn_ * unit_or_zero(times(cofactors, parts_.sides[face].plane.normal));
-    side_.offset = dot(side_.normal, world(parts_.topology.origin[begin()]));
+    const Vec3& own = body.parts->sides[face].plane.normal;
+    normal_ = turn_ * Vec3{dot(cofactors[0], own), dot(cofactors[1], own), dot(cofactors[2], own)};
   }
 
-  [[nodiscard]] Index begin() const { return parts_.topology.face_start[face_]; }
-  [[nodiscard]] Index end() const { return parts_.topology.face_start[face_ + 1]; }
+  /// Outwards, of any length.
+  [[nodiscard]] const Vec3& normal() const { return normal_; }
 
-  [[nodiscard]] Vec3 own_point(const Vec3& p) const {
-    if (squared_scale_ == 0) return p;
-    return (1 / squared_scale_) * transposed_times(pose_.linear, p - pose_.offset);
+  /// How far above the plane a point is, in units of the normal.
+  [[nodiscard]] double height(const Vec3& p) const {
+    const HullTopology& t = body_.parts->topology;
+    return dot(normal_, p - body_.vertex(t.origin[t.face_start[face_]]));
   }
-  [[nodiscard]] Vec3 own_vector(const Vec3& v) const {
-    return squared_scale_ == 0 ? v : (1 / squared_scale_) * transposed_times(pose_.linear, v);
-  }
-  [[nodiscard]] Vec3 world_vector(const Vec3& v) const { return squared_scale_ == 0 ? v : times(pose_.linear, v); }
-  [[nodiscard]] const RegionPlane& side() const { return side_; }
-  [[nodiscard]] RegionPlane rim(Index half_edge) const {
-    if (squared_scale_ > 0) return parts_.rims[half_edge].plane;
-    const Vec3 start = world(parts_.topology.origin[half_edge]);
-    const Vec3 along = world(parts_.topology.target(half_edge)) - start;
-    const Vec3 normal = turn_ * unit_or_zero(cross(side_.normal, along));
-    return {normal, dot(normal, start)};
+
+  /// Visits the edge–face planes: each half-edge with where it starts and a normal into the face, of any length.
+  template <class Visit>
+  void for_each_rim(Visit visit) const {
+    const HullTopology& t = body_.parts->topology;
+    const Index begin = t.face_start[face_], end = t.face_start[face_ + 1];
+    const Vec3 first = body_.vertex(t.origin[begin]);
+    Vec3 start = first;
+    for (Index h = begin; h < end; ++h) {
+      const Vec3 next = h + 1 < end ? body_.vertex(t.origin[h + 1]) : first;
+      visit(h, start, turn_ * cross(normal_, next - start));
+      start = next;
+    }
   }
 
  private:
-  [[nodiscard]] Vec3 world(Index vertex) const { return world_vertex(pose_, parts_.vertices[vertex]); }
-
-  const Parts& parts_;
-  const Pose& pose_;
+  const WalkBody& body_;
   Index face_;
-  double squared_scale_;
   double turn_ = 1;
-  RegionPlane side_;
+  Vec3 normal_;
 };
-
-double height(const RegionPlane& plane, const Vec3& p) { return dot(plane.normal, p) - plane.offset; }
 
 /// A step of the walk: through which plane, and how steeply it leads down.
 struct Descent {
@@ -107,7 +82,7 @@ class Walk {
     Descent best;
     for (std::size_t of = 0; of < 2; ++of) {
       const Vec3 outward = of == 0 ? near.between : -near.between;
-      const Vec3 own = transposed_times(body_[of].pose->linear, outward);
+      const Vec3 own = body_[of].own(outward);
       const ConvexFeature& feature = near.feature[of];
       if (feature.kind == Kind::vertex) from_vertex(of, feature.index, own, best);
       if (feature.kind == Kind::edge && parts(of).has_faces()) below |= !from_edge(of, feature.index, own, best);
@@ -134,9 +109,7 @@ class Walk {
 
  private:
   [[nodiscard]] const Parts& parts(std::size_t of) const { return *body_[of].parts; }
-  [[nodiscard]] Vec3 world(std::size_t of, Index vertex) const {
-    return world_vertex(*body_[of].pose, parts(of).vertices[vertex]);
-  }
+  [[nodiscard]] Vec3 world(std::size_t of, Index vertex) const { return body_[of].vertex(vertex); }
   [[nodiscard]] Index start_of(std::size_t of, Index half_edge) const { return parts(of).topology.origin[half_edge]; }
   [[nodiscard]] Index end_of(std::size_t of, Index half_edge) const { return parts(of).topology.target(half_edge); }
 
@@ -195,18 +168,18 @@ class Walk {
 
   /// A vertex over a face, or beside it; no where it lies behind.
   [[nodiscard]] bool at_face(std::size_t of, Index face, Index vertex) {
-    const FacePrism prism(body_[of], face);
-    const Vec3 p = world(1 - of, vertex), own = prism.own_point(p);
-    const double above = height(prism.side(), own);
+    const WorldFace plane(body_[of], face);
+    const Vec3 p = world(1 - of, vertex);
+    const double above = plane.height(p);
     if (!(above > 0)) return false;
     bool inside = true;
-    for (Index h = prism.begin(); h < prism.end(); ++h) {
-      if (height(prism.rim(h), own) > 0) continue;
+    plane.for_each_rim([&](Index h, const Vec3& start, const Vec3& into) {
+      if (dot(into, p - start) > 0) return;
       inside = false;
       at_edge_and_vertex(of, h, vertex);
-    }
+    });
     if (!inside) return true;
-    const Vec3 up = prism.world_vector(above * prism.side().normal);
+    const Vec3 up = (above / dot(plane.normal(), plane.normal())) * plane.normal();
     offer(of, {Kind::face, face}, {Kind::vertex, vertex}, p - up, p, -up);
     return true;
   }
@@ -214,30 +187,27 @@ class Walk {
   /// An edge over a face, from one of its points downhill to its end or to where it leaves the face; no where it goes
   /// behind before.
   [[nodiscard]] bool along_face(std::size_t of, Index face, Index half_edge, const Vec3& start) {
-    const FacePrism prism(body_[of], face);
-    const std::size_t other = 1 - of;
-    const Vec3 from = world(other, start_of(other, half_edge)), to = world(other, end_of(other, half_edge));
-    const Vec3 own = prism.own_point(start);
+    const WorldFace plane(body_[of], face);
+    const Index from = start_of(1 - of, half_edge), to = end_of(1 - of, half_edge);
+    const bool forth = dot(plane.normal(), world(1 - of, to) - world(1 - of, from)) < 0;
+    const Index end = forth ? to : from;
+    const Vec3 way = world(1 - of, end) - start;
     bool inside = true;
-    for (Index h = prism.begin(); h < prism.end(); ++h) {
-      if (!(height(prism.rim(h), own) < 0)) continue;
-      inside = false;
-      beside_face(of, h, half_edge);
-    }
-    if (!inside) return true;
-    const bool forth = dot(prism.side().normal, prism.own_vector(to - from)) < 0;
-    const Vec3 way = prism.own_vector(forth ? to - start : from - start);
     double share = 1;
     std::optional<Index> out;
-    for (Index h = prism.begin(); h < prism.end(); ++h) {
-      const RegionPlane rim = prism.rim(h);
-      const double falls = -dot(rim.normal, way);
-      if (!(falls > 0) || !(height(rim, own) < share * falls)) continue;
-      share = height(rim, own) / falls;
-      out = h;
-    }
-    if (!(height(prism.side(), own + share * way) > 0)) return false;
-    if (!out) return at_face(of, face, forth ? end_of(other, half_edge) : start_of(other, half_edge));
+    plane.for_each_rim([&](Index h, const Vec3& corner, const Vec3& into) {
+      const double height = dot(into, start - corner), falls = -dot(into, way);
+      if (height < 0) {
+        inside = false;
+        beside_face(of, h, half_edge);
+      } else if (falls > 0 && height < share * falls) {
+        share = height / falls;
+        out = h;
+      }
+    });
+    if (!inside) return true;
+    if (!(plane.height(start + share * way) > 0)) return false;
+    if (!out) return at_face(of, face, end);
     beside_face(of, *out, half_edge);
     return true;
   }
@@ -249,7 +219,7 @@ class Walk {
 
   void from_vertex(std::size_t of, Index vertex, const Vec3& outward, Descent& best) const {
     for (const Parts::Spoke& spoke : parts(of).spokes_at(vertex))
-      if (const double slope = dot(outward, spoke.plane.normal); slope < best.slope)
+      if (const double slope = dot(outward, spoke.along) * spoke.per_length; slope < best.slope)
         best = {of, {Kind::edge, parts(of).edge_of(spoke.half_edge)}, slope};
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "math/world_vertex.hpp"
 #include "narrow/voronoi/region_parts.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/narrow/voronoi_walk.hpp"
@@ -14,6 +15,14 @@ namespace toccata {
 struct WalkBody {
   const VoronoiRegions::Parts* parts;
   const Pose* pose;
+
+  /// In the world.
+  [[nodiscard]] Vec3 vertex(Index i) const { return world_vertex(*pose, parts->vertices[i]); }
+  /// A direction of the world, along which heights are the same in the shape's own frame but for the offset.
+  [[nodiscard]] Vec3 own(const Vec3& direction) const {
+    const Mat3& r = pose->linear;
+    return direction.x * r[0] + direction.y * r[1] + direction.z * r[2];
+  }
 };
 
 /// A feature of each shape and the nearest points of the two, inside both, as far as doubles tell.

@@ -2,22 +2,20 @@
 
 #include <cstdint>
 
-#include "narrow/convex/gjk.hpp"
-#include "narrow/voronoi/region_parts.hpp"
+#include "narrow/voronoi/feature_walk.hpp"
 
 namespace toccata {
 
 enum class Others : std::uint8_t {
   clear,    ///< none is close to the feature
   unknown,  ///< a look at all has to tell
-  lower,    ///< some seem to be lower than the feature
+  lower,    ///< some are lower than the feature
 };
 
 /// Whether vertices that are not of the feature are close to it, as `SupportSearch::close` would find by looking at
-/// all: from the planes around the feature alone, whatever the number of vertices. `clear` is certain. `first` is a
-/// vertex of the feature, and `first_in_world` that in the world.
-[[nodiscard]] Others other_vertices(const SupportSearch& shape, const VoronoiRegions::Parts& parts,
-                                    const ConvexFeature& feature, Index first, const Vec3& first_in_world,
-                                    const Vec3& direction, double slack);
+/// all: from the planes around the feature alone, whatever the number of vertices. Each coordinate of the direction, in
+/// the world, is off by the slack at most. `clear` is certain.
+[[nodiscard]] Others other_vertices(const WalkBody& body, const ConvexFeature& feature, const Vec3& direction,
+                                    double slack);
 
 }  // namespace toccata

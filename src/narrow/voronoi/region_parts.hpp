@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,29 +11,32 @@ namespace toccata {
 
 /// The planes as the walk reads them. All lengths are in the shape's own frame.
 struct VoronoiRegions::Parts {
-  /// An edge as its vertex sees it: the vertex–edge plane.
+  /// An edge as its vertex sees it: the way along it, which is the normal of the vertex–edge plane.
   struct Spoke {
-    RegionPlane plane;
-    double length = 0;
+    Vec3 along;
+    double per_length = 0;  ///< 1 by its length
     Index half_edge = 0;
   };
   /// A half-edge as its face sees it: the edge–face plane; and what shows quickly that no other vertex is low.
   struct Rim {
     RegionPlane plane;
-    /// From its start to the vertex of the face after its end.
+    /// From its start towards the vertex of the face after its end, so much of the way that, with heights measured from
+    /// the plane of the other face at the edge, no vertex is lower that is not in that plane; 0 where nothing is
+    /// certain.
     Vec3 into{};
-    /// With heights measured from the plane of the other face at the edge: that of the lowest vertex not in that plane
-    /// is at least so much of the height of the vertex which `into` leads to; 0 where nothing is certain.
-    double least_share = 0;
+    double per_length = 0;  ///< 1 by the length of the edge
   };
   struct Side {
     RegionPlane plane;
     /// No vertex that is not of the face lies less far below its plane; 0 where nothing is certain.
     double clearance = 0;
-    double error = 0;  ///< of each coordinate of the normal
+    double error = 0;                 ///< of each coordinate of the normal
+    std::array<Index, 3> triangle{};  ///< of a face of three, its vertices, ascending
+    Index corner_count = 0;
   };
 
   std::optional<ConvexHull> hull;  // keeps what the topology refers to
+  const double* stored = nullptr;  // the hull's own coordinates, by which a shape made of it is known
   HullTopology topology;
   int dimension = 0;
   double extent = 0;  // the greatest magnitude of a coordinate
@@ -54,10 +58,14 @@ struct VoronoiRegions::Parts {
   }
 };
 
+/// The vertices of a face, in its order.
+[[nodiscard]] inline std::span<const Index> corners_of_face(const HullTopology& t, Index face) {
+  return t.origin.subspan(t.face_start[face], t.face_start[face + 1] - t.face_start[face]);
+}
+
 /// It is a face of more than three.
 [[nodiscard]] inline bool has_more_corners(const VoronoiRegions::Parts& parts, const ConvexFeature& feature) {
-  const HullTopology& t = parts.topology;
-  return feature.kind == ConvexFeature::Kind::face && t.face_start[feature.index + 1] - t.face_start[feature.index] > 3;
+  return feature.kind == ConvexFeature::Kind::face && parts.sides[feature.index].corner_count > 3;
 }
 
 }  // namespace toccata

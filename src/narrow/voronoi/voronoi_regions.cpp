@@ -49,9 +49,9 @@ void add_spokes(Parts& parts) {
     if (t.origin.empty() || t.origin[t.leaving[v]] != v) continue;  // a corner that is none
     Index h = t.leaving[v];
     do {
-      const Vec3 along = parts.vertices[t.target(h)] - parts.vertices[v], unit = unit_or_zero(along);
+      const Vec3 along = parts.vertices[t.target(h)] - parts.vertices[v];
       parts.spoke_of[h] = static_cast<Index>(parts.spokes.size());
-      parts.spokes.push_back({plane_through(unit, parts.vertices[v]), dot(unit, along), h});
+      parts.spokes.push_back({along, 1 / dot(unit_or_zero(along), along), h});
       h = t.next(t.twin[h]);
     } while (h != t.leaving[v]);
     parts.first_spoke[v + 1] = static_cast<Index>(parts.spokes.size());
@@ -59,7 +59,7 @@ void add_spokes(Parts& parts) {
 }
 
 bool is_of_face(const HullTopology& t, Index vertex, Index face) {
-  const auto corners = t.origin.subspan(t.face_start[face], t.face_start[face + 1] - t.face_start[face]);
+  const auto corners = corners_of_face(t, face);
   return std::ranges::find(corners, vertex) != corners.end();
 }
 
@@ -83,20 +83,25 @@ void add_sides(Parts& parts, const std::vector<FaceNormal>& normals) {
     const RegionPlane plane = plane_through(normals[f].unit, parts.vertices[t.origin[t.face_start[f]]]);
     const double depth = parts.dimension == 3 ? least_depth(parts, f, normals[f]) : 0;
     const double certain = depth - 8 * normals[f].error * parts.extent;
-    parts.sides.push_back({plane, certain > 0 && normals[f].error < 0x1p-30 ? certain : 0, normals[f].error});
+    const double clearance = certain > 0 && normals[f].error < 0x1p-30 ? certain : 0;
+    const auto corners = corners_of_face(t, f);
+    std::array<Index, 3> triangle{};
+    if (corners.size() == 3) std::ranges::partial_sort_copy(corners, triangle);
+    parts.sides.push_back({plane, clearance, normals[f].error, triangle, static_cast<Index>(corners.size())});
   }
 }
 
 void add_rims(Parts& parts, const std::vector<FaceNormal>& normals) {
   const HullTopology& t = parts.topology;
   for (Index h = 0; h < t.origin.size(); ++h) {
-    const Vec3 start = parts.vertices[t.origin[h]], along = parts.spokes[parts.spoke_of[h]].plane.normal;
-    const Vec3 into = parts.vertices[t.target(t.next(h))] - start;
-    Parts::Rim rim{plane_through(unit_or_zero(cross(normals[t.face[h]].unit, along)), start), into, 0};
+    const Parts::Spoke& spoke = parts.spokes[parts.spoke_of[h]];
+    const Vec3 start = parts.vertices[t.origin[h]], unit = unit_or_zero(spoke.along);
+    Parts::Rim rim{plane_through(unit_or_zero(cross(normals[t.face[h]].unit, unit)), start), {}, spoke.per_length};
     if (parts.dimension == 3) {
       const Index beyond = t.face[t.twin[h]];
+      const Vec3 into = parts.vertices[t.target(t.next(h))] - start;
       const double height = -dot(normals[beyond].unit, into) + 8 * normals[beyond].error * parts.extent;
-      rim.least_share = (1 - 0x1p-40) * (parts.sides[beyond].clearance / height);
+      rim.into = ((1 - 0x1p-40) * (parts.sides[beyond].clearance / height)) * into;
     }
     parts.rims.push_back(rim);
   }
@@ -106,6 +111,7 @@ std::shared_ptr<const Parts> parts_of(std::vector<Vec3> vertices, const HullTopo
                                       std::optional<ConvexHull> hull = {}) {
   Parts parts;
   parts.hull = std::move(hull);
+  if (parts.hull) parts.stored = parts.hull->padded_coordinates(0).data();
   parts.topology = topology;
   parts.dimension = dimension_of(topology);
   parts.vertices = std::move(vertices);
@@ -154,7 +160,8 @@ Index VoronoiRegions::vertex_count() const { return static_cast<Index>(parts_->v
 Vec3 VoronoiRegions::vertex(Index i) const { return parts_->vertices[i]; }
 
 RegionPlane VoronoiRegions::vertex_edge_plane(Index half_edge) const {
-  return parts_->spokes[parts_->spoke_of[half_edge]].plane;
+  const Vec3 unit = unit_or_zero(parts_->spokes[parts_->spoke_of[half_edge]].along);
+  return plane_through(unit, parts_->vertices[parts_->topology.origin[half_edge]]);
 }
 RegionPlane VoronoiRegions::edge_face_plane(Index half_edge) const { return parts_->rims[half_edge].plane; }
 RegionPlane VoronoiRegions::face_plane(Index face) const { return parts_->sides[face].plane; }
@@ -179,7 +186,7 @@ std::vector<RegionBound> VoronoiRegions::bounds(const ConvexFeature& feature) co
   std::vector<RegionBound> bounds;
   if (feature.kind == ConvexFeature::Kind::vertex) {
     for (const Parts::Spoke& spoke : parts_->spokes_at(feature.index))
-      bounds.push_back({Kind::vertex_edge, spoke.half_edge, false, spoke.plane});
+      bounds.push_back({Kind::vertex_edge, spoke.half_edge, false, vertex_edge_plane(spoke.half_edge)});
   } else if (feature.kind == ConvexFeature::Kind::edge) {
     for (const Index h : {feature.index, t.twin[feature.index]}) {
       bounds.push_back({Kind::vertex_edge, h, true, vertex_edge_plane(h)});

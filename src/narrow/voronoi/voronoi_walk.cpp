@@ -27,6 +27,14 @@ void require_regions_of(const PosedConvex& shape, const VoronoiRegions& regions,
                   which, regions.vertex_count(), shape.vertex_count()));
 }
 
+/// Those of a hull share its coordinates; else the vertices tell.
+bool are_regions_of(const WalkBody& body, const PosedConvex& shape) {
+  if (body.parts->stored == shape.along(0)) return true;
+  for (Index i = 0; i < shape.vertex_count(); ++i)
+    if (!(body.vertex(i) == shape.vertex(i))) return false;
+  return true;
+}
+
 bool has(const Parts& parts, const ConvexFeature& feature) {
   const HullTopology& t = parts.topology;
   if (feature.kind == Kind::vertex) return feature.index < parts.vertices.size();
@@ -43,7 +51,7 @@ bool is_walked(const ConvexFeature& a, const ConvexFeature& b) {
 Index corner_before(const WalkBody& body, Index face, const Vec3& on) {
   const HullTopology& t = body.parts->topology;
   const Index begin = t.face_start[face], last = t.face_start[face + 1] - 2;
-  const auto corner = [&](Index h) { return transform(*body.pose, body.parts->vertices[t.origin[h]]); };
+  const auto corner = [&](Index h) { return body.vertex(t.origin[h]); };
   const Vec3 first = corner(begin), to_it = on - first;
   const Vec3 normal = cross(corner(begin + 1) - first, corner(last + 1) - first);
   Index h = begin + 1;
@@ -51,7 +59,7 @@ Index corner_before(const WalkBody& body, Index face, const Vec3& on) {
   return h;
 }
 
-/// Up to three vertices of a feature, with the point within.
+/// Up to three vertices of a feature, ascending, with the point within.
 struct Corners {
   std::array<Index, 3> vertex{};
   std::size_t count = 0;
@@ -60,10 +68,15 @@ struct Corners {
 Corners corners_of(const WalkBody& body, const ConvexFeature& feature, const Vec3& on) {
   const HullTopology& t = body.parts->topology;
   if (feature.kind == Kind::vertex) return {{feature.index}, 1};
-  if (feature.kind == Kind::edge) return {{t.origin[feature.index], t.target(feature.index)}, 2};
-  const Index begin = t.face_start[feature.index];
-  const Index h = t.face_start[feature.index + 1] - begin == 3 ? begin + 1 : corner_before(body, feature.index, on);
-  return {{t.origin[begin], t.origin[h], t.origin[h + 1]}, 3};
+  if (feature.kind == Kind::edge) {
+    const Index start = t.origin[feature.index], end = t.target(feature.index);
+    return {{std::min(start, end), std::max(start, end)}, 2};
+  }
+  if (!has_more_corners(*body.parts, feature)) return {body.parts->sides[feature.index].triangle, 3};
+  const Index h = corner_before(body, feature.index, on);
+  Corners corners{{t.origin[t.face_start[feature.index]], t.origin[h], t.origin[h + 1]}, 3};
+  std::ranges::sort(corners.vertex);
+  return corners;
 }
 
 /// The feature that has some vertices, or, where rounding has made up one that has them, the first.
@@ -76,7 +89,7 @@ ConvexFeature feature_of(const Parts& parts, std::span<const Index> vertices) {
       return {Kind::edge, parts.edge_of(spoke.half_edge)};
   for (const Parts::Spoke& spoke : parts.spokes_at(vertices[0])) {
     const Index face = t.face[spoke.half_edge];
-    const auto corners = t.origin.subspan(t.face_start[face], t.face_start[face + 1] - t.face_start[face]);
+    const auto corners = corners_of_face(t, face);
     if (parts.has_faces() &&
         std::ranges::all_of(vertices, [&](Index v) { return std::ranges::find(corners, v) != corners.end(); }))
       return {Kind::face, face};
@@ -84,23 +97,15 @@ ConvexFeature feature_of(const Parts& parts, std::span<const Index> vertices) {
   return first;
 }
 
-void put_in_order(std::array<Index, 3>& vertices, std::size_t count) {
-  auto& [x, y, z] = vertices;
-  if (count == 2 && x > y) std::swap(x, y);
-  if (count < 3) return;
-  const Index least = std::min({x, y, z}), greatest = std::max({x, y, z});
-  vertices = {least, (x ^ y ^ z) ^ (least ^ greatest), greatest};
-}
-
 /// One question about a tracked pair.
 class TrackedQuestion {
  public:
   TrackedQuestion(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
                   const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath* path)
-      : body_a_{&regions_a.parts(), &a.pose()},
+      : a_(a),
+        b_(b),
+        body_a_{&regions_a.parts(), &a.pose()},
         body_b_{&regions_b.parts(), &b.pose()},
-        a_(a, kernels_),
-        b_(b, kernels_),
         tracked_(tracked),
         path_(path) {}
 
@@ -110,9 +115,15 @@ class TrackedQuestion {
                           has(*body_b_.parts, tracked_.on_b) && is_walked(tracked_.on_a, tracked_.on_b);
     if (!is_known) forget();
     if (is_known && tracked_.cores_meet) return searched();
+    if (!are_regions_of(body_a_, a_) || !are_regions_of(body_b_, b_)) return searched();
     if (is_known && path_ == nullptr && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
         !has_more_corners(*body_b_.parts, tracked_.on_b))
       if (const auto distance = proved({tracked_.on_a, tracked_.on_b}, {})) return kept(*distance);
+    return walk();
+  }
+
+ private:
+  Distance walk() {
     const FeatureWalk walk = walk_features(body_a_, body_b_, tracked_.on_a, tracked_.on_b, path_);
     tracked_.counts.steps += walk.steps;
     tracked_.on_a = walk.near.feature[0];
@@ -123,7 +134,6 @@ class TrackedQuestion {
     return searched();
   }
 
- private:
   void forget() {
     tracked_.on_a = {Kind::vertex, body_a_.parts->any_vertex()};
     tracked_.on_b = {Kind::vertex, body_b_.parts->any_vertex()};
@@ -132,34 +142,35 @@ class TrackedQuestion {
   [[nodiscard]] NearestFeatures corners(const std::array<ConvexFeature, 2>& features,
                                         const std::array<Vec3, 2>& on) const {
     const Corners of_a = corners_of(body_a_, features[0], on[0]), of_b = corners_of(body_b_, features[1], on[1]);
-    NearestFeatures result{of_a.vertex, of_b.vertex, of_a.count, of_b.count};
-    put_in_order(result.a, result.count_a);
-    put_in_order(result.b, result.count_b);
-    return result;
+    return {of_a.vertex, of_b.vertex, of_a.count, of_b.count};
+  }
+
+  [[nodiscard]] FeaturePoints points(const NearestFeatures& corners) const {
+    FeaturePoints points;
+    for (std::size_t i = 0; i < corners.count_a; ++i) points.a[i] = body_a_.vertex(corners.a[i]);
+    for (std::size_t i = 0; i < corners.count_b; ++i) points.b[i] = body_b_.vertex(corners.b[i]);
+    return points;
   }
 
   /// The answer, if the features are proved to be the only nearest ones. Which corners of a face with more than three
   /// are meant, the points tell.
   [[nodiscard]] std::optional<Distance> proved(const std::array<ConvexFeature, 2>& features,
-                                               const std::array<Vec3, 2>& on) {
+                                               const std::array<Vec3, 2>& on) const {
     const NearestFeatures vertices = corners(features, on);
-    NearestFormula formula(a_, b_, vertices);
+    NearestFormula formula(vertices, points(vertices));
     if (!formula.solve()) return {};
-    const Vec3& across = formula.across();
-    const Others of_a =
-        other_vertices(a_, *body_a_.parts, features[0], vertices.a[0], formula.first_a(), across, formula.slack());
+    const Others of_a = other_vertices(body_a_, features[0], formula.across(), formula.slack());
     if (of_a == Others::lower) return {};
-    const Others of_b =
-        other_vertices(b_, *body_b_.parts, features[1], vertices.b[0], formula.first_b(), -across, formula.slack());
+    const Others of_b = other_vertices(body_b_, features[1], -formula.across(), formula.slack());
     if (of_b == Others::lower) return {};
     if (!(of_a == Others::clear && of_b == Others::clear) && !looked_at(formula)) return {};
-    return formula.distance();
+    return formula.distance(a_.radius(), b_.radius());
   }
 
-  /// All vertices, which is seldom needed, and so the kernels are.
-  bool looked_at(NearestFormula& formula) {
-    kernels_ = support_kernels();
-    return formula.others_beyond();
+  /// All vertices, which is seldom needed.
+  bool looked_at(NearestFormula& formula) const {
+    const SupportKernels kernels = support_kernels();
+    return formula.others_beyond(SupportSearch(a_, kernels), SupportSearch(b_, kernels));
   }
 
   Distance kept(const Distance& distance) {
@@ -187,8 +198,8 @@ class TrackedQuestion {
   /// By GJK, from what is kept of the last search or walk.
   Distance searched() {
     ++tracked_.counts.searched;
-    const Distance distance = distance_by_gjk(a_.shape(), b_.shape(), {}, &tracked_.workspace);
-    const VertexPairs simplex = kept_simplex(tracked_.workspace, a_.shape(), b_.shape());
+    const Distance distance = distance_by_gjk(a_, b_, {}, &tracked_.workspace);
+    const VertexPairs simplex = kept_simplex(tracked_.workspace, a_, b_);
     const std::optional<NearestFeatures> features = canonical_features(simplex);
     tracked_.cores_meet = !features;
     if (features) {
@@ -199,9 +210,9 @@ class TrackedQuestion {
     return told(distance);
   }
 
+  const PosedConvex& a_;
+  const PosedConvex& b_;
   WalkBody body_a_, body_b_;
-  SupportKernels kernels_{};
-  SupportSearch a_, b_;  // of these kernels
   TrackedPair& tracked_;
   VoronoiPath* path_;
 };
