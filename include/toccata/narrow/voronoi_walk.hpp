@@ -64,8 +64,8 @@ struct VoronoiPath {
 /// the planes around the features; where that fails, and where shapes penetrate, GJK takes over.
 ///
 /// All that `distance_by_gjk` promises, bit by bit. `regions_a` and `regions_b` are those of the shapes, without radii,
-/// in their own frames; throws Error where they are of another number of vertices. Regions of another shape cost time
-/// and change nothing.
+/// in their own frames; throws Error where they are of another number of vertices. Regions of another shape cost a
+/// search and change nothing; those of an equal hull that was built apart, a look at its vertices.
 [[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
                                                 const PosedConvex& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked);

@@ -86,14 +86,9 @@ FeaturePoints points_of(const NearestFeatures& features, const SupportSearch& a,
 
 NearestFormula::NearestFormula(const NearestFeatures& features, const FeaturePoints& points)
     : features_(features),
-      first_a_(points.a[0]),
-      first_b_(points.b[0]),
-      first_(first_a_ - first_b_),
-      edges_(features.count_a + features.count_b - 2) {
-  std::size_t edge = 0;
-  for (std::size_t i = 1; i < features.count_a; ++i) edge_[edge++] = {points.a[i], first_a_};
-  for (std::size_t i = 1; i < features.count_b; ++i) edge_[edge++] = {first_b_, points.b[i]};
-}
+      points_(points),
+      first_(points.a[0] - points.b[0]),
+      edges_(features.count_a + features.count_b - 2) {}
 
 bool NearestFormula::solve() {
   const bool solved = edges_ == 2 ? on_plane() : edges_ == 1 ? on_edge() : at_vertices();
@@ -104,7 +99,7 @@ bool NearestFormula::at_vertices() {
   const double squared = dot(first_, first_);
   if (!in_range(squared, squared)) return false;
   const double distance = std::sqrt(squared);
-  nearest_ = {first_a_, first_b_, 0, first_, 2 * u * distance, distance, 4 * u * distance};
+  nearest_ = {points_.a[0], points_.b[0], 0, first_, 2 * u * distance, distance, 4 * u * distance};
   across_ = first_;
   slack_ = 2 * u * distance;
   return true;
@@ -113,20 +108,20 @@ bool NearestFormula::at_vertices() {
 /// The share t = −first · e / e · e is off by 12u |first| / |e|. What that moves the difference by lies along the edge,
 /// across the difference: its length changes in second order only. `other` is what rounds apart from that.
 bool NearestFormula::on_edge() {
-  const Vec3 edge = along(0);
-  const double squared = dot(edge, edge), first_squared = dot(first_, first_);
+  const Vec3 way = along(0);
+  const double squared = dot(way, way), first_squared = dot(first_, first_);
   if (!in_range(std::min(squared, first_squared), std::max(squared, first_squared))) return false;
-  const double share = -dot(first_, edge) / squared;
+  const double share = -dot(first_, way) / squared;
   const double length = std::sqrt(squared), first_length = std::sqrt(first_squared);
   const double share_error = 13 * u * (first_length / length);
   if (!(share > share_error && 1 - share > share_error + 2 * u)) return false;
-  const Vec3 moved = share * edge, difference = first_ + moved;
+  const Vec3 moved = share * way, difference = first_ + moved;
   const double distance = std::sqrt(dot(difference, difference));
   const double other = 1.25 * u * (first_length + 2 * length + distance), aside = 1.0625 * share_error * length;
   if (!(distance >= 0x1p-100) || !nearly((aside + other) / distance)) return false;
   const bool of_a = features_.count_a == 2;
-  nearest_ = {of_a ? first_a_ + moved : first_a_,
-              of_a ? first_b_ : first_b_ - moved,
+  nearest_ = {of_a ? points_.a[0] + moved : points_.a[0],
+              of_a ? points_.b[0] : points_.b[0] - moved,
               aside,
               difference,
               1.0625 * (aside + other),
@@ -169,13 +164,13 @@ bool NearestFormula::on_plane() {
   nearest_.distance = distance;
   nearest_.distance_error = 1.0625 * distance * (height_off + normal_off + 6 * u);
   if (two_edges) {
-    nearest_.on_a = first_a_ + (share_e * inverse) * e;
-    nearest_.on_b = first_b_ - (share_f * inverse) * f;
+    nearest_.on_a = points_.a[0] + (share_e * inverse) * e;
+    nearest_.on_b = points_.b[0] - (share_f * inverse) * f;
     nearest_.point_error = 1.0625 * u * (17 * first_length * skew * skew + longest * (13 * skew + 10));
   } else {
     const bool of_a = features_.count_a == 3;
-    nearest_.on_a = of_a ? first_b_ + difference : first_a_;
-    nearest_.on_b = of_a ? first_b_ : first_a_ - difference;
+    nearest_.on_a = of_a ? points_.b[0] + difference : points_.a[0];
+    nearest_.on_b = of_a ? points_.b[0] : points_.a[0] - difference;
     nearest_.point_error = nearest_.difference_error;
   }
   across_ = height > 0 ? normal : -normal;
@@ -186,25 +181,27 @@ bool NearestFormula::on_plane() {
 
 /// Of a plane: the exact sign of a height along `across_`.
 Sign NearestFormula::height_sign(const Difference& vector) const {
-  return side_ * triple_product_sign(edge_[0], edge_[1], vector);
+  return side_ * triple_product_sign(edge(0), edge(1), vector);
 }
 
 /// All vertices of the shapes but those of the features lie beyond the planes through the features.
 bool NearestFormula::others_beyond(const SupportSearch& a, const SupportSearch& b) {
   if (!in_certain_range(across_)) return false;
   std::array<Index, most_close> close_a, close_b;
-  const Index count_a = a.close(across_, slack_, first_a_, std::span(features_.a).first(features_.count_a), close_a);
-  const Index count_b = b.close(-across_, slack_, first_b_, std::span(features_.b).first(features_.count_b), close_b);
+  const Index count_a =
+      a.close(across_, slack_, points_.a[0], std::span(features_.a).first(features_.count_a), close_a);
+  const Index count_b =
+      b.close(-across_, slack_, points_.b[0], std::span(features_.b).first(features_.count_b), close_b);
   if (count_a + count_b == 0) return true;
   if (count_a > most_close || count_b > most_close || edges_ < 2) return false;
   // What rounding does not tell apart, exact signs do.
   for (const Index i : std::span(close_a).first(count_a))
-    if (const Sign sign = height_sign({a.vertex(i), first_a_}); sign != Sign::positive) {
+    if (const Sign sign = height_sign({a.vertex(i), points_.a[0]}); sign != Sign::positive) {
       if (sign == Sign::negative) before_ = {true, i};
       return false;
     }
   for (const Index i : std::span(close_b).first(count_b))
-    if (const Sign sign = height_sign({first_b_, b.vertex(i)}); sign != Sign::positive) {
+    if (const Sign sign = height_sign({points_.b[0], b.vertex(i)}); sign != Sign::positive) {
       if (sign == Sign::negative) before_ = {false, i};
       return false;
     }

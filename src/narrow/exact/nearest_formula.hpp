@@ -78,15 +78,23 @@ class NearestFormula {
   [[nodiscard]] std::optional<Distance> distance(double radius_a, double radius_b) const;
 
  private:
-  [[nodiscard]] Vec3 along(std::size_t i) const { return edge_[i].head - edge_[i].tail; }
+  /// Of the edges that spread the features, the first of A before those of B.
+  [[nodiscard]] Difference edge(std::size_t i) const {
+    const std::size_t of_a = features_.count_a - 1;
+    return i < of_a ? Difference{points_.a[i + 1], points_.a[0]} : Difference{points_.b[0], points_.b[i - of_a + 1]};
+  }
+  [[nodiscard]] Vec3 along(std::size_t i) const {
+    const Difference e = edge(i);
+    return e.head - e.tail;
+  }
   [[nodiscard]] bool at_vertices();
   [[nodiscard]] bool on_edge();
   [[nodiscard]] bool on_plane();
   [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
   const NearestFeatures& features_;
-  Vec3 first_a_, first_b_, first_;
-  std::array<Difference, 2> edge_;
+  FeaturePoints points_;
+  Vec3 first_;
   std::size_t edges_;
   FormulaNearest nearest_;
   // A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its

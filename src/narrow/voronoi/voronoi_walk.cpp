@@ -19,12 +19,16 @@ namespace {
 using Parts = VoronoiRegions::Parts;
 using Kind = ConvexFeature::Kind;
 
-void require_regions_of(const PosedConvex& shape, const VoronoiRegions& regions, const char* which) {
-  if (shape.vertex_count() == regions.vertex_count()) return;
+[[noreturn]] void refuse_regions(Index vertices, Index vertices_of_regions, const char* which) {
   throw Error(
       fmt::format("the Voronoi regions given for {} are those of a shape of {} vertices, and it has {}: build "
                   "them from the same shape",
-                  which, regions.vertex_count(), shape.vertex_count()));
+                  which, vertices_of_regions, vertices));
+}
+
+void require_regions_of(const PosedConvex& shape, const VoronoiRegions& regions, const char* which) {
+  const auto vertices = static_cast<Index>(regions.parts().vertices.size());
+  if (shape.vertex_count() != vertices) refuse_regions(shape.vertex_count(), vertices, which);
 }
 
 /// Those of a hull share its coordinates; else the vertices tell.
