@@ -10,16 +10,22 @@
 // end is z · d, less what the shapes reach beyond their points along d. That is nothing where a point is a vertex or
 // lies at the end of an axis, and of second order where it lies on a round side, so that little is lost to rounding.
 //
-// Below u = 2⁻⁵³. Every bound has more than twice what the operations may round, which covers the terms of second order
-// and the rounding of the bounds.
+// Below u = 2⁻⁵³; an operation rounds by at most that part of its result. So a dot product of three terms is off by 3 u
+// times that of the magnitudes, a length by 2.5 u of itself, a cross product by 2 √3 u of the product of the lengths. At
+// each bound stands how many units its operations round; it counts at least an eighth more, which covers the terms of
+// second order and the rounding of the bound.
+//
+// What is lost below the range of doubles is less than 2⁻⁴⁹⁰ in all, as all sizes are between 2⁻³⁰⁰ and 2³⁰⁰: squares
+// of less than 2⁻¹⁰⁷⁴ count as 0. A distance of at least `least_distance` covers it: the ends of the interval have 2 u of
+// it to spare.
 namespace toccata {
 namespace {
 
 constexpr double u = 0x1p-53;
-/// What may be lost below the range, of products of a few numbers that are no smaller than 2⁻³⁰⁰.
-constexpr double tiny = 0x1p-900;
-/// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded.
-constexpr double drawn_in = 12 * u;
+constexpr double least_distance = 0x1p-400;
+/// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: their length by
+/// 2.5 u, the factor by 2 u, the point by u; of a cone, how wide it is there by 3 u.
+constexpr double drawn_in = 10 * u;
 
 /// A sum with twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate sum and dot product", 2005).
 class LongSum {
@@ -36,8 +42,8 @@ class LongSum {
     rest_ += product.low;
   }
   [[nodiscard]] double value() const { return sum_ + rest_; }
-  /// Of up to 24 terms.
-  [[nodiscard]] double error() const { return 2 * u * std::fabs(value()) + (2000 * u * u * size_ + tiny); }
+  /// Of up to 24 terms: u of the value, and 24² u² of the magnitudes.
+  [[nodiscard]] double error() const { return 2 * u * std::fabs(value()) + 2000 * u * u * size_; }
 
  private:
   double sum_ = 0;
@@ -58,21 +64,29 @@ Products along_columns(const Mat3& m, const Vec3& d) {
   for (int j = 0; j < 3; ++j) {
     const Vec3 column = m.column(j);
     p.value[j] = dot(column, d);
-    p.error[j] = 8 * u * dot(magnitudes(column), magnitudes(d)) + tiny;
+    p.error[j] = 4 * u * dot(magnitudes(column), magnitudes(d));  // 3 u
   }
   return p;
 }
 
+/// No shorter.
+double length_of(const Vec3& error) { return 1.01 * plain_length(error); }
+
 /// At most what the image of the unit ball reaches beyond the image of p, |p| ≤ 1, along a direction whose product with
-/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions.
+/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions. The coordinates of p may
+/// be off by 2 u of themselves.
 double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
-  const double off = sum_of_magnitudes(error), length = plain_length(m) + off, part = plain_length(p);
-  const double plain = (length - dot(m, p)) + (4 * off + 16 * u * length);
-  const double along = dot(m, p) - (2 * off + 8 * u * length);
+  const double off = length_of(error), length = plain_length(m), part = plain_length(p);
+  // 2.5 u of the length, 3 u of the product, 2 u of p, 2 u each of the difference and of the sum.
+  const double plain = (length - dot(m, p)) + (2.1 * off + 13 * u * length);
+  // 3 u of the product, 2 u of p, u of the difference.
+  const double along = dot(m, p) - (1.1 * off + 8 * u * length);
   if (!(along > 0)) return plain;
-  const double beside = plain_length(cross(m, p)) + (2 * off + 16 * u * length);
+  // 3.5 u of the product, 2 u of p, 2.5 u of its length, u of the sum.
+  const double beside = plain_length(cross(m, p)) + (1.1 * off + 12 * u * length);
+  // 2.5 u of the length, 3 u of the operations; 4.5 u of the part.
   const double fine =
-      length * (1 + 8 * u) * std::fmax(0, (1 + 6 * u) - part) + (0.5 + 0x1p-20) * beside * beside / along;
+      (length * (1 + 8 * u) + 1.1 * off) * std::fmax(0, (1 + 6 * u) - part) + (0.5 + 0x1p-20) * beside * beside / along;
   return std::fmin(plain, fine);
 }
 
@@ -115,7 +129,8 @@ class LocalPoint {
   [[nodiscard]] double beyond(const Vec3& direction) const {
     const Products n = along_columns(shape_.pose().linear, direction);
     const Vec3 m{half_.x * n.value.x, half_.y * n.value.y, half_.z * n.value.z};
-    const Vec3 error{2 * (half_.x * n.error.x), 2 * (half_.y * n.error.y), 2 * (half_.z * n.error.z)};
+    // A third more for what the products with the half axes round.
+    const Vec3 error{1.5 * (half_.x * n.error.x), 1.5 * (half_.y * n.error.y), 1.5 * (half_.z * n.error.z)};
     if (shape_.kind() == PosedSmooth::Kind::ellipsoid) return beyond_round(m, error, in_half_axes());
     const Vec3 across{m.x, m.y, 0}, across_error{error.x, error.y, 0};
     const Vec3 p{point_.x / half_.x, point_.y / half_.x, 0};
@@ -127,24 +142,29 @@ class LocalPoint {
  private:
   [[nodiscard]] Vec3 in_half_axes() const { return {point_.x / half_.x, point_.y / half_.y, point_.z / half_.z}; }
 
+  /// 2 u of a product, u of the sum.
   [[nodiscard]] double beyond_ends(double nz, double error) const {
     const double up = half_.z - point_.z, down = half_.z + point_.z;
     return std::fmax(nz * up + 2 * (error * up) + 4 * u * std::fabs(nz * up),
                      -(nz * down) + 2 * (error * down) + 4 * u * std::fabs(nz * down));
   }
 
+  // Of the terms that nearly cancel, each difference rounds no more than the next term and what is left.
+
+  /// 2.5 u of the length, 3 u of the product, u of p; 2 u of the rise, u of the difference; 3 u of what is left.
   [[nodiscard]] double beyond_base(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {
     const double up = half_.z + point_.z, rise = n.value.z * up;
     if (up == 0) return beyond_round(across, error, p);
-    const double off = sum_of_magnitudes(error), length = plain_length(across), along = dot(across, p);
-    return ((length - along) - rise) + (3 * off + 16 * u * (length + std::fabs(rise)) + 2 * (n.error.z * up));
+    const double off = length_of(error), length = plain_length(across), left = (length - dot(across, p)) - rise;
+    return left + (2.1 * off + 1.1 * (n.error.z * up) + u * (8 * length + 4 * std::fabs(rise) + 4 * std::fabs(left)));
   }
 
+  /// 3 u of the product, u of p; 2 u of the fall; 2 u of what is left.
   [[nodiscard]] double beyond_tip(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {
     const double down = half_.z - point_.z, fall = n.value.z * down;
     if (down == 0) return 0;
-    const double off = sum_of_magnitudes(error), length = plain_length(across), along = dot(across, p);
-    return (fall - along) + (2 * off + 16 * u * (length + std::fabs(fall)) + 2 * (n.error.z * down));
+    const double off = length_of(error), length = plain_length(across), left = fall - dot(across, p);
+    return left + (1.1 * off + 1.1 * (n.error.z * down) + u * (6 * length + 4 * std::fabs(fall) + 4 * std::fabs(left)));
   }
 
   const PosedSmooth& shape_;
@@ -189,17 +209,18 @@ class HullPoint {
   [[nodiscard]] double beyond(const Vec3& direction) const {
     double most = 0;
     const Vec3 d = magnitudes(direction);
-    const double rounded_steps = size_ > 1 ? 16 * u * dot(d, sum_of_step_sizes()) : 0;
+    // Each is rounded by 2 u, and once more when they are added.
+    const double rounded_steps = size_ > 1 ? 4 * u * dot(d, sum_of_step_sizes()) : 0;
     for (Index i = 0; i < shape_.vertex_count(); ++i) {
       const Vec3 step = shape_.vertex(i) - first_, from = step - steps_;
-      const double off = 16 * u * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
+      // u of each difference, 3 u of the product, u of the sum.
+      const double off = 8 * u * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
       if (size_ == 1 && step == Vec3{}) continue;
       most = std::fmax(most, dot(direction, from) + (off + rounded_steps));
     }
     const double radius = shape_.radius();
-    if (!(radius > 0)) return most + tiny;
-    const Vec3 p = (1 / radius) * round_;
-    return (most + tiny) + beyond_round(radius * direction, 4 * u * radius * d, p);
+    if (!(radius > 0)) return most;
+    return most + beyond_round(radius * direction, 2 * u * radius * d, (1 / radius) * round_);
   }
 
  private:
@@ -227,12 +248,15 @@ std::optional<QuickDistance> proved(const PointA& x, const PointB& y, const Vec3
   const double off = between[0].error() + between[1].error() + between[2].error();
   const double distance = plain_length(z);
   QuickDistance found;
+  // 2.5 u of the length, 2 u of the operations.
   found.upper = (distance + off) * (1 + 8 * u);
+  // 3 u of the product, 2 u of the differences.
   const double along = (dot(z, direction) - off) - 8 * u * distance;
   const double beyond = x.beyond(-direction) + y.beyond(direction);
-  found.lower = (along - (beyond * (1 + 8 * u) + 8 * tiny)) / plain_length(direction) * (1 - 8 * u);
+  // 3 u of the sums of parts, u of the difference, 3.5 u of the quotient.
+  found.lower = (along - beyond * (1 + 8 * u)) / plain_length(direction) * (1 - 8 * u);
   // Asked so that NaN is no proof.
-  if (!(found.lower > 0) || !(found.upper - found.lower <= 1e-12 * found.upper)) return {};
+  if (!(found.lower > least_distance) || !(found.upper - found.lower <= 1e-12 * found.upper)) return {};
   found.on_a = x.in_world();
   found.on_b = y.in_world();
   return found;

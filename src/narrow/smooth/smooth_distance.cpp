@@ -71,10 +71,13 @@ std::optional<Distance> quick_distance(const PosedSmooth& a, const B& b, const P
   QuickPolish polish(body_a, body_b);
   for (const double part : quick_parts) {
     search.run(part);
-    if (search.inside() || search.stalled()) return {};
+    if (search.inside()) return {};
     std::array<SmoothSearch::Corner, 4> corner;
     const std::size_t count = search.corners(corner);
-    if (!polish.run({corner.data(), count}, search.nearest())) continue;
+    if (!polish.run({corner.data(), count}, search.nearest())) {
+      if (search.stalled()) return {};
+      continue;
+    }
     const auto found = proved_distance(a, b, polish);
     if (!found) return {};
     return Distance{.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
