@@ -20,10 +20,16 @@ std::string points_text(const ReportedMeeting& meeting) {
   return text;
 }
 
+std::string near_text(const ReportedPair& pair) {
+  const bool is_decided = pair.relation.status == Status::exact;
+  return distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) +
+         (is_decided ? "" : " (undecided: within 10⁻¹² of its clearance)");
+}
+
 std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
   return {names[pair.a], is_near ? "is near" : verb_of(pair.relation), names[pair.b],
-          is_near ? distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) : remark_on(pair.relation)};
+          is_near ? near_text(pair) : remark_on(pair.relation)};
 }
 
 /// Why a pair has no depth.
@@ -112,7 +118,9 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
       }));
   const auto undecided =
       static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
-        return pair.relation.kind == RelationKind::touching && pair.relation.status != Status::exact;
+        const bool may_be_neither =
+            pair.relation.kind == RelationKind::touching || pair.relation.kind == RelationKind::apart;
+        return may_be_neither && pair.relation.status != Status::exact;
       }));
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
                                  counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),

@@ -62,6 +62,29 @@ TEST_F(CheckClearanceCommand, TellsTheDistance) {
   EXPECT_NE(csv.out.find("table,\"tool, left\",apart,none,false,exact,"), std::string::npos) << csv.out;
 }
 
+TEST_F(CheckClearanceCommand, WithinTheIntervalOfASmoothShapeIsToldAsUndecided) {
+  const std::string eggs = folder
+                               .write("eggs.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "egg", "shape": {"type": "ellipsoid", "half_axes": [1, 2, 3]}},
+  {"name": "hat", "shape": {"type": "cone", "radius": 1, "half_height": 2}, "pose": {"translation": [4, 3, 2]}}]})")
+                               .string();
+  const auto told = [&](const std::string& clearance, const std::string& format) {
+    return run_command({"check", eggs, "--clearance", clearance, format});
+  };
+  const Json apart = Json::parse(told("all", "--json").out)["pairs"][0]["distance"];
+  ASSERT_LT(apart["lower"], apart["upper"]);
+  const auto open = told(apart["lower"].dump(), "--json"), decided = told(apart["upper"].dump(), "--json");
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_EQ(Json::parse(open.out)["pairs"][0]["relation"], "apart");
+  EXPECT_EQ(Json::parse(open.out)["pairs"][0]["status"], "undecided");
+  EXPECT_EQ(Json::parse(decided.out)["pairs"][0]["status"], "exact");
+  const std::string csv = told(apart["lower"].dump(), "--csv").out;
+  EXPECT_NE(csv.find("egg,hat,apart,none,false,undecided,"), std::string::npos) << csv;
+  const std::string table = run_command({"check", eggs, "--clearance", apart["lower"].dump()}).out;
+  EXPECT_NE(table.find("(undecided: within 10⁻¹² of its clearance)"), std::string::npos) << table;
+  EXPECT_NE(table.find("1 not farther apart than asked, 1 undecided and counted."), std::string::npos) << table;
+}
+
 TEST_F(CheckClearanceCommand, OfTwoFiles) {
   const std::vector<std::string> words{"check", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0",
                                        "1",     "0",       "0",       "0",        "1", "2", "0", "0"};

@@ -62,6 +62,28 @@ TEST(CheckClearance, ThatIsExactlyTheDistanceCounts) {
   EXPECT_EQ(check_all(models).pairs.size(), 0U);
 }
 
+// The interval of a smooth shape tells no better; that of other shapes is decided within.
+TEST(CheckClearance, WithinTheIntervalOfASmoothShapeIsUndecided) {
+  const Model egg(Ellipsoid({1, 2, 3})), cone(Cone(1, 2)), box(Box({1, 1, 1}));
+  const std::vector<CompoundPart> parts{{Sphere{0.1}, Pose::translation(9, 9, 9)}, {Cone{1, 2}, {}}};
+  for (const Model& other : {cone, egg, Model{Compound(parts)}, Model(test::box_mesh({-1, -1, -1}, {1, 1, 1}))}) {
+    const std::vector<Posed> models{at(egg, 0, 0, 0), at(other, 4, 3, 2)};
+    const Distance apart = distance(egg, other, {{}, models[1].pose});
+    ASSERT_LT(apart.lower, apart.upper);
+    const auto told = [&](double clearance) { return check_all(models, {.clearance = clearance}).pairs; };
+    ASSERT_EQ(told(apart.upper).size(), 1U);
+    EXPECT_EQ(told(apart.upper)[0].relation.status, Status::exact);
+    ASSERT_EQ(told(apart.lower).size(), 1U);
+    EXPECT_EQ(told(apart.lower)[0].relation.kind, RelationKind::apart);
+    EXPECT_EQ(told(apart.lower)[0].relation.status, Status::undecided);
+    EXPECT_TRUE(told(apart.lower * (1 - 1e-11)).empty());
+  }
+  const std::vector<Posed> boxes{at(box, 0, 0, 0), at(box, 4, 3, 2.5)};
+  const Distance apart = distance(box, box, {{}, boxes[1].pose});
+  for (const PairAnswer& pair : check_all(boxes, {.clearance = apart.upper}).pairs)
+    EXPECT_EQ(pair.relation.status, Status::exact);
+}
+
 TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
   const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 0, 4, 0)};
   const auto told = [&](double common, std::vector<PairClearance> of_pairs) {

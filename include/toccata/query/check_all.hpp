@@ -27,7 +27,7 @@ struct Posed {
 struct PairAnswer {
   Index a = 0;  ///< index in the span, a < b
   Index b = 0;
-  Relation relation;                         ///< apart: of a pair that is no farther than its clearance
+  Relation relation;                         ///< apart: no farther than its clearance, or `undecided` whether
   std::vector<Contact> contacts;             ///< filled when asked for
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space

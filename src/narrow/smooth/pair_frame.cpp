@@ -10,7 +10,7 @@ namespace {
 
 double reach_of(const PosedSmooth& shape) {
   double largest = 0;
-  for (const Vec3& row : shape.pose().linear.row) largest = std::fmax(largest, dot(magnitudes(row), shape.half()));
+  for (const Vec3& row : shape.pose().linear.row) largest = std::max(largest, dot(magnitudes(row), shape.half()));
   return largest;
 }
 
@@ -19,10 +19,10 @@ double reach_from(const PosedConvex& shape, const Vec3& origin) {
   double largest = 0;
   if (shape.in_world()) {
     for (Index i = 0; i < shape.vertex_count(); ++i)
-      largest = std::fmax(largest, largest_magnitude(shape.vertex(i) - origin));
+      largest = std::max(largest, largest_magnitude(shape.vertex(i) - origin));
   } else {
     for (const Vec3& row : shape.pose().linear.row)
-      largest = std::fmax(largest, shape.stored_extent() * sum_of_magnitudes(row));
+      largest = std::max(largest, shape.stored_extent() * sum_of_magnitudes(row));
     largest += largest_magnitude(shape.pose().offset - origin);
   }
   return largest + shape.radius();
@@ -38,11 +38,11 @@ PairFrame frame_of(const Vec3& origin, double size) {
 
 PairFrame pair_frame(const PosedSmooth& a, const PosedSmooth& b) {
   const double between = largest_magnitude(b.pose().offset - a.pose().offset);
-  return frame_of(a.pose().offset, std::fmax(reach_of(a), reach_of(b) + between));
+  return frame_of(a.pose().offset, std::max(reach_of(a), reach_of(b) + between));
 }
 
 PairFrame pair_frame(const PosedSmooth& a, const PosedConvex& b) {
-  return frame_of(a.pose().offset, std::fmax(reach_of(a), reach_from(b, a.pose().offset)));
+  return frame_of(a.pose().offset, std::max(reach_of(a), reach_from(b, a.pose().offset)));
 }
 
 BoundedVector PairFrame::place(const Vec3& world) const {

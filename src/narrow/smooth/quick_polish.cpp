@@ -1,5 +1,6 @@
 #include "narrow/smooth/quick_polish.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
@@ -8,7 +9,7 @@ namespace toccata {
 namespace {
 
 constexpr int most_steps = 12;
-/// A turn this small is squared by the next step, which ends at what doubles tell.
+/// What is left after a turn this small is about its square, which is what doubles tell.
 constexpr double small_turn = 0x1p-26;
 /// Weights and lengths below this are rounding.
 constexpr double slack = 0x1p-40;
@@ -31,6 +32,17 @@ double dot(const Flat& u, const Flat& v) { return u.x * v.x + u.y * v.y; }
 Flat operator*(const FlatMatrix& m, const Flat& v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
 Flat operator-(const Flat& u, const Flat& v) { return {u.x - v.x, u.y - v.y}; }
 
+/// M (1 − u uᵀ) Mᵀ across the direction, from the products of M with the two directions there: as |u| = 1, of t it is
+/// |Mᵀt × u|².
+FlatMatrix bent(const Vec3& along_t, const Vec3& along_s, const Vec3& round, std::size_t columns) {
+  if (columns == 2) {
+    const double f = round.x * along_t.y - round.y * along_t.x, g = round.x * along_s.y - round.y * along_s.x;
+    return {f * f, f * g, g * g};
+  }
+  const Vec3 f = cross(along_t, round), g = cross(along_s, round);
+  return {dot(f, f), dot(f, g), dot(g, g)};
+}
+
 }  // namespace
 
 double QuickSide::grown_weight() const {
@@ -49,31 +61,16 @@ QuickPolish::QuickPolish(const PlainBody& a, const PlainBody& b) {
 
 void QuickPolish::begin_side(QuickSide& side, std::span<const SmoothSearch::Corner> corners) {
   const PlainBody& body = *side.body;
-  side.size = 0;
+  const auto of = side.outward < 0 ? SmoothSearch::SideOf::a : SmoothSearch::SideOf::b;
+  const SmoothSearch::Carried carried = SmoothSearch::carried(corners, of, body);
+  side.size = std::min(carried.size, side.atom.size());  // of the four of a simplex around the origin three
+  std::copy_n(carried.atom.begin(), side.size, side.atom.begin());
+  std::copy_n(carried.weight.begin(), side.size, side.weight.begin());
+  side.round = carried.round;
   side.in_cap = false;
-  Vec3 round;
-  double grown = 0;
-  for (const SmoothSearch::Corner& corner : corners) {
-    const SmoothSupport& support = side.outward < 0 ? corner.a : corner.b;
-    if (!(corner.weight > 0)) continue;
-    if (body.grown(support.atom)) {
-      grown += corner.weight;
-      round = round + corner.weight * support.round;
-    }
-    std::size_t i = 0;
-    while (i < side.size && side.atom[i] != support.atom) ++i;
-    if (i == 3) continue;  // of the four of a simplex around the origin
-    if (i == side.size) {
-      side.atom[i] = support.atom;
-      side.weight[i] = 0;
-      ++side.size;
-    }
-    side.weight[i] += corner.weight;
-  }
-  if (body.column_count() != 2 || !(grown > 0)) return;
-  side.round = (1 / grown) * round;
+  if (body.column_count() != 2 || !(carried.grown > 0)) return;
   const double slope = plain_length(body.along_columns(direction_));
-  const double widest = std::fmax(plain_length(body.plain_column(0)), plain_length(body.plain_column(1)));
+  const double widest = std::max(plain_length(body.plain_column(0)), plain_length(body.plain_column(1)));
   const double squared = dot(side.round, side.round);
   side.in_cap = slope < 0x1p-30 * widest || (squared < 0.998 && slope < 0.01 * widest);
 }
@@ -94,14 +91,6 @@ QuickPolish::Carrier QuickPolish::carrier_of(QuickSide& side) const {
     const double length = plain_length(along);
     side.round = (1 / length) * along;
     carrier.bend = grown / length;
-    if (body.column_count() == 2) {
-      carrier.bends = 1;
-      carrier.bent[0] = side.round.x * body.plain_column(1) - side.round.y * body.plain_column(0);
-    } else {
-      carrier.bends = 2;
-      const auto [t, s] = basis_across(side.round);
-      carrier.bent = {body.map(t), body.map(s)};
-    }
   }
   carrier.point = carrier.point + grown * body.map(side.round);
   return carrier;
@@ -139,19 +128,19 @@ QuickPolish::Step QuickPolish::step() {
   const auto [t, s] = basis_across(direction_);
   const auto flat = [&](const Vec3& v) { return Flat{dot(t, v), dot(s, v)}; };
   FlatMatrix k{gap, 0, gap};
-  for (const Carrier* carrier : {&of_a, &of_b})
-    for (std::size_t i = 0; i < carrier->bends; ++i) {
-      const Flat f = flat(carrier->bent[i]);
-      k.xx += carrier->bend * f.x * f.x;
-      k.xy += carrier->bend * f.x * f.y;
-      k.yy += carrier->bend * f.y * f.y;
-    }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double bend = i == 0 ? of_a.bend : of_b.bend;
+    if (!(bend > 0)) continue;
+    const PlainBody& body = *side_[i].body;
+    const FlatMatrix h = bent(body.along_columns(t), body.along_columns(s), side_[i].round, body.column_count());
+    k = {k.xx + bend * h.xx, k.xy + bend * h.xy, k.yy + bend * h.yy};
+  }
   const Flat rest = flat(z);
   Flat turn;
   std::array<double, 2> along{};
   if (edges_ == 0) {
-    const double determinant = k.xx * k.yy - k.xy * k.xy;
-    turn = {(k.yy * rest.x - k.xy * rest.y) / determinant, (k.xx * rest.y - k.xy * rest.x) / determinant};
+    const double part = 1 / (k.xx * k.yy - k.xy * k.xy);
+    turn = {part * (k.yy * rest.x - k.xy * rest.y), part * (k.xx * rest.y - k.xy * rest.x)};
   } else if (edges_ == 1) {
     const Flat e = flat(edge_[0].along), n{-e.y, e.x};
     const double part = 1 / dot(e, e), towards = -part * dot(edge_[0].along, direction_);
@@ -166,20 +155,28 @@ QuickPolish::Step QuickPolish::step() {
     const Flat left = k * turn - rest;
     along = {(left.x * f.y - left.y * f.x) / determinant, (e.x * left.y - e.y * left.x) / determinant};
   }
-  double size = std::fmax(std::fabs(turn.x), std::fabs(turn.y));
+  const double size = std::max(std::fabs(turn.x), std::fabs(turn.y));
+  // Asked so that NaN fails.
   if (!(size < 1)) {
     if (!std::isfinite(size)) return Step::failed;
     const double less = 1 / size;
     turn = {less * turn.x, less * turn.y};
     along = {less * along[0], less * along[1]};
   }
-  move_by(turn.x * t + turn.y * s, along);
+  turn_by(turn.x * t + turn.y * s, dot(turn, turn));
+  move_by(along);
   return size < small_turn ? Step::small : Step::far;
 }
 
-void QuickPolish::move_by(const Vec3& turn, const std::array<double, 2>& along_edges) {
+/// By a vector across the direction.
+void QuickPolish::turn_by(const Vec3& turn, double squared) {
   const Vec3 turned = direction_ + turn;
-  direction_ = (1 / plain_length(turned)) * turned;
+  // The series of 1 / √(1 + squared) is as good as doubles are there, and sooner known.
+  const double shorter = squared < 0x1p-18 ? 1 - squared * (0.5 - 0.375 * squared) : 1 / plain_length(turned);
+  direction_ = shorter * turned;
+}
+
+void QuickPolish::move_by(const std::array<double, 2>& along_edges) {
   for (std::size_t i = 0; i < edges_; ++i) {
     QuickSide& side = *edge_[i].side;
     if (edge_[i].which < 3) {
@@ -227,23 +224,35 @@ bool QuickPolish::change(QuickSide& side) {
   return true;
 }
 
-bool QuickPolish::run(std::span<const SmoothSearch::Corner> corners, const Vec3& direction) {
+void QuickPolish::begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction) {
   direction_ = unit_or_zero(direction);
   begin_side(side_[0], corners);
   begin_side(side_[1], corners);
+}
+
+bool QuickPolish::run() {
   for (int i = 0; i < most_steps; ++i) {
     const Step step_taken = step();
     if (step_taken == Step::failed) return false;
     if (step_taken == Step::far) continue;
     const bool of_a = change(side_[0]), of_b = change(side_[1]);
     if (of_a || of_b) continue;
-    if (step() == Step::failed) return false;
-    // What the round parts are for the last direction.
-    (void)carrier_of(side_[0]);
-    (void)carrier_of(side_[1]);
+    settle_round_parts();
     return true;
   }
   return false;
+}
+
+bool QuickPolish::refine() {
+  if (step() != Step::small) return false;
+  settle_round_parts();
+  return true;
+}
+
+/// What they are for the last direction.
+void QuickPolish::settle_round_parts() {
+  for (QuickSide& side : side_)
+    if (side.body->column_count() > 0) (void)carrier_of(side);
 }
 
 }  // namespace toccata

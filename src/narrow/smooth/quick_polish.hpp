@@ -32,8 +32,12 @@ class QuickPolish {
  public:
   QuickPolish(const PlainBody& a, const PlainBody& b);
 
-  /// Tells whether the conditions hold where it ends.
-  bool run(std::span<const SmoothSearch::Corner> corners, const Vec3& direction);
+  /// Takes the nearest points of a search as they are.
+  void begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction);
+  /// Goes on from there; tells whether the conditions hold where it ends.
+  bool run();
+  /// One step more, from where `run` has ended; tells whether the conditions hold.
+  bool refine();
 
   [[nodiscard]] const Vec3& direction() const { return direction_; }
   [[nodiscard]] const QuickSide& on_a() const { return side_[0]; }
@@ -48,12 +52,10 @@ class QuickPolish {
     std::size_t which = 0;  ///< of its weights, or of its round part
   };
 
-  /// The point that carries a side, and half of what the direction changes of it.
+  /// The point that carries a side, and how the direction changes it: by `bend` times M (1 − u uᵀ) Mᵀ.
   struct Carrier {
     Vec3 point;
-    double bend = 0;           ///< grown weight / |Mᵀd|
-    std::array<Vec3, 2> bent;  ///< columns of a square root of M (1 − u uᵀ) Mᵀ
-    std::size_t bends = 0;
+    double bend = 0;  ///< grown weight / |Mᵀd|
   };
 
   void begin_side(QuickSide& side, std::span<const SmoothSearch::Corner> corners);
@@ -62,8 +64,10 @@ class QuickPolish {
   bool collect_edges();
   void collect_edges(QuickSide& side);
   Step step();
-  void move_by(const Vec3& turn, const std::array<double, 2>& along_edges);
+  void turn_by(const Vec3& turn, double squared);
+  void move_by(const std::array<double, 2>& along_edges);
   bool change(QuickSide& side);
+  void settle_round_parts();
 
   Vec3 direction_;
   std::array<QuickSide, 2> side_;

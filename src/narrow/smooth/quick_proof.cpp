@@ -11,13 +11,13 @@
 // lies at the end of an axis, and of second order where it lies on a round side, so that little is lost to rounding.
 //
 // Below u = 2⁻⁵³; an operation rounds by at most that part of its result. So a dot product of three terms is off by 3 u
-// times that of the magnitudes, a length by 2.5 u of itself, a cross product by 2 √3 u of the product of the lengths. At
-// each bound stands how many units its operations round; it counts at least an eighth more, which covers the terms of
-// second order and the rounding of the bound.
+// times that of the magnitudes, a length by 2.5 u of itself, a cross product by 2 √3 u of the product of the lengths.
+// At each bound stands how many units its operations round; it counts at least an eighth more, which covers the terms
+// of second order and the rounding of the bound.
 //
 // What is lost below the range of doubles is less than 2⁻⁴⁹⁰ in all, as all sizes are between 2⁻³⁰⁰ and 2³⁰⁰: squares
-// of less than 2⁻¹⁰⁷⁴ count as 0. A distance of at least `least_distance` covers it: the ends of the interval have 2 u of
-// it to spare.
+// of less than 2⁻¹⁰⁷⁴ count as 0. A distance of at least `least_distance` covers it: the ends of the interval have 2 u
+// of it to spare.
 namespace toccata {
 namespace {
 
@@ -73,8 +73,8 @@ Products along_columns(const Mat3& m, const Vec3& d) {
 double length_of(const Vec3& error) { return 1.01 * plain_length(error); }
 
 /// At most what the image of the unit ball reaches beyond the image of p, |p| ≤ 1, along a direction whose product with
-/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions. The coordinates of p may
-/// be off by 2 u of themselves.
+/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions. The coordinates of p
+/// may be off by 2 u of themselves.
 double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
   const double off = length_of(error), length = plain_length(m), part = plain_length(p);
   // 2.5 u of the length, 3 u of the product, 2 u of p, 2 u each of the difference and of the sum.
@@ -175,7 +175,8 @@ class LocalPoint {
 /// A point of a hull or a rounded shape: a vertex, steps from there to others, and a vector no longer than the radius.
 class HullPoint {
  public:
-  HullPoint(const PosedConvex& shape, const QuickSide& side) : shape_(shape), first_(shape.vertex(side.atom[0])) {
+  HullPoint(const PosedConvex& shape, const QuickSide& side)
+      : shape_(shape), body_(*side.body), first_(shape.vertex(side.atom[0])) {
     double total = 0;
     for (std::size_t i = 1; i < side.size; ++i) {
       weight_[i] = std::fmax(side.weight[i], 0);
@@ -211,12 +212,21 @@ class HullPoint {
     const Vec3 d = magnitudes(direction);
     // Each is rounded by 2 u, and once more when they are added.
     const double rounded_steps = size_ > 1 ? 4 * u * dot(d, sum_of_step_sizes()) : 0;
-    for (Index i = 0; i < shape_.vertex_count(); ++i) {
+    const auto look_at = [&](Index i) {
       const Vec3 step = shape_.vertex(i) - first_, from = step - steps_;
       // u of each difference, 3 u of the product, u of the sum.
       const double off = 8 * u * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
-      if (size_ == 1 && step == Vec3{}) continue;
+      if (size_ == 1 && step == Vec3{}) return;
       most = std::fmax(most, dot(direction, from) + (off + rounded_steps));
+    };
+    if (shape_.in_world()) {
+      for (Index i = 0; i < shape_.vertex_count(); ++i) look_at(i);
+    } else {
+      // One of those found is the highest.
+      std::array<Index, most_highest> found;
+      const Index count = body_.highest_atoms(direction, found);
+      if (count > most_highest) return HUGE_VAL;
+      for (Index i = 0; i < count; ++i) look_at(found[i]);
     }
     const double radius = shape_.radius();
     if (!(radius > 0)) return most;
@@ -230,7 +240,10 @@ class HullPoint {
     return sum;
   }
 
+  static constexpr Index most_highest = 16;
+
   const PosedConvex& shape_;
+  const PlainBody& body_;
   Vec3 first_;
   std::array<Vec3, 3> other_{};
   std::array<double, 3> weight_{};
@@ -240,7 +253,7 @@ class HullPoint {
 };
 
 template <class PointA, class PointB>
-std::optional<QuickDistance> proved(const PointA& x, const PointB& y, const Vec3& direction) {
+QuickDistance interval_of(const PointA& x, const PointB& y, const Vec3& direction) {
   LongVector between;
   x.add_to(between, 1);
   y.add_to(between, -1);
@@ -254,22 +267,37 @@ std::optional<QuickDistance> proved(const PointA& x, const PointB& y, const Vec3
   const double along = (dot(z, direction) - off) - 8 * u * distance;
   const double beyond = x.beyond(-direction) + y.beyond(direction);
   // 3 u of the sums of parts, u of the difference, 3.5 u of the quotient.
-  found.lower = (along - beyond * (1 + 8 * u)) / plain_length(direction) * (1 - 8 * u);
+  const double lower = (along - beyond * (1 + 8 * u)) / plain_length(direction) * (1 - 8 * u);
   // Asked so that NaN is no proof.
-  if (!(found.lower > least_distance) || !(found.upper - found.lower <= 1e-12 * found.upper)) return {};
+  found.lower = lower > least_distance ? lower : 0;
   found.on_a = x.in_world();
   found.on_b = y.in_world();
   return found;
 }
 
+std::optional<QuickDistance> if_narrow(const QuickDistance& found) {
+  if (!(found.lower > 0) || !(found.upper - found.lower <= 1e-12 * found.upper)) return {};
+  return found;
+}
+
 }  // namespace
 
+QuickDistance proved_interval(const PosedSmooth& a, const PosedSmooth& b, const QuickSide& on_a, const QuickSide& on_b,
+                              const Vec3& direction) {
+  return interval_of(LocalPoint(a, on_a), LocalPoint(b, on_b), direction);
+}
+
+QuickDistance proved_interval(const PosedSmooth& a, const PosedConvex& b, const QuickSide& on_a, const QuickSide& on_b,
+                              const Vec3& direction) {
+  return interval_of(LocalPoint(a, on_a), HullPoint(b, on_b), direction);
+}
+
 std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedSmooth& b, const QuickPolish& guess) {
-  return proved(LocalPoint(a, guess.on_a()), LocalPoint(b, guess.on_b()), guess.direction());
+  return if_narrow(proved_interval(a, b, guess.on_a(), guess.on_b(), guess.direction()));
 }
 
 std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedConvex& b, const QuickPolish& guess) {
-  return proved(LocalPoint(a, guess.on_a()), HullPoint(b, guess.on_b()), guess.direction());
+  return if_narrow(proved_interval(a, b, guess.on_a(), guess.on_b(), guess.direction()));
 }
 
 }  // namespace toccata

@@ -5,6 +5,7 @@
 #include "narrow/smooth/quick_proof.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
+#include "narrow/smooth/smooth_within.hpp"
 #include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
@@ -48,48 +49,107 @@ Distance in_world(const SmoothNearest& found, const PairFrame& frame) {
   return result;
 }
 
-template <class B>
-SmoothContact contact_of(const PosedSmooth& a, const B& b) {
-  const Pair pair(a, b);
-  return nearest_of(pair.a, pair.b, SmoothQuestion::meeting).contact;
-}
-
 bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
 bool is_quick(const PosedSmooth& shape) {
   return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
 }
-bool is_quick(const PosedConvex& shape) {
-  return shape.in_world() && (shape.radius() == 0 || is_moderate(shape.radius()));
+bool is_quick(const PosedConvex& shape) { return shape.radius() == 0 || is_moderate(shape.radius()); }
+
+template <class B>
+bool is_quick(const PosedSmooth& a, const B& b, const PairFrame& frame) {
+  return is_moderate(frame.factor) && is_quick(a) && is_quick(b);
 }
 
-/// In doubles, where that does: most pairs that are apart.
+/// One question about a pair, in doubles: what it answers is proved, and what it does not answer is left to
+/// `nearest_of`.
 template <class B>
-std::optional<Distance> quick_distance(const PosedSmooth& a, const B& b, const PairFrame& frame) {
-  if (!is_moderate(frame.factor) || !is_quick(a) || !is_quick(b)) return {};
-  const PlainBody body_a(a, frame), body_b(b, frame);
-  SmoothSearch search(body_a, body_b, body_a.middle() - body_b.middle());
-  QuickPolish polish(body_a, body_b);
-  for (const double part : quick_parts) {
-    search.run(part);
-    if (search.inside()) return {};
-    std::array<SmoothSearch::Corner, 4> corner;
-    const std::size_t count = search.corners(corner);
-    if (!polish.run({corner.data(), count}, search.nearest())) {
-      if (search.stalled()) return {};
-      continue;
+class QuickPair {
+ public:
+  QuickPair(const PosedSmooth& a, const B& b, const PairFrame& frame)
+      : a_(a),
+        b_(b),
+        body_a_(a, frame),
+        body_b_(b, frame),
+        search_(body_a_, body_b_, body_a_.middle() - body_b_.middle()),
+        polish_(body_a_, body_b_) {}
+
+  /// Most pairs that are apart.
+  std::optional<QuickDistance> distance() {
+    for (const double part : quick_parts) {
+      search_.run(part);
+      if (search_.inside()) return {};
+      begin_polish();
+      if (polish_.run()) {
+        const auto found = proved_distance(a_, b_, polish_);
+        return found || !polish_.refine() ? found : proved_distance(a_, b_, polish_);
+      }
+      if (search_.stalled()) return {};
     }
-    const auto found = proved_distance(a, b, polish);
-    if (!found) return {};
-    return Distance{.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
+    return {};
   }
-  return {};
+
+  bool is_apart() {
+    search_.run_until_apart();
+    return search_.best_gap() > 0 && lower_along(search_.best_direction()) > 0;
+  }
+
+  /// `factor` is that of the pair's frame.
+  std::optional<bool> is_within(double tolerance, double factor) {
+    search_.run_until_compared(factor * tolerance);
+    if (search_.best_gap() > factor * tolerance && lower_along(search_.best_direction()) > tolerance) return false;
+    begin_polish();
+    if (proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), polish_.direction()).upper <= tolerance) return true;
+    return {};
+  }
+
+ private:
+  void begin_polish() {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search_.corners(corner);
+    polish_.begin({corner.data(), count}, search_.nearest());
+  }
+
+  /// From the farthest points along the direction from B to A.
+  double lower_along(const Vec3& direction) {
+    const std::array<SmoothSearch::Corner, 1> corner{
+        SmoothSearch::Corner{body_a_.support(-direction), body_b_.support(direction), 1}};
+    polish_.begin(corner, direction);
+    return proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), direction).lower;
+  }
+
+  const PosedSmooth& a_;
+  const B& b_;
+  PlainBody body_a_;
+  PlainBody body_b_;
+  SmoothSearch search_;
+  QuickPolish polish_;
+};
+
+template <class B>
+SmoothContact contact_of(const PosedSmooth& a, const B& b) {
+  const PairFrame frame = pair_frame(a, b);
+  if (is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart()) return SmoothContact::apart;
+  const Pair pair(a, b);
+  return nearest_of(pair.a, pair.b, SmoothQuestion::meeting).contact;
 }
 
 template <class B>
 Distance distance_of(const PosedSmooth& a, const B& b) {
-  if (const auto quick = quick_distance(a, b, pair_frame(a, b))) return *quick;
+  const PairFrame frame = pair_frame(a, b);
+  if (is_quick(a, b, frame))
+    if (const auto quick = QuickPair(a, b, frame).distance())
+      return {.lower = quick->lower, .upper = quick->upper, .on_a = quick->on_a, .on_b = quick->on_b};
   const Pair pair(a, b);
   return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance), pair.frame);
+}
+
+template <class B>
+bool is_within_of(const PosedSmooth& a, const B& b, double tolerance) {
+  if (tolerance == 0) return contact_of(a, b) != SmoothContact::apart;
+  const PairFrame frame = pair_frame(a, b);
+  if (is_quick(a, b, frame))
+    if (const auto quick = QuickPair(a, b, frame).is_within(tolerance, frame.factor)) return *quick;
+  return distance_of(a, b).lower <= tolerance;
 }
 
 }  // namespace
@@ -103,6 +163,14 @@ SmoothContact smooth_contact(const PosedConvex& a, const PosedSmooth& b) { retur
 bool overlap(const PosedSmooth& a, const PosedSmooth& b) { return smooth_contact(a, b) != SmoothContact::apart; }
 bool overlap(const PosedSmooth& a, const PosedConvex& b) { return smooth_contact(a, b) != SmoothContact::apart; }
 bool overlap(const PosedConvex& a, const PosedSmooth& b) { return overlap(b, a); }
+
+bool is_within(const PosedSmooth& a, const PosedSmooth& b, double tolerance) {
+  return comes_before(b, a) ? is_within_of(b, a, tolerance) : is_within_of(a, b, tolerance);
+}
+bool is_within(const PosedSmooth& a, const PosedConvex& b, double tolerance) { return is_within_of(a, b, tolerance); }
+bool is_within(const PosedSmooth& a, const PosedHalfSpace& b, double tolerance) {
+  return distance(a, b).lower <= tolerance;
+}
 
 Distance distance(const PosedSmooth& a, const PosedSmooth& b) {
   return comes_before(b, a) ? exchanged(distance_of(b, a)) : distance_of(a, b);

@@ -96,28 +96,14 @@ SmoothPolish::SmoothPolish(const SmoothBody& a, const SmoothBody& b) {
 
 void SmoothPolish::begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, Attempt attempt) {
   const SmoothBody& body = *side.body;
-  const bool of_a = &side == side_.data();
-  side.size = 0;
-  Vec3 round;
-  double grown = 0;
-  for (const SmoothSearch::Corner& corner : corners) {
-    const SmoothSupport& support = of_a ? corner.a : corner.b;
-    if (!(corner.weight > 0)) continue;
-    if (body.grown(support.atom)) {
-      grown += corner.weight;
-      round = round + corner.weight * support.round;
-    }
-    std::size_t i = 0;
-    while (i < side.size && side.atom[i] != support.atom) ++i;
-    if (i == side.size) {
-      side.atom[side.size] = support.atom;
-      side.weight[side.size++] = {};
-    }
-    side.weight[i].high += corner.weight;
-  }
+  const auto of = &side == side_.data() ? SmoothSearch::SideOf::a : SmoothSearch::SideOf::b;
+  const SmoothSearch::Carried carried = SmoothSearch::carried(corners, of, body);
+  side.size = carried.size;
+  side.atom = carried.atom;
+  for (std::size_t i = 0; i < side.size; ++i) side.weight[i] = {carried.weight[i], 0};
   side.kind = Round::none;
-  if (!(grown > 0)) return;
-  round = (1 / grown) * round;
+  if (!(carried.grown > 0)) return;
+  Vec3 round = carried.round;
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
   const Vec3 along = side.outward * body.along_columns(d);
   const double slope = plain_length(along), length = plain_length(round);

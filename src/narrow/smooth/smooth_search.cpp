@@ -1,5 +1,6 @@
 #include "narrow/smooth/smooth_search.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
@@ -73,7 +74,7 @@ bool SmoothSearch::step(double part) {
   slot_b_[slot] = b_.support(along);
   Vec3 point = slot_a_[slot].point - slot_b_[slot].point;
   if (map_) point = {dot((*map_)[0], point), dot((*map_)[1], point), dot((*map_)[2], point)};
-  size_ = std::fmax(size_, largest_magnitude(point));
+  size_ = std::max(size_, largest_magnitude(point));
   const double gap = dot(d, point);
   if (gap > best_gap_) {
     best_gap_ = gap;
@@ -111,6 +112,29 @@ void SmoothSearch::run(double part) {
 void SmoothSearch::run_until_apart() {
   while (step(0) && !(best_gap_ > 0x1p-44 * size_)) {
   }
+}
+
+void SmoothSearch::run_until_compared(double length) {
+  while (step(0) && !(squared_ <= length * length || best_gap_ > length + 0x1p-44 * size_)) {
+  }
+}
+
+SmoothSearch::Carried SmoothSearch::carried(std::span<const Corner> corners, SideOf which, const PlainBody& body) {
+  Carried side;
+  for (const Corner& corner : corners) {
+    const SmoothSupport& support = which == SideOf::a ? corner.a : corner.b;
+    if (!(corner.weight > 0)) continue;
+    if (body.grown(support.atom)) {
+      side.grown += corner.weight;
+      side.round = side.round + corner.weight * support.round;
+    }
+    std::size_t i = 0;
+    while (i < side.size && side.atom[i] != support.atom) ++i;
+    if (i == side.size) side.atom[side.size++] = support.atom;
+    side.weight[i] += corner.weight;
+  }
+  if (side.grown > 0) side.round = (1 / side.grown) * side.round;
+  return side;
 }
 
 std::size_t SmoothSearch::corners(std::array<Corner, 4>& found) const {

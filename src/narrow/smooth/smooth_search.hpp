@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "narrow/convex/gjk_simplex.hpp"
 #include "narrow/smooth/plain_body.hpp"
@@ -25,6 +26,8 @@ class SmoothSearch {
   void run(double part);
   /// Goes on until the newest direction separates, or as `run`.
   void run_until_apart();
+  /// Goes on until the distance seems to be more than this, or less.
+  void run_until_compared(double length);
 
   struct Corner {
     SmoothSupport a;
@@ -33,6 +36,18 @@ class SmoothSearch {
   };
   /// Of the simplex of up to four points, with weights.
   [[nodiscard]] std::size_t corners(std::array<Corner, 4>& found) const;
+
+  /// What carries the nearest point on one side: the atoms of the corners that have a weight, each once, with the sum
+  /// of its weights, and the mean of the round parts.
+  struct Carried {
+    std::array<Index, 4> atom{};
+    std::array<double, 4> weight{};
+    std::size_t size = 0;
+    double grown = 0;  ///< the weight of the atoms that have a round part
+    Vec3 round;
+  };
+  enum class SideOf : std::uint8_t { a, b };
+  [[nodiscard]] static Carried carried(std::span<const Corner> corners, SideOf which, const PlainBody& body);
 
   [[nodiscard]] const Vec3& nearest() const { return nearest_; }
   /// A direction of the search as one of the pair's frame.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "narrow/exact/within.hpp"
+#include "narrow/smooth/smooth_within.hpp"
 #include "query/ask.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/keep_least.hpp"
@@ -32,7 +33,7 @@ struct AskWithin {
   /// What the interval leaves open counts as closer.
   template <PosedConvexSet Other>
   bool operator()(const PosedSmooth& a, const Other& b) const {
-    return distance(a, b).lower <= tolerance;
+    return is_within(a, b, tolerance);
   }
   template <class Other>
   bool operator()(const PosedTriangles& a, const Other& b) const {
@@ -54,9 +55,9 @@ struct AskNearby {
   Answer operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return judged(distance(a, b), a, b); }
   template <PosedConvexSet Other>
   Answer operator()(const PosedSmooth& a, const Other& b) const {
+    if (!is_within(a, b, limit_from(cutoff))) return {};
     const Distance found = distance(a, b);
-    if (found.lower > limit_from(cutoff)) return {};
-    return Nearby{found, found.lower <= cutoff};
+    return Nearby{found, found.upper <= cutoff || is_within(a, b, cutoff)};
   }
   template <class Other>
   Answer operator()(const PosedTriangles& a, const Other& b) const {

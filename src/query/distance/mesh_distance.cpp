@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "narrow/exact/within.hpp"
+#include "narrow/smooth/smooth_within.hpp"
 #include "query/distance/near_view.hpp"
 #include "query/inside/part_inside.hpp"
 #include "query/meshes/pair_search.hpp"
@@ -33,11 +34,11 @@ Distance distance(const PosedConvex& triangle, const PosedSmooth& shape, ConvexW
 }
 
 /// Or may be.
-bool is_within(const Distance& known, const PosedConvex&, const PosedSmooth&, double tolerance) {
-  return known.lower <= tolerance;
+bool is_within(const Distance& known, const PosedConvex& triangle, const PosedSmooth& shape, double tolerance) {
+  return known.upper <= tolerance || (known.lower <= tolerance && toccata::is_within(shape, triangle, tolerance));
 }
 bool is_within(const PosedConvex& triangle, const PosedSmooth& shape, double tolerance, ConvexWorkspace*) {
-  return toccata::distance(triangle, shape).lower <= tolerance;
+  return toccata::is_within(shape, triangle, tolerance);
 }
 
 /// The least of several distances, of which `nearest` has the least upper end.

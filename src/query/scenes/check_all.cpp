@@ -188,7 +188,11 @@ class Check {
     else
       answer_of_shapes(a, b, scratch, answer);
     answer.distance = distance_in(pair, workspace);
-    if (answer.relation.kind == RelationKind::apart) return answer.distance ? std::optional(answer) : std::nullopt;
+    if (answer.relation.kind == RelationKind::apart) {
+      if (!answer.distance) return std::nullopt;
+      if (is_undecided(*answer.distance, clearances_.of(pair), a, b)) answer.relation.status = Status::undecided;
+      return answer;
+    }
     if (options_.penetration) add_depth(answer);
     return answer;
   }
@@ -200,6 +204,13 @@ class Check {
     const Posed &a = models_[pair.first], &b = models_[pair.second];
     workspace.scratch().convex = {};  // it was another pair's
     return distance_within(a.model, b.model, clearance, {a.pose, b.pose, a.solid, b.solid}, workspace);
+  }
+
+  /// A pair of smooth shapes is told where its interval leaves open whether it is as near as its clearance.
+  static bool is_undecided(const Distance& distance, double clearance, const PosedModel& a, const PosedModel& b) {
+    const auto is_smooth = [](const PosedPart& part) { return std::holds_alternative<PosedSmooth>(part.shape); };
+    return distance.upper > clearance &&
+           (std::ranges::any_of(a.parts, is_smooth) || std::ranges::any_of(b.parts, is_smooth));
   }
 
   /// The mesh that a model is, if it is one.

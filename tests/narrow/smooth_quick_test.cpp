@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "narrow/smooth/smooth_within.hpp"
+#include "narrow/smooth_cases.hpp"
+
+// Answers in doubles, where these only just suffice, against 60 digits.
+namespace toccata::test {
+namespace {
+
+using oracle::Fine;
+
+/// What is wrong about an interval of [lower, upper] or about yes and no around it; empty: nothing.
+template <class B>
+std::string quick_fault(const PlacedSmooth& placed_a, const B& placed_b) {
+  const PosedSmooth a = posed(placed_a);
+  const auto b = posed(placed_b);
+  const Distance d = distance(a, b);
+  const oracle::FineNearness truth = oracle::fine_nearness(fine_set(placed_a), fine_set(placed_b), 1e-22, 600);
+  if (truth.meet) return "they meet";
+  if (Fine(d.lower) > truth.upper || Fine(d.upper) < truth.lower) return "interval";
+  if (d.status != Status::exact) return "status";
+  if (smooth_contact(a, b) != SmoothContact::apart) return "contact";
+  for (const double part : {1e-6, 0.5, 1 - 1e-9, 1 - 1e-14, 1.0, 1 + 1e-14, 1 + 1e-9, 2.0, 1e6}) {
+    const double tolerance = part * d.upper;
+    const bool within = is_within(a, b, tolerance);
+    if (!within && Fine(tolerance) >= truth.upper) return "not within " + std::to_string(part);
+    if (within && tolerance < d.lower) return "within " + std::to_string(part);
+  }
+  return "";
+}
+
+std::string quick_fault(const SmoothCase& pair) {
+  return std::visit([&](const auto& other) { return quick_fault(pair.a, other); }, pair.b);
+}
+
+// From gaps that doubles prove to gaps that need twice the digits.
+TEST(SmoothQuick, IntervalsHoldWhereDoublesOnlyJustProveThem) {
+  Random random(8);
+  for (const std::string& a : smooth_kinds())
+    for (const std::string& b : smooth_other_kinds()) {
+      for (const double gap : {0.02, 4e-3, 1e-3, 2e-4}) {
+        SmoothCase pair = smooth_case(a, b, "far", random);
+        leave_smooth_gap(pair, gap);
+        const Vec3 place = 5 * smooth_direction(random);
+        pair.a.pose.offset = pair.a.pose.offset + place;
+        pair.pose_of_b().offset = pair.pose_of_b().offset + place;
+        EXPECT_EQ(quick_fault(pair), "") << a << " " << b << " " << gap;
+      }
+    }
+}
+
+// A tip, a rim, an edge and a face that lie straight towards each other, where the search arrives at once.
+TEST(SmoothQuick, NearestFeaturesThatTheSearchMeetsExactly) {
+  const PlacedConvex box{Box({1, 1, 1}), {}};
+  Pose down;
+  down.linear = rotation_about({1, 0, 0}, 180);
+  for (const double gap : {2.0, 0.1, 1e-3, 0x1p-20, 1e-9}) {
+    for (const SmoothShape& shape :
+         {SmoothShape(Cone(0.5, 2)), SmoothShape(Cylinder(0.5, 2)), SmoothShape(Ellipsoid({0.5, 0.7, 2}))})
+      for (Pose pose : {Pose{}, down})
+        for (const Vec3& beside : {Vec3{0, 0, 0}, Vec3{1, 0.25, 0}, Vec3{1, 1, 0}, Vec3{1.5, 0, 0}, Vec3{3, 3, 0}}) {
+          pose.offset = beside + Vec3{0, 0, 3 + gap};
+          EXPECT_EQ(quick_fault(PlacedSmooth{shape, pose}, box), "") << gap << " " << beside.x << " " << beside.y;
+        }
+  }
+}
+
+// Of more than eight vertices.
+TEST(SmoothQuick, HullsOfManyVertices) {
+  Random random(9);
+  for (int i = 0; i < 24; ++i) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < (i % 3 == 0 ? 12 : 200); ++k) points.push_back(smooth_direction(random));
+    SmoothCase pair = smooth_case(smooth_kinds()[static_cast<std::size_t>(i) % 3], "point", "far", random);
+    pair.b = PlacedConvex{ConvexHull(points), {smooth_linear("far", random), 9 * smooth_direction(random)}};
+    leave_smooth_gap(pair, i % 2 == 0 ? 1 : 0.01);
+    EXPECT_EQ(quick_fault(pair), "") << i;
+  }
+}
+
+// Where they meet, every tolerance is reached; and 0 is `overlap`.
+TEST(SmoothQuick, WhatMeetsIsWithinAnyTolerance) {
+  const PosedSmooth can(Cylinder(1, 2)), cone(Cone(1, 1), Pose::translation(0.5, 0, 2.5));
+  const PosedConvex box(Box({1, 1, 1})), standing(Box({1, 1, 1}), Pose::translation(0, 0, 3));
+  for (const double tolerance : {0.0, 1e-300, 1e-9, 1.0, 1e9}) {
+    EXPECT_TRUE(is_within(can, cone, tolerance));
+    EXPECT_TRUE(is_within(can, box, tolerance));
+    EXPECT_TRUE(is_within(can, standing, tolerance)) << "touching";
+  }
+  EXPECT_FALSE(is_within(can, PosedConvex(Box({1, 1, 1}), Pose::translation(0, 0, 3.5)), 0));
+  EXPECT_FALSE(is_within(can, PosedConvex(Box({1, 1, 1}), Pose::translation(0, 0, 3.5)), 0.499));
+}
+
+}  // namespace
+}  // namespace toccata::test
