@@ -43,11 +43,17 @@ class NearestSearch {
   [[nodiscard]] BodyPoint joined(bool of_a, const SmoothSearch& search) const {
     std::array<SmoothSearch::Corner, 4> corner;
     const std::size_t count = search.corners(corner);
-    const auto of = of_a ? SmoothSearch::SideOf::a : SmoothSearch::SideOf::b;
-    const SmoothSearch::Carried carried = SmoothSearch::carried({corner.data(), count}, of, of_a ? a_ : b_);
     BodyPoint point;
-    for (std::size_t i = 0; i < carried.size; ++i) point.append(carried.atom[i], {carried.weight[i], 0});
-    for (std::size_t j = 0; j < 3; ++j) point.round[j] = {carried.round[static_cast<int>(j)], 0};
+    Vec3 round;
+    double grown = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const SmoothSupport& support = of_a ? corner[i].a : corner[i].b;
+      point.append(support.atom, {corner[i].weight, 0});
+      if (!(of_a ? a_ : b_).grown(support.atom)) continue;
+      round = round + corner[i].weight * support.round;
+      grown += corner[i].weight;
+    }
+    for (std::size_t j = 0; j < 3; ++j) point.round[j] = {grown > 0 ? round[static_cast<int>(j)] / grown : 0, 0};
     return point;
   }
 
