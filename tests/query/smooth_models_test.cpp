@@ -8,6 +8,7 @@
 
 #include "narrow/smooth_cases.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/narrow/smooth_casts.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/query/batch.hpp"
@@ -205,6 +206,43 @@ TEST(SmoothModels, RaysRegionsAndHalfSpacesMeetThem) {
   EXPECT_LE(falling.lower, 0.5);
   EXPECT_GE(falling.upper, 0.5);
   EXPECT_TRUE(cast_shape(floor, {0, 0, 1}, egg, {.pose_b = Pose::translation(0, 0, 3.5)}).hit);
+}
+
+/// The first of all triangles, each cast by itself.
+template <class CastOne>
+ShapeHit first_of_triangles(const Model& mesh, const CastOne& cast_one) {
+  ShapeHit first;
+  for (Index i = 0; i < mesh.element_count(); ++i) {
+    const Cast one = cast_one(PosedConvex(world_triangle(mesh, {}, i)));
+    if (!one.hit || (first.hit && first.upper <= one.upper)) continue;
+    static_cast<Cast&>(first) = one;
+    first.element_a = first.element_b = i;
+  }
+  return first;
+}
+
+TEST(SmoothModels, CastsAtManyTrianglesAreTheFirstOfAllAndLookAtFew) {
+  const Model rock(noise_sphere_mesh({.radius = 1, .roughness = 0.3, .subdivisions = 3, .seed = 5}));
+  for (std::uint64_t number = 0; number < 15; ++number) {
+    Random random(smooth_seed + number);
+    const PlacedSmooth mover{smooth_shape(smooth_kinds()[number % 3], {0.1, 0.15, 0.2}),
+                             {smooth_linear("affine", random), 2.0 * smooth_direction(random)}};
+    const Vec3 way = 2.0 * (random.between(0, 0.8) * smooth_direction(random) - mover.pose.offset);
+    const PosedSmooth shape = posed(mover);
+    const PairQuery query{mover.pose, {}, Solid::automatic, Solid::none};
+    Workspace workspace;
+    const ShapeHit found = cast_shape(smooth_model(mover), way, rock, query, workspace);
+    EXPECT_LT(workspace.counts().items, rock.element_count() / 4) << number;
+    const ShapeHit first = first_of_triangles(rock, [&](const PosedConvex& t) { return cast_shape(shape, way, t); });
+    EXPECT_EQ(found.hit, first.hit) << number;
+    EXPECT_EQ(found.upper, first.upper) << number;
+    EXPECT_EQ(found.element_b, first.element_b) << number;
+    const PairQuery back{{}, mover.pose, Solid::none, Solid::automatic};
+    const ShapeHit other = cast_shape(rock, -way, smooth_model(mover), back);
+    const ShapeHit last = first_of_triangles(rock, [&](const PosedConvex& t) { return cast_shape(t, -way, shape); });
+    EXPECT_EQ(other.upper, last.upper) << number;
+    EXPECT_EQ(other.element_a, last.element_a) << number;
+  }
 }
 
 TEST(SmoothModels, ManyQuestionsAtOnceAreTheSingleOnes) {

@@ -1,10 +1,12 @@
+#include "narrow/half_spaces/half_space_casts.hpp"
+
 #include <cmath>
 
 #include "math/double_search.hpp"
 #include "math/root_sign.hpp"
 #include "narrow/half_spaces/half_space_gap.hpp"
+#include "narrow/seen_from_target.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/casts.hpp"
 
 namespace toccata {
 namespace {
@@ -66,6 +68,10 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& 
   cast.point = (lowest + cast.lower * motion) - a.radius() * normal;
   cast.normal = normal;
   return cast;
+}
+
+Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedConvex& b) {
+  return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
 Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target) {

@@ -12,6 +12,9 @@ namespace {
 /// of length 1.
 constexpr double height_rounding = 0x1p-48;
 
+/// What the image of a ball reaches: squares of products below this are lost.
+constexpr double lost_in_squares = 0x1p-500;
+
 }  // namespace
 
 PlainBody::PlainBody(const PosedSmooth& shape, const PairFrame& frame)
@@ -63,6 +66,34 @@ SmoothSupport PlainBody::support(const Vec3& direction) const {
   found.round = (1 / growth) * along;
   found.point = found.point + map(found.round);
   return found;
+}
+
+/// Centres and columns are rounded once; products, sums and the root a handful of times.
+double PlainBody::height_at_most(const Vec3& direction) const {
+  const Vec3 size = magnitudes(direction);
+  double growth = 0, magnitude = 0;
+  if (columns_ > 0) {
+    growth = plain_length(along_columns(direction));
+    for (std::size_t j = 0; j < columns_; ++j) magnitude += dot(size, magnitudes(plain_column_[j]));
+  }
+  double highest = -HUGE_VAL, greatest = 0;
+  if (search_) {
+    const double of_vertices = -search_->search.lower_bound(-direction), of_origin = dot(direction, frame_.origin);
+    highest = frame_.factor * (of_vertices - of_origin) + growth;
+    greatest = frame_.factor * (std::fabs(of_vertices) + dot(size, magnitudes(frame_.origin)));
+  } else {
+    for (Index i = 0; i < count_; ++i) {
+      highest = std::fmax(highest, dot(direction, plain_centre_[i]) + (i == 1 && is_cone_ ? 0 : growth));
+      greatest = std::fmax(greatest, dot(size, magnitudes(plain_centre_[i])));
+    }
+  }
+  return highest + (height_rounding * (greatest + magnitude) + lost_in_squares);
+}
+
+PlainBody PlainBody::moved(const Vec3& by) const {
+  PlainBody result = *this;
+  for (Index i = 0; i < count_; ++i) result.plain_centre_[i] = plain_centre_[i] + by;
+  return result;
 }
 
 Index PlainBody::highest_atoms(const Vec3& direction, std::span<Index> found) const {

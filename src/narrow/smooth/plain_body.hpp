@@ -60,6 +60,13 @@ class PlainBody {
     return {dot(direction, plain_column_[0]), dot(direction, plain_column_[1]), dot(direction, plain_column_[2])};
   }
 
+  /// No point of the body is higher along the direction, which is no longer than 1: certain, where the frame's factor,
+  /// half axes and radii are from 2⁻³⁰⁰ to 2³⁰⁰.
+  [[nodiscard]] double height_at_most(const Vec3& direction) const;
+
+  /// The body of a smooth shape at another place.
+  [[nodiscard]] PlainBody moved(const Vec3& by) const;
+
   /// Writes all atoms of which rounding does not exclude that they are the farthest along the direction, if they fit,
   /// and returns how many there are.
   [[nodiscard]] Index highest_atoms(const Vec3& direction, std::span<Index> found) const;

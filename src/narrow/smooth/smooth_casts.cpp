@@ -4,6 +4,9 @@
 #include <optional>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/seen_from_target.hpp"
+#include "narrow/smooth/smooth_advance.hpp"
+#include "narrow/smooth/smooth_cast_until.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
 #include "narrow/smooth/smooth_ray.hpp"
@@ -14,37 +17,68 @@ namespace {
 
 constexpr double time_width = 0x1p-42;
 constexpr int most_steps = 64;
+/// A time after the end of the way.
+constexpr double never = 2;
 
 /// A, the body of a smooth shape, moves; B stands. By conservative advancement (B. Mirtich, "Impulse-based dynamic
-/// simulation of rigid body systems", 1996), with every separating plane proved.
+/// simulation of rigid body systems", 1996), with every separating plane proved: in doubles as far as they go.
 class SmoothCast {
  public:
   SmoothCast(const SmoothBody& a, const BoundedVector& motion, const SmoothBody& b) : a_(a), motion_(motion), b_(b) {}
 
-  /// `point` in the pair's frame, `normal` from B to A.
-  Cast answer() {
-    const SmoothNearest start = at(0);
-    if (start.contact != SmoothContact::apart) {
-      point_ = start.on_b;
-      normal_ = {};
-      return met(0, start.contact);
+  /// `point` in the pair's frame, `normal` from B to A. Nothing, where they do not meet or are free until the limit.
+  std::optional<Cast> answer(const SmoothAdvance& begun, double limit) {
+    if (free_until_is(begun) > limit) return {};
+    if (free_until_ == 0) {
+      const SmoothNearest start = at(0);
+      if (start.contact != SmoothContact::apart) {
+        point_ = start.on_b;
+        normal_ = {};
+        return met(0, start.contact);
+      }
+    } else if (const auto soon = met_soon()) {
+      return soon;
     }
+    if (advance(limit) > limit) return {};
+    return narrowed();
+  }
+
+ private:
+  /// Takes over what is proved, with the last plane's height in double words.
+  double free_until_is(const SmoothAdvance& begun) {
+    if (begun.for_ever) return never;
+    if (!(begun.free_until > 0)) return 0;
+    free_until_ = begun.free_until;
+    normal_ = begun.direction;
+    return free_until_ = std::fmax(free_until_, separated_until(fine(begun.direction)));
+  }
+
+  /// They meet within the width from here; nothing when that is not certain.
+  std::optional<Cast> met_soon() {
+    const double late = std::fmin(1, free_until_ + time_width);
+    const SmoothNearest then = at(late);
+    if (then.contact != SmoothContact::contact) return {};
+    point_ = then.on_b;
+    return met(late, then.contact);
+  }
+
+  /// From plane to plane, until they are no longer told apart. Returns until when they are free.
+  double advance(double limit) {
     for (int step = 0; step < most_steps; ++step) {
       const SmoothNearest now = at(free_until_);
       if (now.contact != SmoothContact::apart) break;
       normal_ = {now.direction[0].high, now.direction[1].high, now.direction[2].high};
       point_ = now.on_b;
       const double time = separated_until(now.direction);
-      if (time > 1) return {};
+      if (time > 1) return never;
       if (!(time > free_until_)) break;
       const bool arrived = time - free_until_ < time_width / 4;
       free_until_ = time;
-      if (arrived) break;
+      if (arrived || time > limit) break;
     }
-    return narrowed();
+    return free_until_;
   }
 
- private:
   [[nodiscard]] SmoothNearest at(double time) const {
     return nearest_of(a_.moved(exactly(time) * motion_), b_, SmoothQuestion::distance);
   }
@@ -58,10 +92,10 @@ class SmoothCast {
     const BoundedNumber approach = -dot(motion_, d);
     // It comes nearer by no more than this in the whole time.
     const double fastest = ceiling_of(approach);
-    if (gap.is_positive() && floor_of(gap) > fastest) return 2;
+    if (gap.is_positive() && floor_of(gap) > fastest) return never;
     // What has passed goes away from the plane for the rest of the way.
     const bool is_leaving = fastest <= 0 && (gap - exactly(free_until_) * approach).is_positive();
-    if (is_leaving) return 2;
+    if (is_leaving) return never;
     const double time = floor_of(gap / exactly(fastest));
     return time == time ? time : 0;
   }
@@ -113,18 +147,28 @@ Cast in_world(Cast cast, const PairFrame& frame) {
   return cast;
 }
 
-/// The other one moves instead: its point of contact is where the first has come to by then.
-Cast seen_from_other(Cast cast, const Vec3& motion) {
-  if (!cast.hit) return cast;
-  cast.point = cast.point + cast.lower * motion;
-  cast.normal = -cast.normal;
-  return cast;
+bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
+bool is_moderate(const PosedSmooth& shape) {
+  return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
+}
+bool is_moderate(const PosedConvex& shape) { return shape.radius() == 0 || is_moderate(shape.radius()); }
+
+/// As far as doubles go.
+template <class B>
+SmoothAdvance begun(const PosedSmooth& a, const Vec3& motion, const B& b, const PairFrame& frame, double limit) {
+  if (!is_moderate(frame.factor) || !is_moderate(a) || !is_moderate(b)) return {};
+  return advance_in_doubles(PlainBody(a, frame), frame.factor * motion, PlainBody(b, frame), limit);
 }
 
-template <class Body>
-Cast cast_bodies(const PosedSmooth& a, const Vec3& motion, const PairFrame& frame, const Body& b) {
-  const SmoothBody body_a(a, frame);
-  return in_world(SmoothCast(body_a, frame.scaled(motion), b).answer(), frame);
+template <class B>
+std::optional<Cast> cast_until(const PosedSmooth& a, const Vec3& motion, const B& b, double limit) {
+  require_motion(motion);
+  const PairFrame frame = pair_frame(a, b);
+  const SmoothAdvance start = begun(a, motion, b, frame, limit);
+  if (start.for_ever || start.free_until > limit) return {};
+  const SmoothBody body_a(a, frame), body_b(b, frame);
+  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b).answer(start, limit);
+  return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
 }
 
 /// The line's entry, where that is certain.
@@ -160,19 +204,37 @@ Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedSmooth& target)
 }
 
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b) {
-  require_motion(motion);
-  const PairFrame frame = pair_frame(a, b);
-  return cast_bodies(a, motion, frame, SmoothBody(b, frame));
+  return cast_until(a, motion, b, 1).value_or(Cast{});
 }
 
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedSmooth& b) {
-  require_motion(motion);
-  const PairFrame frame = pair_frame(a, b);
-  return cast_bodies(a, motion, frame, SmoothBody(b, frame));
+  return cast_until(a, motion, b, 1).value_or(Cast{});
 }
 
 Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b) {
-  return seen_from_other(cast_shape(b, -motion, a), motion);
+  return seen_from_target(cast_shape(b, -motion, a), motion);
+}
+
+std::optional<Cast> cast_shape_until(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit) {
+  return cast_until(a, motion, b, limit);
+}
+
+std::optional<Cast> cast_shape_until(const PosedSmooth& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  return cast_until(a, motion, b, limit);
+}
+
+std::optional<Cast> cast_shape_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  const auto cast = cast_until(b, -motion, a, limit);
+  return cast ? std::optional(seen_from_target(*cast, motion)) : std::nullopt;
+}
+
+double free_until(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit) {
+  const SmoothAdvance found = begun(a, motion, b, pair_frame(a, b), limit);
+  return found.for_ever ? never : found.free_until;
+}
+
+double free_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  return free_until(b, -motion, a, limit);
 }
 
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& b) {
@@ -207,7 +269,7 @@ Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& 
 }
 
 Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedSmooth& b) {
-  return seen_from_other(cast_shape(b, -motion, a), motion);
+  return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
 }  // namespace toccata

@@ -1,15 +1,17 @@
 #include "toccata/query/casts.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <variant>
 
+#include "narrow/half_spaces/half_space_casts.hpp"
+#include "narrow/smooth/smooth_cast_until.hpp"
 #include "query/ask.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_casts.hpp"
 
 namespace toccata {
 namespace {
@@ -20,24 +22,17 @@ struct AskCast {
   std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedConvex& b) const {
     return whole(cast_shape(a, motion, b, &scratch.convex));
   }
-  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedHalfSpace& b) const {
-    return whole(cast_shape(a, motion, b));
-  }
-  std::optional<ShapeHit> operator()(const PosedHalfSpace& a, const PosedConvex& b) const {
-    return whole(seen_from_target(cast_shape(b, -motion, a), motion));
-  }
   std::optional<ShapeHit> operator()(const PosedHalfSpace&, const PosedHalfSpace&) const {
     return {};  // the table was asked before
   }
-  template <PosedConvexSet Target>
-  std::optional<ShapeHit> operator()(const PosedSmooth& a, const Target& b) const {
-    return whole(cast_shape(a, motion, b));
-  }
-  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedSmooth& b) const {
-    return whole(cast_shape(a, motion, b));
-  }
-  std::optional<ShapeHit> operator()(const PosedHalfSpace& a, const PosedSmooth& b) const {
-    return whole(seen_from_target(cast_shape(b, -motion, a), motion));
+  template <PosedConvexSet A, PosedConvexSet B>
+  std::optional<ShapeHit> operator()(const A& a, const B& b) const {
+    if constexpr (std::same_as<A, PosedHalfSpace> || std::same_as<B, PosedHalfSpace>) {
+      return whole(cast_shape(a, motion, b));
+    } else {
+      const auto cast = cast_shape_until(a, motion, b, limit);
+      return cast ? std::optional(whole(*cast)) : std::nullopt;
+    }
   }
   template <class A, class B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <tuple>
+#include <vector>
 
 #include "narrow/convex/cast_until.hpp"
+#include "narrow/half_spaces/half_space_casts.hpp"
+#include "narrow/smooth/smooth_cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/relation/relation_locality.hpp"
-#include "toccata/narrow/smooth_casts.hpp"
 
 namespace toccata {
 namespace {
@@ -42,11 +44,13 @@ std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const P
                                SearchScratch& scratch) {
   return cast_shape_until(a, motion, b, limit, scratch.convex);
 }
-std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double, SearchScratch&) {
-  return cast_shape(a, motion, b);
+std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit,
+                               SearchScratch&) {
+  return cast_shape_until(a, motion, b, limit);
 }
-std::optional<Cast> cast_items(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double, SearchScratch&) {
-  return cast_shape(a, motion, b);
+std::optional<Cast> cast_items(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit,
+                               SearchScratch&) {
+  return cast_shape_until(a, motion, b, limit);
 }
 std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b, double,
                                SearchScratch&) {
@@ -54,26 +58,80 @@ std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const P
 }
 std::optional<Cast> cast_items(const PosedHalfSpace& a, const Vec3& motion, const PosedConvex& b, double,
                                SearchScratch&) {
-  return seen_from_target(cast_shape(b, -motion, a), motion);
+  return cast_shape(a, motion, b);
 }
+
+template <class A, class B>
+constexpr bool has_smooth_side = std::same_as<A, PosedSmooth> || std::same_as<B, PosedSmooth>;
 
 /// The first two items that meet; of meshes, their surfaces alone.
 template <class A, class B>
-std::optional<ShapeHit> cast_surfaces(const A& a, const Vec3& motion, const B& b, double limit,
-                                      SearchScratch& scratch) {
-  scratch.counts = {};
-  const SweptView view(a, motion, b);
-  std::optional<ShapeHit> first;
-  const SweptWalk walk({tree_of(a), tree_of(b)}, view.directions());
-  walk.run(scratch.swept, limit, [&](ItemPair items) {
-    const auto found = cast_items(item_of(a, items.first), motion, item_of(b, items.second), limit, scratch);
-    if (!found || !found->hit) return limit;
-    keep_first(first, {*found, items.first, items.second, face_of(a, items.first), face_of(b, items.second)});
-    return limit = std::min(limit, first->upper + widest_cast);
-  });
-  scratch.counts = scratch.swept.counts;
-  return first;
-}
+class FirstMeeting {
+ public:
+  FirstMeeting(const A& a, const Vec3& motion, const B& b, double limit, SearchScratch& scratch)
+      : a_(a), motion_(motion), b_(b), limit_(limit), scratch_(scratch) {}
+
+  std::optional<ShapeHit> answer() {
+    scratch_.counts = {};
+    const SweptView view(a_, motion_, b_);
+    const SweptWalk walk({tree_of(a_), tree_of(b_)}, view.directions());
+    walk.run(scratch_.swept, limit_, [this](ItemPair items) {
+      if constexpr (has_smooth_side<A, B>)
+        look_at(items);
+      else
+        cast(items);
+      return limit_;
+    });
+    cast_until(1);
+    scratch_.counts = scratch_.swept.counts;
+    return first_;
+  }
+
+ private:
+  /// Items that do not meet before a time.
+  struct Waiting {
+    double time;
+    ItemPair items;
+    friend bool operator<(const Waiting& x, const Waiting& y) {
+      return std::tie(y.time, y.items.first, y.items.second) < std::tie(x.time, x.items.first, x.items.second);
+    }
+  };
+
+  void cast(ItemPair items) {
+    const auto found = cast_items(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_);
+    if (!found || !found->hit) return;
+    keep_first(first_, {*found, items.first, items.second, face_of(a_, items.first), face_of(b_, items.second)});
+    limit_ = std::min(limit_, first_->upper + widest_cast);
+  }
+
+  /// Casts of smooth shapes cost much, and bounds of their times little: so items are cast in the order of these, and
+  /// not before all that the walk has still to show come later.
+  void look_at(ItemPair items) requires has_smooth_side<A, B> {
+    const double time = free_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_);
+    if (time <= limit_) {
+      waiting_.push_back({time, items});
+      std::push_heap(waiting_.begin(), waiting_.end());
+    }
+    cast_until(scratch_.swept.waiting.empty() ? limit_ : scratch_.swept.waiting.front().time);
+  }
+
+  void cast_until(double time) {
+    while (!waiting_.empty() && waiting_.front().time <= std::min(time, limit_)) {
+      std::pop_heap(waiting_.begin(), waiting_.end());
+      const ItemPair items = waiting_.back().items;
+      waiting_.pop_back();
+      cast(items);
+    }
+  }
+
+  const A& a_;
+  const Vec3& motion_;
+  const B& b_;
+  double limit_;
+  SearchScratch& scratch_;
+  std::optional<ShapeHit> first_;
+  std::vector<Waiting> waiting_;  ///< a heap, the earliest first
+};
 
 ShapeHit at_start(const Vec3& point) {
   ShapeHit hit;
@@ -108,22 +166,7 @@ std::optional<ShapeHit> held_at_start(const Shape& a, const PosedTriangles& b) {
 std::optional<ShapeHit> held_at_start(const PosedTriangles&, const PosedHalfSpace&) { return {}; }
 std::optional<ShapeHit> held_at_start(const PosedHalfSpace&, const PosedTriangles&) { return {}; }
 
-template <class A, class B>
-std::optional<ShapeHit> cast_sides(const A& a, const Vec3& motion, const B& b, double limit, SearchScratch& scratch) {
-  const auto first = cast_surfaces(searched(a), motion, searched(b), limit, scratch);
-  if (first && first->upper == 0) return first;
-  const auto held = held_at_start(a, b);
-  return held ? held : first;
-}
-
 }  // namespace
-
-Cast seen_from_target(const Cast& cast, const Vec3& motion) {
-  Cast result = cast;
-  result.normal = -cast.normal;
-  if (cast.hit) result.point = cast.point + cast.upper * motion;
-  return result;
-}
 
 void keep_first(std::optional<ShapeHit>& first, const ShapeHit& found) {
   const auto rank = [](const ShapeHit& hit) { return std::tie(hit.upper, hit.element_a, hit.element_b); };
@@ -132,33 +175,28 @@ void keep_first(std::optional<ShapeHit>& first, const ShapeHit& found) {
   first->lower = lower;
 }
 
-std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedTriangles& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
+template <class A, class B>
+requires std::same_as<A, PosedTriangles> || std::same_as<B, PosedTriangles> std::optional<ShapeHit> cast_until(
+    const A& a, const Vec3& motion, const B& b, double limit, SearchScratch& scratch) {
+  const auto first = FirstMeeting(searched(a), motion, searched(b), limit, scratch).answer();
+  if (first && first->upper == 0) return first;
+  const auto held = held_at_start(a, b);
+  return held ? held : first;
 }
-std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedConvex& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
-std::optional<ShapeHit> cast_until(const PosedConvex& a, const Vec3& motion, const PosedTriangles& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
-std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedSmooth& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
-std::optional<ShapeHit> cast_until(const PosedSmooth& a, const Vec3& motion, const PosedTriangles& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
-std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedHalfSpace& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
-std::optional<ShapeHit> cast_until(const PosedHalfSpace& a, const Vec3& motion, const PosedTriangles& b, double limit,
-                                   SearchScratch& scratch) {
-  return cast_sides(a, motion, b, limit, scratch);
-}
+
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedTriangles&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedConvex&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedConvex&, const Vec3&, const PosedTriangles&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedSmooth&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedSmooth&, const Vec3&, const PosedTriangles&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedHalfSpace&, double,
+                                            SearchScratch&);
+template std::optional<ShapeHit> cast_until(const PosedHalfSpace&, const Vec3&, const PosedTriangles&, double,
+                                            SearchScratch&);
 
 }  // namespace toccata

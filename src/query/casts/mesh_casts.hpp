@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include "query/posed_shape.hpp"
@@ -10,23 +11,10 @@
 // later than `limit` of the way (0 to 1) may be left out: so is what is not met.
 namespace toccata {
 
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedTriangles& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedConvex& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedConvex& a, const Vec3& motion, const PosedTriangles& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedSmooth& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedSmooth& a, const Vec3& motion, const PosedTriangles& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedTriangles& a, const Vec3& motion, const PosedHalfSpace& b,
-                                                 double limit, SearchScratch& scratch);
-[[nodiscard]] std::optional<ShapeHit> cast_until(const PosedHalfSpace& a, const Vec3& motion, const PosedTriangles& b,
-                                                 double limit, SearchScratch& scratch);
-
-/// A shape that stands while the other moves the opposite way: what meets, meets at the same time, farther on.
-[[nodiscard]] Cast seen_from_target(const Cast& cast, const Vec3& motion);
+template <class A, class B>
+requires std::same_as<A, PosedTriangles> || std::same_as<B, PosedTriangles>
+[[nodiscard]] std::optional<ShapeHit> cast_until(const A& a, const Vec3& motion, const B& b, double limit,
+                                                 SearchScratch& scratch);
 
 /// Wider than the interval of any cast, as part of the way: what certainly begins so much later than the first one ends
 /// is of no interest.

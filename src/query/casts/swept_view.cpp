@@ -54,19 +54,23 @@ Along along(const PosedConvex& shape, const Vec3& direction) {
   return result;
 }
 
-/// As if it stood above and below its middle by as much: a cone is taken for the cylinder around it.
 Along along(const PosedSmooth& shape, const Vec3& direction) {
   const Mat3& linear = shape.pose().linear;
   const Vec3& half = shape.half();
   const double x = half.x * dot(direction, linear.column(0)), y = half.y * dot(direction, linear.column(1)),
                z = half.z * dot(direction, linear.column(2)), middle = dot(direction, shape.pose().offset);
-  const bool is_ellipsoid = shape.kind() == PosedSmooth::Kind::ellipsoid;
-  const double reach = is_ellipsoid ? std::hypot(x, y, z) : std::hypot(x, y) + std::abs(z);
+  const double across = std::hypot(x, y);
   Vec3 largest = magnitudes(shape.pose().offset);
   for (int i = 0; i < 3; ++i) largest[i] += dot(magnitudes(linear[i]), half);
   Along result;
   result.size = dot(magnitudes(direction), largest);
   result.coordinates = sum_of_magnitudes(largest) + sum_of_magnitudes(half);
+  if (shape.kind() == PosedSmooth::Kind::cone) {
+    result.whole = {middle + std::min(-z - across, z), middle + std::max(-z + across, z)};
+    return result;
+  }
+  const bool is_ellipsoid = shape.kind() == PosedSmooth::Kind::ellipsoid;
+  const double reach = is_ellipsoid ? std::hypot(across, z) : across + std::abs(z);
   result.whole = {middle - reach, middle + reach};
   return result;
 }

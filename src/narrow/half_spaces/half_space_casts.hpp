@@ -1,0 +1,10 @@
+#pragma once
+
+#include "toccata/narrow/casts.hpp"
+
+namespace toccata {
+
+/// The half-space moves and the shape stands.
+[[nodiscard]] Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedConvex& b);
+
+}  // namespace toccata

@@ -1,0 +1,77 @@
+// Casts of cylinders, cones and ellipsoids that are asked for what is met until a limit.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/smooth/smooth_cast_until.hpp"
+#include "narrow/smooth_cases.hpp"
+
+namespace toccata::test {
+namespace {
+
+constexpr std::uint64_t limits_seed = 20261123;
+
+/// Towards the other one, past it, or away.
+Vec3 random_way(const Pose& a, const Pose& b, Random& random) {
+  const Vec3 between = b.offset - a.offset;
+  const double size = largest_magnitude(between);
+  return random.between(-0.5, 2) * between + random.between(0, 0.5) * size * smooth_direction(random);
+}
+
+/// A limit before the first time makes the cast nothing, and one after it changes no bit.
+template <class A, class B>
+std::string limit_fault(const A& a, const Vec3& way, const B& b) {
+  const Cast whole = cast_shape(a, way, b);
+  const auto until = [&](double limit) { return cast_shape_until(a, way, b, limit); };
+  if (!whole.hit) return until(1) || until(0.5) ? "met until a limit, but not at all" : "";
+  for (const double limit : {1.0, whole.upper, whole.lower})
+    if (until(limit) != whole) return fmt::format("another cast with the limit {}", limit);
+  if (whole.lower > 0 && until(whole.lower * (1 - 1e-9))) return "told, though it is later than the limit";
+  return "";
+}
+
+template <class A, class B>
+std::string bound_fault(const A& a, const Vec3& way, const B& b) {
+  const Cast whole = cast_shape(a, way, b);
+  const double bound = free_until(a, way, b, 1);
+  if (bound > 1) return whole.hit ? "proved free, but met" : "";
+  if (whole.hit && bound > whole.lower) return fmt::format("free until {}, but met from {} on", bound, whole.lower);
+  for (const double limit : {0.25, 0.5}) {
+    const double cut = free_until(a, way, b, limit);
+    if (cut != bound && !(cut > limit)) return fmt::format("another bound with the limit {}", limit);
+  }
+  return "";
+}
+
+TEST(SmoothCasts, ALimitLeavesOutWhatIsLaterAndChangesNothingElse) {
+  std::uint64_t number = 0;
+  for (const std::string& kind : smooth_kinds())
+    for (const std::string& other : smooth_other_kinds())
+      for (int i = 0; i < 6; ++i) {
+        const std::string& regime = smooth_regimes()[++number % smooth_regimes().size()];
+        Random random(limits_seed + number);
+        const SmoothCase pair = smooth_case(kind, other, regime, random);
+        const PosedSmooth a = posed(pair.a);
+        const std::string fault = std::visit(
+            [&](const auto& placed) -> std::string {
+              const auto b = posed(placed);
+              if constexpr (std::same_as<decltype(b), const PosedHalfSpace>) {
+                return "";
+              } else {
+                const Vec3 way = random_way(pair.a.pose, placed.pose, random);
+                if (std::string wrong = limit_fault(a, way, b); !wrong.empty()) return wrong;
+                if constexpr (std::same_as<decltype(b), const PosedConvex>) {
+                  for (const std::string& wrong :
+                       {bound_fault(a, way, b), bound_fault(b, way, a), limit_fault(b, way, a)})
+                    if (!wrong.empty()) return wrong;
+                }
+                return "";
+              }
+            },
+            pair.b);
+        EXPECT_EQ(fault, "") << kind << " at " << other << ", " << regime << ", seed " << limits_seed + number;
+      }
+}
+
+}  // namespace
+}  // namespace toccata::test
