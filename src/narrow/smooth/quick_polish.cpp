@@ -78,6 +78,7 @@ void QuickPolish::begin_side(QuickSide& side, std::span<const SmoothSearch::Corn
 QuickPolish::Carrier QuickPolish::carrier_of(QuickSide& side) const {
   const PlainBody& body = *side.body;
   Carrier carrier;
+  if (side.size == 1 && body.column_count() == 0) return {body.plain_centre(side.atom[0]), 0};
   for (std::size_t i = 0; i < side.size; ++i)
     carrier.point = carrier.point + side.weight[i] * body.plain_centre(side.atom[i]);
   const double grown = side.grown_weight();

@@ -85,9 +85,9 @@ double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
   // 3.5 u of the product, 2 u of p, 2.5 u of its length, u of the sum.
   const double beside = plain_length(cross(m, p)) + (1.1 * off + 12 * u * length);
   // 2.5 u of the length, 3 u of the operations; 4.5 u of the part.
-  const double fine =
-      (length * (1 + 8 * u) + 1.1 * off) * std::fmax(0, (1 + 6 * u) - part) + (0.5 + 0x1p-20) * beside * beside / along;
-  return std::fmin(plain, fine);
+  const double fine = (length * (1 + 8 * u) + 1.1 * off) * std::max(0.0, (1 + 6 * u) - part) +
+                      (0.5 + 0x1p-20) * beside * beside / along;
+  return std::min(plain, fine);
 }
 
 /// A point of a smooth shape in its own frame.
@@ -136,7 +136,7 @@ class LocalPoint {
     const Vec3 p{point_.x / half_.x, point_.y / half_.x, 0};
     if (shape_.kind() == PosedSmooth::Kind::cylinder)
       return beyond_round(across, across_error, p) + beyond_ends(n.value.z, n.error.z);
-    return std::fmax(beyond_base(n, across, across_error, p), beyond_tip(n, across, across_error, p));
+    return std::max(beyond_base(n, across, across_error, p), beyond_tip(n, across, across_error, p));
   }
 
  private:
@@ -145,8 +145,8 @@ class LocalPoint {
   /// 2 u of a product, u of the sum.
   [[nodiscard]] double beyond_ends(double nz, double error) const {
     const double up = half_.z - point_.z, down = half_.z + point_.z;
-    return std::fmax(nz * up + 2 * (error * up) + 4 * u * std::fabs(nz * up),
-                     -(nz * down) + 2 * (error * down) + 4 * u * std::fabs(nz * down));
+    return std::max(nz * up + 2 * (error * up) + 4 * u * std::fabs(nz * up),
+                    -(nz * down) + 2 * (error * down) + 4 * u * std::fabs(nz * down));
   }
 
   // Of the terms that nearly cancel, each difference rounds no more than the next term and what is left.
@@ -179,7 +179,7 @@ class HullPoint {
       : shape_(shape), body_(*side.body), first_(shape.vertex(side.atom[0])) {
     double total = 0;
     for (std::size_t i = 1; i < side.size; ++i) {
-      weight_[i] = std::fmax(side.weight[i], 0);
+      weight_[i] = std::max(side.weight[i], 0.0);
       total += weight_[i];
     }
     const double less = total > 1 - 8 * u ? (1 - 8 * u) / total : 1;
@@ -217,7 +217,8 @@ class HullPoint {
       // u of each difference, 3 u of the product, u of the sum.
       const double off = 8 * u * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
       if (size_ == 1 && step == Vec3{}) return;
-      most = std::fmax(most, dot(direction, from) + (off + rounded_steps));
+      const double height = dot(direction, from) + (off + rounded_steps);
+      if (!(height <= most)) most = height;  // NaN stays, and is no proof
     };
     if (shape_.in_world()) {
       for (Index i = 0; i < shape_.vertex_count(); ++i) look_at(i);

@@ -80,6 +80,7 @@ class QuickPair {
       if (search_.inside()) return {};
       begin_polish();
       if (polish_.run()) {
+        is_guess_ = true;
         const auto found = proved_distance(a_, b_, polish_);
         return found || !polish_.refine() ? found : proved_distance(a_, b_, polish_);
       }
@@ -87,6 +88,9 @@ class QuickPair {
     }
     return {};
   }
+
+  /// What `distance` did not prove, if it ended where the conditions of the nearest points hold.
+  [[nodiscard]] const QuickPolish* guess() const { return is_guess_ ? &polish_ : nullptr; }
 
   bool is_apart() {
     search_.run_until_apart();
@@ -123,6 +127,7 @@ class QuickPair {
   PlainBody body_b_;
   SmoothSearch search_;
   QuickPolish polish_;
+  bool is_guess_ = false;
 };
 
 template <class B>
@@ -136,11 +141,14 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
 template <class B>
 Distance distance_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
-  if (is_quick(a, b, frame))
-    if (const auto quick = QuickPair(a, b, frame).distance())
-      return {.lower = quick->lower, .upper = quick->upper, .on_a = quick->on_a, .on_b = quick->on_b};
+  std::optional<QuickPair<B>> quick;
+  if (is_quick(a, b, frame)) {
+    quick.emplace(a, b, frame);
+    if (const auto found = quick->distance())
+      return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
+  }
   const Pair pair(a, b);
-  return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance), pair.frame);
+  return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance, quick ? quick->guess() : nullptr), pair.frame);
 }
 
 template <class B>

@@ -22,6 +22,15 @@ class NearestSearch {
     return distance();
   }
 
+  /// Where the guess is as good as it seems.
+  bool proves(const QuickPolish& guess) {
+    polish_.begin(guess);
+    polish_.refine();
+    return prove<BoundedNumber>();
+  }
+
+  [[nodiscard]] const SmoothNearest& best() const { return best_; }
+
   SmoothNearest distance() {
     for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
       search_.run(part);
@@ -201,8 +210,9 @@ class NearestSearch {
 
 }  // namespace
 
-SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question) {
+SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess) {
   NearestSearch search(a, b);
+  if (guess != nullptr && search.proves(*guess)) return search.best();
   return question == SmoothQuestion::meeting ? search.meeting() : search.distance();
 }
 

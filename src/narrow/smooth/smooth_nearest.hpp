@@ -23,7 +23,8 @@ struct SmoothNearest {
 /// How much is asked: whether they meet, or how far apart they are.
 enum class SmoothQuestion : std::uint8_t { meeting, distance };
 
-/// A is made of a smooth shape.
-[[nodiscard]] SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question);
+/// A is made of a smooth shape. Where a guess of the nearest points is given, it is looked at first.
+[[nodiscard]] SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question,
+                                       const QuickPolish* guess = nullptr);
 
 }  // namespace toccata

@@ -124,6 +124,32 @@ void SmoothPolish::begin(std::span<const SmoothSearch::Corner> corners, const Ve
   direction_ = fine(unit_or_zero(direction));
   begin_side(side_[0], corners, attempt);
   begin_side(side_[1], corners, attempt);
+  begin_distance();
+}
+
+void SmoothPolish::begin_side(Side& side, const QuickSide& guess) {
+  const PlainBody& body = *side.body;
+  side.size = guess.size;
+  std::copy_n(guess.atom.begin(), guess.size, side.atom.begin());
+  for (std::size_t i = 0; i < side.size; ++i) side.weight[i] = {guess.weight[i], 0};
+  bool any = false;
+  for (std::size_t i = 0; i < side.size; ++i) any = any || body.grown(side.atom[i]);
+  side.kind = !any ? Round::none : guess.in_cap ? Round::cap : Round::side;
+  const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
+  side.slope = {side.kind == Round::side ? plain_length(body.along_columns(d)) : 0, 0};
+  for (std::size_t j = 0; j < 3; ++j) side.round[j] = {any ? guess.round[static_cast<int>(j)] : 0, 0};
+}
+
+void SmoothPolish::begin(const QuickPolish& guess) {
+  doubtful_ = false;
+  direction_ = fine(guess.direction());
+  begin_side(side_[0], guess.on_a());
+  begin_side(side_[1], guess.on_b());
+  begin_distance();
+}
+
+/// Of the points that the sides begin with.
+void SmoothPolish::begin_distance() {
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
   const VectorOf<double> exact = direction_as<double>(direction_);
   const auto x = Values<double>(side_[0], exact).point, y = Values<double>(side_[1], exact).point;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "narrow/smooth/quick_polish.hpp"
 #include "narrow/smooth/smooth_proof.hpp"
 
 namespace toccata {
@@ -25,6 +26,8 @@ class SmoothPolish {
   enum class Attempt { first, second };
 
   void begin(std::span<const SmoothSearch::Corner> corners, const Vec3& direction, Attempt attempt);
+  /// Where a polish in doubles has ended.
+  void begin(const QuickPolish& guess);
   /// A second attempt would begin otherwise.
   [[nodiscard]] bool doubtful() const { return doubtful_; }
 
@@ -64,6 +67,8 @@ class SmoothPolish {
   [[nodiscard]] std::array<Number, 20> residuals() const;
 
   void begin_side(Side& side, std::span<const SmoothSearch::Corner> corners, Attempt attempt);
+  void begin_side(Side& side, const QuickSide& guess);
+  void begin_distance();
   void number_unknowns();
   /// One step of Newton's; tells how large the residuals were.
   template <class Number>
