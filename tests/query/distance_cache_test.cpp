@@ -24,6 +24,28 @@ TEST(DistanceCache, ChangesNoBitOverAThousandSteps) {
   EXPECT_EQ(test::fault_of_coherence("1 %", 5, 300), "");
 }
 
+// Numbers move within their interval at most, whatever was kept: after little steps, jumps, contact, another shape.
+TEST(DistanceCache, KeepsTheDirectionBetweenSmoothShapes) {
+  const Model egg(Ellipsoid({1, 2, 3})), can(Cylinder(0.5, 1)), box(Box({1, 1, 1})), hat(Cone(1, 1));
+  for (const auto& [a, b] : {std::pair{egg, can}, std::pair{can, egg}, std::pair{box, hat}, std::pair{hat, box}}) {
+    DistanceCache cache;
+    Random random(3);
+    for (int step = 0; step < 60; ++step) {
+      PairQuery query{.pose_b = {rotation_about({1, 2, 2}, 2.0 * step), {4 + 0.05 * step, 1, 0.5}}};
+      if (step % 20 == 12) query.pose_b.offset = {0.1 * random.unit(), 0, 0};
+      if (step % 20 == 13) query.pose_b.offset = {-3 - random.unit(), 5, -1};
+      const Distance found = distance(a, b, query, cache), alone = distance(a, b, query);
+      EXPECT_EQ(found.status, alone.status) << step;
+      EXPECT_LE(found.lower, alone.upper) << step;
+      EXPECT_LE(alone.lower, found.upper) << step;
+      EXPECT_LE(found.upper - found.lower, 1e-12 * found.upper) << step;
+    }
+    EXPECT_EQ(cache.counts().questions, 60U);
+    EXPECT_LT(cache.counts().searches, 10U);
+    EXPECT_LE(distance(box, egg, {.pose_b = Pose::translation(0, 4, 0)}, cache).lower, 1);
+  }
+}
+
 /// A ball that goes round a ring, a little at a time.
 PairQuery on_the_way(int step) { return {.pose_b = {rotation_about({0, 0, 1}, 0.05 * step), {1e-4 * step, 2, 0.3}}}; }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "narrow/smooth/quick_proof.hpp"
+#include "narrow/smooth/smooth_coherent.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
 #include "narrow/smooth/smooth_within.hpp"
@@ -65,12 +66,12 @@ bool is_quick(const PosedSmooth& a, const B& b, const PairFrame& frame) {
 template <class B>
 class QuickPair {
  public:
-  QuickPair(const PosedSmooth& a, const B& b, const PairFrame& frame)
+  QuickPair(const PosedSmooth& a, const B& b, const PairFrame& frame, const Vec3& first_direction = {})
       : a_(a),
         b_(b),
         body_a_(a, frame),
         body_b_(b, frame),
-        search_(body_a_, body_b_, body_a_.middle() - body_b_.middle()),
+        search_(body_a_, body_b_, first_direction == Vec3{} ? body_a_.middle() - body_b_.middle() : first_direction),
         polish_(body_a_, body_b_) {}
 
   /// Most pairs that are apart.
@@ -138,17 +139,25 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   return nearest_of(pair.a, pair.b, SmoothQuestion::meeting).contact;
 }
 
+/// The search begins with this direction, and leaves there that of the nearest points; zero: none.
 template <class B>
-Distance distance_of(const PosedSmooth& a, const B& b) {
+Distance distance_of(const PosedSmooth& a, const B& b, Vec3& direction) {
   const PairFrame frame = pair_frame(a, b);
   std::optional<QuickPair<B>> quick;
   if (is_quick(a, b, frame)) {
-    quick.emplace(a, b, frame);
-    if (const auto found = quick->distance())
-      return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
+    quick.emplace(a, b, frame, direction);
+    const auto found = quick->distance();
+    direction = quick->guess() != nullptr ? quick->guess()->direction() : Vec3{};
+    if (found) return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
   }
   const Pair pair(a, b);
   return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance, quick ? quick->guess() : nullptr), pair.frame);
+}
+
+template <class B>
+Distance distance_of(const PosedSmooth& a, const B& b) {
+  Vec3 none;
+  return distance_of(a, b, none);
 }
 
 template <class B>
@@ -171,6 +180,17 @@ SmoothContact smooth_contact(const PosedConvex& a, const PosedSmooth& b) { retur
 bool overlap(const PosedSmooth& a, const PosedSmooth& b) { return smooth_contact(a, b) != SmoothContact::apart; }
 bool overlap(const PosedSmooth& a, const PosedConvex& b) { return smooth_contact(a, b) != SmoothContact::apart; }
 bool overlap(const PosedConvex& a, const PosedSmooth& b) { return overlap(b, a); }
+
+Distance coherent_distance(const PosedSmooth& a, const PosedSmooth& b, Vec3& direction) {
+  if (!comes_before(b, a)) return distance_of(a, b, direction);
+  direction = -direction;
+  const Distance found = exchanged(distance_of(b, a, direction));
+  direction = -direction;
+  return found;
+}
+Distance coherent_distance(const PosedSmooth& a, const PosedConvex& b, Vec3& direction) {
+  return distance_of(a, b, direction);
+}
 
 bool is_within(const PosedSmooth& a, const PosedSmooth& b, double tolerance) {
   return comes_before(b, a) ? is_within_of(b, a, tolerance) : is_within_of(a, b, tolerance);

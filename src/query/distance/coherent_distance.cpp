@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <variant>
 
+#include "narrow/smooth/smooth_coherent.hpp"
 #include "query/distance/relative_motion.hpp"
 #include "query/nearest/nearest_triangles.hpp"
 
@@ -100,7 +103,27 @@ std::optional<Distance> kept_distance(const PosedMesh& a, const PosedMesh& b, Co
   return found;
 }
 
+/// From B to A, as the direction is; the other way round it is that of the exchanged pair.
+template <class A, class B>
+std::optional<Distance> smooth_distance([[maybe_unused]] const A& a, [[maybe_unused]] const B& b,
+                                        [[maybe_unused]] Vec3& direction) {
+  if constexpr (std::is_same_v<A, PosedSmooth> && (std::is_same_v<B, PosedSmooth> || std::is_same_v<B, PosedConvex>)) {
+    return coherent_distance(a, b, direction);
+  } else if constexpr (std::is_same_v<A, PosedConvex> && std::is_same_v<B, PosedSmooth>) {
+    direction = -direction;
+    const Distance found = flipped(coherent_distance(b, a, direction));
+    direction = -direction;
+    return found;
+  } else {
+    return {};
+  }
+}
+
 }  // namespace
+
+std::optional<Distance> coherent_smooth_distance(const PosedShape& a, const PosedShape& b, Vec3& direction) {
+  return std::visit([&](const auto& x, const auto& y) { return smooth_distance(x, y, direction); }, a, b);
+}
 
 Distance coherent_distance(const PosedTriangles& a, const PosedTriangles& b, CoherentState& state) {
   follow(a, b, state);

@@ -22,6 +22,8 @@ struct CoherentState {
   bool solid_a = false;
   bool solid_b = false;
 
+  Vec3 smooth_direction;  ///< of two convex shapes of which one is smooth; zero: nothing is kept
+
   NearFront front;
   bool moved_little = true;  ///< at the last step: a front is worth its while
   ConvexWorkspace nearest_pair;
@@ -35,6 +37,10 @@ struct CoherentState {
   std::size_t rest = 0;  ///< questions until the next one is made
   std::size_t next_rest = 0;
 };
+
+/// The distance of two shapes of which one is smooth and the other convex; nothing of others.
+[[nodiscard]] std::optional<Distance> coherent_smooth_distance(const PosedShape& a, const PosedShape& b,
+                                                               Vec3& direction);
 
 /// The distance of two meshes (mesh_distance.hpp), to the last bit.
 [[nodiscard]] Distance coherent_distance(const PosedTriangles& a, const PosedTriangles& b, CoherentState& state);

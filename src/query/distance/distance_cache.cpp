@@ -5,6 +5,7 @@
 #include "query/ask.hpp"
 #include "query/ask_each.hpp"
 #include "query/distance/coherent_distance.hpp"
+#include "query/numbered.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -26,6 +27,19 @@ void bind(CoherentState& state, const Model& a, const Model& b) {
         "each pair of models, asked in one order, or clear() it");
 }
 
+/// Of two convex shapes of which one is smooth; nothing of other models.
+std::optional<Distance> smooth_distance(const Model& a, const Model& b, const PairQuery& query, CoherentState& state) {
+  const PosedModels models(a, b, query, state.workspace.scratch());
+  if (models.a.parts.size() != 1 || models.b.parts.size() != 1) return {};
+  const PosedPart &part_a = models.a.parts[0], &part_b = models.b.parts[0];
+  const bool is_kept = !(state.smooth_direction == Vec3{});
+  const auto found = coherent_smooth_distance(part_a.shape, part_b.shape, state.smooth_direction);
+  if (!found) return {};
+  state.counts.searches += is_kept ? 0 : 1;
+  state.counts.last = {};
+  return numbered(*found, part_a, part_b);
+}
+
 }  // namespace
 
 DistanceCache::DistanceCache() : state_(std::make_unique<CoherentState>()) {}
@@ -42,6 +56,7 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Distan
   bind(state, a, b);
   if (!a.has_mesh() || !b.has_mesh()) {
     ++state.counts.questions;
+    if (const auto found = smooth_distance(a, b, query, state)) return *found;
     ++state.counts.searches;
     const Distance found = distance(a, b, query, state.workspace);
     state.counts.last = state.workspace.counts();
