@@ -49,7 +49,8 @@ TEST(NearestFormula, IsOffByNoMoreThanItSays) {
   int proved = 0;
   for_many_pairs([&](const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features,
                      const test::ConvexCase& pair) {
-    NearestFormula formula(features, points_of(features, a, b));
+    const FeaturePoints points = points_of(features, a, b);
+    NearestFormula formula(features, points);
     if (!formula.prove(a, b)) return;
     ++proved;
     const FormulaNearest& nearest = formula.nearest();
@@ -70,7 +71,8 @@ TEST(NearestFormula, TurnsRoundWithTheShapesBitByBit) {
   for_many_pairs([&](const SupportSearch& a, const SupportSearch& b, const NearestFeatures& features,
                      const test::ConvexCase& pair) {
     const NearestFeatures other_way = reversed(features);
-    NearestFormula forth(features, points_of(features, a, b)), back(other_way, points_of(other_way, b, a));
+    const FeaturePoints points = points_of(features, a, b), other_points = points_of(other_way, b, a);
+    NearestFormula forth(features, points), back(other_way, other_points);
     const bool proved = forth.prove(a, b);
     ASSERT_EQ(proved, back.prove(b, a)) << to_text(pair);
     if (!proved) return;
@@ -112,7 +114,8 @@ TEST(NearestFormula, RefusesFacesThatAreEquallyNearEverywhere) {
   const SupportSearch search_a(a, kernels), search_b(b, kernels);
   const GjkEnd end = search_nearest(search_a, search_b, {}, {std::numeric_limits<double>::quiet_NaN()});
   if (const auto features = canonical_features(end.simplex.pairs)) {
-    EXPECT_FALSE(NearestFormula(*features, points_of(*features, search_a, search_b)).prove(search_a, search_b));
+    const FeaturePoints points = points_of(*features, search_a, search_b);
+    EXPECT_FALSE(NearestFormula(*features, points).prove(search_a, search_b));
   }
 }
 
@@ -128,7 +131,8 @@ TEST(NearestFormula, ProvesNearlyAllHullsThatAreApart) {
     const auto features = canonical_features(end.simplex.pairs);
     if (end.inside || !features) continue;
     ++asked;
-    NearestFormula formula(*features, points_of(*features, search_a, search_b));
+    const FeaturePoints points = points_of(*features, search_a, search_b);
+    NearestFormula formula(*features, points);
     proved += formula.prove(search_a, search_b) && formula.distance(0, 0) ? 1 : 0;
   }
   EXPECT_GT(asked, 250);

@@ -230,7 +230,9 @@ inline std::string fault_of_walks(const std::string& family, Random& random, int
   const WalkedPair pair = walked_pair(family, random);
   const VoronoiRegions regions_a = regions_of(pair.a), regions_b = regions_of(pair.b);
   const std::size_t features = regions_a.features().size() + regions_b.features().size();
+  // As if the first vertices had been the nearest: the first walk is a long one.
   TrackedPair tracked, exchanged;
+  tracked.state = exchanged.state = TrackedPair::State::apart;
   for (int i = 0; i < steps; ++i) {
     const auto [pose_a, pose_b] = walked_poses(family, pair.motion, i);
     const PosedConvex a = posed({pair.a, pose_a}), b = posed({pair.b, pose_b});

@@ -146,13 +146,15 @@ class PairQuestion {
     const std::optional<NearestFeatures> features = canonical_features(simplex);
     if (!features || (asked_ && *features == *asked_)) return {};
     asked_ = features;
-    NearestFormula formula(*features, points_of(*features, a_, b_));
+    const FeaturePoints points = points_of(*features, a_, b_);
+    NearestFormula formula(*features, points);
     if (formula.prove(a_, b_)) return distance_by(formula);
     if (!formula.before()) return {};
     for (std::size_t i = 0; i < features->count_a + features->count_b; ++i) {
       const std::optional<NearestFeatures> others = exchanged(*features, i, *formula.before());
       if (!others) continue;
-      NearestFormula other(*others, points_of(*others, a_, b_));
+      const FeaturePoints other_points = points_of(*others, a_, b_);
+      NearestFormula other(*others, other_points);
       if (other.prove(a_, b_)) return distance_by(other);
     }
     return {};

@@ -46,8 +46,9 @@ struct FeaturePoints {
 /// exchanging the shapes turns the first difference and all edges round, exactly.
 class NearestFormula {
  public:
-  /// The features are canonical.
+  /// The features are canonical. Both are referred to.
   NearestFormula(const NearestFeatures& features, const FeaturePoints& points);
+  NearestFormula(const NearestFeatures& features, const FeaturePoints&& points) = delete;
 
   /// No where rounding leaves any doubt that the two features are the only nearest ones. Whether they are proved to be,
   /// and every bit of the numbers, depends on the shapes and the features alone; exchanging the shapes exchanges the
@@ -93,7 +94,7 @@ class NearestFormula {
   [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
   const NearestFeatures& features_;
-  FeaturePoints points_;
+  const FeaturePoints& points_;
   Vec3 first_;
   std::size_t edges_;
   FormulaNearest nearest_;

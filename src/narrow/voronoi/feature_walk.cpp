@@ -63,17 +63,17 @@ class Walk {
  public:
   Walk(const WalkBody& a, const WalkBody& b) : body_{a, b} {}
 
-  /// The nearest points of two features; nothing where a vertex lies behind a face.
-  std::optional<FeaturesNear> nearest(const ConvexFeature& on_a, const ConvexFeature& on_b) {
+  /// The nearest points of two features, until the next are asked for; null where a vertex lies behind a face.
+  const FeaturesNear* nearest(const ConvexFeature& on_a, const ConvexFeature& on_b) {
     best_.squared = infinity;
     if (on_a.kind == Kind::face) {
-      if (!at_face(0, on_a.index, on_b.index)) return {};
+      if (!at_face(0, on_a.index, on_b.index)) return nullptr;
     } else if (on_b.kind == Kind::face) {
-      if (!at_face(1, on_b.index, on_a.index)) return {};
+      if (!at_face(1, on_b.index, on_a.index)) return nullptr;
     } else {
       at_low_features(on_a, on_b);
     }
-    return best_;
+    return &best_;
   }
 
   /// The steepest way from the nearest points of two features to something nearer. `slope` is 0 where there is none;
@@ -90,21 +90,21 @@ class Walk {
     return best;
   }
 
-  /// The nearest that the larger feature has; nothing where the way leads behind a face.
-  std::optional<FeaturesNear> after(const FeaturesNear& near, const Descent& step) {
+  /// The nearest that the larger feature has, until the next are asked for; null where the way leads behind a face.
+  const FeaturesNear* after(const FeaturesNear& near, const Descent& step) {
     best_.squared = infinity;
     const std::size_t of = step.of, other = 1 - of;
     const ConvexFeature beside = near.feature[other];
     if (step.to.kind == Kind::face) {
       const bool found = beside.kind == Kind::vertex ? at_face(of, step.to.index, beside.index)
                                                      : along_face(of, step.to.index, beside.index, near.on[other]);
-      if (!found) return {};
+      if (!found) return nullptr;
     } else if (beside.kind == Kind::face) {
-      if (!along_face(other, beside.index, step.to.index, near.on[of])) return {};
+      if (!along_face(other, beside.index, step.to.index, near.on[of])) return nullptr;
     } else {
       at_low_features(of == 0 ? step.to : beside, of == 0 ? beside : step.to);
     }
-    return best_;
+    return &best_;
   }
 
  private:
@@ -117,10 +117,12 @@ class Walk {
              const Vec3& on_other, const Vec3& from_other) {
     const double squared = dot(from_other, from_other);
     if (!(squared < best_.squared)) return;
-    if (of == 0)
-      best_ = {{feature, other}, {on, on_other}, from_other, squared};
-    else
-      best_ = {{other, feature}, {on_other, on}, -from_other, squared};
+    best_.feature[of] = feature;
+    best_.feature[1 - of] = other;
+    best_.on[of] = on;
+    best_.on[1 - of] = on_other;
+    best_.between = of == 0 ? from_other : -from_other;
+    best_.squared = squared;
   }
 
   void at_vertices(Index a, Index b) {
@@ -128,42 +130,49 @@ class Walk {
     offer(0, {Kind::vertex, a}, {Kind::vertex, b}, on_a, on_b, on_a - on_b);
   }
 
-  /// The edge is of one shape, the vertex of the other.
-  void at_edge_and_vertex(std::size_t of, Index half_edge, Index vertex) {
-    const Index start = start_of(of, half_edge), end = end_of(of, half_edge);
-    const Vec3 from = world(of, start), along = world(of, end) - from, on_other = world(1 - of, vertex);
-    const Vec3 first = from - on_other;
-    const double forth = -dot(first, along), whole = dot(along, along);
-    const ConvexFeature other{Kind::vertex, vertex};
-    if (!(forth > 0)) return offer(of, {Kind::vertex, start}, other, from, on_other, first);
-    if (!(forth < whole)) return offer(of, {Kind::vertex, end}, other, from + along, on_other, first + along);
-    const Vec3 moved = (forth / whole) * along;
-    offer(of, {Kind::edge, parts(of).edge_of(half_edge)}, other, from + moved, on_other, first + moved);
+  struct Edge {
+    Index half_edge = 0;
+    Vec3 from, to;
+  };
+
+  [[nodiscard]] Edge edge(std::size_t of, Index half_edge) const {
+    return {half_edge, world(of, start_of(of, half_edge)), world(of, end_of(of, half_edge))};
   }
 
-  void at_edges(Index a, Index b) {
-    const Vec3 from_a = world(0, start_of(0, a)), from_b = world(1, start_of(1, b)), first = from_a - from_b;
-    const Vec3 along_a = world(0, end_of(0, a)) - from_a, along_b = world(1, end_of(1, b)) - from_b;
+  /// The edge is of one shape, the vertex of the other.
+  void at_edge_and_vertex(std::size_t of, const Edge& edge, Index vertex, const Vec3& on_other) {
+    const Vec3 along = edge.to - edge.from, first = edge.from - on_other;
+    const double forth = -dot(first, along), whole = dot(along, along);
+    const ConvexFeature other{Kind::vertex, vertex};
+    if (!(forth > 0)) return offer(of, {Kind::vertex, start_of(of, edge.half_edge)}, other, edge.from, on_other, first);
+    if (!(forth < whole))
+      return offer(of, {Kind::vertex, end_of(of, edge.half_edge)}, other, edge.to, on_other, edge.to - on_other);
+    const Vec3 moved = (forth / whole) * along;
+    offer(of, {Kind::edge, parts(of).edge_of(edge.half_edge)}, other, edge.from + moved, on_other, first + moved);
+  }
+
+  void at_edges(const Edge& a, const Edge& b) {
+    const Vec3 first = a.from - b.from, along_a = a.to - a.from, along_b = b.to - b.from;
     const Vec3 normal = cross(along_a, along_b);
     const double squared = dot(normal, normal);
     const double share_a = dot(cross(along_b, first), normal), share_b = dot(cross(along_a, first), normal);
     if (share_a > 0 && share_a < squared && share_b > 0 && share_b < squared) {
       const Vec3 between = (dot(normal, first) / squared) * normal;
-      offer(0, {Kind::edge, parts(0).edge_of(a)}, {Kind::edge, parts(1).edge_of(b)},
-            from_a + (share_a / squared) * along_a, from_b + (share_b / squared) * along_b, between);
+      offer(0, {Kind::edge, parts(0).edge_of(a.half_edge)}, {Kind::edge, parts(1).edge_of(b.half_edge)},
+            a.from + (share_a / squared) * along_a, b.from + (share_b / squared) * along_b, between);
       return;
     }
-    at_edge_and_vertex(0, a, start_of(1, b));
-    at_edge_and_vertex(0, a, end_of(1, b));
-    at_edge_and_vertex(1, b, start_of(0, a));
-    at_edge_and_vertex(1, b, end_of(0, a));
+    at_edge_and_vertex(0, a, start_of(1, b.half_edge), b.from);
+    at_edge_and_vertex(0, a, end_of(1, b.half_edge), b.to);
+    at_edge_and_vertex(1, b, start_of(0, a.half_edge), a.from);
+    at_edge_and_vertex(1, b, end_of(0, a.half_edge), a.to);
   }
 
   void at_low_features(const ConvexFeature& a, const ConvexFeature& b) {
     if (a.kind == Kind::vertex && b.kind == Kind::vertex) return at_vertices(a.index, b.index);
-    if (a.kind == Kind::vertex) return at_edge_and_vertex(1, b.index, a.index);
-    if (b.kind == Kind::vertex) return at_edge_and_vertex(0, a.index, b.index);
-    at_edges(a.index, b.index);
+    if (a.kind == Kind::vertex) return at_edge_and_vertex(1, edge(1, b.index), a.index, world(0, a.index));
+    if (b.kind == Kind::vertex) return at_edge_and_vertex(0, edge(0, a.index), b.index, world(1, b.index));
+    at_edges(edge(0, a.index), edge(1, b.index));
   }
 
   /// A vertex over a face, or beside it; no where it lies behind.
@@ -176,7 +185,7 @@ class Walk {
     plane.for_each_rim([&](Index h, const Vec3& start, const Vec3& into) {
       if (dot(into, p - start) > 0) return;
       inside = false;
-      at_edge_and_vertex(of, h, vertex);
+      at_edge_and_vertex(of, edge(of, h), vertex, p);
     });
     if (!inside) return true;
     const Vec3 up = (above / dot(plane.normal(), plane.normal())) * plane.normal();
@@ -188,10 +197,9 @@ class Walk {
   /// behind before.
   [[nodiscard]] bool along_face(std::size_t of, Index face, Index half_edge, const Vec3& start) {
     const WorldFace plane(body_[of], face);
-    const Index from = start_of(1 - of, half_edge), to = end_of(1 - of, half_edge);
-    const bool forth = dot(plane.normal(), world(1 - of, to) - world(1 - of, from)) < 0;
-    const Index end = forth ? to : from;
-    const Vec3 way = world(1 - of, end) - start;
+    const Edge over = edge(1 - of, half_edge);
+    const bool forth = dot(plane.normal(), over.to - over.from) < 0;
+    const Vec3 way = (forth ? over.to : over.from) - start;
     bool inside = true;
     double share = 1;
     std::optional<Index> out;
@@ -199,7 +207,7 @@ class Walk {
       const double height = dot(into, start - corner), falls = -dot(into, way);
       if (height < 0) {
         inside = false;
-        beside_face(of, h, half_edge);
+        beside_face(of, h, over);
       } else if (falls > 0 && height < share * falls) {
         share = height / falls;
         out = h;
@@ -207,14 +215,17 @@ class Walk {
     });
     if (!inside) return true;
     if (!(plane.height(start + share * way) > 0)) return false;
-    if (!out) return at_face(of, face, end);
-    beside_face(of, *out, half_edge);
+    if (!out) return at_face(of, face, forth ? end_of(1 - of, half_edge) : start_of(1 - of, half_edge));
+    beside_face(of, *out, over);
     return true;
   }
 
   /// Two edges: one of the face that is left, and the one that leaves it.
-  void beside_face(std::size_t of, Index rim, Index half_edge) {
-    at_edges(of == 0 ? rim : half_edge, of == 0 ? half_edge : rim);
+  void beside_face(std::size_t of, Index rim, const Edge& over) {
+    if (of == 0)
+      at_edges(edge(0, rim), over);
+    else
+      at_edges(over, edge(1, rim));
   }
 
   void from_vertex(std::size_t of, Index vertex, const Vec3& outward, Descent& best) const {
@@ -251,8 +262,8 @@ FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& o
     if (path != nullptr)
       path->visits.push_back({near.feature[0], near.feature[1], near.on[0], near.on[1], near.squared});
   };
-  const std::optional<FeaturesNear> start = walk.nearest(on_a, on_b);
-  if (!start) {
+  const FeaturesNear* const start = walk.nearest(on_a, on_b);
+  if (start == nullptr) {
     result.end = WalkEnd::below;
     result.near.feature = {on_a, on_b};
     return result;
@@ -264,10 +275,10 @@ FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& o
     result.end = below ? WalkEnd::below : WalkEnd::nearest;
     if (!(step.slope < 0)) return result;
     ++result.steps;
-    const std::optional<FeaturesNear> next = walk.after(result.near, step);
-    result.end = next ? WalkEnd::tie : WalkEnd::below;
+    const FeaturesNear* const next = walk.after(result.near, step);
+    result.end = next != nullptr ? WalkEnd::tie : WalkEnd::below;
     // Strictly: the squares of distances that were reached never come again, and there are finitely many.
-    if (!next || !(next->squared < result.near.squared)) return result;
+    if (next == nullptr || !(next->squared < result.near.squared)) return result;
     visit(*next);
   }
 }

@@ -118,9 +118,10 @@ class TrackedQuestion {
     const bool is_known = tracked_.state != TrackedPair::State::unknown && has(*body_a_.parts, tracked_.on_a) &&
                           has(*body_b_.parts, tracked_.on_b) && is_walked(tracked_.on_a, tracked_.on_b);
     if (!is_known) forget();
-    if (is_known && tracked_.cores_meet) return searched();
+    // A walk from anywhere is a long way through memory that nobody has read of late: GJK is nearer.
+    if (is_known ? tracked_.cores_meet : path_ == nullptr) return searched();
     if (!are_regions_of(body_a_, a_) || !are_regions_of(body_b_, b_)) return searched();
-    if (is_known && path_ == nullptr && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
+    if (path_ == nullptr && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
         !has_more_corners(*body_b_.parts, tracked_.on_b))
       if (const auto distance = proved({tracked_.on_a, tracked_.on_b}, {})) return kept(*distance);
     return walk();
@@ -161,7 +162,8 @@ class TrackedQuestion {
   [[nodiscard]] std::optional<Distance> proved(const std::array<ConvexFeature, 2>& features,
                                                const std::array<Vec3, 2>& on) const {
     const NearestFeatures vertices = corners(features, on);
-    NearestFormula formula(vertices, points(vertices));
+    const FeaturePoints corners_in_world = points(vertices);
+    NearestFormula formula(vertices, corners_in_world);
     if (!formula.solve()) return {};
     const Others of_a = other_vertices(body_a_, features[0], formula.across(), formula.slack());
     if (of_a == Others::lower) return {};
