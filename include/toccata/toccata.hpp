@@ -94,6 +94,7 @@
 #include "toccata/narrow/rigid_box.hpp"
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_boundary.hpp"
 #include "toccata/narrow/smooth_casts.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/narrow/sphere.hpp"

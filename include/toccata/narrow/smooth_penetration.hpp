@@ -5,9 +5,9 @@
 // How cylinders, cones and ellipsoids lie to other convex shapes, and how far they overlap.
 namespace toccata {
 
-// Apart and overlapping (crossing, where the other is a surface) are proved. Touching has the status undecided: it
-// stands for all that SmoothContact calls so. Containment is told where it is proved: of a hull without a radius within
-// a smooth shape, and of a smooth shape within a half-space; other containment is not told yet.
+// Apart and overlapping (crossing: a surface) are proved, and containment. Touching is undecided: it stands for what
+// SmoothContact calls so. Of two that overlap, undecided says: within 10⁻¹² of the size of one holding the other;
+// not_converged: a search ended, near a capsule or a rounded shape. Containment is none then.
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedSmooth& b);
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedConvex& b);
 [[nodiscard]] Relation relation(const PosedConvex& a, const PosedSmooth& b);

@@ -28,9 +28,9 @@ struct SurfacePoint {
   /// Off from the exact one by at most 10⁻¹² times the greatest magnitude of a coordinate, of the given point or of the
   /// element.
   Vec3 point{};
-  Index element = 0;  ///< as in Model: the triangle of a mesh
-  Index face = 0;     ///< the file's own face, counted from 0; of a shape that is one element 0
-  Status status = Status::exact;
+  Index element = 0;              ///< as in Model: the triangle of a mesh
+  Index face = 0;                 ///< the file's own face, counted from 0; of a shape that is one element 0
+  Status status = Status::exact;  ///< not_converged: wider, by a smooth shape
   friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
 

@@ -29,7 +29,7 @@ struct SignedDistance {
   /// Where the status is undecided, inside stands for not being known: the safe side.
   Side side = Side::outside;
   SignBy sign_by = SignBy::winding_number;  ///< which of the two told the side
-  /// undecided: the generalised winding number is a half up to what it is off by.
+  /// undecided: the generalised winding number is a half up to what it is off by. not_converged: as in SurfacePoint.
   Status status = Status::exact;
   friend constexpr bool operator==(const SignedDistance&, const SignedDistance&) = default;
 };

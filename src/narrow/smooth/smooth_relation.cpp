@@ -5,6 +5,7 @@
 
 #include "math/vec3_measures.hpp"
 
+#include "narrow/smooth/smooth_containment.hpp"
 #include "narrow/smooth/smooth_expansion.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
@@ -140,12 +141,23 @@ Penetration penetration_of(const SmoothBody& a, const SmoothBody& b, const PairF
   return result;
 }
 
-/// Every point of B's hull lies in A.
-bool is_hull_within(const SmoothBody& a, const SmoothBody& b) {
-  if (b.column_count() > 0 || b.atom_count() > 64) return false;
-  for (Index i = 0; i < b.atom_count(); ++i)
-    if (!is_within(a, b.centre(i))) return false;
-  return true;
+/// Of two that overlap: a containment that is proved, or that none is known to be.
+Relation with_containment(Relation relation, Within a_in_b, Within b_in_a) {
+  if (a_in_b == Within::yes || b_in_a == Within::yes) {
+    relation.containment = a_in_b == b_in_a        ? Containment::equal
+                           : a_in_b == Within::yes ? Containment::a_in_b
+                                                   : Containment::b_in_a;
+    return relation;
+  }
+  if (a_in_b == Within::undecided || b_in_a == Within::undecided)
+    relation.status = Status::undecided;
+  else if (a_in_b == Within::unfinished || b_in_a == Within::unfinished)
+    relation.status = Status::not_converged;
+  return relation;
+}
+
+bool may_hold(const Relation& found) {
+  return found.kind == RelationKind::overlapping || found.kind == RelationKind::crossing;
 }
 
 Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
@@ -160,7 +172,6 @@ Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
     return result;
   }
   result.kind = b_solid ? RelationKind::overlapping : RelationKind::crossing;
-  if (is_hull_within(a, b)) result.containment = Containment::b_in_a;
   return result;
 }
 
@@ -169,12 +180,21 @@ Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
 Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
   if (comes_before(b, a)) return exchanged(relation(b, a));
   const PairFrame frame = pair_frame(a, b);
-  return relation_of(SmoothBody(a, frame), SmoothBody(b, frame), true);
+  const SmoothBody body_a(a, frame), body_b(b, frame);
+  const Relation found = relation_of(body_a, body_b, true);
+  if (!may_hold(found)) return found;
+  if (a == b) return with_containment(found, Within::yes, Within::yes);
+  return with_containment(found, is_held_by_smooth(body_a, body_b), is_held_by_smooth(body_b, body_a));
 }
 
 Relation relation(const PosedSmooth& a, const PosedConvex& b) {
   const PairFrame frame = pair_frame(a, b);
-  return relation_of(SmoothBody(a, frame), SmoothBody(b, frame), b.solid());
+  const SmoothBody body_a(a, frame), body_b(b, frame);
+  const Relation found = relation_of(body_a, body_b, b.solid());
+  if (!may_hold(found)) return found;
+  const Within b_in_a = is_held_by_smooth(b, body_b, a, body_a);
+  const bool is_all = b_in_a == Within::yes || !b.solid();
+  return with_containment(found, is_all ? Within::no : is_held_by_convex(body_a, b, body_b, frame), b_in_a);
 }
 
 Relation relation(const PosedConvex& a, const PosedSmooth& b) { return exchanged(relation(b, a)); }

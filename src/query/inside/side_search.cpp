@@ -6,6 +6,7 @@
 #include "query/inside/inside_winding.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_boundary.hpp"
 
 namespace toccata {
 namespace {
@@ -24,6 +25,7 @@ SignBy method_for(const PosedMesh& mesh, SignBy asked) {
 
 /// Neither a mesh nor a surface.
 bool holds(const PosedShape& shape, const PosedConvex& point) {
+  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return side_of(point.vertex(0), *smooth) != Sign::positive;
   if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->solid() && overlap(point, *convex);
   const auto* half_space = std::get_if<PosedHalfSpace>(&shape);
   return half_space != nullptr && overlap(point, *half_space);
@@ -49,7 +51,7 @@ SignedDistance with_side(const SurfacePoint& nearest, const FoundSide& found) {
   result.face = nearest.face;
   result.side = found.side;
   result.sign_by = found.sign_by;
-  result.status = found.status;
+  result.status = found.status == Status::exact ? nearest.status : found.status;
   return result;
 }
 

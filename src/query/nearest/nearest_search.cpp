@@ -7,12 +7,19 @@
 
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_boundary.hpp"
 
 namespace toccata {
 namespace {
 
 void require_distance(double max_distance) {
   if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
+}
+
+SurfacePoint nearest_of_smooth(const Vec3& point, const PosedSmooth& shape) {
+  const BoundaryPoint found = boundary_point(point, shape);
+  const double lower = found.status == Status::exact ? lower_from(found.upper) : found.lower;
+  return {true, lower, found.upper, found.point, 0, 0, found.status};
 }
 
 SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
@@ -29,11 +36,6 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
       max_distance_(query.max_distance) {
   require_distance(max_distance_);
   for (const PosedPart& part : posed_.parts) {
-    if (std::holds_alternative<PosedSmooth>(part.shape))
-      throw Error(
-          fmt::format("the nearest points of the surface of a {} are not told yet; ask the distance of a point, which "
-                      "is 0 within it",
-                      name_of(part.kind)));
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
       meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
     if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
@@ -51,6 +53,8 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
       nearest.see(numbered((*convex++)->nearest(point, scratch), part));
     if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
       nearest.see(numbered(nearest_of_boundary(point, *half_space), part));
+    if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape))
+      nearest.see(numbered(nearest_of_smooth(point, *smooth), part));
   }
   for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch);
   return nearest.in_order();
