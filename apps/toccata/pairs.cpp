@@ -15,17 +15,7 @@
 namespace toccata::command {
 namespace {
 
-std::string_view name_of(PairState state) {
-  switch (state) {
-    case PairState::defined:
-      return "defined";
-    case PairState::not_defined:
-      return "not defined";
-    case PairState::later:
-      break;
-  }
-  return "later";
-}
+std::string_view name_of(PairState state) { return state == PairState::defined ? "defined" : "not defined"; }
 
 std::string first_name(ShapeQuestion question, ShapeKind a) {
   return std::string(question == ShapeQuestion::cast_ray ? "ray" : toccata::name_of(a));

@@ -96,6 +96,7 @@
 #include "toccata/narrow/smooth.hpp"
 #include "toccata/narrow/smooth_boundary.hpp"
 #include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/smooth_manifold.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/narrow/sphere.hpp"
 #include "toccata/narrow/sum_locator.hpp"

@@ -41,8 +41,8 @@ constexpr bool table_defines(ShapeQuestion question, ShapeClass a, ShapeClass b)
 inline void require_answered(ShapeQuestion question, ShapeKind a, ShapeKind b) {
   const PairCell cell = pair_cell(question, a, b);
   if (cell.state != PairState::defined)
-    throw Error(fmt::format("{} of a {} and a {} is not {}: {}", name_of(question), name_of(a), name_of(b),
-                            cell.state == PairState::later ? "answered" : "defined", cell.text));
+    throw Error(
+        fmt::format("{} of a {} and a {} is not defined: {}", name_of(question), name_of(a), name_of(b), cell.text));
 }
 
 template <class Asked, class A, class B>

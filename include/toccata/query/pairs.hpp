@@ -56,11 +56,7 @@ enum class ShapeClass : std::uint8_t { convex, smooth, half_space, triangles, co
          kind == ShapeKind::height_field;
 }
 
-enum class PairState : std::uint8_t {
-  defined,
-  not_defined,
-  later,  ///< it has an answer, which this version does not give
-};
+enum class PairState : std::uint8_t { defined, not_defined };
 
 struct PairCell {
   PairState state = PairState::defined;
@@ -102,10 +98,8 @@ inline constexpr PairCell by_planes{PairState::defined, "parting planes, proved 
 inline constexpr PairCell by_roots{PairState::defined,
                                    "roots of a quadratic equation, else parting planes; proved interval"};
 inline constexpr PairCell proof_by_tree{PairState::defined, "tree, proved pairs, else undecided within 10⁻¹²"};
-inline constexpr PairCell smooth_manifold{
-    PairState::later,
-    "points of contact of cylinders, cones and ellipsoids are not told yet; ask penetration, which "
-    "tells the direction and a point on each"};
+inline constexpr PairCell smooth_features{PairState::defined,
+                                          "clipped faces, lines and rims along the direction of depth"};
 
 constexpr bool has(ShapeClass wanted, ShapeClass a, ShapeClass b) { return a == wanted || b == wanted; }
 
@@ -137,7 +131,7 @@ constexpr PairCell penetration(ShapeKind kind_a, ShapeKind kind_b, ShapeClass a,
 constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return many_manifolds;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return boundless;
-  return has(ShapeClass::smooth, a, b) ? smooth_manifold : by_features;
+  return has(ShapeClass::smooth, a, b) ? smooth_features : by_features;
 }
 
 constexpr PairCell cast(ShapeClass a, ShapeClass b) {

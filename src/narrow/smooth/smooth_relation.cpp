@@ -9,6 +9,7 @@
 #include "narrow/smooth/smooth_expansion.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
+#include "narrow/smooth/smooth_parting.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/trigonometry.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_corners = 96;
 
-/// Two bodies that certainly have a common inner point.
+/// Two bodies that meet.
 class DeepPair {
  public:
   DeepPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b), polish_(a, b) {}
@@ -27,8 +28,10 @@ class DeepPair {
   Penetration answer(const SmoothNearest& met) {
     if (met.is_around)
       expand(met.around);
-    else
+    else if (met.contact == SmoothContact::contact)
       expand_from_search();
+    else
+      try_search();
     try_direction(unit_or(Vec3{}, a_.middle_point(), b_.middle_point()));
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       try_direction(axis);
@@ -58,6 +61,13 @@ class DeepPair {
       std::array<SmoothSearch::Corner, 4> corner;
       if (search.corners(corner) == 4 && search.inside()) return expand(corner);
     }
+  }
+
+  /// Of bodies that hardly meet, the direction along which they are parted most nearly.
+  void try_search() {
+    SmoothSearch search(a_, b_, plain(a_.middle_point()) - plain(b_.middle_point()));
+    search.run(0);
+    try_direction(-search.best_direction());
   }
 
   void expand(const std::array<SmoothSearch::Corner, 4>& four) {
@@ -176,6 +186,10 @@ Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
 }
 
 }  // namespace
+
+Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
+  return DeepPair(a, b).answer(met);
+}
 
 Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
   if (comes_before(b, a)) return exchanged(relation(b, a));

@@ -2,6 +2,7 @@
 
 #include "query/ask.hpp"
 #include "query/contacts/part_contacts.hpp"
+#include "toccata/narrow/smooth_manifold.hpp"
 
 namespace toccata {
 namespace {
@@ -11,6 +12,10 @@ struct AskManifold {
 
   Manifold operator()(const PosedConvex& a, const PosedConvex& b) const { return manifold(a, b, &scratch.convex); }
   Manifold operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return manifold(a, b); }
+  template <PosedConvexSet Other>
+  Manifold operator()(const PosedSmooth& a, const Other& b) const {
+    return manifold(a, b);
+  }
 
   SearchScratch& scratch;
 };

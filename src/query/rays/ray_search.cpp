@@ -63,7 +63,7 @@ void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<co
 void require_answered(ShapeKind target) {
   const PairCell cell = pair_cell(ShapeQuestion::cast_ray, ShapeKind::point, target);
   if (cell.state != PairState::defined)
-    throw Error(fmt::format("cast-ray at a {} is not answered: {}", name_of(target), cell.text));
+    throw Error(fmt::format("cast-ray at a {} is not defined: {}", name_of(target), cell.text));
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "narrow/smooth_cases.hpp"
+#include "narrow/smooth_manifold_checks.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
+
+namespace toccata::test {
+namespace {
+
+using FeatureKind = ConvexFeature::Kind;
+
+Pose placed_at(double x, double y, double z) { return Pose::translation(x, y, z); }
+
+/// Its top is the plane z = 0.
+PosedConvex table() { return PosedConvex(Box({2, 2, 0.5}), placed_at(0, 0, -0.5)); }
+
+std::vector<Vec3> sorted_positions(const Manifold& m) {
+  std::vector<Vec3> result;
+  for (int i = 0; i < m.count; ++i) result.push_back(position_of(m, i));
+  std::sort(result.begin(), result.end(), lexicographically_less);
+  return result;
+}
+
+void expect_points(const Manifold& m, std::vector<Vec3> wanted, double depth) {
+  std::sort(wanted.begin(), wanted.end(), lexicographically_less);
+  const std::vector<Vec3> found = sorted_positions(m);
+  ASSERT_EQ(found.size(), wanted.size());
+  for (const Vec3& p : wanted)
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Vec3& q) { return dot(p - q, p - q) < 1e-22; }))
+        << p.x << " " << p.y << " " << p.z;
+  for (int i = 0; i < m.count; ++i) EXPECT_NEAR(m.points[static_cast<std::size_t>(i)].depth, depth, 1e-13);
+}
+
+const double part = std::sqrt(0.125);
+
+TEST(SmoothManifold, OfAStandingCylinderAreFourPointsOfItsRim) {
+  for (const double depth : {0.0, 0.01}) {
+    const Manifold m = manifold(PosedSmooth(Cylinder(0.5, 1), placed_at(0, 0, 1 - depth)), table());
+    EXPECT_EQ(m.normal, (Vec3{0, 0, -1}));
+    const double z = -depth / 2;
+    expect_points(m, {{part, part, z}, {-part, part, z}, {part, -part, z}, {-part, -part, z}}, depth);
+    std::vector<Index> quarters;
+    for (const ManifoldPoint& p : m.points) {
+      EXPECT_EQ(p.on_a.kind, FeatureKind::edge);
+      EXPECT_EQ(p.on_b, (ConvexFeature{FeatureKind::face, 5}));
+      quarters.push_back(p.on_a.index);
+    }
+    std::sort(quarters.begin(), quarters.end());
+    EXPECT_EQ(quarters, (std::vector<Index>{0, 1, 2, 3}));
+  }
+}
+
+TEST(SmoothManifold, OfAStandingConeIsThatOfItsBase) {
+  const Manifold m = manifold(PosedSmooth(Cone(0.5, 1), placed_at(0, 0, 1)), table());
+  expect_points(m, {{part, part, 0}, {-part, part, 0}, {part, -part, 0}, {-part, -part, 0}}, 0);
+  const Manifold tip = manifold(table(), PosedSmooth(Cone(0.5, 1), {rotation_about({1, 0, 0}, 180), {0, 0, 0.99}}));
+  expect_points(tip, {{0, 0, -0.005}}, 0.01);
+  EXPECT_EQ(tip.points[0].on_b, (ConvexFeature{FeatureKind::vertex, 0}));
+}
+
+TEST(SmoothManifold, OverTheTablesEdgeAreTheEndsOfWhatStandsOnIt) {
+  const PosedSmooth half_over(Cylinder(0.5, 1), placed_at(2, 0, 1));
+  const Manifold m = manifold(half_over, table());
+  ASSERT_EQ(m.count, 4);
+  const std::vector<Vec3> at = sorted_positions(m);
+  EXPECT_NEAR(at[0].x, 1.5, 1e-14);
+  EXPECT_NEAR(at[2].x, 2, 1e-14);
+  EXPECT_NEAR(at[2].y, -0.5, 1e-14);
+  EXPECT_NEAR(at[3].y, 0.5, 1e-14);
+  EXPECT_GT(hull_area(m), 0.6 * 3.14159 / 8);
+}
+
+TEST(SmoothManifold, OfALyingCylinderAreTheEndsOfItsLine) {
+  const Mat3 lying = rotation_about({1, 0, 0}, 90);
+  expect_points(manifold(PosedSmooth(Cylinder(0.5, 1), {lying, {0, 0, 0.5}}), table()), {{0, -1, 0}, {0, 1, 0}}, 0);
+  const Manifold over = manifold(PosedSmooth(Cylinder(0.5, 1), {lying, {0, 1.5, 0.5 - 0.0625}}), table());
+  expect_points(over, {{0, 0.5, -0.03125}, {0, 2, -0.03125}}, 0.0625);
+}
+
+TEST(SmoothManifold, OfALyingConeAreTheTipAndAPointOfItsRim) {
+  const double half_angle = std::atan2(0.5, 2), degrees = half_angle * 180 / 3.14159265358979323846;
+  const PosedSmooth cone(Cone(0.5, 1), {rotation_about({1, 0, 0}, -90 - degrees), {0, 0, std::sin(half_angle)}});
+  const double along = std::cos(half_angle), whole = std::sqrt(4.25);
+  expect_points(manifold(cone, table()), {{0, along, 0}, {0, along - whole, 0}}, 0);
+}
+
+TEST(SmoothManifold, OfTwoCapsAreTheEndsOfTheirLens) {
+  const Manifold m = manifold(PosedSmooth(Cylinder(0.5, 1)), PosedSmooth(Cylinder(0.5, 1), placed_at(0.6, 0, 1.875)));
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
+  expect_points(m, {{0.1, 0, 0.9375}, {0.5, 0, 0.9375}, {0.3, 0.4, 0.9375}, {0.3, -0.4, 0.9375}}, 0.125);
+  // A sliver of a lens, of which no point of a rim that is counted is a part.
+  const double apart = 1 - 1e-5, half_chord = std::sqrt(0.25 - apart * apart / 4);
+  const Manifold sliver =
+      manifold(PosedSmooth(Cylinder(0.5, 1)), PosedSmooth(Cylinder(0.5, 1), placed_at(apart, 0, 2 - 0x1p-30)));
+  ASSERT_GE(sliver.count, 2);
+  EXPECT_NEAR(std::fabs(position_of(sliver, 0).y), half_chord, 1e-9);
+}
+
+TEST(SmoothManifold, OfTwoCylindersSideBySideAreTheEndsOfTheirCommonLine) {
+  const Manifold m = manifold(PosedSmooth(Cylinder(0.5, 1)), PosedSmooth(Cylinder(0.5, 1), placed_at(0.9375, 0, 1)));
+  expect_points(m, {{0.46875, 0, 0}, {0.46875, 0, 1}}, 0.0625);
+  const PosedSmooth crossed(Cylinder(0.5, 1), {rotation_about({1, 0, 0}, 90), {0.9375, 0, 0}});
+  expect_points(manifold(PosedSmooth(Cylinder(0.5, 1)), crossed), {{0.46875, 0, 0}}, 0.0625);
+}
+
+TEST(SmoothManifold, OfAnEllipsoidIsOnePoint) {
+  expect_points(manifold(PosedSmooth(Ellipsoid({0.5, 0.25, 0.75}), placed_at(1, 0, 0.5)), table()), {{1, 0, -0.125}},
+                0.25);
+  expect_points(manifold(PosedSmooth(Ellipsoid({1, 1, 2})), PosedSmooth(Ellipsoid({1, 2, 1}), placed_at(1.75, 0, 0))),
+                {{0.875, 0, 0}}, 0.25);
+}
+
+TEST(SmoothManifold, OnACapIsWhatTheOtherShapeHasThere) {
+  const PosedSmooth can(Cylinder(0.5, 1));
+  expect_points(manifold(can, PosedConvex(Sphere(0.25), placed_at(0.125, 0, 1.1875))), {{0.125, 0, 0.96875}}, 0.0625);
+  const PosedConvex capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.25), placed_at(0, 0, 1.1875));
+  expect_points(manifold(can, capsule), {{-0.5, 0, 0.96875}, {0.5, 0, 0.96875}}, 0.0625);
+  const PosedConvex ridge(Box({0.5, 1, 0.5}), {rotation_about({0, 1, 0}, 45), {0.3, 0, 1 + std::sqrt(0.5) - 0.0625}});
+  expect_points(manifold(can, ridge), {{0.3, -0.4, 0.96875}, {0.3, 0.4, 0.96875}}, 0.0625);
+}
+
+TEST(SmoothManifold, OfARimOnAnEdgeIsOnePoint) {
+  const PosedConvex beam(Box({0.25, 4, 0.25}), {rotation_about({0, 1, 0}, 45), {0, 0, -0.25 * std::sqrt(2.0)}});
+  const double height = std::sqrt(0.75) + 0.25, depth = 0.0625;
+  const PosedSmooth tilted(Cylinder(0.5, 1), {rotation_about({1, 0, 0}, 30), {0, 0, height - depth}});
+  const Manifold m = manifold(tilted, beam);
+  ASSERT_EQ(m.count, 1);
+  EXPECT_NEAR(m.points[0].depth, depth, 1e-12);
+  EXPECT_EQ(m.points[0].on_a.kind, FeatureKind::edge);
+  EXPECT_EQ(m.points[0].on_b.kind, FeatureKind::edge);
+}
+
+TEST(SmoothManifold, HoldsForAffineImages) {
+  Pose sheared = placed_at(0.25, 0, 1);
+  sheared.linear[0] = {1.5, 0, 0.5};
+  const Manifold m = manifold(PosedSmooth(Cylinder(0.5, 1), sheared), table());
+  expect_points(m, {{-1, 0, 0}, {0.5, 0, 0}, {-0.25, 0.5, 0}, {-0.25, -0.5, 0}}, 0);
+}
+
+TEST(SmoothManifold, OnAHalfSpace) {
+  const PosedHalfSpace ground(HalfSpace({0, 0, 0}, {0, 0, 2}));
+  const Manifold m = manifold(PosedSmooth(Cylinder(0.5, 1), placed_at(0, 0, 0.9375)), ground);
+  EXPECT_EQ(m.normal, (Vec3{0, 0, -1}));
+  expect_points(m, {{part, part, -0.03125}, {-part, part, -0.03125}, {part, -part, -0.03125}, {-part, -part, -0.03125}},
+                0.0625);
+  EXPECT_EQ(manifold(ground, PosedSmooth(Cylinder(0.5, 1), placed_at(0, 0, 1.5))).count, 0);
+  // Tilted a little, the lowest point comes first, and the others stay within the gap of what rests.
+  const PosedSmooth tilted(Cylinder(0.5, 1), {rotation_about({1, 0, 0}, 0.01), {0, 0, 1}});
+  const Manifold lean = manifold(tilted, ground);
+  ASSERT_EQ(lean.count, 4);
+  EXPECT_LT(position_of(lean, 0).y, -0.49);
+  EXPECT_LT(lean.points[1].depth, 0);
+}
+
+TEST(SmoothManifold, OfATriangleIsDefined) {
+  const PosedConvex floor(Triangle{{{{-2, -2, 0}, {2, -2, 0}, {0, 2, 0}}}});
+  const Manifold m = manifold(floor, PosedSmooth(Cylinder(0.5, 1), placed_at(0, 0, 1 - 0.0625)));
+  EXPECT_EQ(m.count, 4);
+  EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
+}
+
+TEST(SmoothManifold, IsEmptyExactlyWhenTheShapesAreApart) {
+  EXPECT_EQ(manifold(PosedSmooth(Cylinder(0.5, 1), placed_at(0, 0, 1.001)), table()).count, 0);
+  EXPECT_EQ(manifold(PosedSmooth(Ellipsoid({1, 1, 1}), placed_at(0, 0, 1.001)), table()).count, 0);
+}
+
+TEST(SmoothManifold, HoldsTheRegionOfContact) {
+  const auto set_of = [](const PosedSmooth& can) {
+    return oracle::smooth_set(oracle::FineKind::cylinder, can.half(), can.pose());
+  };
+  const oracle::FineSet box = fine_set(PlacedConvex{Box({2, 2, 0.5}), placed_at(0, 0, -0.5)});
+  for (const double x : {0.0, 1.75, 2.0, 2.25})
+    for (const double y : {0.0, 1.9, 2.2}) {
+      const PosedSmooth can(Cylinder(0.5, 1), placed_at(x, y, 0.9375));
+      const Manifold m = manifold(can, table());
+      ASSERT_GT(m.count, 0);
+      EXPECT_EQ(smooth_manifold_fault(m, set_of(can), box, 2), "") << x << " " << y;
+      EXPECT_EQ(contact_extent_fault(m, set_of(can), box, 2), "") << x << " " << y;
+    }
+}
+
+}  // namespace
+}  // namespace toccata::test
