@@ -106,10 +106,12 @@ class ByKeptAxis : public OfTracked {
 ConvexOffer toccata_tracked(const ConvexWork& work) {
   ConvexOffer offer;
   if (work.pair != "hull" || !work.coherent) return offer;
-  if (work.task == ConvexTask::overlap) offer.libraries.push_back(std::make_unique<ByKeptAxis>());
-  if (work.task != ConvexTask::distance) return offer;
+  if (work.task != ConvexTask::overlap && work.task != ConvexTask::distance) return offer;
   offer.libraries.push_back(std::make_unique<ByVoronoiWalk>());
-  offer.libraries.push_back(std::make_unique<ByColdGjk>());
+  if (work.task == ConvexTask::overlap)
+    offer.libraries.push_back(std::make_unique<ByKeptAxis>());
+  else
+    offer.libraries.push_back(std::make_unique<ByColdGjk>());
   return offer;
 }
 
