@@ -10,7 +10,7 @@
 namespace toccata {
 namespace {
 
-void expect_depth(const PosedSmooth& shape, const Vec3& point, double depth) {
+void expect_depth_of_smooth(const PosedSmooth& shape, const Vec3& point, double depth) {
   const BoundaryPoint found = boundary_point(point, shape);
   EXPECT_EQ(found.side, Sign::negative);
   EXPECT_EQ(found.status, Status::exact);
@@ -22,29 +22,29 @@ void expect_depth(const PosedSmooth& shape, const Vec3& point, double depth) {
 
 TEST(SmoothBoundary, ClosedForms) {
   const PosedSmooth ball(Ellipsoid({1, 1, 1})), can(Cylinder(1, 2)), cone(Cone(1, 1)), egg(Ellipsoid({1, 2, 3}));
-  expect_depth(ball, {0, 0, 0}, 1);
-  expect_depth(ball, {0.5, 0, 0}, 0.5);
-  expect_depth(ball, {1 - 0x1p-40, 0, 0}, 0x1p-40);
-  expect_depth(can, {0, 0, 0}, 1);
-  expect_depth(can, {0.125, 0, 1.5}, 0.5);
-  expect_depth(can, {0.75, 0, -1}, 0.25);
-  expect_depth(cone, {0, 0, -0.875}, 0.125);
-  expect_depth(cone, {0, 0, 0}, 1 / std::sqrt(5.0));
-  expect_depth(cone, {0, 0, 1 - 0x1p-30}, 0x1p-30 / std::sqrt(5.0));
+  expect_depth_of_smooth(ball, {0, 0, 0}, 1);
+  expect_depth_of_smooth(ball, {0.5, 0, 0}, 0.5);
+  expect_depth_of_smooth(ball, {1 - 0x1p-40, 0, 0}, 0x1p-40);
+  expect_depth_of_smooth(can, {0, 0, 0}, 1);
+  expect_depth_of_smooth(can, {0.125, 0, 1.5}, 0.5);
+  expect_depth_of_smooth(can, {0.75, 0, -1}, 0.25);
+  expect_depth_of_smooth(cone, {0, 0, -0.875}, 0.125);
+  expect_depth_of_smooth(cone, {0, 0, 0}, 1 / std::sqrt(5.0));
+  expect_depth_of_smooth(cone, {0, 0, 1 - 0x1p-30}, 0x1p-30 / std::sqrt(5.0));
   // On the axes of an ellipsoid the nearest points leave the axis where it bends less: x² = a² (1 − z² / (c² − a²)).
-  expect_depth(egg, {0, 0, 0}, 1);
-  expect_depth(egg, {0, 0, 2}, std::sqrt(0.5));
-  expect_depth(egg, {0, 0, 2.875}, 0.125);
+  expect_depth_of_smooth(egg, {0, 0, 0}, 1);
+  expect_depth_of_smooth(egg, {0, 0, 2}, std::sqrt(0.5));
+  expect_depth_of_smooth(egg, {0, 0, 2.875}, 0.125);
 }
 
 TEST(SmoothBoundary, OfNeedlesPlatesAndFarPlaces) {
   const Pose turned{rotation_about({0.36, 0.48, 0.8}, 30), {5, 6, 7}};
-  expect_depth(PosedSmooth(Ellipsoid({1e-6, 1e-6, 1}), turned), {5, 6, 7}, 1e-6);
-  expect_depth(PosedSmooth(Ellipsoid({1, 1, 1e-6}), turned), {5, 6, 7}, 1e-6);
-  expect_depth(PosedSmooth(Cylinder(1e-6, 1), turned), {5, 6, 7}, 1e-6);
-  expect_depth(PosedSmooth(Cylinder(1, 1), Pose::translation(1e8, 1e8, 1e8)), {1e8 + 0.75, 1e8, 1e8}, 0.25);
-  expect_depth(PosedSmooth(Ellipsoid({0x1p-100, 0x1p-99, 0x1p-98})), {}, 0x1p-100);
-  expect_depth(PosedSmooth(Cone(0x1p100, 0x1p100)), {}, 0x1p100 / std::sqrt(5.0));
+  expect_depth_of_smooth(PosedSmooth(Ellipsoid({1e-6, 1e-6, 1}), turned), {5, 6, 7}, 1e-6);
+  expect_depth_of_smooth(PosedSmooth(Ellipsoid({1, 1, 1e-6}), turned), {5, 6, 7}, 1e-6);
+  expect_depth_of_smooth(PosedSmooth(Cylinder(1e-6, 1), turned), {5, 6, 7}, 1e-6);
+  expect_depth_of_smooth(PosedSmooth(Cylinder(1, 1), Pose::translation(1e8, 1e8, 1e8)), {1e8 + 0.75, 1e8, 1e8}, 0.25);
+  expect_depth_of_smooth(PosedSmooth(Ellipsoid({0x1p-100, 0x1p-99, 0x1p-98})), {}, 0x1p-100);
+  expect_depth_of_smooth(PosedSmooth(Cone(0x1p100, 0x1p100)), {}, 0x1p100 / std::sqrt(5.0));
 }
 
 TEST(SmoothBoundary, SidesAreExact) {
