@@ -93,7 +93,11 @@ Within is_held_by_rounded(const SmoothBody& held, const PosedConvex& by, const P
 Within is_held_by_smooth(const PosedConvex& shape, const SmoothBody& held, const PosedSmooth& by,
                          const SmoothBody& holder) {
   if (shape.radius() > 0) return sticks_out(held, holder) ? Within::no : is_held(UnitFrame(holder), held);
+  const UnitFrame unit(holder);
   for (Index i = 0; i < shape.vertex_count(); ++i) {
+    const Within within = is_held(unit, unit.atom(held, i));
+    if (within == Within::yes) continue;
+    if (within == Within::no) return within;
     const Sign side = side_of(shape.vertex(i), by);
     if (side == Sign::positive || (side == Sign::zero && !shape.solid())) return Within::no;
   }
