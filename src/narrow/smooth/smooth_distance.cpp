@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/smooth/quick_proof.hpp"
 #include "narrow/smooth/smooth_coherent.hpp"
 #include "narrow/smooth/smooth_nearest.hpp"
@@ -14,6 +15,14 @@ namespace {
 
 /// The search ends early: what it leaves, Newton's method gains faster, and where that fails it goes on.
 constexpr double quick_parts[] = {0.7, 0.1, 1e-2, 1e-3};
+
+/// What gaps in a pair's frame may be off by, with u = 2⁻⁵³. All coordinates of centres and columns are at most 2
+/// there, and off by 6 u and 2 u. So the height of an atom is off by 21 u for its centre and 37 u for its growth, and
+/// the gap of two support points differs from what their heights leave by 100 u: 216 u in all.
+constexpr double gap_rounding = 0x1p-44;
+
+/// In a pair's frame: the intervals of greater distances are narrow.
+constexpr double hair = 0x1p-29;
 
 struct Pair {
   Pair(const PosedSmooth& first, const PosedSmooth& second)
@@ -95,13 +104,16 @@ class QuickPair {
 
   bool is_apart() {
     search_.run_until_apart();
+    if (search_.best_gap() > gap_rounding) return true;
     return search_.best_gap() > 0 && lower_along(search_.best_direction()) > 0;
   }
 
   /// `factor` is that of the pair's frame.
   std::optional<bool> is_within(double tolerance, double factor) {
     search_.run_until_compared(factor * tolerance);
-    if (search_.best_gap() > factor * tolerance && lower_along(search_.best_direction()) > tolerance) return false;
+    // By so much more that the tolerance lies below the interval of the distance too, which is wider for hairs only.
+    const double length = (1 + 0x1p-38) * plain_length(search_.best_direction());
+    if (search_.best_gap() > length * (factor * tolerance) + hair) return false;
     begin_polish();
     if (proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), polish_.direction()).upper <= tolerance) return true;
     return {};
