@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "answer.hpp"
 #include "arguments.hpp"
@@ -16,8 +17,19 @@ namespace toccata::command {
 namespace {
 
 std::string percent_text(const ConvexParts& parts) {
-  if (parts.mesh_volume == 0) return "";
-  return fmt::format(" ({:.2f} % more)", 100 * parts.excess / parts.mesh_volume);
+  if (!std::isfinite(parts.hull_volume) || parts.mesh_volume == 0) return "";
+  return fmt::format(" ({:.2f} % more)", 100 * (parts.excess / parts.mesh_volume));
+}
+
+/// A volume that doubles cannot hold is said to be so; one that has none is flat.
+std::string volume_text(double volume, int digits, bool is_flat) {
+  if (std::isinf(volume)) return "more than 1.8e308";
+  if (volume == 0 && !is_flat) return "less than 4.9e-324";
+  return fmt::format("{:.{}g}", volume, digits);
+}
+
+bool are_flat(const ConvexParts& parts) {
+  return std::ranges::all_of(parts.parts, [](const ConvexPart& part) { return part.hull.dimension() < 3; });
 }
 
 }  // namespace
@@ -29,17 +41,16 @@ std::string table_of(const CheckInput&, const DecomposeReport& report) {
   std::vector<std::vector<std::string>> rows{{"part", "volume", "vertices", "faces of the mesh", "from the solid"}};
   for (std::size_t i = 0; i < std::min(shown, parts.parts.size()); ++i) {
     const ConvexPart& part = parts.parts[i];
-    rows.push_back({printable(pieces.objects[i].name), fmt::format("{:.4g}", part.volume),
+    rows.push_back({printable(pieces.objects[i].name), volume_text(part.volume, 4, part.hull.dimension() < 3),
                     grouped(part.hull.vertex_count()), grouped(part.faces.size()),
                     part.concavity == 0 ? "nowhere" : fmt::format("at most {:.3g}", part.concavity)});
   }
   std::string text = columns(rows, 0);
   if (parts.parts.size() > shown) text += fmt::format("… and {} more (all with --json)\n", parts.parts.size() - shown);
   return text +
-         fmt::format(
-             "{} with {:.6g} in all around a solid of {:.6g}{}; no point of them is farther from it than {:.3g}.\n",
-             counted(parts.parts.size(), "convex part"), parts.hull_volume, parts.mesh_volume, percent_text(parts),
-             parts.concavity);
+         fmt::format("{} with {} in all around a solid of {}{}; no point of them is farther from it than {:.3g}.\n",
+                     counted(parts.parts.size(), "convex part"), volume_text(parts.hull_volume, 6, are_flat(parts)),
+                     volume_text(parts.mesh_volume, 6, are_flat(parts)), percent_text(parts), parts.concavity);
 }
 
 int run_decompose(const DecomposeArguments& arguments) {

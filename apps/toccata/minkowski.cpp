@@ -29,6 +29,22 @@ std::string faces_text(const MinkowskiSum& sum) {
                      kinds[0], kinds[1], kinds[2], kinds[3]);
 }
 
+/// What the sum is; with a radius, what a ball grows it to.
+std::string shape_text_of(const MinkowskiSum& sum) {
+  const double radius = sum.radius();
+  const bool has_radius = radius > 0;
+  if (sum.dimension() == 0)
+    return has_radius ? fmt::format("a ball of radius {:.12g} around {}", radius, point_text(sum.vertex(0)))
+                      : fmt::format("the point {}", point_text(sum.vertex(0)));
+  if (sum.dimension() == 1) {
+    const std::string ends = fmt::format("from {} to {}", point_text(sum.vertex(0)), point_text(sum.vertex(1)));
+    return has_radius ? fmt::format("a capsule of radius {:.12g} {}", radius, ends) : "a segment " + ends;
+  }
+  const std::string text = fmt::format("{} of {}{}", sum.dimension() == 2 ? "a flat polygon" : "a solid",
+                                       counted(sum.vertex_count(), "vertex", "vertices"), faces_text(sum));
+  return has_radius ? fmt::format("{}; grown by a ball of radius {:.12g}", text, radius) : text;
+}
+
 std::string point_line(const MinkowskiSum& sum, const Vec3& point) {
   const Sign side = sum.side_of(point);
   return fmt::format("{} {}\n", point_text(point),
@@ -87,14 +103,9 @@ std::string written_mesh(const MinkowskiReport& report, const std::string& unit,
 }  // namespace
 
 std::string table_of(const CheckInput&, const MinkowskiReport& report) {
-  constexpr const char* solids[] = {"a point", "a segment", "a flat polygon", "a solid"};
   const MinkowskiSum& sum = report.sum;
-  std::string text =
-      fmt::format("{} of A = {} and B = {}: {} of {}", name_of(report.question), printable(report.a),
-                  printable(report.b), solids[sum.dimension()], counted(sum.vertex_count(), "vertex", "vertices"));
-  if (sum.dimension() > 1) text += faces_text(sum);
-  if (sum.radius() > 0) text += fmt::format("; grown by {:.12g}", sum.radius());
-  text += "\n";
+  std::string text = fmt::format("{} of A = {} and B = {}: {}\n", name_of(report.question), printable(report.a),
+                                 printable(report.b), shape_text_of(sum));
   return report.question.point ? text + point_line(sum, *report.question.point) : text;
 }
 

@@ -140,6 +140,20 @@ TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "-o or --glb would write a");
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
   refused({"decompose", "open.off"}, "'open'");
+  refused({"decompose", "open.off"}, "close its holes");
+}
+
+TEST(MadeShapesCommand, DecomposeSaysWhichVolumesAreNoNumbers) {
+  const TemporaryFolder folder;
+  folder.write("spike.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for (const auto& [scale, volume] : {std::pair{"1e150", "more than 1.8e308"}, {"1e-150", "less than 4.9e-324"}}) {
+    const auto told = run_command({"decompose", "spike.off", "--scale", scale}, folder.path());
+    EXPECT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_NE(told.out.find(std::string("solid of ") + volume + "; no"), std::string::npos) << told.out;
+    const auto json = run_command({"decompose", "spike.off", "--scale", scale, "--json"}, folder.path());
+    EXPECT_EQ(json.out.find("nan"), std::string::npos) << json.out;
+    EXPECT_EQ(json.out.find("\"mesh_volume\": null") != std::string::npos, volume[0] == 'm') << json.out;
+  }
 }
 
 TEST(MadeShapesCommand, OptionsAskAnotherQuestionOfACase) {

@@ -47,6 +47,28 @@ TEST(MinkowskiCommand, WritesOverNoMeshAndNothingWhereItFails) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.obj"));
 }
 
+TEST(MinkowskiCommand, TellsBallsCapsulesAndPointsAsWhatTheyAre) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& a, const std::string& b) {
+    folder.write("two.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+      {"name": "a", "shape": )" + a +
+                                 R"(}, {"name": "b", "shape": )" + b + "}]}");
+    const auto result = run_command({"minkowski", "two.json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  const std::string ball = R"({"type": "sphere", "radius": 0.5})",
+                    point = R"({"type": "point", "position": [1, 0, 0]})";
+  EXPECT_EQ(told(ball, ball), "A + B of A = a and B = b: a ball of radius 1 around (0, 0, 0)\n");
+  EXPECT_EQ(told(point, point), "A + B of A = a and B = b: the point (2, 0, 0)\n");
+  EXPECT_EQ(told(point, R"({"type": "capsule", "start": [0, 0, 0], "end": [0, 0, 2], "radius": 0.25})"),
+            "A + B of A = a and B = b: a capsule of radius 0.25 from (1, 0, 0) to (1, 0, 2)\n");
+  const std::string box = told(R"({"type": "box", "half_extents": [1, 1, 1]})", ball);
+  EXPECT_TRUE(sum_says(
+      box, "a solid of 8 vertices and 6 faces: 6 of A, 0 of B, 0 of both, 0 of edges; grown by a ball of radius 0.5"))
+      << box;
+}
+
 TEST(MinkowskiCommand, TellsWhereAPointLies) {
   const TemporaryFolder folder;
   folder.write("boxes.json", two_boxes);
@@ -76,6 +98,15 @@ TEST(MinkowskiCommand, RefusesWhatItCannotDo) {
   folder.write("plane.json", R"({"format": "toccata-scene", "version": 1, "objects": [
     {"name": "floor", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]})");
   trouble({"minkowski", "gen:box", "plane.json"}, "bounded convex shapes");
+  trouble({"minkowski", "gen:box",  "gen:box", "--difference",
+           "--pose-a",  "1",        "0",       "0",
+           "0",         "1",        "0",       "0",
+           "0",         "1",        "1.7e308", "0",
+           "0",         "--pose-b", "1",       "0",
+           "0",         "0",        "1",       "0",
+           "0",         "0",        "1",       "-1.7e308",
+           "0",         "0"},
+          "the difference of vertex 0 of A and vertex 6 of B is not finite");
   EXPECT_EQ(run_command({"minkowski", "gen:torus", "gen:box", "--hull"}, folder.path()).exit_code, 0);
 }
 

@@ -129,8 +129,16 @@ TEST(ConvexParts, ContainSolidsOfManyKinds) {
 TEST(ConvexParts, ContainSeveralComponentsAndAvoidCavities) {
   const TriangleMesh two = joined({box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({5, 0, 0}, {6, 1, 1})});
   expect_exact_parts(two, 2);
-  const TriangleMesh hollow = joined({box_mesh({0, 0, 0}, {6, 6, 6}), inverted(box_mesh({2, 2, 2}, {4, 4, 4}))});
-  checked(hollow);
+}
+
+TEST(ConvexParts, OfABoxWithACavityAreItsWalls) {
+  const auto hollow = [](const Vec3& lower, const Vec3& upper) {
+    return joined({box_mesh({0, 0, 0}, {6, 6, 6}), inverted(box_mesh(lower, upper))});
+  };
+  expect_exact_parts(hollow({2, 2, 2}, {4, 4, 4}), 6);
+  expect_exact_parts(hollow({1, 2, 0.5}, {3, 3.5, 5}), 6);
+  const ConvexParts thin = checked(hollow({0.25, 0.25, 0.25}, {5.75, 5.75, 5.75}), {.max_parts = 6});
+  EXPECT_NEAR(thin.excess, 0, 1e-14 * thin.mesh_volume);
 }
 
 TEST(ConvexParts, OfAMeshThatCrossesItselfContainIt) {
@@ -204,6 +212,8 @@ TEST(ConvexParts, OfTinyAndHugeMeshesAreThoseOfTheSameMeshScaled) {
     for (const Vec3& v : prism.vertices()) vertices.push_back(scaled(v));
     const ConvexParts parts = decompose(prism.with_vertices(vertices), {.max_parts = 2});
     EXPECT_EQ(parts.concavity, std::ldexp(plain.concavity, exponent));
+    EXPECT_EQ(parts.mesh_volume, exponent < 0 ? 0 : HUGE_VAL);
+    EXPECT_EQ(parts.excess, exponent < 0 ? 0 : HUGE_VAL);
     ASSERT_EQ(parts.parts.size(), plain.parts.size());
     for (std::size_t i = 0; i < parts.parts.size(); ++i) {
       const ConvexHull &hull = parts.parts[i].hull, &expected = plain.parts[i].hull;

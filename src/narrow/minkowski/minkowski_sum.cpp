@@ -87,10 +87,11 @@ void take_facets(Parts& parts, SumFacets&& facets) {
   parts.face_start = std::move(faces.first);
 }
 
-void require_finite(const Parts& parts) {
+void require_finite(const Parts& parts, bool negated) {
   for (Index i = 0; i < parts.vertices.size(); ++i)
     if (!is_finite(parts.rounded_vertex(i)))
-      throw Error("the sum of vertex " + std::to_string(parts.a.source(parts.vertices[i].on_a)) + " of A and vertex " +
+      throw Error(std::string(negated ? "the difference" : "the sum") + " of vertex " +
+                  std::to_string(parts.a.source(parts.vertices[i].on_a)) + " of A and vertex " +
                   std::to_string(parts.b.source(parts.vertices[i].on_b)) +
                   " of B is not finite; use smaller coordinates or a smaller scale");
 }
@@ -113,7 +114,7 @@ MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
     parts->dimension = facets.kinds.size() == 2 ? 2 : 3;
   }
   take_facets(*parts, std::move(facets));
-  require_finite(*parts);
+  require_finite(*parts, negated);
   if (parts->radius_a + parts->radius_b > 0) parts->rounded_core = ConvexHull(rounded_vertices(*parts));
   return MinkowskiSum(std::move(parts));
 }

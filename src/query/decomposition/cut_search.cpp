@@ -18,6 +18,7 @@ constexpr std::size_t few_triangles = 256;
 constexpr std::size_t many_triangles = 2048;
 constexpr std::size_t looked_at_again = 6;
 constexpr double balance_weight = 0.02;
+constexpr double reflex_weight = 0.06;
 
 /// Some triangles of a piece, evenly taken, and its edges: enough to compare the hulls of its parts.
 struct Sketch {
@@ -41,8 +42,10 @@ double hull_volume_in_front(const Sketch& sketch, const RoundedPlane& plane) {
   }
   for (const RoundedSegment& s : sketch.edges) {
     const double p = plane.height(s[0]), q = plane.height(s[1]);
-    if (p >= 0) points.push_back(s[0]);
-    if (q >= 0) points.push_back(s[1]);
+    // What has no more than an end in the plane belongs to the other side.
+    if (std::max(p, q) <= flat) continue;
+    if (p >= -flat) points.push_back(s[0]);
+    if (q >= -flat) points.push_back(s[1]);
     if (p * q < 0) points.push_back(s[0] + (p / (p - q)) * (s[1] - s[0]));
   }
   return hull_volume(points);
@@ -57,6 +60,18 @@ double score(const SolidPiece& piece, const Sketch& sketch, const RoundedPlane& 
   const double over = std::max(0.0, hull_volume_in_front(sketch, plane) - front) +
                       std::max(0.0, hull_volume_in_front(sketch, other) - back);
   return over + balance_weight * excess * (std::fabs(front - back) / piece.volume);
+}
+
+/// How much of the concave edges a cut takes away: those that lie in it. A cavity of flat walls is in the hull of what
+/// is left until cuts along several of them have been made, so the volumes alone do not see that these are good.
+double share_in(const RoundedPlane& plane, std::span<const ReflexEdge* const> edges) {
+  double all = 0, taken = 0;
+  for (const ReflexEdge* edge : edges) {
+    const auto is_on = [&](const Vec3& end) { return std::fabs(plane.height(end)) <= near_plane; };
+    all += edge->weight;
+    if (is_on(edge->ends[0]) && is_on(edge->ends[1])) taken += edge->weight;
+  }
+  return all > 0 ? taken / all : 0;
 }
 
 Vec3 coarse(const Vec3& normal) {
@@ -93,15 +108,21 @@ struct Extent {
 
 }  // namespace
 
-void CutSearch::add_reflex(std::vector<PlaneChoice>& choices, std::span<const RoundedPlane> planes,
-                           std::span<const CellSide> cell) const {
-  std::vector<double> weights(reflex_.planes.size(), 0);
+std::vector<const ReflexEdge*> CutSearch::edges_in(std::span<const RoundedPlane> planes,
+                                                   std::span<const CellSide> cell) const {
+  std::vector<const ReflexEdge*> edges;
   for (const ReflexEdge& edge : reflex_.edges) {
-    const bool inside = std::ranges::all_of(
-        cell, [&](const CellSide& side) { return side.sign * planes[side.plane].height(edge.middle) > flat; });
-    if (!inside) continue;
-    for (const Index plane : edge.planes) weights[plane] += edge.weight;
+    const Vec3 middle = edge.middle();
+    const auto is_within = [&](const CellSide& side) { return side.sign * planes[side.plane].height(middle) > flat; };
+    if (std::ranges::all_of(cell, is_within)) edges.push_back(&edge);
   }
+  return edges;
+}
+
+void CutSearch::add_reflex(std::vector<PlaneChoice>& choices, std::span<const ReflexEdge* const> edges) const {
+  std::vector<double> weights(reflex_.planes.size(), 0);
+  for (const ReflexEdge* edge : edges)
+    for (const Index plane : edge->planes) weights[plane] += edge->weight;
   std::vector<Index> order;
   for (Index i = 0; i < weights.size(); ++i)
     if (weights[i] > 0) order.push_back(i);
@@ -110,10 +131,10 @@ void CutSearch::add_reflex(std::vector<PlaneChoice>& choices, std::span<const Ro
   for (const Index i : order) choices.push_back(reflex_.planes[i].choice);
 }
 
-std::vector<PlaneChoice> CutSearch::candidates(const SolidPiece& piece, std::span<const RoundedPlane> planes,
-                                               std::span<const CellSide> cell) const {
+std::vector<PlaneChoice> CutSearch::candidates(const SolidPiece& piece,
+                                               std::span<const ReflexEdge* const> edges) const {
   std::vector<PlaneChoice> choices;
-  add_reflex(choices, planes, cell);
+  add_reflex(choices, edges);
   const Sketch sketch = sketch_of(piece, many_triangles);
   std::vector<Vec3> points;
   for (const RoundedTriangle& t : sketch.triangles) points.insert(points.end(), t.begin(), t.end());
@@ -138,12 +159,14 @@ std::vector<PlaneChoice> CutSearch::candidates(const SolidPiece& piece, std::spa
 
 std::optional<PlaneChoice> CutSearch::best_cut(const SolidPiece& piece, std::span<const RoundedPlane> planes,
                                                std::span<const CellSide> cell, double excess) const {
-  const std::vector<PlaneChoice> choices = candidates(piece, planes, cell);
+  const std::vector<const ReflexEdge*> edges = edges_in(planes, cell);
+  const std::vector<PlaneChoice> choices = candidates(piece, edges);
   std::vector<double> scores(choices.size());
   const auto rate = [&](std::span<const std::size_t> which, std::size_t triangles) {
     const Sketch sketch = sketch_of(piece, triangles);
     parallel_for(which.size(), threads_, [&](std::size_t i) {
-      scores[which[i]] = score(piece, sketch, frame_.plane(choices[which[i]]), excess);
+      const RoundedPlane plane = frame_.plane(choices[which[i]]);
+      scores[which[i]] = score(piece, sketch, plane, excess) - reflex_weight * excess * share_in(plane, edges);
     });
   };
   std::vector<std::size_t> order(choices.size());

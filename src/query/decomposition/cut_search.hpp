@@ -13,9 +13,11 @@ namespace toccata {
 
 /// An edge at which the solid is not convex, and the planes that would cut there.
 struct ReflexEdge {
-  Vec3 middle;  ///< local
+  std::array<Vec3, 2> ends;  ///< local
   double weight = 0;
   std::array<Index, 2> planes{};  ///< of both faces
+
+  [[nodiscard]] Vec3 middle() const { return 0.5 * (ends[0] + ends[1]); }
 };
 
 struct WeightedPlane {
@@ -38,7 +40,8 @@ struct CellSide {
   int sign = 1;
 };
 
-/// Where to cut a piece best, by the volume that the hulls of both sides exceed them by.
+/// Where to cut a piece best, by the volume that the hulls of both sides exceed them by, and by the edges at which the
+/// solid is no longer concave after the cut.
 class CutSearch {
  public:
   CutSearch(const SolidFrame& frame, const ReflexPlanes& reflex, int threads)
@@ -49,10 +52,11 @@ class CutSearch {
                                                     std::span<const CellSide> cell, double excess) const;
 
  private:
-  [[nodiscard]] std::vector<PlaneChoice> candidates(const SolidPiece& piece, std::span<const RoundedPlane> planes,
-                                                    std::span<const CellSide> cell) const;
-  void add_reflex(std::vector<PlaneChoice>& choices, std::span<const RoundedPlane> planes,
-                  std::span<const CellSide> cell) const;
+  [[nodiscard]] std::vector<PlaneChoice> candidates(const SolidPiece& piece,
+                                                    std::span<const ReflexEdge* const> edges) const;
+  [[nodiscard]] std::vector<const ReflexEdge*> edges_in(std::span<const RoundedPlane> planes,
+                                                        std::span<const CellSide> cell) const;
+  void add_reflex(std::vector<PlaneChoice>& choices, std::span<const ReflexEdge* const> edges) const;
 
   const SolidFrame& frame_;
   const ReflexPlanes& reflex_;

@@ -120,9 +120,8 @@ ReflexPlanes reflex_planes(const TriangleMesh& mesh, const SolidFrame& frame, do
     const Vec3 p = reader.local(e.triangle, e.from), q = reader.local(e.triangle, e.from + 1);
     const Vec3 other = reader.normal(e.other);
     if (dot(other, other) == 0) continue;
-    result.edges.push_back({0.5 * (p + q),
-                            e.weight,
-                            {numbers.number_of(of_triangle(e.triangle)), numbers.number_of(of_triangle(e.other))}});
+    result.edges.push_back(
+        {{p, q}, e.weight, {numbers.number_of(of_triangle(e.triangle)), numbers.number_of(of_triangle(e.other))}});
   }
   result.planes = std::move(numbers.planes);
   return result;
