@@ -146,7 +146,8 @@ struct PartsArguments {
 
 struct WorldQueriesArguments {
   std::string task = "ray";
-  std::string mesh;  ///< instead of bodies
+  std::string shape = "ball-box";  ///< that moves
+  std::string mesh;                ///< instead of bodies
   std::size_t bodies = 50000;
   std::vector<std::string> peers;
   std::size_t count = 10000;

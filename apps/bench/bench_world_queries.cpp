@@ -49,8 +49,23 @@ WorldTask task_of(const std::string& name) {
   return name == "ray" ? WorldTask::ray : name == "nearest" ? WorldTask::nearest : WorldTask::overlap;
 }
 
-/// A ball and a box in turn.
-Model moving_model(std::size_t i, double size) {
+/// Of 200 points of an ellipsoid.
+Model hull_model(double size) {
+  Random random(1);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 d = random_direction(random);
+    points.push_back(size * Vec3{d.x, 0.75 * d.y, 0.5 * d.z});
+  }
+  return Model(ConvexHull(points));
+}
+
+/// A ball and a box in turn, or what is asked for.
+Model moving_model(const std::string& shape, std::size_t i, double size) {
+  if (shape == "hull") return hull_model(size);
+  if (shape == "cylinder") return Cylinder(0.75 * size, size);
+  if (shape == "cone") return Cone(0.75 * size, size);
+  if (shape == "ellipsoid") return Ellipsoid({size, 0.75 * size, 0.5 * size});
   return i % 2 == 0 ? Model(Sphere(size)) : Model(Box({size, 0.75 * size, 0.5 * size}));
 }
 
@@ -63,8 +78,8 @@ Model hundred_long(const TriangleMesh& mesh) {
   return Model(TriangleMesh(std::move(vertices), {mesh.triangles().begin(), mesh.triangles().end()}));
 }
 
-/// From a sphere of twice the size of the mesh's box, through a point of the box and beyond: balls and boxes of a
-/// fiftieth of its size.
+/// From a sphere of twice the size of the mesh's box, through a point of the box and beyond: shapes of a fiftieth of
+/// its size.
 WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
   if (arguments.task != "cast")
     throw Error("--mesh: shapes are cast at one mesh (--task cast), and nothing else is asked");
@@ -80,7 +95,7 @@ WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
     Vec3 through;
     for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
     const Pose pose{rotation_about(random_direction(random), random.between(0, 360)), from};
-    work.moving.push_back({{moving_model(i, reach / 50), pose}, 3.0 * (through - from)});
+    work.moving.push_back({{moving_model(arguments.shape, i, reach / 50), pose}, 3.0 * (through - from)});
   }
   return work;
 }
@@ -97,7 +112,7 @@ WorldWork work_of(const WorldQueriesArguments& arguments) {
     if (work.task == WorldTask::nearest) work.shapes.push_back({Model(Sphere(0.1)), places.pose()});
     if (work.task == WorldTask::overlap) work.shapes.push_back({Model(Box({1, 1, 1})), places.pose()});
     if (work.task == WorldTask::cast) {
-      const Posed shape{moving_model(work.size(), 0.2), places.pose()};
+      const Posed shape{moving_model(arguments.shape, work.size(), 0.2), places.pose()};
       const Vec3 motion = places.place() - shape.pose.offset;
       if (index.overlapping(shape).empty()) work.moving.push_back({shape, motion});
     }
@@ -196,10 +211,15 @@ void judge(const WorldWork& work, bool all, std::vector<Measured>& measured) {
 }
 
 WorldQueryLibraries libraries_asked(const WorldQueriesArguments& arguments, WorldTask task) {
+  if (arguments.shape != "ball-box" && task != WorldTask::cast)
+    throw Error("--shape: shapes move with --task cast alone; add it, or leave --shape out");
   WorldQueryLibraries libraries = toccata_world_query_libraries();
-  for (const std::string& peer : arguments.peers)
+  for (const std::string& peer : arguments.peers) {
+    if (peer == "bullet" && arguments.shape == "ellipsoid")
+      throw Error("--peer bullet: it has no ellipsoids; leave --peer out, or move another --shape");
     for (auto& library : peer == "bullet" ? bullet_world_query_libraries(task) : fcl_world_query_libraries(task))
       libraries.push_back(std::move(library));
+  }
   return libraries;
 }
 
@@ -218,6 +238,7 @@ int run_world_queries(const WorldQueriesArguments& arguments) {
   Measurements measurements;
   for (const Measured& one : all) measurements.results.push_back(one.result);
   auto report = report_of("world-queries", {{"task", arguments.task},
+                                            {"shape", arguments.shape},
                                             {"bodies", work.bodies.size()},
                                             {"mesh", arguments.mesh},
                                             {"seed", arguments.seed},

@@ -310,6 +310,9 @@ void add_world_queries(CLI::App& app, WorldQueriesArguments& arguments) {
           "many a box overlaps")
       ->check(CLI::IsMember({"ray", "cast", "nearest", "overlap"}))
       ->capture_default_str();
+  queries->add_option("--shape", arguments.shape, "what moves: a ball and a box in turn, or always the same; of cast")
+      ->check(CLI::IsMember({"ball-box", "hull", "cylinder", "cone", "ellipsoid"}))
+      ->capture_default_str();
   add_mesh_file(*queries, "--mesh", arguments.mesh)->description("one mesh instead of bodies, taken as a surface");
   add_number(*queries, "--bodies", arguments.bodies, "boxes, spheres and capsules");
   add_number(*queries, "--count", arguments.count, "questions");

@@ -238,6 +238,18 @@ def check_world_queries(peers):
         for row in made["results"]:
             assert row["queries"] == 200 and row["median_us"] > 0, row
             assert row["library"] != "toccata" or row["wrong"] == 0, row
+    check_moving_shapes("bullet" in peers)
+
+
+def check_moving_shapes(with_bullet):
+    """Shapes of any kind are moved at a mesh; Bullet has no ellipsoid, and rays have no shape."""
+    at_mesh = ("--mesh", "gen:torus?around=12&sides=6", "--count", "20", "--rounds", "1", "--verify")
+    for shape in ("hull", "cylinder", "cone", "ellipsoid"):
+        named = ["--peer", "bullet"] if with_bullet and shape != "ellipsoid" else []
+        made = report("world-queries", "--task", "cast", "--shape", shape, *at_mesh, *named)
+        assert made["shape"] == shape and made["results"][0]["wrong"] == 0, made
+    refused = run("world-queries", "--task", "ray", "--shape", "cone")
+    assert refused.returncode == 2 and "--task cast" in refused.stderr, refused.stderr
 
 
 def check_cells():

@@ -5,6 +5,9 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 
@@ -25,8 +28,28 @@ btTransform converted(const Pose& pose) {
                      converted(pose.offset));
 }
 
-/// Of the three kinds that there are.
+std::unique_ptr<btCollisionShape> converted(const ConvexHull& hull) {
+  auto points = std::make_unique<btConvexHullShape>();
+  for (Index i = 0; i < hull.vertex_count(); ++i) points->addPoint(converted(hull.vertex(i)), false);
+  points->recalcLocalAabb();
+  points->setMargin(0);
+  return points;
+}
+
+/// Of the kinds that there are.
 std::unique_ptr<btCollisionShape> converted(const Shape& shape) {
+  if (const auto* hull = std::get_if<ConvexHull>(&shape)) return converted(*hull);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    auto round =
+        std::make_unique<btCylinderShapeZ>(btVector3(cylinder->radius(), cylinder->radius(), cylinder->half_height()));
+    round->setMargin(0);
+    return round;
+  }
+  if (const auto* cone = std::get_if<Cone>(&shape)) {
+    auto round = std::make_unique<btConeShapeZ>(cone->radius(), 2 * cone->half_height());
+    round->setMargin(0);
+    return round;
+  }
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return std::make_unique<btSphereShape>(sphere->radius());
   if (const auto* capsule = std::get_if<Capsule>(&shape))
     return std::make_unique<btCapsuleShapeZ>(capsule->radius(), 2 * capsule->end().z);
