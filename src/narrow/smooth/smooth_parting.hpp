@@ -5,7 +5,8 @@
 // How bodies that meet are parted the shortest way, surfaces too. In the pair's frame.
 namespace toccata {
 
-/// Of the directions that were tried, that along which B has to move the least; A is made of a smooth shape.
+/// Of bodies that certainly have a common inner point, the direction along which B has to move the least, but for what
+/// was not found; A is made of a smooth shape.
 [[nodiscard]] Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met);
 
 struct SmoothParting {

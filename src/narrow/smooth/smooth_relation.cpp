@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_corners = 96;
 
-/// Two bodies that meet.
+/// Two bodies that certainly have a common inner point.
 class DeepPair {
  public:
   DeepPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b), polish_(a, b) {}
@@ -28,10 +28,8 @@ class DeepPair {
   Penetration answer(const SmoothNearest& met) {
     if (met.is_around)
       expand(met.around);
-    else if (met.contact == SmoothContact::contact)
-      expand_from_search();
     else
-      try_search();
+      expand_from_search();
     try_direction(unit_or(Vec3{}, a_.middle_point(), b_.middle_point()));
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       try_direction(axis);
@@ -61,13 +59,6 @@ class DeepPair {
       std::array<SmoothSearch::Corner, 4> corner;
       if (search.corners(corner) == 4 && search.inside()) return expand(corner);
     }
-  }
-
-  /// Of bodies that hardly meet, the direction along which they are parted most nearly.
-  void try_search() {
-    SmoothSearch search(a_, b_, plain(a_.middle_point()) - plain(b_.middle_point()));
-    search.run(0);
-    try_direction(-search.best_direction());
   }
 
   void expand(const std::array<SmoothSearch::Corner, 4>& four) {
