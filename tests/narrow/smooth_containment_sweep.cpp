@@ -108,7 +108,7 @@ Vec3 point_in(const PlacedSmooth& placed, Random& random) {
 }
 
 std::string inner_depth_fault(const BoundaryPoint& found, const Vec3& point, const oracle::FineSet& set,
-                              const std::string& regime, Random& random) {
+                              const std::string& regime, double size, Random& random) {
   const oracle::FineSet at = oracle::hull_set_of({point}, 0);
   Excess above(at, set, random);
   const Vec3 way = found.point - point;
@@ -117,7 +117,9 @@ std::string inner_depth_fault(const BoundaryPoint& found, const Vec3& point, con
   const Fine least = -above.most(hints, 40, is_slim(regime) ? 60 : 220);
   if (least < 0) return "told to be inside";
   if (Fine(found.lower) > least) return fmt::format("lower {} above {}", found.lower, least.str(20));
-  const Fine slack = Fine(is_slim(regime) ? 1e-2 : 1e-7) * Fine(found.upper) + Fine(1e-15) * Fine(std::fabs(point.x));
+  // Near the boundary the rounded way to the nearest point is no good direction, and the climb ends before the last
+  // digits.
+  const Fine slack = Fine(is_slim(regime) ? 1e-2 : 1e-7) * Fine(found.upper) + Fine(1e-10 * size);
   if (!is_slim(regime) && regime != "distant" && least > Fine(found.upper) + slack)
     return fmt::format("upper {} below {}", found.upper, least.str(20));
   return "";
@@ -138,7 +140,7 @@ std::string smooth_boundary_fault(const PlacedSmooth& placed, const std::string&
   const double wide = is_slim(regime) ? 1e-9 * found.upper : 0;
   if (!narrow && found.upper > 1e-14 * size && found.upper - found.lower > wide)
     return fmt::format("wide: {} to {} of {}", found.lower, found.upper, size);
-  if (found.side == Sign::negative) return inner_depth_fault(found, point, set, regime, random);
+  if (found.side == Sign::negative) return inner_depth_fault(found, point, set, regime, size, random);
   const oracle::FineNearness truth = fine_nearness(set, oracle::hull_set_of({point}, 0), 1e-9, 200);
   if (truth.meet) return "told to be outside";
   if (truth.upper >= 0 && Fine(found.lower) > truth.upper) return "lower above the distance";
