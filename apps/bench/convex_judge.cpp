@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "convex_questions.hpp"
 #include "oracle/penetration.hpp"
@@ -88,24 +90,87 @@ oracle::FineSet fine_set_of(const ConvexBody& body, const Pose& pose) {
   return std::visit([&]<class Shape>(const Shape& shape) { return fine_set_of(PosedAs<Shape>(shape, pose)); }, body);
 }
 
+/// Heights of A − B with 60 digits, of which the least is the depth.
+class FineHeights {
+ public:
+  FineHeights(const oracle::FineSet& a, const oracle::FineSet& b) : a_(a), b_(b) {}
+
+  [[nodiscard]] oracle::Fine along(const Vec3& d) const {
+    const oracle::FinePoint ahead{d.x, d.y, d.z}, back{-d.x, -d.y, -d.z};
+    const oracle::FinePoint p = farthest(a_, ahead), q = farthest(b_, back);
+    const oracle::Fine length = sqrt(ahead.x * ahead.x + ahead.y * ahead.y + ahead.z * ahead.z);
+    return ((p.x - q.x) * ahead.x + (p.y - q.y) * ahead.y + (p.z - q.z) * ahead.z) / length;
+  }
+
+  /// The least that is found from directions all over the sphere, by ever smaller steps from the lowest of them.
+  [[nodiscard]] oracle::Fine least() const {
+    constexpr int count = 200;
+    std::vector<std::pair<oracle::Fine, Vec3>> found;
+    for (int i = 0; i < count; ++i) {
+      const double z = 1 - (2 * i + 1.0) / count, across = std::sqrt(1 - z * z), turn = 2.399963229728653 * i;
+      const Vec3 d{across * std::cos(turn), across * std::sin(turn), z};
+      found.emplace_back(along(d), d);
+    }
+    constexpr std::size_t tried = 4;
+    std::ranges::partial_sort(found, found.begin() + tried, {}, [](const auto& one) { return one.first; });
+    oracle::Fine lowest = found.front().first;
+    for (std::size_t i = 0; i < tried; ++i) lowest = std::min(lowest, least_from(found[i].first, found[i].second));
+    return lowest;
+  }
+
+ private:
+  [[nodiscard]] oracle::Fine least_from(oracle::Fine lowest, Vec3 d) const {
+    for (double step = 0.1; step > 1e-9;) {
+      const Vec3 before = d;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const double way : {-step, step}) {
+          Vec3 next = d;
+          next[axis] += way;
+          const oracle::Fine here = along(next);
+          if (here < lowest) lowest = here, d = next;
+        }
+      if (d == before) step /= 2;
+    }
+    return lowest;
+  }
+
+  const oracle::FineSet& a_;
+  const oracle::FineSet& b_;
+};
+
 /// The two shapes of a question of which one is smooth, with 60 digits.
 class FineTruth {
  public:
   FineTruth(const ConvexWork& work, const ConvexQuestion& question)
       : task_(work.task),
-        near_(fine_nearness(fine_set_of(work.pairs[question.pair].a, question.a),
-                            fine_set_of(work.pairs[question.pair].b, question.b), 1e-14, 400)) {}
+        a_(fine_set_of(work.pairs[question.pair].a, question.a)),
+        b_(fine_set_of(work.pairs[question.pair].b, question.b)),
+        near_(fine_nearness(a_, b_, 1e-14, 400)) {
+    if (task_ == ConvexTask::penetration && near_.meet) depth_ = FineHeights(a_, b_).least();
+  }
 
   bool is_right(const ConvexAnswer& answer, double tolerance) const {
     if (std::isnan(answer.lower) || std::isnan(answer.upper)) return false;
+    if (task_ == ConvexTask::penetration) return is_depth(answer, tolerance);
     if (answer.overlap ? near_.lower > tolerance : near_.meet && near_.depth > tolerance) return false;
     if (task_ == ConvexTask::overlap) return true;
     return near_.upper >= answer.lower - tolerance && near_.lower <= answer.upper + tolerance;
   }
 
  private:
+  /// Along its own direction B leaves A, and along no other sooner.
+  [[nodiscard]] bool is_depth(const ConvexAnswer& answer, double tolerance) const {
+    if (!near_.meet) return answer.upper <= tolerance;
+    if (!(answer.upper > tolerance)) return depth_ <= answer.upper + tolerance;
+    const oracle::Fine own = FineHeights(a_, b_).along(answer.direction);
+    return own <= answer.upper + tolerance && std::min(own, depth_) >= answer.lower - tolerance;
+  }
+
   ConvexTask task_;
+  oracle::FineSet a_;
+  oracle::FineSet b_;
   oracle::FineNearness near_;
+  oracle::Fine depth_ = 0;
 };
 
 template <class AnyTruth>

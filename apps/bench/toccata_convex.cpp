@@ -10,6 +10,7 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/pair_arrays.hpp"
 #include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/narrow/sphere.hpp"
 
 namespace toccata::bench {
@@ -41,6 +42,10 @@ concept OneIsSmooth = std::is_same_v<A, PosedSmooth> || std::is_same_v<B, PosedS
 template <class A, class B>
 requires OneIsSmooth<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, ConvexWorkspace*) {
   if (task == ConvexTask::overlap) return {overlap(a, b)};
+  if (task == ConvexTask::penetration) {
+    const Penetration p = penetration(a, b);
+    return {p.upper > 0, p.lower, p.upper, p.direction};
+  }
   const Distance d = distance(a, b);
   return {d.lower == 0, d.lower, d.upper};
 }

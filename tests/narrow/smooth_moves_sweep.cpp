@@ -30,6 +30,16 @@ Fine height_along(const oracle::FineSet& a, const oracle::FineSet& b, const Vec3
   return ((p.x - q.x) * d.x + (p.y - q.y) * d.y + (p.z - q.z) * d.z) / length;
 }
 
+/// How far A − B reaches along the axes.
+double difference_size(const oracle::FineSet& a, const oracle::FineSet& b) {
+  Fine most = 0;
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    const Fine along = height_along(a, b, axis) + height_along(a, b, -axis);
+    if (along > most) most = along;
+  }
+  return static_cast<double>(most);
+}
+
 std::string depth_fault(const Penetration& p, const oracle::FineSet& a, const oracle::FineSet& b, Random& random) {
   if (!(p.lower <= p.upper)) return fmt::format("depth from {} to {}", p.lower, p.upper);
   if (!(p.upper > 0)) return "";
@@ -38,10 +48,9 @@ std::string depth_fault(const Penetration& p, const oracle::FineSet& a, const or
   for (int i = 0; i < 100; ++i) {
     const Fine height = height_along(a, b, smooth_direction(random));
     if (height < Fine(p.lower)) return fmt::format("lower {} above {}", p.lower, height.str(20));
-    // Not a promise: the least is not always found on round sides.
-    if (height < Fine(0.9 * p.upper)) return fmt::format("upper {} above {}", p.upper, height.str(20));
   }
-  return "";
+  if (p.lower >= 0.9 * p.upper || p.upper <= 1e-12 * difference_size(a, b)) return "";
+  return fmt::format("depth from {} to {}", p.lower, p.upper);
 }
 
 std::string cast_fault(const Cast& cast, const oracle::FineSet& a, const Vec3& motion, const oracle::FineSet& b) {

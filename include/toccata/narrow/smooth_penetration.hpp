@@ -15,10 +15,12 @@ namespace toccata {
 [[nodiscard]] Relation relation(const PosedHalfSpace& a, const PosedSmooth& b);
 
 // The exact depth lies in [lower, upper]: both ends are proved, upper by the plane that is left between the shapes when
-// B has moved by upper · direction, lower by a polytope within the Minkowski difference. The status is not_converged
-// where upper − lower is more than 10⁻¹² · upper, as it mostly is on round sides: there lower may be some per cent less
-// than upper. Both 0 when the shapes are apart, and, with the status undecided, within the bound of touching. Throws
-// Error when one is a surface.
+// B has moved by upper · direction, lower by a polytope, round at its corners, within the Minkowski difference. The
+// status is exact where upper − lower is at most 10⁻¹² · upper, as it mostly is, else not_converged: where the depth is
+// less than 10⁻⁴ of the size, rounding of the direction alone may be more; and where the shapes are as deep in ever so
+// many directions (balls around one centre, bars along one axis), lower is at least 0.9 · upper. A depth below 10⁻¹² of
+// the size may have the lower end 0. Both are 0 when the shapes are apart, and, with the status undecided, within the
+// bound of touching. Throws Error when one is a surface.
 [[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedSmooth& b);
 [[nodiscard]] Penetration penetration(const PosedSmooth& a, const PosedConvex& b);
 [[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedSmooth& b);

@@ -1,0 +1,96 @@
+// How deep smooth shapes lie in others: depths that are known, and how narrow the intervals are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "toccata/math/rotation.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
+
+namespace toccata::test {
+namespace {
+
+template <class B>
+void expect_depth(const PosedSmooth& a, const B& b, double depth, const Vec3& direction) {
+  const Penetration found = penetration(a, b);
+  EXPECT_EQ(found.status, Status::exact);
+  EXPECT_LE(found.lower, depth * (1 + 1e-15));
+  EXPECT_GE(found.upper, depth * (1 - 1e-15));
+  EXPECT_LE(found.upper, found.lower * (1 + 1e-12));
+  EXPECT_GT(dot(found.direction, direction), 1 - 1e-9);
+  const Penetration back = penetration(b, a);
+  EXPECT_EQ(back.upper, found.upper);
+  EXPECT_EQ(back.lower, found.lower);
+  EXPECT_EQ(back.direction, -found.direction);
+  EXPECT_EQ(back.on_a, found.on_b);
+}
+
+TEST(SmoothPenetration, OfEllipsoidsAlongAnAxisIsTheSumOfHalfAxesLessTheWay) {
+  const PosedSmooth egg(Ellipsoid({1, 2, 3}));
+  expect_depth(egg, PosedSmooth(Ellipsoid({0.5, 0.5, 0.5}), Pose::translation(0, 0, 3.25)), 0.25, {0, 0, 1});
+  expect_depth(egg, PosedSmooth(Ellipsoid({4, 0.5, 4}), Pose::translation(0, -2.375, 0)), 0.125, {0, -1, 0});
+}
+
+TEST(SmoothPenetration, OfCansConesAndBoxesIsThatOfTheirFaces) {
+  const PosedConvex table(Box({2, 2, 0.5}), Pose::translation(0, 0, -0.5));
+  expect_depth(PosedSmooth(Cone(1, 1), Pose::translation(0, 0, 0.75)), table, 0.25, {0, 0, -1});
+  expect_depth(PosedSmooth(Cylinder(0.5, 1), Pose::translation(0.25, 0, 0.875)), table, 0.125, {0, 0, -1});
+  // Lying on its side, and standing beside another one.
+  const Mat3 lying = {{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}};
+  expect_depth(PosedSmooth(Cylinder(0.5, 1), {lying, {0, 0, 0.375}}), table, 0.125, {0, 0, -1});
+  const PosedSmooth can(Cylinder(0.5, 1));
+  expect_depth(can, PosedSmooth(Cylinder(0.5, 2), Pose::translation(0.875, 0, 0)), 0.125, {1, 0, 0});
+}
+
+// Half axes that differ by a million.
+TEST(SmoothPenetration, OfCoinsAndNeedlesIsAsNarrow) {
+  const double slim = 0x1p-20;
+  const PosedConvex crate(Box({2, 2, 2}));
+  expect_depth(PosedSmooth(Cylinder(1, slim), Pose::translation(0, 0, 1.5)), crate, 0.5 + slim, {0, 0, -1});
+  expect_depth(PosedSmooth(Ellipsoid({slim, slim, 1}), Pose::translation(1.5, 0.25, 0)), crate, 0.5 + slim, {-1, 0, 0});
+  const PosedSmooth needle(Ellipsoid({slim, slim, 1}));
+  expect_depth(needle, PosedSmooth(Ellipsoid({slim, 1, slim}), Pose::translation(slim, 0, 0)), slim, {1, 0, 0});
+  const PosedSmooth coin(Ellipsoid({1, 1, slim}));
+  expect_depth(coin, PosedSmooth(Ellipsoid({1, 1, slim}), Pose::translation(0, 0, 1.5 * slim)), 0.5 * slim, {0, 0, 1});
+}
+
+// Around one centre and along one axis all directions across are as low: the interval is a part of the depth wide.
+TEST(SmoothPenetration, OfWhatIsAsDeepInManyDirectionsIsAPartWide) {
+  const auto expect_bracket = [](const PosedSmooth& a, const PosedSmooth& b, double depth) {
+    const Penetration found = penetration(a, b);
+    EXPECT_LE(found.lower, depth * (1 + 1e-15));
+    EXPECT_GE(found.upper, depth * (1 - 1e-15));
+    EXPECT_GE(found.lower, 0.9 * depth);
+  };
+  expect_bracket(PosedSmooth(Ellipsoid({1, 1, 1})), PosedSmooth(Ellipsoid({2, 2, 2})), 3);
+  expect_bracket(PosedSmooth(Cylinder(0.5, 8)), PosedSmooth(Cylinder(0.25, 16)), 0.75);
+  expect_bracket(PosedSmooth(Ellipsoid({1, 1, 1024})), PosedSmooth(Cylinder(1, 1024)), 2);
+}
+
+/// An egg leans into a can, whose rim it meets.
+Penetration leaning(double scale, bool mirrored) {
+  const double side = mirrored ? -1 : 1;
+  Mat3 turned = rotation_about({0.6, 0, 0.8}, 40);
+  if (mirrored)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if ((i == 1) != (j == 1)) turned[i][j] = -turned[i][j];
+  const PosedSmooth can(Cylinder(0.5 * scale, 1 * scale));
+  return penetration(can, PosedSmooth(Ellipsoid({0.5 * scale, 0.75 * scale, 1 * scale}),
+                                      {turned, {0.75 * scale, side * 0.25 * scale, 1.25 * scale}}));
+}
+
+TEST(SmoothPenetration, GrowsWithThePairAndTurnsWithItsMirrorImage) {
+  const Penetration found = leaning(1, false), mirrored = leaning(1, true);
+  EXPECT_EQ(found.status, Status::exact);
+  EXPECT_NEAR(mirrored.upper, found.upper, 1e-12 * found.upper);
+  EXPECT_NEAR(mirrored.direction.y, -found.direction.y, 1e-6);
+  for (const double scale : {0x1p-300, 0x1p+300}) {
+    const Penetration other = leaning(scale, false);
+    EXPECT_EQ(other.lower, scale * found.lower);
+    EXPECT_EQ(other.upper, scale * found.upper);
+    EXPECT_EQ(other.direction, found.direction);
+  }
+}
+
+}  // namespace
+}  // namespace toccata::test
