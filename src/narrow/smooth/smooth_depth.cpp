@@ -52,7 +52,10 @@ class DeepPair {
 
   /// Along the direction they are apart after the height of A − B; that of the direction as it is told.
   void take(const FineDirection& along) {
-    const Vec3 d = unit_or_zero({along[0].high, along[1].high, along[2].high});
+    Vec3 d = unit_or_zero({along[0].high, along[1].high, along[2].high});
+    // What is far below the rounding of a unit vector is none of an axis.
+    for (int i = 0; i < 3; ++i)
+      if (std::fabs(d[i]) < 0x1p-60) d[i] = 0;
     const double height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
     if (!(height < result_.upper)) return;
     result_.upper = height;
