@@ -206,15 +206,16 @@ inline std::string fault_of_distance(const PosedTriangles& a, const PosedSmooth&
   return "";
 }
 
-/// The nearest triangle and some others with 60 digits.
-inline std::string fault_in_digits(const Distance& found, const std::vector<Triangle>& triangles,
+/// The nearest triangle and some others with 60 digits. None is nearer than the least lower end, which is what is told.
+inline std::string fault_in_digits(const TrianglesAlone& all, const std::vector<Triangle>& triangles,
                                    const PlacedSmooth& placed, Random& random) {
   const oracle::FineSet set = fine_set(placed);
+  const Distance& found = all.nearest;
   for (int i = 0; i < 3; ++i) {
     const Index number = i == 0 ? found.element_a : static_cast<Index>(random.below(triangles.size()));
     const auto& corners = triangles[number].vertex;
     const auto truth = oracle::fine_nearness(set, oracle::hull_set_of({corners.begin(), corners.end()}, 0), 1e-14, 400);
-    if (truth.upper < oracle::Fine(found.lower)) return fmt::format("triangle {} is nearer than lower", number);
+    if (truth.upper < oracle::Fine(all.lower)) return fmt::format("triangle {} is nearer than lower", number);
     if (i == 0 && truth.lower > oracle::Fine(found.upper)) return "the nearest triangle is farther than upper";
   }
   return "";
@@ -350,8 +351,8 @@ inline std::string fault_of(const SmoothMeshCase& one, Random& random) {
   const bool inside = is_middle_inside(a, triangles, b);
   for (const std::string& wrong :
        {fault_of_contact(a, b, truth, inside), fault_of_distance(a, b, truth, inside),
-        fault_in_digits(truth.nearest, triangles, one.shape, random),
-        fault_of_relation(a, b, triangles, truth, inside, random), fault_of_casts(a, b, triangles, inside, random)})
+        fault_in_digits(truth, triangles, one.shape, random), fault_of_relation(a, b, triangles, truth, inside, random),
+        fault_of_casts(a, b, triangles, inside, random)})
     if (!wrong.empty()) return wrong;
   return "";
 }
