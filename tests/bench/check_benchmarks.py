@@ -247,7 +247,7 @@ def check_moving_shapes(with_bullet):
     for shape in ("hull", "cylinder", "cone", "ellipsoid"):
         named = ["--peer", "bullet"] if with_bullet and shape != "ellipsoid" else []
         made = report("world-queries", "--task", "cast", "--shape", shape, *at_mesh, *named)
-        assert made["shape"] == shape and made["results"][0]["wrong"] == 0, made
+        assert made["question"]["shape"] == shape and made["results"][0]["wrong"] == 0, made
     refused = run("world-queries", "--task", "ray", "--shape", "cone")
     assert refused.returncode == 2 and "--task cast" in refused.stderr, refused.stderr
 
