@@ -96,8 +96,10 @@ std::string written_mesh(const MinkowskiReport& report, const std::string& unit,
     write_glb(glb, file);
   else
     write_mesh(report.sum.as_mesh(), file);
-  return fmt::format("{}: {} with {}.\n", printable(file), name_of(report.question),
-                     counted(report.sum.topology().face_count(), "face"));
+  const double radius = is_glb(file) ? 0 : report.sum.radius();
+  return fmt::format("{}: {} with {}{}.\n", printable(file), name_of(report.question),
+                     counted(report.sum.topology().face_count(), "face"),
+                     radius > 0 ? fmt::format(", without the ball of radius {:.12g} that grows it", radius) : "");
 }
 
 }  // namespace

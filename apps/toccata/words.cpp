@@ -25,7 +25,10 @@ std::string point_text(const Vec3& point) {
 
 std::string distance_text(const Distance& distance) {
   if (distance.status == Status::undecided) return "meet, or nearly: undecided";
-  return distance.upper == 0 ? "meet" : fmt::format("{:.12g} apart", distance.upper);
+  if (distance.upper == 0) return "meet";
+  const std::string upper = fmt::format("{:.12g}", distance.upper), lower = fmt::format("{:.12g}", distance.lower);
+  // Of an interval that is as narrow as is promised, rounding to twelve digits may still tell two ends.
+  return (distance.status == Status::exact || lower == upper ? upper : lower + " to " + upper) + " apart";
 }
 
 std::string nearest_text(const Distance& distance) {

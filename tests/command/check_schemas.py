@@ -32,6 +32,11 @@ SHAPES = """{"format": "toccata-scene", "version": 1, "objects": [
   {"name": "needle", "shape": {"type": "segment", "start": [0, 0, -9], "end": [0, 0, 9]}},
   {"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]}"""
 
+ROUND = """{"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "can", "shape": {"type": "cylinder", "radius": 1, "half_height": 1}},
+  {"name": "hat", "shape": {"type": "cone", "radius": 1, "half_height": 0.5}, "pose": {"translation": [0, 0, 1.5]}},
+  {"name": "egg", "shape": {"type": "ellipsoid", "half_axes": [1, 1, 2]}, "pose": {"translation": [3, 0, 0]}}]}"""
+
 
 ZOO = """{"format": "toccata-scene", "version": 1, "objects": [
   {"name": "point", "shape": {"type": "point"}},
@@ -57,6 +62,7 @@ def distances(folder):
     (folder / "arm.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                      '{"name": "arm", "shape": {"type": "capsule", "start": [0, 0, 0], "end": [0, 0, 1], "radius": 0.1}}]}')
     yield asked(folder, "distance", "shapes.json")
+    yield asked(folder, "distance", "round.json", "gen:box")
     yield asked(folder, "distance", "arm.json", "arm.json", "--poses", "poses.txt")
 
 
@@ -64,6 +70,7 @@ def rays(folder):
     """What rays meet, of shapes and of meshes."""
     (folder / "rays.txt").write_text("0 0 9  0 0 -9\n9 9 9, 9 9 10\n")
     yield asked(folder, "ray", "shapes.json", "--rays", "rays.txt")
+    yield asked(folder, "ray", "round.json", "--rays", "rays.txt")
     yield asked(folder, "ray", "scenes/a.obj", "--from", "0", "0", "9", "--to", "0", "0", "-9")
 
 
@@ -71,6 +78,7 @@ def faces(folder):
     """What lies in a box and in a ball, and in one where there is nothing."""
     yield asked(folder, "faces", "shapes.json", "scenes/a.obj", "--box", "-1", "-1", "-1", "1", "1", "1")
     yield asked(folder, "faces", "shapes.json", "--ball", "0", "0", "9", "0.5")
+    yield asked(folder, "faces", "round.json", "--ball", "0", "0", "1", "0.5")
     yield asked(folder, "faces", "scenes/a.obj", "--ball", "90", "90", "90", "0")
 
 
@@ -97,6 +105,7 @@ def nearest_points(folder):
     yield asked(folder, "nearest", "scenes/a.obj", "--points", "points.txt", "--k", "3", "--within", "100")
     yield asked(folder, "nearest", "scenes/a.obj", "bow.off", "--points", "points.txt", "--k", "3", "--signed")
     yield asked(folder, "nearest", "shapes.json", "scenes/a.obj", "--points", "points.txt", "--signed")
+    yield asked(folder, "nearest", "round.json", "--points", "points.txt", "--signed")
 
 
 def reports(folder):
@@ -120,6 +129,8 @@ def reports(folder):
     assert solids["pairs"] and all(p["penetration"] and p["regions"] for p in solids["pairs"]), solids
     yield solids
     yield check("shapes.json", "--clearance", "1cm", "--clearance-of", "ball,ground=3", "--faces")
+    yield check("round.json", "--penetration", "--faces")
+    yield check("round.json", "--clearance", "all")
     yield check("shapes.json", "--clearance", "all")
     yield check("shapes.json", "--clearance", "0")
     yield check("shapes.json", "--clearance-of", "ball,ground=all", "--clearance-of", "crate,ball=2")
@@ -135,6 +146,7 @@ def inspections(folder):
     """What meshes and shapes are, with all volumes and partitions and without."""
     yield asked(folder, "inspect", "shapes.json", "scenes/a.obj", "bow.off", "scenes/shelf/scene.json")
     yield asked(folder, "inspect", "zoo.json")
+    yield asked(folder, "inspect", "round.json")
     with_faults = asked(folder, "inspect", "bow.off", "--faults")
     assert with_faults["objects"][0]["faults"], with_faults
     yield with_faults
@@ -150,6 +162,7 @@ def hierarchies(folder):
     """The tree of nodes of a scene file."""
     yield asked(folder, "inspect", "scenes/shelf/scene.json", "--hierarchy")
     yield asked(folder, "inspect", "shapes.json", "--hierarchy")
+    yield asked(folder, "inspect", "round.json", "--hierarchy")
 
 
 def crowds(folder):
@@ -200,6 +213,7 @@ def main():
         folder = pathlib.Path(name)
         subprocess.run([COMMAND, "demo", "--write", "scenes"], cwd=folder, check=True, capture_output=True)
         (folder / "zoo.json").write_text(ZOO)
+        (folder / "round.json").write_text(ROUND)
         for kind, made in EVERY_REPORT.items():
             schema = validator(f"{kind}-report.schema.json")
             for report in made(folder):
@@ -211,6 +225,8 @@ def main():
         assert scenes
         for file in scenes:
             scene.validate(json.loads(file.read_text()))
+        for text in [SHAPES, ZOO, ROUND]:
+            scene.validate(json.loads(text))
         check_cases(scene)
 
 

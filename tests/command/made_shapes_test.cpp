@@ -139,6 +139,8 @@ TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   refused({"decompose", "gen:box", "--concavity", "2mm"}, "add --unit, or leave the unit out");
   refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "-o or --glb would write a");
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
+  refused({"decompose", "gen:box", "-o", "parts.obj"},
+          "parts.obj: what is written here is GLB; give the file a name that ends in .glb");
   refused({"decompose", "open.off"}, "'open'");
   refused({"decompose", "open.off"}, "close its holes");
 }

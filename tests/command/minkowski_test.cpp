@@ -67,6 +67,9 @@ TEST(MinkowskiCommand, TellsBallsCapsulesAndPointsAsWhatTheyAre) {
   EXPECT_TRUE(sum_says(
       box, "a solid of 8 vertices and 6 faces: 6 of A, 0 of B, 0 of both, 0 of edges; grown by a ball of radius 0.5"))
       << box;
+  const auto mesh = run_command({"minkowski", "two.json", "-o", "box.obj"}, folder.path());
+  EXPECT_TRUE(sum_says(mesh.out, "box.obj: A + B with 6 faces, without the ball of radius 0.5 that grows it."))
+      << mesh.out;
 }
 
 TEST(MinkowskiCommand, TellsWhereAPointLies) {

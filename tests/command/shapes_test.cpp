@@ -38,6 +38,17 @@ TEST_F(ShapeCommands, DistanceTellsAllPairsOfAScene) {
   EXPECT_EQ(report["pairs"][1]["upper"], 0);
 }
 
+TEST_F(ShapeCommands, ADistanceThatIsNotNarrowIsToldByBothEnds) {
+  const auto run =
+      run_command({"distance", folder
+                                   .write("needle.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "needle", "shape": {"type": "ellipsoid", "half_axes": [1e-200, 1e200, 1]}, "pose": {"translation": [0, 0, 3]}},
+    {"name": "floor", "shape": {"type": "half-space", "normal": [0, 0, 1]}}]})")
+                                   .string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("  0 to "), std::string::npos) << run.out;
+}
+
 TEST_F(ShapeCommands, DistanceOfMeshes) {
   const auto run = run_command({"distance", "gen:box", "gen:icosphere", "--pose-b", "1", "0", "0", "0", "1", "0", "0",
                                 "0", "1", "5", "0", "0", "--json"});

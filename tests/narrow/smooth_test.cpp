@@ -119,6 +119,72 @@ TEST(Smooth, AHalfSpaceMayComeFirst) {
   EXPECT_EQ(rises.normal, -falls.normal);
 }
 
+// With integers 3, 4, 5 and 12 all heights are whole: the last place of a coordinate decides.
+TEST(Smooth, AgainstHalfSpacesEveryAnswerIsExact) {
+  const auto expect_touching = [](const auto& shape, const Vec3& place, const PosedHalfSpace& wall) {
+    const PosedSmooth touching(shape, Pose{{}, place});
+    EXPECT_EQ(smooth_contact(touching, wall), SmoothContact::contact);
+    EXPECT_EQ(relation(touching, wall).kind, RelationKind::touching);
+    EXPECT_EQ(relation(touching, wall).status, Status::exact);
+    EXPECT_EQ(distance(touching, wall).upper, 0);
+    EXPECT_EQ(distance(touching, wall).status, Status::exact);
+    EXPECT_EQ(penetration(touching, wall).upper, 0);
+    EXPECT_EQ(cast_shape(touching, {1, 0, 0}, wall).status, Status::exact);
+    const Vec3 out{std::nextafter(place.x, 1e9), place.y, place.z}, in{std::nextafter(place.x, -1e9), place.y, place.z};
+    EXPECT_EQ(smooth_contact(PosedSmooth(shape, Pose{{}, out}), wall), SmoothContact::apart);
+    EXPECT_GT(distance(PosedSmooth(shape, Pose{{}, out}), wall).upper, 0);
+    EXPECT_EQ(relation(PosedSmooth(shape, Pose{{}, in}), wall).kind, RelationKind::overlapping);
+  };
+  expect_touching(Ellipsoid({1, 1, 1}), {3, -1, 0}, PosedHalfSpace(HalfSpace({0, 0, 0}, {3, 4, 0})));
+  expect_touching(Cylinder(1, 2), {3, -1, 2}, PosedHalfSpace(HalfSpace({0, 0, 0}, {3, 4, 12})));
+  expect_touching(Cone(1, 2), {3, -1, 2}, PosedHalfSpace(HalfSpace({0, 0, 0}, {3, 4, 12})));
+  expect_touching(Cone(1, 2), {4, -3, -2}, PosedHalfSpace(HalfSpace({0, 0, 0}, {3, 4, -12})));
+  // Its highest point lies in the plane.
+  const Relation held =
+      relation(PosedSmooth(Cylinder(1, 2), Pose::translation(-3, 1, -2)), PosedHalfSpace(HalfSpace({}, {3, 4, 12})));
+  EXPECT_EQ(held.containment, Containment::a_in_b);
+}
+
+TEST(Smooth, HalfSpacesMayHaveAnyNormalAndPoint) {
+  const PosedSmooth above(Cylinder(1, 1), Pose::translation(0, 0, 3));
+  const auto expect_gap = [](const PosedSmooth& shape, const HalfSpace& wall, double gap) {
+    const Distance found = distance(shape, PosedHalfSpace(wall));
+    EXPECT_LE(found.lower, gap);
+    EXPECT_GE(found.upper, gap);
+    EXPECT_LE(found.upper - found.lower, 1e-12 * gap);
+    EXPECT_EQ(found.on_b.z, 0);
+  };
+  expect_gap(above, HalfSpace({0, 0, 0}, {0, 0, 5e-324}), 2);
+  expect_gap(above, HalfSpace({0, 0, 0}, {0, 0, 1e308}), 2);
+  expect_gap(above, HalfSpace({1e308, -1e308, 0}, {0, 0, 1}), 2);
+  expect_gap(PosedSmooth(Cylinder(1, 1), Pose::translation(-1e308, 0, 3)), HalfSpace({1e308, 0, 0}, {0, 0, 1}), 2);
+  for (const double size : {1e-100, 1e-200, 1e-300, 1e-310})
+    expect_gap(PosedSmooth(Ellipsoid({size, size, size}), Pose::translation(0, 0, 2)), HalfSpace({}, {0, 0, 1}), 2);
+}
+
+TEST(Smooth, ATinyShapeInTheMiddleOfAnotherIsInContact) {
+  const PosedConvex box(Box({1, 1, 1})), ball(Sphere(1));
+  const PosedSmooth can(Cylinder(1, 1));
+  const PosedHalfSpace below(HalfSpace({0, 0, 1}, {0, 0, 1}));
+  for (const double size : {1e-30, 1e-150, 1e-300, 1e-310})
+    for (const PosedSmooth& tiny : {PosedSmooth(Cylinder(size, size)), PosedSmooth(Cone(size, size)),
+                                    PosedSmooth(Ellipsoid({size, size, size}))}) {
+      EXPECT_EQ(smooth_contact(tiny, box), SmoothContact::contact) << size;
+      EXPECT_EQ(smooth_contact(tiny, ball), SmoothContact::contact) << size;
+      EXPECT_EQ(smooth_contact(tiny, can), SmoothContact::contact) << size;
+      EXPECT_EQ(smooth_contact(tiny, below), SmoothContact::contact) << size;
+      EXPECT_EQ(distance(tiny, box).status, Status::exact) << size;
+      EXPECT_EQ(relation(tiny, box).kind, RelationKind::overlapping) << size;
+      const Penetration depth = penetration(tiny, box);
+      EXPECT_LE(depth.lower, 1) << size;
+      EXPECT_GE(depth.upper, 1) << size;
+      EXPECT_LE(depth.upper, 1 + 1e-12) << size;
+      const Penetration sunk = penetration(tiny, below);
+      EXPECT_LE(sunk.lower, 1) << size;
+      EXPECT_GE(sunk.upper, 1) << size;
+    }
+}
+
 // Whole numbers, faces, rims, sides and tips in parallel: the exact gap is 0, whichever axis they lie along.
 TEST(Smooth, TouchingAlongEveryAxisCountsAsContact) {
   const PosedConvex box(Box({1, 1, 1}));

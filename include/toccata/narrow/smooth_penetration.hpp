@@ -6,8 +6,9 @@
 namespace toccata {
 
 // Apart and overlapping (crossing: a surface) are proved, and containment. Touching is undecided: it stands for what
-// SmoothContact calls so. Of two that overlap, undecided says: within 10⁻¹² of the size of one holding the other;
-// not_converged: a search ended, near a capsule or a rounded shape. Containment is none then.
+// SmoothContact calls so; against half-spaces it is exact. Of two that overlap, undecided says: within 10⁻¹² of the
+// size of one holding the other; not_converged: a search ended, near a capsule or a rounded shape. Containment is none
+// then.
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedSmooth& b);
 [[nodiscard]] Relation relation(const PosedSmooth& a, const PosedConvex& b);
 [[nodiscard]] Relation relation(const PosedConvex& a, const PosedSmooth& b);

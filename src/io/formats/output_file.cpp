@@ -70,6 +70,13 @@ void require_own_or_nothing(const fs::path& path, OutputKind kind) {
                                      "choose another name, or delete it"});
 }
 
+/// GLB in a file of that name could be read by nothing.
+void require_no_name_of_a_mesh(const fs::path& path) {
+  for (const char* extension : {".obj", ".off", ".ply", ".stl", ".gltf"})
+    if (path.extension() == extension)
+      io::fail_in_file(path.string(), {"what is written here is GLB", "give the file a name that ends in .glb"});
+}
+
 /// ISO 3309, as PNG uses it.
 std::uint32_t cyclic_redundancy_check(std::string_view bytes) {
   std::uint32_t check = 0xffffffffU;
@@ -97,6 +104,7 @@ std::string marked_picture(std::string_view png) {
 }  // namespace
 
 void require_output(const fs::path& path, OutputKind kind) {
+  if (kind == OutputKind::glb) require_no_name_of_a_mesh(path);
   require_own_or_nothing(path, kind);
   io::require_writable(path);
 }

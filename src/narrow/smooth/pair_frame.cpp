@@ -45,6 +45,17 @@ PairFrame pair_frame(const PosedSmooth& a, const PosedConvex& b) {
   return frame_of(a.pose().offset, std::max(reach_of(a), reach_from(b, a.pose().offset)));
 }
 
+PairFrame pair_frame(const PosedSmooth& a, const PosedHalfSpace& b) {
+  const double between = largest_magnitude(0x1p-700 * b.point - 0x1p-700 * a.pose().offset);
+  return frame_of(a.pose().offset, std::max(reach_of(a), between));
+}
+
+Vec3 scaled_normal(const PosedHalfSpace& half_space) {
+  const Vec3& n = half_space.normal;
+  const int down = -std::ilogb(largest_magnitude(n));
+  return {std::scalbn(n.x, down), std::scalbn(n.y, down), std::scalbn(n.z, down)};
+}
+
 BoundedVector PairFrame::place(const Vec3& world) const {
   // What is multiplied first may lose its last digits below the range, what is multiplied last not.
   BoundedVector placed;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/bounded_number.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 #include "toccata/narrow/posed_smooth.hpp"
 
@@ -22,5 +23,9 @@ struct PairFrame {
 
 [[nodiscard]] PairFrame pair_frame(const PosedSmooth& a, const PosedSmooth& b);
 [[nodiscard]] PairFrame pair_frame(const PosedSmooth& a, const PosedConvex& b);
+/// That of the smooth shape, but of one so far from the plane's point that numbers would leave the range.
+[[nodiscard]] PairFrame pair_frame(const PosedSmooth& a, const PosedHalfSpace& b);
+/// The greatest coordinate is at least 1 and less than 2 in magnitude.
+[[nodiscard]] Vec3 scaled_normal(const PosedHalfSpace& half_space);
 
 }  // namespace toccata

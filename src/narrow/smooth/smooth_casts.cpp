@@ -239,18 +239,17 @@ double free_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b
 
 Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& b) {
   require_motion(motion);
-  const PairFrame frame = pair_frame(a, a);
+  const PairFrame frame = pair_frame(a, b);
   const SmoothBody body(a, frame);
-  const double scale = std::scalbn(1.0, -std::ilogb(largest_magnitude(b.normal)));
-  const BoundedVector n = exactly(scale * b.normal);
-  const FineDirection down = fine(-(scale * b.normal));
+  const Vec3 normal = scaled_normal(b);
+  const BoundedVector n = exactly(normal);
+  const FineDirection down = fine(-normal);
   const BoundedNumber height = -(height_of<BoundedNumber>(body, down) + dot(n, frame.place(b.point)));
   const BoundedNumber fall = -dot(n, frame.scaled(motion));
   Cast cast;
-  if (!height.is_positive()) {
+  if (overlap(a, b)) {
     cast.hit = true;
     cast.point = distance(a, b).on_b;
-    cast.status = height.is_negative() ? Status::exact : Status::undecided;
     return cast;
   }
   if (!fall.is_positive()) {
@@ -262,9 +261,9 @@ Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& 
   cast.hit = true;
   cast.lower = std::fmax(0, floor_of(time));
   cast.upper = std::fmin(1, ceiling_of(time));
-  cast.status = time.is_positive() && !(exactly(1.0) - time).is_positive() ? Status::undecided : Status::exact;
-  cast.normal = unit_or_zero(b.normal);
-  cast.point = frame.back(body.support(-(scale * b.normal)).point) + cast.lower * motion;
+  cast.status = (exactly(1.0) - time).is_positive() ? Status::exact : Status::undecided;
+  cast.normal = unit_or_zero(normal);
+  cast.point = frame.back(body.support(-normal).point) + cast.lower * motion;
   return cast;
 }
 

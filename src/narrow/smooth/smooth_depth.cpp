@@ -77,8 +77,11 @@ Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNe
 
 namespace {
 
-Penetration penetration_of(const SmoothBody& a, const SmoothBody& b, const PairFrame& frame) {
-  const SmoothNearest near = nearest_of(a, b, SmoothQuestion::distance);
+template <class B>
+Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
+  const PairFrame frame = pair_frame(shape_a, shape_b);
+  const SmoothBody a(shape_a, frame), b(shape_b, frame);
+  const SmoothNearest near = nearest_of(shape_a, a, shape_b, b, SmoothQuestion::distance);
   Penetration result;
   if (near.contact == SmoothContact::apart) return result;
   if (near.contact == SmoothContact::undecided) {
@@ -98,15 +101,13 @@ Penetration penetration_of(const SmoothBody& a, const SmoothBody& b, const PairF
 
 Penetration penetration(const PosedSmooth& a, const PosedSmooth& b) {
   if (comes_before(b, a)) return exchanged(penetration(b, a));
-  const PairFrame frame = pair_frame(a, b);
-  return penetration_of(SmoothBody(a, frame), SmoothBody(b, frame), frame);
+  return penetration_of(a, b);
 }
 
 Penetration penetration(const PosedSmooth& a, const PosedConvex& b) {
   if (!b.solid())
     throw Error("penetration: the second shape is a surface, which has no interior to leave; ask for the distance");
-  const PairFrame frame = pair_frame(a, b);
-  return penetration_of(SmoothBody(a, frame), SmoothBody(b, frame), frame);
+  return penetration_of(a, b);
 }
 
 Penetration penetration(const PosedConvex& a, const PosedSmooth& b) {

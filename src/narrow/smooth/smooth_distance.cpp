@@ -148,7 +148,7 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
   if (is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart()) return SmoothContact::apart;
   const Pair pair(a, b);
-  return nearest_of(pair.a, pair.b, SmoothQuestion::meeting).contact;
+  return nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
 }
 
 /// The search begins with this direction, and leaves there that of the nearest points; zero: none.
@@ -163,7 +163,8 @@ Distance distance_of(const PosedSmooth& a, const B& b, Vec3& direction) {
     if (found) return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
   }
   const Pair pair(a, b);
-  return in_world(nearest_of(pair.a, pair.b, SmoothQuestion::distance, quick ? quick->guess() : nullptr), pair.frame);
+  const QuickPolish* const guess = quick ? quick->guess() : nullptr;
+  return in_world(nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance, guess), pair.frame);
 }
 
 template <class B>
@@ -209,7 +210,7 @@ bool is_within(const PosedSmooth& a, const PosedSmooth& b, double tolerance) {
 }
 bool is_within(const PosedSmooth& a, const PosedConvex& b, double tolerance) { return is_within_of(a, b, tolerance); }
 bool is_within(const PosedSmooth& a, const PosedHalfSpace& b, double tolerance) {
-  return distance(a, b).lower <= tolerance;
+  return tolerance == 0 ? overlap(a, b) : distance(a, b).lower <= tolerance;
 }
 
 Distance distance(const PosedSmooth& a, const PosedSmooth& b) {

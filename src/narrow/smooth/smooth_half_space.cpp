@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/exact_place.hpp"
 #include "narrow/smooth/smooth_order.hpp"
 #include "narrow/smooth/smooth_proof.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
@@ -9,24 +10,22 @@
 namespace toccata {
 namespace {
 
-/// A smooth shape above a plane, in a frame around the shape.
+/// A smooth shape above a plane, in a frame around the shape. Which side it is on is exact.
 class Above {
  public:
-  Above(const PosedSmooth& a, const PosedHalfSpace& b) : frame_(pair_frame(a, a)), body_(a, frame_) {
-    const double largest = std::fmax(std::fmax(std::fabs(b.normal.x), std::fabs(b.normal.y)), std::fabs(b.normal.z));
-    const double scale = std::scalbn(1.0, -std::ilogb(largest));
-    normal_ = scale * b.normal;
+  Above(const PosedSmooth& a, const PosedHalfSpace& b)
+      : shape_(a), plane_(b), frame_(pair_frame(a, b)), body_(a, frame_), normal_(scaled_normal(b)) {
     const FineDirection down = fine(-normal_);
     const BoundedVector n = exactly(normal_);
     level_ = dot(n, frame_.place(b.point));
     gap_ = -(height_of<BoundedNumber>(body_, down) + level_);
     length_ = length(n);
     lowest_ = body_.support(-normal_).point;
+    lowest_side_ = sign_or_exact(gap_, b.normal);
   }
 
   [[nodiscard]] SmoothContact contact() const {
-    if (gap_.is_positive()) return SmoothContact::apart;
-    return gap_.is_negative() ? SmoothContact::contact : SmoothContact::undecided;
+    return lowest_side_ == Sign::positive ? SmoothContact::apart : SmoothContact::contact;
   }
 
   [[nodiscard]] Distance distance() const {
@@ -42,9 +41,6 @@ class Above {
       return result;
     }
     result.on_a = result.on_b;
-    if (contact() == SmoothContact::contact) return result;
-    result.upper = std::nextafter(std::fmax(ceiling_of(height), 0) / frame_.factor, HUGE_VAL);
-    result.status = Status::undecided;
     return result;
   }
 
@@ -52,23 +48,19 @@ class Above {
     Relation result;
     result.a_solid = result.b_solid = true;
     if (contact() == SmoothContact::apart) return result;
-    result.kind = gap_.is_negative() ? RelationKind::overlapping : RelationKind::touching;
-    if (!gap_.is_negative()) result.status = Status::undecided;
-    // Its highest point lies below the plane.
-    const BoundedNumber top = height_of<BoundedNumber>(body_, fine(normal_)) - level_;
-    if (gap_.is_negative() && top.is_negative()) result.containment = Containment::a_in_b;
+    result.kind = lowest_side_ == Sign::negative ? RelationKind::overlapping : RelationKind::touching;
+    if (lowest_side_ == Sign::negative && is_below()) result.containment = Containment::a_in_b;
     return result;
   }
 
   [[nodiscard]] Penetration penetration() const {
     Penetration result;
     if (contact() == SmoothContact::apart) return result;
-    if (contact() == SmoothContact::undecided) result.status = Status::undecided;
     const BoundedNumber depth = -(gap_ / length_);
     result.direction = -unit_or_zero(normal_);
     result.on_a = frame_.back(lowest_);
     result.on_b = frame_.back(lowest_ + (middle(depth) / middle(length_)) * normal_);
-    if (contact() == SmoothContact::undecided) return result;
+    if (lowest_side_ == Sign::zero) return result;
     // The direction is rounded, so that a little more is to be gone.
     result.lower = std::nextafter(std::fmax(floor_of(depth), 0) / frame_.factor, 0);
     result.upper = std::nextafter((1 + 0x1p-50) * ceiling_of(depth) / frame_.factor, HUGE_VAL);
@@ -77,6 +69,20 @@ class Above {
   }
 
  private:
+  /// That of the height above the plane seen along this normal.
+  [[nodiscard]] Sign sign_or_exact(const BoundedNumber& height, const Vec3& normal) const {
+    if (height.is_positive()) return Sign::positive;
+    return height.is_negative() ? Sign::negative : exact_sign_of_height(shape_, plane_.point, normal);
+  }
+
+  /// Its highest point lies below the plane or in it.
+  [[nodiscard]] bool is_below() const {
+    const BoundedNumber top = height_of<BoundedNumber>(body_, fine(normal_)) - level_;
+    return sign_or_exact(-top, -plane_.normal) != Sign::negative;
+  }
+
+  const PosedSmooth& shape_;
+  const PosedHalfSpace& plane_;
   PairFrame frame_;
   SmoothBody body_;
   Vec3 normal_;
@@ -84,6 +90,7 @@ class Above {
   BoundedNumber gap_;    ///< times the length of the normal
   BoundedNumber length_;
   Vec3 lowest_;
+  Sign lowest_side_ = Sign::zero;
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "narrow/smooth/exact_place.hpp"
+
 namespace toccata {
 namespace {
 
@@ -214,6 +216,31 @@ SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestio
   NearestSearch search(a, b);
   if (guess != nullptr && search.proves(*guess)) return search.best();
   return question == SmoothQuestion::meeting ? search.meeting() : search.distance();
+}
+
+namespace {
+
+template <class B>
+SmoothNearest decided_by_middle(SmoothNearest found, const PosedSmooth& a, const SmoothBody& body_a, const B& b) {
+  if (found.contact != SmoothContact::undecided || !is_middle_in(a, b)) return found;
+  found.contact = SmoothContact::contact;
+  found.lower = found.upper = 0;
+  found.on_a = found.on_b = plain(body_a.middle_point());
+  found.narrow = true;
+  return found;
+}
+
+}  // namespace
+
+SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b, const SmoothBody& body_b,
+                         SmoothQuestion question, const QuickPolish* guess) {
+  const SmoothNearest found = decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
+  return decided_by_middle(found, b, body_b, a);
+}
+
+SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedConvex& b, const SmoothBody& body_b,
+                         SmoothQuestion question, const QuickPolish* guess) {
+  return decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
 }
 
 }  // namespace toccata

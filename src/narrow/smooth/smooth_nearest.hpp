@@ -27,4 +27,13 @@ enum class SmoothQuestion : std::uint8_t { meeting, distance };
 [[nodiscard]] SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question,
                                        const QuickPolish* guess = nullptr);
 
+// The same of shapes in their pair's frame. Where this leaves open whether they meet, exact signs tell whether one
+// contains the middle of the other: of shapes that are tiny beside it, all simplices may be flat for doubles.
+[[nodiscard]] SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b,
+                                       const SmoothBody& body_b, SmoothQuestion question,
+                                       const QuickPolish* guess = nullptr);
+[[nodiscard]] SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedConvex& b,
+                                       const SmoothBody& body_b, SmoothQuestion question,
+                                       const QuickPolish* guess = nullptr);
+
 }  // namespace toccata

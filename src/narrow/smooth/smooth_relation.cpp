@@ -25,11 +25,10 @@ bool may_hold(const Relation& found) {
   return found.kind == RelationKind::overlapping || found.kind == RelationKind::crossing;
 }
 
-Relation relation_of(const SmoothBody& a, const SmoothBody& b, bool b_solid) {
+Relation relation_of(SmoothContact contact, bool b_solid) {
   Relation result;
   result.a_solid = true;
   result.b_solid = b_solid;
-  const SmoothContact contact = nearest_of(a, b, SmoothQuestion::meeting).contact;
   if (contact == SmoothContact::apart) return result;
   if (contact == SmoothContact::undecided) {
     result.kind = RelationKind::touching;
@@ -46,7 +45,7 @@ Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
   if (comes_before(b, a)) return exchanged(relation(b, a));
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const Relation found = relation_of(body_a, body_b, true);
+  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting).contact, true);
   if (!may_hold(found)) return found;
   if (a == b) return with_containment(found, Within::yes, Within::yes);
   return with_containment(found, is_held_by_smooth(body_a, body_b), is_held_by_smooth(body_b, body_a));
@@ -55,7 +54,7 @@ Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
 Relation relation(const PosedSmooth& a, const PosedConvex& b) {
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const Relation found = relation_of(body_a, body_b, b.solid());
+  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting).contact, b.solid());
   if (!may_hold(found)) return found;
   const Within b_in_a = is_held_by_smooth(b, body_b, a, body_a);
   const bool is_all = b_in_a == Within::yes || !b.solid();

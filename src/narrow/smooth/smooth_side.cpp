@@ -2,7 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "math/wide_integer.hpp"
+#include "narrow/smooth/exact_place.hpp"
 #include "narrow/smooth/unit_frame.hpp"
 #include "toccata/narrow/smooth_boundary.hpp"
 
@@ -18,28 +18,6 @@ std::optional<Sign> bounded_side(const PosedSmooth& shape, const Vec3& point) {
   const Within within = is_held(unit, at);
   if (within == Within::undecided) return {};
   return within == Within::yes ? Sign::negative : Sign::positive;
-}
-
-/// The images of the half axes and the point as seen from the middle, exactly, over one unit.
-struct ExactPlace {
-  std::array<IntegerVector, 3> axis;
-  IntegerVector point;
-};
-
-ExactPlace exact_place(const PosedSmooth& shape, const Vec3& point) {
-  const Mat3& linear = shape.pose().linear;
-  const std::array<Vec3, 3> columns{linear.column(0), linear.column(1), linear.column(2)};
-  const std::array<Vec3, 1> half{shape.half()};
-  const std::array<Vec3, 2> places{point, shape.pose().offset};
-  const int of_columns = common_exponent(columns), of_half = common_exponent(half), of_places = common_exponent(places);
-  const int unit = std::min(of_columns + of_half, of_places);
-  const WideInteger of_axes = WideInteger(1) << static_cast<unsigned>(of_columns + of_half - unit);
-  ExactPlace place;
-  for (std::size_t j = 0; j < 3; ++j)
-    place.axis[j] =
-        (of_axes * scaled_wide(half[0][static_cast<int>(j)], of_half)) * scaled_wide(columns[j], of_columns);
-  place.point = scaled_wide(places[0], unit) - scaled_wide(places[1], unit);
-  return place;
 }
 
 /// Of the numbers that are positive outside.

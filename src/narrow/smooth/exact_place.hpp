@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+
+#include "math/wide_integer.hpp"
+#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
+
+namespace toccata {
+
+/// The images of a smooth shape's half axes and a point as seen from its middle, exactly, over one unit.
+struct ExactPlace {
+  std::array<IntegerVector, 3> axis;
+  IntegerVector point;
+};
+
+[[nodiscard]] ExactPlace exact_place(const PosedSmooth& shape, const Vec3& point);
+
+/// Of the least height of a shape above the plane through the point; the normal need not be a unit vector.
+[[nodiscard]] Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const Vec3& normal);
+
+// Does the other shape contain the middle of this one, by exact signs? Then it meets the interior.
+[[nodiscard]] bool is_middle_in(const PosedSmooth& shape, const PosedSmooth& other);
+[[nodiscard]] bool is_middle_in(const PosedSmooth& shape, const PosedConvex& other);
+
+}  // namespace toccata
