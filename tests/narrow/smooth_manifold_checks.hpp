@@ -43,7 +43,7 @@ inline std::string smooth_manifold_fault(const Manifold& m, const oracle::FineSe
     if (Fine(p.depth) > depth + Fine(1e-12 * size)) return fmt::format("{} deep, more than {}", p.depth, depth.str(20));
     const oracle::FinePoint at = fine_of(p.position);
     const Fine half = Fine(p.depth) / 2, reach = abs(at.x) + abs(at.y) + abs(at.z);
-    const Fine slack = Fine(1e-7 * size) + Fine(0x1p-50) * reach;
+    const Fine slack = Fine(1e-11 * size) + Fine(0x1p-50) * reach;
     const auto moved = [&](const Fine& by) -> oracle::FinePoint {
       return {at.x + by * normal.x, at.y + by * normal.y, at.z + by * normal.z};
     };

@@ -145,8 +145,9 @@ Fine at_most_from(const FineSet& set, const FinePoint& point, const Fine& enough
   FineSet alone, core = set;
   alone.vertices = {point};
   core.radius = 0;
+  // As finely as the slack of the radius's surface is looked at.
   const auto searched = [&] {
-    const FineNearness near = fine_nearness(alone, core, 1e-3, 300);
+    const FineNearness near = fine_nearness(alone, core, set.radius > 0 ? 1e-20 : 1e-3, 300);
     return near.meet || near.upper <= set.radius ? Fine(0) : Fine(near.upper - set.radius);
   };
   if (set.kind == FineKind::hull) return searched();

@@ -10,6 +10,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/smooth_manifold.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"
@@ -18,6 +19,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/faces_within.hpp"
 #include "toccata/query/flipped.hpp"
+#include "toccata/query/manifold.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/penetration.hpp"
@@ -59,6 +61,8 @@ std::string fault_of_models(const PlacedSmooth& a, const B& b) {
   const Relation lie = relation(model_a, model_b, query);
   if (!(lie == relation(posed_a, posed_b)) || !(relation(model_b, model_a, back) == flipped(lie))) return "relation";
   if (contacts(model_a, model_b, query).size() != (met ? 1U : 0U)) return "contacts";
+  if (!(manifold(model_a, model_b, query) == manifold(posed_a, posed_b))) return "manifold";
+  if (!(manifold(model_b, model_a, back) == manifold(posed_b, posed_a))) return "manifold, exchanged";
   if (!closer_than(model_a, model_b, gap.upper, query)) return "closer than the upper end";
   if (gap.lower > 0 && closer_than(model_a, model_b, gap.lower / 2, query)) return "closer than half the lower end";
   if (distance_within(model_a, model_b, gap.upper, query) != std::optional(gap)) return "distance within";
@@ -140,6 +144,43 @@ TEST(SmoothModels, CompoundsAreTheUnionOfTheirParts) {
     EXPECT_EQ(overlap(lamp, egg, query), all.upper == 0 || all.status == Status::undecided);
     EXPECT_EQ(contacts(lamp, egg, query).size(), (first.lower == 0) + (second.lower == 0));
     EXPECT_EQ(relation(egg, lamp, poses_of(pose, turned)), flipped(relation(lamp, egg, query)));
+  }
+}
+
+/// On an area, with all points at this height and as deep.
+void expect_standing(const Manifold& m, double height, double depth) {
+  ASSERT_GE(m.count, 3);
+  for (int i = 0; i < m.count; ++i) {
+    const ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(p.position.z, height, 1e-13);
+    EXPECT_NEAR(p.depth, depth, 1e-13);
+  }
+}
+
+// A can over the joint of two tables, one of them a compound's part, and on a mesh: each contact has points of its own.
+TEST(SmoothModels, ContactsWithCompoundsAndMeshesHaveTheManifoldsOfTheirElements) {
+  const Cylinder can(0.5, 1);
+  const PairQuery on_top{.pose_b = Pose::translation(0.125, 0, 1.9375)};
+  const std::array halves{CompoundPart{Box({1, 1, 1}), Pose::translation(-1, 0, 0)},
+                          CompoundPart{Box({1, 1, 1}), Pose::translation(1, 0, 0)}};
+  const Model tables{Compound(halves)};
+  const std::vector<Contact> both = contacts(tables, can, on_top);
+  ASSERT_EQ(both.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Manifold m = manifold(tables, can, both[i], on_top);
+    expect_standing(m, 0.96875, 0.0625);
+    EXPECT_EQ(m, manifold(PosedConvex(Box({1, 1, 1}), halves[i].pose), PosedSmooth(can, on_top.pose_b)));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k)
+      EXPECT_GE((i == 0 ? -1 : 1) * m.points[k].position.x, -1e-15);
+  }
+  const Model slab(box_mesh({1, 1, 1}));
+  const std::vector<Contact> on_mesh = contacts(slab, can, on_top);
+  EXPECT_EQ(on_mesh.size(), 2U);
+  for (const Contact& contact : on_mesh) {
+    const Manifold m = manifold(slab, can, contact, on_top);
+    EXPECT_EQ(m, manifold(PosedConvex(world_triangle(slab, {}, contact.triangle_a)), PosedSmooth(can, on_top.pose_b)));
+    EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
+    expect_standing(m, 0.96875, 0.0625);
   }
 }
 
@@ -263,7 +304,9 @@ TEST(SmoothModels, ManyQuestionsAtOnceAreTheSingleOnes) {
     const auto met = overlap_each(pairs, options);
     const auto gaps = distance_each(pairs, options);
     const auto lies = relation_each(pairs, options);
+    const auto points = manifold_each(pairs, options);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
+      EXPECT_EQ(points[i], manifold(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
       EXPECT_EQ(met[i], overlap(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
       EXPECT_EQ(gaps[i], distance(pairs[i].a, pairs[i].b, pairs[i].query)) << i;
       EXPECT_EQ(lies[i], relation(pairs[i].a, pairs[i].b, pairs[i].query)) << i;

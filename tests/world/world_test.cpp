@@ -11,6 +11,7 @@
 
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/math/rotation.hpp"
 #include "world/random_bodies.hpp"
 
 namespace toccata {
@@ -315,6 +316,30 @@ TEST(World, MarginsWhoseSumOverflowsReachEverything) {
   for (Body& body : bodies) body.margin = 1e308;
   world.add(bodies);
   EXPECT_EQ(world.step().begun.size(), 1U);
+}
+
+// A can that is put on a table, pushed over the edge, laid down and lifted.
+TEST(World, TellsThePointsOnWhichACanStandsAndLies) {
+  World world({.manifold = true});
+  Body table{Box({2, 2, 0.5}), Pose::translation(0, 0, -0.5)};
+  table.motion = Motion::fixed;
+  const BodyId can = world.add(std::array{table, Body{Cylinder(0.5, 1), Pose::translation(0, 0, 1)}})[1];
+  const auto points_at = [&](const Pose& pose, double height) {
+    world.move(can, pose);
+    world.step();
+    if (world.pairs().empty()) return 0;
+    const Manifold& m = world.pairs()[0].details->manifold.value();
+    EXPECT_EQ(m, manifold(Box({2, 2, 0.5}), Cylinder(0.5, 1), {table.pose, pose}));
+    EXPECT_NEAR(m.normal.z, 1, 1e-15);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i)
+      EXPECT_NEAR(m.points[i].position.z, height, 1e-14);
+    return m.count;
+  };
+  EXPECT_EQ(points_at(Pose::translation(0, 0, 1), 0), 4);
+  EXPECT_EQ(points_at(Pose::translation(2.25, 0, 0.875), -0.0625), 4);
+  EXPECT_EQ(points_at({rotation_about({1, 0, 0}, 90), {0, 0, 0.5}}, 0), 2);
+  EXPECT_EQ(points_at({rotation_about({1, 0, 0}, 180), {0, 1.75, 0.96875}}, -0.015625), 4);
+  EXPECT_EQ(points_at(Pose::translation(0, 0, 1.0009765625), 0), 0);
 }
 
 TEST(World, BitsAreTheSameAtEverySimdLevel) {

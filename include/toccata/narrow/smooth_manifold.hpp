@@ -14,7 +14,7 @@ namespace toccata {
 // everything else one.
 //
 // Each position is half way between a point of A and one of B that are |depth| apart along the normal; both are off
-// from their shapes by at most 10⁻⁷ of the size of the pair (of the smooth shape, and how far the other reaches from
+// from their shapes by at most 10⁻¹¹ of the size of the pair (of the smooth shape, and how far the other reaches from
 // its middle), and mostly by 10⁻¹⁵. No point is deeper than the shapes are along the normal, and the first is as deep
 // as that, but for 2⁻²⁰ of it.
 //

@@ -10,6 +10,9 @@ namespace {
 
 using Kind = ConvexFeature::Kind;
 
+/// Of the length of a side.
+constexpr double rounding_of_parts = 0x1p-44;
+
 /// A direction across the normal: in the plane of two axes, of the two that are most across it.
 Vec3 across(const Vec3& normal) {
   const Vec3 m = magnitudes(normal);
@@ -74,6 +77,10 @@ class RoundSides {
       patch_.kind = ContactPatch::Kind::line;
       patch_.whole = {Kind::face, is_cone() ? Index{1} : Index{2}};
       patch_.corners = {at_low, at_high};
+      patch_.side = {frame_.placed(body_.plain_centre(0)),
+                     frame_.turned(body_.plain_centre(1) - body_.plain_centre(0)),
+                     {frame_.turned(body_.plain_column(0)), frame_.turned(body_.plain_column(1))},
+                     is_cone()};
       return;
     }
     const PatchCorner& end = dot(high - low, direction_) > 0 ? at_high : at_low;
@@ -95,13 +102,14 @@ class FlatSides {
       : shape_(shape),
         origin_(origin),
         frame_(frame),
+        outwards_{0, 0, outwards},
         direction_(outwards * frame.z),
         face_(facing_face(shape, direction_)),
         patch_(patch) {}
 
   void fill(const Vec3& touching) {
     patch_.whole = {Kind::vertex, face_.vertex};
-    patch_.centre = place(face_.vertex);
+    patch_.centre = place(face_.vertex) + shape_.radius() * outwards_;
     if (face_.face == ContactFace::none) return;
     if (face_.facing >= cosine_of_facing) return fill_polygon(touching);
     const Index half_edge = most_across();
@@ -115,16 +123,17 @@ class FlatSides {
     const HullTopology topology = shape_.topology();
     patch_.kind = ContactPatch::Kind::polygon;
     patch_.whole = {Kind::face, face_.face};
+    const Vec3 normal = frame_.turned(face_.normal), grown = shape_.radius() * normal;
     double twice_area = 0;
     for (Index h = face_.first(); h < face_.last(); ++h) {
-      const Vec3 p = place(topology.origin[h]), q = place(topology.target(h));
+      const Vec3 p = place(topology.origin[h]) + grown, q = place(topology.target(h)) + grown;
       patch_.corners.push_back({p, {Kind::vertex, topology.origin[h]}, {Kind::edge, edge_number(topology, h)}});
       twice_area += p.x * q.y - p.y * q.x;
     }
     patch_.turn = twice_area < 0 ? -1 : 1;
     // The plane is as rough as its normal far from where it is held.
-    patch_.centre = frame_.placed(touching);
-    lean(patch_, frame_.turned(face_.normal));
+    patch_.centre = frame_.placed(touching) + (grown - shape_.radius() * outwards_);
+    lean(patch_, normal);
   }
 
   /// Of the edges at the farthest vertex the one most across the direction, if one is so at all.
@@ -151,13 +160,17 @@ class FlatSides {
     const Index from = topology.origin[half_edge], to = topology.target(half_edge);
     patch_.kind = ContactPatch::Kind::line;
     patch_.whole = {Kind::edge, edge_number(topology, half_edge)};
-    patch_.corners = {{place(from), {Kind::vertex, from}, {}}, {place(to), {Kind::vertex, to}, {}}};
+    const Vec3 axis = place(to) - place(from), along = unit_or_zero(axis);
+    const Vec3 grown = shape_.radius() * unit_or_zero(outwards_ - dot(along, outwards_) * along);
+    patch_.corners = {{place(from) + grown, {Kind::vertex, from}, {}}, {place(to) + grown, {Kind::vertex, to}, {}}};
+    if (shape_.radius() > 0) patch_.side = {place(from), axis, {grown, cross(along, grown)}};
   }
 
   const PosedConvex& shape_;
   const Vec3& origin_;
   const ContactFrame& frame_;
-  Vec3 direction_;
+  Vec3 outwards_;   ///< in the contact's frame
+  Vec3 direction_;  ///< the same, in the pair's
   ContactFace face_;
   ContactPatch& patch_;
 };
@@ -166,6 +179,23 @@ class FlatSides {
 
 ContactFrame::ContactFrame(const Vec3& at, const Vec3& normal)
     : origin(at), x(across(normal)), y(cross(normal, x)), z(normal) {}
+
+// The root of a t² + 2 b t + c that is nearer to 0, t above the point.
+std::optional<double> RoundSide::height_near(const Vec3& at) const {
+  const Vec3 to_x = cross(column[1], axis), to_y = cross(axis, column[0]), to_s = cross(column[0], column[1]);
+  const double volume = dot(to_s, axis);
+  const Vec3 from = at - base;
+  const Vec3 u{dot(to_x, from) / volume, dot(to_y, from) / volume, 0}, way{to_x.z / volume, to_y.z / volume, 0};
+  const double s = dot(to_s, from) / volume, s_way = to_s.z / volume;
+  const double width = tapers ? 1 - s : 1, width_way = tapers ? -s_way : 0;
+  const double a = dot(way, way) - width_way * width_way, b = dot(u, way) - width * width_way,
+               c = dot(u, u) - width * width;
+  const double squared = b * b - a * c;
+  if (!(squared >= 0) || b == 0) return {};
+  const double t = -c / (b + std::copysign(std::sqrt(squared), b)), part = s + t * s_way;
+  if (!(part >= -rounding_of_parts && part <= 1 + rounding_of_parts)) return {};
+  return at.z + t;
+}
 
 double ContactPatch::height(const Vec3& at) const {
   if (kind != Kind::line) return centre.z + (slope_x * (at.x - centre.x) + slope_y * (at.y - centre.y));

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory_resource>
+#include <optional>
 #include <vector>
 
 #include "narrow/smooth/plain_body.hpp"
@@ -32,6 +33,18 @@ struct PatchCorner {
   ConvexFeature to_next;  ///< of a polygon
 };
 
+/// The points base + s · axis + width · (u₁ column[0] + u₂ column[1]) with |u| = 1 and s from 0 to 1; the width is 1,
+/// or of a cone 1 − s.
+struct RoundSide {
+  Vec3 base;
+  Vec3 axis;
+  std::array<Vec3, 2> column;
+  bool tapers = false;
+
+  /// The height of the surface at (x, y), of two the one nearer to the point; none beyond its ends.
+  [[nodiscard]] std::optional<double> height_near(const Vec3& at) const;
+};
+
 /// A face, a line or a point of a shape, in the contact's frame; of a half-space its plane.
 struct ContactPatch {
   enum class Kind : std::uint8_t { point, line, polygon, disc, plane };
@@ -51,6 +64,7 @@ struct ContactPatch {
   ConvexFeature whole;
   std::pmr::vector<PatchCorner> corners;  ///< of a line its ends
   double turn = 1;                        ///< of a polygon: −1 where the corners go clockwise
+  std::optional<RoundSide> side;          ///< on which a line lies
   Vec3 centre;                            ///< of a disc; else a point of the patch
   std::array<Vec3, 2> column;             ///< of a disc, to its rim
   Index first_rim = 0;
@@ -62,8 +76,8 @@ struct ContactPatch {
 [[nodiscard]] ContactPatch patch_of(const PlainBody& body, const ContactFrame& frame, double outwards,
                                     std::pmr::memory_resource& memory);
 
-/// The same of a convex shape in the scale of the pair, without its radius, which is to be added to the heights;
-/// `origin` is that of the pair. `touching` is a point of the patch.
+/// The same of a convex shape in the scale of the pair; `origin` is that of the pair. `touching` is the point of it
+/// that is farthest.
 [[nodiscard]] ContactPatch patch_of(const PosedConvex& shape, const Vec3& origin, const ContactFrame& frame,
                                     double outwards, const Vec3& touching, std::pmr::memory_resource& memory);
 

@@ -147,6 +147,18 @@ Vec3 extreme_between(const RimHeight& height, double sign, Vec3 u, Vec3 v) {
   return between(u, v);
 }
 
+/// The last part of the way from one that there is a height for to another one.
+template <class Height>
+double last_within(const Height& height, double within, double part) {
+  if (height(part)) return part;
+  double beyond = part;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (within + beyond);
+    (height(middle) ? within : beyond) = middle;
+  }
+  return within;
+}
+
 class CommonPoints {
  public:
   CommonPoints(const ContactPatch& a, const ContactPatch& b, std::pmr::memory_resource& memory)
@@ -155,6 +167,10 @@ class CommonPoints {
   std::pmr::vector<CommonPoint> all() {
     const auto is = [&](std::size_t i, Kind kind) { return patch_[i]->kind == kind; };
     if (is(0, Kind::point) || is(1, Kind::point)) return std::move(points_);
+    if (is(0, Kind::line) && is(1, Kind::line)) {
+      add_along(patch_[0]->side && !patch_[1]->side ? 1 : 0);
+      return std::move(points_);
+    }
     if (is(0, Kind::line) || is(1, Kind::line)) {
       add_straight(is(0, Kind::line) ? 0 : 1);
       return std::move(points_);
@@ -170,8 +186,38 @@ class CommonPoints {
  private:
   /// Features of patch i and of the other one.
   void add(std::size_t i, const Vec3& p, const ConvexFeature& mine, const ConvexFeature& others) {
-    const double a = patch_[0]->height(p), b = patch_[1]->height(p);
-    points_.push_back({{p.x, p.y, 0.5 * (a + b)}, a - b, i == 0 ? mine : others, i == 0 ? others : mine});
+    add(i, p, {patch_[0]->height(p), patch_[1]->height(p)}, mine, others);
+  }
+  void add(std::size_t i, const Vec3& p, const std::array<double, 2>& height, const ConvexFeature& mine,
+           const ConvexFeature& others) {
+    points_.push_back({{p.x, p.y, 0.5 * (height[0] + height[1])},
+                       height[0] - height[1],
+                       i == 0 ? mine : others,
+                       i == 0 ? others : mine});
+  }
+
+  /// The ends of what a line and another one along it have in common. They may cross under a small angle: points are on
+  /// the first line, and beside the other one, on its round side.
+  void add_along(std::size_t i) {
+    const Vec3 &from = patch_[i]->corners[0].at, way = patch_[i]->corners[1].at - from;
+    const ContactPatch& other = *patch_[1 - i];
+    const std::optional<Clip> clip = clipped(other, from, from + way);
+    if (!clip) return;
+    const auto height = [&](double part) {
+      const Vec3 p = from + part * way;
+      return other.side->height_near({p.x, p.y, other.height(p)});
+    };
+    const double amid = std::clamp(-flat_dot(from, way) / flat_dot(way, way), clip->from, clip->to);
+    const auto add_end = [&](double part, const ConvexFeature& mine, const ConvexFeature& others) {
+      const double last = last_within(height, amid, part);
+      const Vec3 p = from + last * way;
+      const std::optional<double> there = height(last);
+      if (!there) return;
+      const bool is_end = last == part && (part == 0 || part == 1);
+      add(i, p, i == 0 ? std::array{p.z, *there} : std::array{*there, p.z}, is_end ? mine : patch_[i]->whole, others);
+    };
+    add_end(clip->from, patch_[i]->corners[0].here, clip->at_from);
+    add_end(clip->to, patch_[i]->corners[1].here, clip->at_to);
   }
 
   /// The straight sides of a patch as far as they lie within the other one.

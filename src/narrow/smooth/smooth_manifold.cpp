@@ -147,13 +147,8 @@ ContactPatch patch_of_second(const PosedSmooth&, const SmoothBody& body, const P
 ContactPatch patch_of_second(const PosedConvex& shape, const SmoothBody&, const PairContact& contact,
                              const Vec3& touching, std::pmr::memory_resource& memory) {
   const PairFrame& frame = contact.frame;
-  const double radius = frame.factor * shape.radius();
   const PosedConvex scaled = shape.scaled(std::ilogb(frame.factor));
-  ContactPatch patch =
-      patch_of(scaled, frame.factor * frame.origin, contact.at, -1, touching + radius * contact.at.z, memory);
-  patch.centre.z -= radius;
-  for (PatchCorner& corner : patch.corners) corner.at.z -= radius;
-  return patch;
+  return patch_of(scaled, frame.factor * frame.origin, contact.at, -1, touching, memory);
 }
 
 template <class B>
