@@ -70,6 +70,25 @@ TEST(Smooth, ALastPlaceAwayIsApart) {
             SmoothContact::contact);
 }
 
+// They overlap by 1.4 · 10⁻¹² of their size: in doubles, every simplex is flat.
+TEST(Smooth, ASegmentThroughTheRimOfAThinConeIsContact) {
+  Pose pose;
+  pose.linear[0] = {0.7774575494195296, -0.57600732356902762, 0.25253776360264479};
+  pose.linear[1] = {0.46750987758482554, 0.79786990455755658, 0.38057604990584626};
+  pose.linear[2] = {-0.42070687326356015, -0.17781782418014572, 0.88959909408263105};
+  const PosedSmooth cone(Cone(0.10103362791335602, 1.2000488382898523e-05), pose);
+  const PosedConvex segment(Segment({0.070545302343421323, 0.057056543158901074, -0.044448906770015673},
+                                    {-0.64762615353316211, 0.24668519331909555, 1.0941304582354512}));
+  EXPECT_EQ(smooth_contact(cone, segment), SmoothContact::contact);
+  const Distance found = distance(cone, segment);
+  EXPECT_EQ(found.status, Status::exact);
+  EXPECT_EQ(found.upper, 0);
+  EXPECT_EQ(found.on_a, found.on_b);
+  const PosedConvex point{Point(found.on_a)};
+  EXPECT_LE(distance(cone, point).upper, 1e-15);
+  EXPECT_LE(distance(segment, point).upper, 1e-15);
+}
+
 TEST(Smooth, DistancesOfSimplePairs) {
   const PosedSmooth ball(Ellipsoid({1, 1, 1}), Pose::translation(3, 4, 0));
   const Distance d = distance(ball, PosedConvex(Point({0, 0, 0})));

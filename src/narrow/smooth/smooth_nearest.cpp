@@ -1,6 +1,9 @@
 #include "narrow/smooth/smooth_nearest.hpp"
 
 #include <cmath>
+#include <span>
+
+#include "narrow/smooth/fine_search.hpp"
 
 #include "narrow/smooth/exact_place.hpp"
 
@@ -42,6 +45,7 @@ class NearestSearch {
     }
     if (best_.contact != SmoothContact::apart && is_meeting_proved()) return best_;
     if (try_polished(search_, search_.best_direction()) || is_decided_from_elsewhere()) return best_;
+    if (best_.contact != SmoothContact::apart && is_meeting_found_finely()) return best_;
     improve_lower<BoundedNumber>(fine(search_.best_direction()));
     improve_upper<BoundedNumber>(joined(true), joined(false));
     return best_;
@@ -54,15 +58,19 @@ class NearestSearch {
   [[nodiscard]] BodyPoint joined(bool of_a, const SmoothSearch& search) const {
     std::array<SmoothSearch::Corner, 4> corner;
     const std::size_t count = search.corners(corner);
+    return joined({corner.data(), count}, of_a);
+  }
+
+  [[nodiscard]] BodyPoint joined(std::span<const SmoothSearch::Corner> corners, bool of_a) const {
     BodyPoint point;
     Vec3 round;
     double grown = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const SmoothSupport& support = of_a ? corner[i].a : corner[i].b;
-      point.append(support.atom, {corner[i].weight, 0});
+    for (const SmoothSearch::Corner& corner : corners) {
+      const SmoothSupport& support = of_a ? corner.a : corner.b;
+      point.append(support.atom, {corner.weight, 0});
       if (!(of_a ? a_ : b_).grown(support.atom)) continue;
-      round = round + corner[i].weight * support.round;
-      grown += corner[i].weight;
+      round = round + corner.weight * support.round;
+      grown += corner.weight;
     }
     for (std::size_t j = 0; j < 3; ++j) point.round[j] = {grown > 0 ? round[static_cast<int>(j)] / grown : 0, 0};
     return point;
@@ -124,11 +132,8 @@ class NearestSearch {
     const std::size_t count = search.corners(corner);
     const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
                         of_a = point_of<BoundedNumber>(a_, joined(true, search));
-    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner))) {
-      best_.around = corner;
-      best_.is_around = true;
-      return met(of_b);
-    }
+    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
+      return met_around(corner, of_b);
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
       if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
@@ -153,6 +158,13 @@ class NearestSearch {
     if (best_.contact != SmoothContact::apart && is_meeting_proved(search)) return true;
     return try_polished(search, search.in_pair(search.nearest())) ||
            try_polished(search, search.in_pair(search.best_direction()));
+  }
+
+  /// A sliver that the bodies have in common is lost in the rounding of doubles where they are long.
+  bool is_meeting_found_finely() {
+    const auto corner = corners_around_origin(a_, b_, search_.best_direction());
+    if (!corner || !is_simplex_around<BoundedNumber>(*corner)) return false;
+    return met_around(*corner, point_of<BoundedNumber>(b_, joined(*corner, false)));
   }
 
   /// A point of A lies within B, which need not be smooth.
@@ -193,6 +205,12 @@ class NearestSearch {
     if (is_within(a_, of_b)) return met(of_b);
     if (b_.smooth_kind()) return is_within(b_, of_a) && met(of_a);
     return b_.atom_count() >= 4 && is_point_within_b(of_a) && met(of_a);
+  }
+
+  bool met_around(const std::array<SmoothSearch::Corner, 4>& corner, const BoundedVector& point) {
+    best_.around = corner;
+    best_.is_around = true;
+    return met(point);
   }
 
   bool met(const BoundedVector& point) {
