@@ -50,12 +50,16 @@ ConvexAnswer distance_of(const AnySolver& solver, const A& a, const fcl::Transfo
   return apart ? ConvexAnswer{false, distance, distance} : ConvexAnswer{true};
 }
 
+/// Of a sphere and itself, a box, a capsule or a cylinder, and of two boxes.
+template <class A, class B>
+constexpr bool has_closed_form =
+    std::is_same_v<A, fcl::Boxd> ? std::is_same_v<B, fcl::Boxd>
+                                 : std::is_same_v<A, fcl::Sphered> && !std::is_same_v<B, fcl::Convexd>;
+
 /// For pairs without a closed form FCL's own solver gives the depth below zero and the normal in A's frame; both are
 /// put right here, since that is what its users have to do.
 template <class AnySolver, class A, class B>
-constexpr bool is_in_frame_of_a = std::is_same_v<AnySolver, OwnSolver> &&
-                                  (std::is_same_v<A, fcl::Convexd> ||
-                                   (std::is_same_v<A, fcl::Capsuled> && std::is_same_v<B, fcl::Boxd>));
+constexpr bool is_in_frame_of_a = std::is_same_v<AnySolver, OwnSolver> && !has_closed_form<A, B>;
 
 template <class AnySolver, class A, class B>
 ConvexAnswer contacts_of(const AnySolver& solver, const A& a, const fcl::Transform3d& pose_a, const B& b,

@@ -12,6 +12,14 @@ namespace {
 constexpr double rounding = 0x1p-49;
 constexpr int most_steps = 8;
 constexpr int most_starts = 4;
+/// When a cap is looked for: the parts of the lowest height that the surface may miss there (one cap; those of edges
+/// and faces), how much higher it may be, and what is little besides.
+constexpr double missing_for_cap = 0.1;
+constexpr double missing_for_edges = 0.02;
+constexpr double height_for_cap = 1.2;
+constexpr double little = 0.01;
+/// Beyond so many corners caps are looked for everywhere, lest there be no end of corners.
+constexpr std::size_t many_corners = 40;
 
 }  // namespace
 
@@ -79,10 +87,17 @@ bool SmoothExpansion::step(std::size_t facet) {
   SmoothCap here(a_, b_, surface_.facet(facet).normal);
   offer(here);
   const double gain = here.height() - surface_.facet(facet).height;
-  if (raise(lowest_near(here), gain) || raise_edge_or_face(facet, here, gain)) return true;
+  if (is_promising(here, gain, missing_for_cap) && raise(lowest_near(here), gain)) return true;
+  if (is_promising(here, gain, missing_for_edges) && raise_edge_or_face(facet, here, gain)) return true;
   if (!(gain > rounding)) return false;
   append(here);
   return surface_.add(here.point(), facet);
+}
+
+// Caps are dear: points alone grow the surface where it is far from what it stands for, or where that is high.
+bool SmoothExpansion::is_promising(const SmoothCap& here, double gain, double missing) const {
+  if (surface_.corner_count() > many_corners) return true;
+  return gain < missing * upper_ + little && here.height() < height_for_cap * upper_ + little;
 }
 
 SmoothCap SmoothExpansion::lowest_near(const SmoothCap& from) {

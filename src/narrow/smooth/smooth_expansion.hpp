@@ -48,6 +48,7 @@ class SmoothExpansion {
   void offer(SmoothCap& cap);
   [[nodiscard]] double target() const;
   [[nodiscard]] bool step(std::size_t facet);
+  [[nodiscard]] bool is_promising(const SmoothCap& here, double gain, double missing) const;
   [[nodiscard]] SmoothCap lowest_near(const SmoothCap& from);
   bool raise_edge_or_face(std::size_t facet, const SmoothCap& here, double gain);
   bool raise_around(const Vec3& axis, std::span<const AtomPair> atoms, double gain);
