@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/smooth/smooth_cast_until.hpp"
+#include "narrow/smooth/casts/smooth_cast_until.hpp"
 #include "narrow/smooth_cases.hpp"
 
 namespace toccata::test {

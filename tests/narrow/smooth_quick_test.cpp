@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "narrow/smooth/smooth_within.hpp"
+#include "narrow/smooth/distance/smooth_within.hpp"
 #include "narrow/smooth_cases.hpp"
 
 // Answers in doubles, where these only just suffice, against 60 digits.

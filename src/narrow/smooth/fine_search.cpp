@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/smooth/smooth_proof.hpp"
+#include "narrow/smooth/distance/smooth_proof.hpp"
 
 namespace toccata {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "narrow/smooth/distance/smooth_search.hpp"
 #include "narrow/smooth/smooth_body.hpp"
-#include "narrow/smooth/smooth_search.hpp"
 
 namespace toccata {
 

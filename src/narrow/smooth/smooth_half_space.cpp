@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/smooth_proof.hpp"
 #include "narrow/smooth/exact_place.hpp"
 #include "narrow/smooth/smooth_order.hpp"
-#include "narrow/smooth/smooth_proof.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 
 namespace toccata {

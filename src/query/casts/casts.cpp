@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "narrow/half_spaces/half_space_casts.hpp"
-#include "narrow/smooth/smooth_cast_until.hpp"
+#include "narrow/smooth/casts/smooth_cast_until.hpp"
 #include "query/ask.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"

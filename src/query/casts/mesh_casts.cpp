@@ -6,7 +6,7 @@
 
 #include "narrow/convex/cast_until.hpp"
 #include "narrow/half_spaces/half_space_casts.hpp"
-#include "narrow/smooth/smooth_cast_until.hpp"
+#include "narrow/smooth/casts/smooth_cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"

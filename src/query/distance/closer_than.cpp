@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "narrow/exact/within.hpp"
-#include "narrow/smooth/smooth_within.hpp"
+#include "narrow/smooth/distance/smooth_within.hpp"
 #include "query/ask.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/keep_least.hpp"

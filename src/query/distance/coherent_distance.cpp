@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "narrow/smooth/smooth_coherent.hpp"
+#include "narrow/smooth/distance/smooth_coherent.hpp"
 #include "query/distance/relative_motion.hpp"
 #include "query/nearest/nearest_triangles.hpp"
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "narrow/exact/within.hpp"
-#include "narrow/smooth/smooth_within.hpp"
+#include "narrow/smooth/distance/smooth_within.hpp"
 #include "query/distance/near_view.hpp"
 #include "query/inside/part_inside.hpp"
 #include "query/meshes/pair_search.hpp"

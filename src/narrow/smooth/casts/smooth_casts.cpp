@@ -1,0 +1,274 @@
+#include "toccata/narrow/smooth_casts.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/seen_from_target.hpp"
+#include "narrow/smooth/casts/smooth_advance.hpp"
+#include "narrow/smooth/casts/smooth_cast_until.hpp"
+#include "narrow/smooth/casts/smooth_ray.hpp"
+#include "narrow/smooth/distance/smooth_nearest.hpp"
+#include "narrow/smooth/smooth_order.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double time_width = 0x1p-42;
+constexpr int most_steps = 64;
+/// A time after the end of the way.
+constexpr double never = 2;
+
+/// A, the body of a smooth shape, moves; B stands. By conservative advancement (B. Mirtich, "Impulse-based dynamic
+/// simulation of rigid body systems", 1996), with every separating plane proved: in doubles as far as they go.
+class SmoothCast {
+ public:
+  SmoothCast(const SmoothBody& a, const BoundedVector& motion, const SmoothBody& b) : a_(a), motion_(motion), b_(b) {}
+
+  /// `point` in the pair's frame, `normal` from B to A. Nothing, where they do not meet or are free until the limit.
+  std::optional<Cast> answer(const SmoothAdvance& begun, double limit) {
+    if (free_until_is(begun) > limit) return {};
+    if (free_until_ == 0) {
+      const SmoothNearest start = at(0);
+      if (start.contact != SmoothContact::apart) {
+        point_ = start.on_b;
+        normal_ = {};
+        return met(0, start.contact);
+      }
+    } else if (const auto soon = met_soon()) {
+      return soon;
+    }
+    if (advance(limit) > limit) return {};
+    return narrowed();
+  }
+
+ private:
+  /// Takes over what is proved, with the last plane's height in double words.
+  double free_until_is(const SmoothAdvance& begun) {
+    if (begun.for_ever) return never;
+    if (!(begun.free_until > 0)) return 0;
+    free_until_ = begun.free_until;
+    normal_ = begun.direction;
+    return free_until_ = std::fmax(free_until_, separated_until(fine(begun.direction)));
+  }
+
+  /// They meet within the width from here; nothing when that is not certain.
+  std::optional<Cast> met_soon() {
+    const double late = std::fmin(1, free_until_ + time_width);
+    const SmoothNearest then = at(late);
+    if (then.contact != SmoothContact::contact) return {};
+    point_ = then.on_b;
+    return met(late, then.contact);
+  }
+
+  /// From plane to plane, until they are no longer told apart. Returns until when they are free.
+  double advance(double limit) {
+    for (int step = 0; step < most_steps; ++step) {
+      const SmoothNearest now = at(free_until_);
+      if (now.contact != SmoothContact::apart) break;
+      normal_ = {now.direction[0].high, now.direction[1].high, now.direction[2].high};
+      point_ = now.on_b;
+      const double time = separated_until(now.direction);
+      if (time > 1) return never;
+      if (!(time > free_until_)) break;
+      const bool arrived = time - free_until_ < time_width / 4;
+      free_until_ = time;
+      if (arrived || time > limit) break;
+    }
+    return free_until_;
+  }
+
+  [[nodiscard]] SmoothNearest at(double time) const {
+    return nearest_of(a_.moved(exactly(time) * motion_), b_, SmoothQuestion::distance);
+  }
+
+  /// How long the plane across the direction keeps them apart; more than 1 when for the whole way.
+  [[nodiscard]] double separated_until(const FineDirection& direction) const {
+    const FineDirection back{-direction[0], -direction[1], -direction[2]};
+    const BoundedNumber gap = -(height_of<BoundedNumber>(a_, back) + height_of<BoundedNumber>(b_, direction));
+    BoundedVector d;
+    for (std::size_t i = 0; i < 3; ++i) d[i] = {direction[i], 0};
+    const BoundedNumber approach = -dot(motion_, d);
+    // It comes nearer by no more than this in the whole time.
+    const double fastest = ceiling_of(approach);
+    if (gap.is_positive() && floor_of(gap) > fastest) return never;
+    // What has passed goes away from the plane for the rest of the way.
+    const bool is_leaving = fastest <= 0 && (gap - exactly(free_until_) * approach).is_positive();
+    if (is_leaving) return never;
+    const double time = floor_of(gap / exactly(fastest));
+    return time == time ? time : 0;
+  }
+
+  /// From the time until which they are free to one at which they have met.
+  Cast narrowed() {
+    double late = 1;
+    SmoothContact meets = SmoothContact::undecided;
+    for (double width = time_width; meets != SmoothContact::contact; width *= 16) {
+      late = std::fmin(1, free_until_ + width);
+      const SmoothNearest then = at(late);
+      meets = then.contact;
+      if (meets != SmoothContact::apart) point_ = then.on_b;
+      if (late == 1) break;
+    }
+    return meets == SmoothContact::apart ? grazed() : met(late, meets);
+  }
+
+  /// Neither met at the end nor kept apart by the planes on the way.
+  Cast grazed() { return met(1, SmoothContact::undecided); }
+
+  [[nodiscard]] Cast met(double late, SmoothContact how) const {
+    Cast cast;
+    cast.hit = true;
+    cast.lower = free_until_;
+    cast.upper = late;
+    cast.point = point_;
+    cast.normal = unit_or_zero(normal_);
+    const bool is_narrow = late - free_until_ <= 4 * time_width;
+    cast.status =
+        how == SmoothContact::undecided ? Status::undecided : (is_narrow ? Status::exact : Status::not_converged);
+    return cast;
+  }
+
+  const SmoothBody& a_;
+  BoundedVector motion_;
+  const SmoothBody& b_;
+  double free_until_ = 0;
+  Vec3 normal_;
+  Vec3 point_;
+};
+
+void require_motion(const Vec3& motion) {
+  if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
+}
+
+Cast in_world(Cast cast, const PairFrame& frame) {
+  if (cast.hit) cast.point = frame.back(cast.point);
+  return cast;
+}
+
+bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
+bool is_moderate(const PosedSmooth& shape) {
+  return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
+}
+bool is_moderate(const PosedConvex& shape) { return shape.radius() == 0 || is_moderate(shape.radius()); }
+
+/// As far as doubles go.
+template <class B>
+SmoothAdvance begun(const PosedSmooth& a, const Vec3& motion, const B& b, const PairFrame& frame, double limit) {
+  if (!is_moderate(frame.factor) || !is_moderate(a) || !is_moderate(b)) return {};
+  return advance_in_doubles(PlainBody(a, frame), frame.factor * motion, PlainBody(b, frame), limit);
+}
+
+template <class B>
+std::optional<Cast> cast_until(const PosedSmooth& a, const Vec3& motion, const B& b, double limit) {
+  require_motion(motion);
+  const PairFrame frame = pair_frame(a, b);
+  const SmoothAdvance start = begun(a, motion, b, frame, limit);
+  if (start.for_ever || start.free_until > limit) return {};
+  const SmoothBody body_a(a, frame), body_b(b, frame);
+  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b).answer(start, limit);
+  return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
+}
+
+/// The line's entry, where that is certain.
+std::optional<Cast> by_roots(const Vec3& origin, const Vec3& motion, const PosedSmooth& target) {
+  const PairFrame frame = pair_frame(target, target);
+  const SmoothBody body(target, frame);
+  const auto within = line_within(body, frame.place(origin), frame.scaled(motion));
+  if (!within) return {};
+  const BoundedNumber one = exactly(1.0);
+  if (within->empty || (within->enters - one).is_positive() || within->leaves.is_negative()) return Cast{};
+  if (!within->leaves.is_positive() || !(one - within->enters).is_positive()) return {};
+  Cast cast;
+  cast.hit = true;
+  cast.point = origin;
+  if (within->enters.is_negative()) return cast;
+  if (!within->enters.is_positive()) return {};
+  cast.lower = std::fmax(0, floor_of(within->enters));
+  cast.upper = std::fmin(1, ceiling_of(within->enters));
+  if (cast.upper - cast.lower > 4 * time_width) return {};
+  cast.point = origin + cast.lower * motion;
+  cast.normal = unit_or_zero(within->normal);
+  return cast;
+}
+
+}  // namespace
+
+Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedSmooth& target) {
+  if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
+  require_motion(motion);
+  if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
+  if (const auto cast = by_roots(origin, motion, target)) return *cast;
+  return cast_shape(PosedConvex(Point(origin)), motion, target);
+}
+
+Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b) {
+  return cast_until(a, motion, b, 1).value_or(Cast{});
+}
+
+Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedSmooth& b) {
+  return cast_until(a, motion, b, 1).value_or(Cast{});
+}
+
+Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b) {
+  return seen_from_target(cast_shape(b, -motion, a), motion);
+}
+
+std::optional<Cast> cast_shape_until(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit) {
+  return cast_until(a, motion, b, limit);
+}
+
+std::optional<Cast> cast_shape_until(const PosedSmooth& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  return cast_until(a, motion, b, limit);
+}
+
+std::optional<Cast> cast_shape_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  const auto cast = cast_until(b, -motion, a, limit);
+  return cast ? std::optional(seen_from_target(*cast, motion)) : std::nullopt;
+}
+
+double free_until(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit) {
+  const SmoothAdvance found = begun(a, motion, b, pair_frame(a, b), limit);
+  return found.for_ever ? never : found.free_until;
+}
+
+double free_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit) {
+  return free_until(b, -motion, a, limit);
+}
+
+Cast cast_shape(const PosedSmooth& a, const Vec3& motion, const PosedHalfSpace& b) {
+  require_motion(motion);
+  const PairFrame frame = pair_frame(a, b);
+  const SmoothBody body(a, frame);
+  const Vec3 normal = scaled_normal(b);
+  const BoundedVector n = exactly(normal);
+  const FineDirection down = fine(-normal);
+  const BoundedNumber height = -(height_of<BoundedNumber>(body, down) + dot(n, frame.place(b.point)));
+  const BoundedNumber fall = -dot(n, frame.scaled(motion));
+  Cast cast;
+  if (overlap(a, b)) {
+    cast.hit = true;
+    cast.point = distance(a, b).on_b;
+    return cast;
+  }
+  if (!fall.is_positive()) {
+    // Certainly not falling, or so little that it stays above.
+    if ((height - fall).is_positive()) return cast;
+  }
+  const BoundedNumber time = height / fall;
+  if ((time - exactly(1.0)).is_positive()) return cast;
+  cast.hit = true;
+  cast.lower = std::fmax(0, floor_of(time));
+  cast.upper = std::fmin(1, ceiling_of(time));
+  cast.status = (exactly(1.0) - time).is_positive() ? Status::exact : Status::undecided;
+  cast.normal = unit_or_zero(normal);
+  cast.point = frame.back(body.support(-normal).point) + cast.lower * motion;
+  return cast;
+}
+
+Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedSmooth& b) {
+  return seen_from_target(cast_shape(b, -motion, a), motion);
+}
+
+}  // namespace toccata

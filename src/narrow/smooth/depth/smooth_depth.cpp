@@ -1,0 +1,119 @@
+#include <array>
+#include <cmath>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/smooth/contact/smooth_parting.hpp"
+#include "narrow/smooth/depth/smooth_expansion.hpp"
+#include "narrow/smooth/distance/smooth_nearest.hpp"
+#include "narrow/smooth/distance/smooth_polish.hpp"
+#include "narrow/smooth/smooth_order.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
+
+namespace toccata {
+namespace {
+
+/// What the depth's interval is asked to be as narrow as, in turn, until one is reached: where the shapes are nearly as
+/// deep in many directions (balls around one centre, round bars along one axis), it would take corners without end.
+constexpr std::array<double, 5> parts{0x1p-43, 1e-5, 1e-3, 1e-2, 0.05};
+
+/// Two bodies that certainly have a common inner point.
+class DeepPair {
+ public:
+  DeepPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
+
+  /// In the pair's frame.
+  Penetration answer() {
+    SmoothExpansion expansion(a_, b_);
+    for (const double part : parts) {
+      const bool reached = expansion.run(part);
+      result_.lower = std::fmax(result_.lower, expansion.proved_depth());
+      if (reached && result_.lower >= expansion.upper() * (1 - 2 * part)) break;
+    }
+    take(fine(expansion.direction()));
+    polish();
+    result_.status = result_.upper - result_.lower <= 1e-12 * result_.upper ? Status::exact : Status::not_converged;
+    return result_;
+  }
+
+ private:
+  /// Newton's method from the best direction, which makes the upper end as good as numbers are.
+  void polish() {
+    if (result_.upper - result_.lower <= 1e-12 * result_.upper) return;
+    const Vec3 d = result_.direction;
+    const std::array<SmoothSearch::Corner, 1> corner{SmoothSearch::Corner{a_.support(d), b_.support(-d), 1}};
+    SmoothPolish polish(a_, b_);
+    polish.begin(corner, -d, SmoothPolish::Attempt::first);
+    if (!polish.settle()) return;
+    FineDirection along = polish.direction();
+    for (DoubleWord& x : along) x = -x;
+    take(along);
+  }
+
+  /// Along the direction they are apart after the height of A − B; that of the direction as it is told.
+  void take(const FineDirection& along) {
+    Vec3 d = unit_or_zero({along[0].high, along[1].high, along[2].high});
+    // What is far below the rounding of a unit vector is none of an axis.
+    for (int i = 0; i < 3; ++i)
+      if (std::fabs(d[i]) < 0x1p-60) d[i] = 0;
+    const double height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
+    if (!(height < result_.upper)) return;
+    result_.upper = height;
+    result_.direction = d;
+    result_.on_a = a_.support(d).point;
+    result_.on_b = b_.support(-d).point;
+  }
+
+  const SmoothBody& a_;
+  const SmoothBody& b_;
+  Penetration result_{.upper = HUGE_VAL};
+};
+
+}  // namespace
+
+Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& /*met*/) {
+  return DeepPair(a, b).answer();
+}
+
+namespace {
+
+template <class B>
+Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
+  const PairFrame frame = pair_frame(shape_a, shape_b);
+  const SmoothBody a(shape_a, frame), b(shape_b, frame);
+  const SmoothNearest near = nearest_of(shape_a, a, shape_b, b, SmoothQuestion::distance);
+  Penetration result;
+  if (near.contact == SmoothContact::apart) return result;
+  if (near.contact == SmoothContact::undecided) {
+    result.status = Status::undecided;
+    return result;
+  }
+  result = least_depth(a, b, near);
+  // The direction is rounded: a little farther it certainly serves.
+  result.upper = std::nextafter(result.upper * (1 + 0x1p-50) / frame.factor, HUGE_VAL);
+  result.lower = std::nextafter(result.lower / frame.factor, 0);
+  result.on_a = frame.back(result.on_a);
+  result.on_b = frame.back(result.on_b);
+  return result;
+}
+
+}  // namespace
+
+Penetration penetration(const PosedSmooth& a, const PosedSmooth& b) {
+  if (comes_before(b, a)) return exchanged(penetration(b, a));
+  return penetration_of(a, b);
+}
+
+Penetration penetration(const PosedSmooth& a, const PosedConvex& b) {
+  if (!b.solid())
+    throw Error("penetration: the second shape is a surface, which has no interior to leave; ask for the distance");
+  return penetration_of(a, b);
+}
+
+Penetration penetration(const PosedConvex& a, const PosedSmooth& b) {
+  if (!a.solid())
+    throw Error("penetration: the first shape is a surface, which has no interior to leave; ask for the distance");
+  return exchanged(penetration(b, a));
+}
+
+}  // namespace toccata

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "narrow/smooth/distance/quick_polish.hpp"
+
+namespace toccata {
+
+/// What a guess of the nearest points proves, in world units.
+struct QuickDistance {
+  double lower = 0;
+  double upper = 0;
+  Vec3 on_a;
+  Vec3 on_b;
+};
+
+// Of pairs of a size, half axes and radii from 2⁻³⁰⁰ to 2³⁰⁰.
+
+/// Where the interval is no wider than 10⁻¹² of its upper end.
+[[nodiscard]] std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedSmooth& b,
+                                                           const QuickPolish& guess);
+[[nodiscard]] std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedConvex& b,
+                                                           const QuickPolish& guess);
+
+/// Any two points, and any direction from about B to A: the exact distance is in the interval. The lower end is 0 where
+/// nothing more is certain.
+[[nodiscard]] QuickDistance proved_interval(const PosedSmooth& a, const PosedSmooth& b, const QuickSide& on_a,
+                                            const QuickSide& on_b, const Vec3& direction);
+[[nodiscard]] QuickDistance proved_interval(const PosedSmooth& a, const PosedConvex& b, const QuickSide& on_a,
+                                            const QuickSide& on_b, const Vec3& direction);
+
+}  // namespace toccata

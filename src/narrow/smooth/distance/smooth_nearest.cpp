@@ -1,0 +1,264 @@
+#include "narrow/smooth/distance/smooth_nearest.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "narrow/smooth/fine_search.hpp"
+
+#include "narrow/smooth/exact_place.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr double relative_width = 1e-12;
+
+Vec3 plain_point(const VectorOf<BoundedDouble>& p) { return {p[0].value, p[1].value, p[2].value}; }
+Vec3 plain_point(const VectorOf<BoundedNumber>& p) { return plain(p); }
+
+/// One question.
+class NearestSearch {
+ public:
+  NearestSearch(const SmoothBody& a, const SmoothBody& b)
+      : a_(a), b_(b), search_(a, b, plain(a.middle_point()) - plain(b.middle_point())), polish_(a, b) {}
+
+  SmoothNearest meeting() {
+    search_.run_until_apart();
+    if (search_.best_gap() > 0 && improve_lower<BoundedDouble>(fine(search_.best_direction()))) return best_;
+    return distance();
+  }
+
+  /// Where the guess is as good as it seems.
+  bool proves(const QuickPolish& guess) {
+    polish_.begin(guess);
+    polish_.refine();
+    return prove<BoundedNumber>();
+  }
+
+  [[nodiscard]] const SmoothNearest& best() const { return best_; }
+
+  SmoothNearest distance() {
+    for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
+      search_.run(part);
+      if (search_.inside() && is_meeting_proved()) return best_;
+      if (try_polished(search_, search_.nearest())) return best_;
+      if (search_.inside() || search_.stalled()) break;
+    }
+    if (best_.contact != SmoothContact::apart && is_meeting_proved()) return best_;
+    if (try_polished(search_, search_.best_direction()) || is_decided_from_elsewhere()) return best_;
+    if (best_.contact != SmoothContact::apart && is_meeting_found_finely()) return best_;
+    improve_lower<BoundedNumber>(fine(search_.best_direction()));
+    improve_upper<BoundedNumber>(joined(true), joined(false));
+    return best_;
+  }
+
+ private:
+  /// The corners of the simplex as points of a body, joined with the weights.
+  [[nodiscard]] BodyPoint joined(bool of_a) const { return joined(of_a, search_); }
+
+  [[nodiscard]] BodyPoint joined(bool of_a, const SmoothSearch& search) const {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search.corners(corner);
+    return joined({corner.data(), count}, of_a);
+  }
+
+  [[nodiscard]] BodyPoint joined(std::span<const SmoothSearch::Corner> corners, bool of_a) const {
+    BodyPoint point;
+    Vec3 round;
+    double grown = 0;
+    for (const SmoothSearch::Corner& corner : corners) {
+      const SmoothSupport& support = of_a ? corner.a : corner.b;
+      point.append(support.atom, {corner.weight, 0});
+      if (!(of_a ? a_ : b_).grown(support.atom)) continue;
+      round = round + corner.weight * support.round;
+      grown += corner.weight;
+    }
+    for (std::size_t j = 0; j < 3; ++j) point.round[j] = {grown > 0 ? round[static_cast<int>(j)] / grown : 0, 0};
+    return point;
+  }
+
+  /// Newton's method from here, and what it proves. True when nothing more is to be asked.
+  bool try_polished(const SmoothSearch& search, const Vec3& direction) {
+    if (direction == Vec3{}) return false;
+    return attempt(search, direction, SmoothPolish::Attempt::first) ||
+           (polish_.doubtful() && attempt(search, direction, SmoothPolish::Attempt::second));
+  }
+
+  bool attempt(const SmoothSearch& search, const Vec3& direction, SmoothPolish::Attempt which) {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search.corners(corner);
+    polish_.begin({corner.data(), count}, direction, which);
+    // Where the distance is small, doubles do not tell what is the direction.
+    const bool settled = polish_.settle();
+    if (!settled && !(std::fabs(polish_.signed_distance()) < 0x1p-16)) return false;
+    if (settled && polish_.signed_distance() > 0x1p-12 && prove<BoundedDouble>()) return true;
+    polish_.refine();
+    return prove<BoundedNumber>() || is_shallow_meeting();
+  }
+
+  template <class Number>
+  bool prove() {
+    improve_lower<Number>(polish_.direction());
+    if (best_.contact == SmoothContact::apart || polish_.signed_distance() < 0x1p-40)
+      improve_upper<Number>(polish_.on_a(), polish_.on_b());
+    best_.narrow = best_.contact == SmoothContact::apart && best_.upper - best_.lower <= relative_width * best_.upper;
+    return best_.narrow;
+  }
+
+  template <class Number>
+  bool improve_lower(const FineDirection& direction) {
+    const double lower = gap_along<Number>(a_, b_, direction);
+    if (!(lower > best_.lower)) return false;
+    best_.lower = lower;
+    best_.direction = direction;
+    best_.contact = SmoothContact::apart;
+    return true;
+  }
+
+  template <class Number>
+  void improve_upper(const BodyPoint& on_a, const BodyPoint& on_b) {
+    const VectorOf<Number> x = point_of<Number>(a_, on_a), y = point_of<Number>(b_, on_b);
+    const double upper = distance_at_most(x, y);
+    if (!(upper < best_.upper)) return;
+    best_.upper = upper;
+    best_.on_a = plain_point(x);
+    best_.on_b = plain_point(y);
+  }
+
+  bool is_meeting_proved() { return is_meeting_proved(search_); }
+
+  /// A common point: the simplex contains the origin, or a point of one body lies within the other.
+  bool is_meeting_proved(const SmoothSearch& search) {
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search.corners(corner);
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
+                        of_a = point_of<BoundedNumber>(a_, joined(true, search));
+    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
+      return met_around(corner, of_b);
+    if (is_common(of_a, of_b)) return true;
+    for (const double part : {0.125, 0.5, 1.0})
+      if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
+    return false;
+  }
+
+  /// Symmetric shapes that overlap leave the origin on a face of every simplex that their symmetry offers; and of slim
+  /// ones all simplices are flat.
+  bool is_decided_from_elsewhere() {
+    for (const Vec3& direction : {Vec3{0.36, 0.48, 0.8}, Vec3{-0.6, 0.7, -0.3}, Vec3{0.5, -0.2, -0.84}}) {
+      SmoothSearch other(a_, b_, direction), rounder(a_, b_, direction, a_.roundness());
+      if (is_decided_by(other) || is_decided_by(rounder)) return true;
+      if (!b_.smooth_kind()) continue;
+      SmoothSearch roundest(a_, b_, direction, b_.roundness());
+      if (is_decided_by(roundest)) return true;
+    }
+    return false;
+  }
+
+  bool is_decided_by(SmoothSearch& search) {
+    search.run(0);
+    if (best_.contact != SmoothContact::apart && is_meeting_proved(search)) return true;
+    return try_polished(search, search.in_pair(search.nearest())) ||
+           try_polished(search, search.in_pair(search.best_direction()));
+  }
+
+  /// A sliver that the bodies have in common is lost in the rounding of doubles where they are long.
+  bool is_meeting_found_finely() {
+    const auto corner = corners_around_origin(a_, b_, search_.best_direction());
+    if (!corner || !is_simplex_around<BoundedNumber>(*corner)) return false;
+    return met_around(*corner, point_of<BoundedNumber>(b_, joined(*corner, false)));
+  }
+
+  /// A point of A lies within B, which need not be smooth.
+  bool is_point_within_b(const BoundedVector& point) const {
+    const SmoothBody alone(point);
+    SmoothSearch search(alone, b_, plain(point) - plain(b_.middle_point()));
+    search.run(0);
+    std::array<SmoothSearch::Corner, 4> corner;
+    if (search.corners(corner) < 4) return false;
+    std::array<BoundedVector, 4> difference_at;
+    for (std::size_t i = 0; i < 4; ++i) difference_at[i] = point - point_of<BoundedNumber>(b_, body_point(corner[i].b));
+    return is_origin_within(difference_at);
+  }
+
+  static BoundedVector towards(const BoundedVector& from, const BoundedVector& to, double part) {
+    return from + exactly(part) * (to - from);
+  }
+
+  template <class Number>
+  [[nodiscard]] bool is_simplex_around(const std::array<SmoothSearch::Corner, 4>& corner) const {
+    std::array<VectorOf<Number>, 4> point;
+    for (std::size_t i = 0; i < 4; ++i)
+      point[i] =
+          difference(point_of<Number>(a_, body_point(corner[i].a)), point_of<Number>(b_, body_point(corner[i].b)));
+    return is_origin_within(point);
+  }
+
+  /// Where the shapes overlap a little, their deepest points lie within each other.
+  bool is_shallow_meeting() {
+    if (!(polish_.signed_distance() < 0)) return false;
+    const BoundedVector x = point_of<BoundedNumber>(a_, polish_.on_a()),
+                        y = point_of<BoundedNumber>(b_, polish_.on_b());
+    return is_common(x, y);
+  }
+
+  /// Points of A and of B; is one of them, or that of B which the other side offers, in both?
+  bool is_common(const BoundedVector& of_a, const BoundedVector& of_b) {
+    if (is_within(a_, of_b)) return met(of_b);
+    if (b_.smooth_kind()) return is_within(b_, of_a) && met(of_a);
+    return b_.atom_count() >= 4 && is_point_within_b(of_a) && met(of_a);
+  }
+
+  bool met_around(const std::array<SmoothSearch::Corner, 4>& corner, const BoundedVector& point) {
+    best_.around = corner;
+    best_.is_around = true;
+    return met(point);
+  }
+
+  bool met(const BoundedVector& point) {
+    best_.contact = SmoothContact::contact;
+    best_.lower = best_.upper = 0;
+    best_.on_a = best_.on_b = plain(point);
+    best_.narrow = true;
+    return true;
+  }
+
+  const SmoothBody& a_;
+  const SmoothBody& b_;
+  SmoothSearch search_;
+  SmoothPolish polish_;
+  SmoothNearest best_;
+};
+
+}  // namespace
+
+SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess) {
+  NearestSearch search(a, b);
+  if (guess != nullptr && search.proves(*guess)) return search.best();
+  return question == SmoothQuestion::meeting ? search.meeting() : search.distance();
+}
+
+namespace {
+
+template <class B>
+SmoothNearest decided_by_middle(SmoothNearest found, const PosedSmooth& a, const SmoothBody& body_a, const B& b) {
+  if (found.contact != SmoothContact::undecided || !is_middle_in(a, b)) return found;
+  found.contact = SmoothContact::contact;
+  found.lower = found.upper = 0;
+  found.on_a = found.on_b = plain(body_a.middle_point());
+  found.narrow = true;
+  return found;
+}
+
+}  // namespace
+
+SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b, const SmoothBody& body_b,
+                         SmoothQuestion question, const QuickPolish* guess) {
+  const SmoothNearest found = decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
+  return decided_by_middle(found, b, body_b, a);
+}
+
+SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedConvex& b, const SmoothBody& body_b,
+                         SmoothQuestion question, const QuickPolish* guess) {
+  return decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
+}
+
+}  // namespace toccata

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "narrow/smooth/distance/smooth_search.hpp"
+#include "narrow/smooth/smooth_body.hpp"
+
+// What is believed of smooth bodies: heights along a direction, and points, with bounds on what they are off by. Number
+// is BoundedDouble where that does, else BoundedNumber.
+namespace toccata {
+
+/// A direction of about 106 bits, taken as it is.
+using FineDirection = VectorOf<DoubleWord>;
+
+inline FineDirection fine(const Vec3& d) { return {DoubleWord{d.x, 0}, DoubleWord{d.y, 0}, DoubleWord{d.z, 0}}; }
+
+/// A point of a body by what it is made of: it is the body's, whatever these numbers are. Weights that are negative
+/// count as 0, and are brought to the sum 1; a round part that is longer than 1 is brought to length 1.
+struct BodyPoint {
+  std::array<Index, 4> atom{};
+  std::array<DoubleWord, 4> weight{};
+  std::size_t size = 0;
+  std::array<DoubleWord, 3> round{};
+
+  void append(Index which, const DoubleWord& part) {
+    atom[size] = which;
+    weight[size] = part;
+    ++size;
+  }
+};
+
+[[nodiscard]] BodyPoint body_point(const SmoothSupport& support);
+
+template <class Number>
+[[nodiscard]] VectorOf<Number> point_of(const SmoothBody& body, const BodyPoint& point);
+
+/// The height of an atom's farthest point along the direction.
+template <class Number>
+[[nodiscard]] Number atom_height(const SmoothBody& body, Index atom, const FineDirection& direction);
+
+/// No point of the body is higher along the direction than the upper end of this.
+template <class Number>
+[[nodiscard]] Number height_of(const SmoothBody& body, const FineDirection& direction);
+
+/// All of A − B lies at least this far from the origin along the direction; negative when it does not. −∞ where nothing
+/// is certain. In the pair's frame.
+template <class Number>
+[[nodiscard]] double gap_along(const SmoothBody& a, const SmoothBody& b, const FineDirection& direction);
+
+/// The distance of two points is at most this.
+template <class Number>
+[[nodiscard]] double distance_at_most(const VectorOf<Number>& p, const VectorOf<Number>& q);
+
+/// The origin certainly lies inside the tetrahedron.
+template <class Number>
+[[nodiscard]] bool is_origin_within(const std::array<VectorOf<Number>, 4>& corner);
+
+/// The point certainly lies in the interior of a body that is made of a smooth shape.
+[[nodiscard]] bool is_within(const SmoothBody& smooth, const BoundedVector& point);
+
+}  // namespace toccata

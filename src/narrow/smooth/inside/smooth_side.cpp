@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "narrow/smooth/exact_place.hpp"
+#include "narrow/smooth/inside/unit_frame.hpp"
+#include "toccata/narrow/smooth_boundary.hpp"
+
+namespace toccata {
+namespace {
+
+/// By what is greater than 0 outside, with twice the digits, where that tells.
+std::optional<Sign> bounded_side(const PosedSmooth& shape, const Vec3& point) {
+  const PairFrame frame = pair_frame(shape, shape);
+  const UnitFrame unit{SmoothBody(shape, frame)};
+  UnitAtom at;
+  at.centre = unit.placed(frame.place(point));
+  const Within within = is_held(unit, at);
+  if (within == Within::undecided) return {};
+  return within == Within::yes ? Sign::negative : Sign::positive;
+}
+
+/// Of the numbers that are positive outside.
+Sign greatest_sign(std::initializer_list<WideInteger> numbers) {
+  Sign greatest = Sign::negative;
+  for (const WideInteger& number : numbers) greatest = std::max(greatest, sign_of(number));
+  return greatest;
+}
+
+Sign exact_side(const PosedSmooth& shape, const Vec3& point) {
+  const ExactPlace place = exact_place(shape, point);
+  const auto& axis = place.axis;
+  // By Cramer's rule: the point is at u = d / volume along the half axes.
+  std::array<WideInteger, 3> d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = dot(cross(axis[(i + 1) % 3], axis[(i + 2) % 3]), place.point);
+  WideInteger volume = dot(cross(axis[1], axis[2]), axis[0]);
+  if (volume < 0) {
+    volume = -volume;
+    for (WideInteger& number : d) number = -number;
+  }
+  const WideInteger across = d[0] * d[0] + d[1] * d[1], squared = volume * volume;
+  switch (shape.kind()) {
+    case PosedSmooth::Kind::ellipsoid:
+      return greatest_sign({(across + d[2] * d[2]) - squared});
+    case PosedSmooth::Kind::cylinder:
+      return greatest_sign({across - squared, d[2] - volume, -d[2] - volume});
+    case PosedSmooth::Kind::cone:
+      break;
+  }
+  const WideInteger below_tip = volume - d[2];
+  return greatest_sign({WideInteger(4 * across) - below_tip * below_tip, -below_tip, -d[2] - volume});
+}
+
+}  // namespace
+
+Sign side_of(const Vec3& point, const PosedSmooth& shape) {
+  if (const std::optional<Sign> side = bounded_side(shape, point)) return *side;
+  return exact_side(shape, point);
+}
+
+}  // namespace toccata
