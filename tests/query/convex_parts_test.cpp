@@ -133,7 +133,7 @@ TEST(ConvexParts, ContainSeveralComponentsAndAvoidCavities) {
 
 TEST(ConvexParts, OfABoxWithACavityAreItsWalls) {
   const auto hollow = [](const Vec3& lower, const Vec3& upper) {
-    return joined({box_mesh({0, 0, 0}, {6, 6, 6}), inverted(box_mesh(lower, upper))});
+    return joined({box_mesh({0, 0, 0}, {6, 6, 6}), inverted(test::box_mesh(lower, upper))});
   };
   expect_exact_parts(hollow({2, 2, 2}, {4, 4, 4}), 6);
   expect_exact_parts(hollow({1, 2, 0.5}, {3, 3.5, 5}), 6);
