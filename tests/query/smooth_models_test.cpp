@@ -173,7 +173,7 @@ TEST(SmoothModels, ContactsWithCompoundsAndMeshesHaveTheManifoldsOfTheirElements
     for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k)
       EXPECT_GE((i == 0 ? -1 : 1) * m.points[k].position.x, -1e-15);
   }
-  const Model slab(box_mesh({1, 1, 1}));
+  const Model slab(toccata::box_mesh({1, 1, 1}));
   const std::vector<Contact> on_mesh = contacts(slab, can, on_top);
   EXPECT_EQ(on_mesh.size(), 2U);
   for (const Contact& contact : on_mesh) {
