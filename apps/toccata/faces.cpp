@@ -13,6 +13,18 @@
 #include "words.hpp"
 
 namespace toccata::command {
+namespace {
+
+/// One that touches within 10⁻¹² of its size is counted as within, undecided (docs/truth.md).
+bool has_smooth(const Shape& shape) {
+  const ShapeKind kind = kind_of(shape);
+  if (kind == ShapeKind::cylinder || kind == ShapeKind::cone || kind == ShapeKind::ellipsoid) return true;
+  const auto* compound = std::get_if<Compound>(&shape);
+  return compound != nullptr && std::any_of(compound->parts().begin(), compound->parts().end(),
+                                            [](const CompoundPart& part) { return has_smooth(part.shape); });
+}
+
+}  // namespace
 
 /// The first faces of every object, and how many there are.
 std::string table_of(const CheckInput& input, const FacesReport& report) {
@@ -20,16 +32,21 @@ std::string table_of(const CheckInput& input, const FacesReport& report) {
   const std::vector<std::string> names = table_names(input.loaded.scene.objects);
   std::vector<std::vector<std::string>> rows;
   std::size_t total = 0;
+  bool is_exact = true;
   for (const ReportedFaces& of_object : report.found) {
     const std::vector<Index> faces = distinct_faces(of_object.found);
     total += faces.size();
+    is_exact = is_exact && (faces.empty() || !has_smooth(input.loaded.scene.objects[of_object.object].shape));
     std::string list;
     for (std::size_t i = 0; i < std::min(shown, faces.size()); ++i)
       list += fmt::format("{}{}", i == 0 ? "" : " ", faces[i]);
     if (faces.size() > shown) list += " … (all with --csv or --json)";
     rows.push_back({names[of_object.object], counted(faces.size(), "face"), list});
   }
-  return columns(rows, 2) + fmt::format("{} within, decided exactly.\n", counted(total, "face"));
+  return columns(rows, 2) +
+         fmt::format(
+             "{} within, decided exactly{}.\n", counted(total, "face"),
+             is_exact ? "" : " but of cylinders, cones and ellipsoids: those may be outside by 10⁻¹² of their size");
 }
 
 int run_faces(const FacesArguments& arguments) {

@@ -33,6 +33,20 @@ TEST(FacesCommand, TellsTheFacesOfTheFileOnce) {
   EXPECT_EQ(run_command({"faces", file, "--ball", "50", "50", "50", "1"}).exit_code, 0);
 }
 
+TEST(FacesCommand, DoesNotCallSmoothShapesExact) {
+  const TemporaryFolder folder;
+  const std::string can =
+      folder
+          .write("can.json", R"({"format": "toccata-scene", "version": 1, "objects": [{"name": "can", "shape":
+            {"type": "compound", "parts": [{"shape": {"type": "cylinder", "radius": 1, "half_height": 1}}]}}]})")
+          .string();
+  const auto touching = run_command({"faces", can, "--ball", "2", "0", "0", "1"});
+  EXPECT_EQ(touching.exit_code, 1) << touching.err;
+  EXPECT_NE(touching.out.find("exactly but of cylinders"), std::string::npos) << touching.out;
+  const auto box = run_command({"faces", "gen:box", "--ball", "1", "0", "0", "1"});
+  EXPECT_NE(box.out.find("decided exactly.\n"), std::string::npos) << box.out;
+}
+
 TEST(FacesCommand, WrongRegionsAreTroubleThatSaysWhatToDo) {
   const auto refused = [](const std::vector<std::string>& arguments, const std::string& message) {
     const auto result = run_command(arguments);
