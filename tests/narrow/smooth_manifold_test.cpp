@@ -108,6 +108,27 @@ TEST(SmoothManifold, OfTwoCylindersSideBySideAreTheEndsOfTheirCommonLine) {
   expect_points(manifold(PosedSmooth(Cylinder(0.5, 1)), crossed), {{0.46875, 0, 0}}, 0.0625);
 }
 
+// Beside where they cross the sides sink away from each other.
+TEST(SmoothManifold, OfLinesThatNearlyLieAlongEachOtherIsOnBothSides) {
+  const PosedSmooth pin(Cylinder(0.25, 2));
+  const oracle::FineSet set = oracle::smooth_set(oracle::FineKind::cylinder, pin.half(), pin.pose());
+  for (const double degrees : {0.0, 0.01, 0.125, 0.5, 1.5}) {
+    const Pose leaning{rotation_about({1, 0, 0}, degrees), {0.46875, 0, 0.5}};
+    const PosedSmooth other(Cylinder(0.25, 2), leaning);
+    const Manifold beside = manifold(pin, other);
+    const auto set_b = oracle::smooth_set(oracle::FineKind::cylinder, other.half(), leaning);
+    EXPECT_EQ(smooth_manifold_fault(beside, set, set_b, 3), "") << degrees;
+    EXPECT_GE(beside.count, 2) << degrees;
+    const Pose turned = compose({leaning.linear, {0.5625, 0, 0.5}}, {rotation_about({0, 0, 1}, 45), {}});
+    for (const PlacedConvex& bar :
+         {PlacedConvex{Capsule({0, 0, -2}, {0, 0, 2}, 0.25), leaning}, PlacedConvex{Box({0.25, 0.25, 2}), turned}}) {
+      const Manifold m = manifold(pin, posed(bar));
+      EXPECT_EQ(smooth_manifold_fault(m, set, fine_set(bar), 3), "") << degrees;
+      EXPECT_GE(m.count, 2) << degrees;
+    }
+  }
+}
+
 TEST(SmoothManifold, OfAnEllipsoidIsOnePoint) {
   expect_points(manifold(PosedSmooth(Ellipsoid({0.5, 0.25, 0.75}), placed_at(1, 0, 0.5)), table()), {{1, 0, -0.125}},
                 0.25);

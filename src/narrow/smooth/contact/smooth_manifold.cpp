@@ -157,6 +157,8 @@ Manifold manifold_of(const PosedSmooth& a, const B& b) {
   const SmoothBody body_a(a, frame), body_b(b, frame);
   const SmoothNearest met = nearest_of(body_a, body_b, SmoothQuestion::meeting);
   if (met.contact == SmoothContact::apart) return {};
+  // Of what is undecided here, that may have a quick proof of its own.
+  if (met.contact == SmoothContact::undecided && smooth_contact(a, b) == SmoothContact::apart) return {};
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const SmoothParting parting = parting_of(body_a, body_b, met);
