@@ -3,8 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "narrow/smooth/fine_search.hpp"
-
+#include "narrow/smooth/distance/fine_search.hpp"
 #include "narrow/smooth/exact_place.hpp"
 
 namespace toccata {
@@ -160,11 +159,13 @@ class NearestSearch {
            try_polished(search, search.in_pair(search.best_direction()));
   }
 
-  /// A sliver that the bodies have in common is lost in the rounding of doubles where they are long.
+  /// What bodies have in common, or leave between them, is lost in the rounding of doubles where they are long or slim.
   bool is_meeting_found_finely() {
-    const auto corner = corners_around_origin(a_, b_, search_.best_direction());
-    if (!corner || !is_simplex_around<BoundedNumber>(*corner)) return false;
-    return met_around(*corner, point_of<BoundedNumber>(b_, joined(*corner, false)));
+    const FineEnd end = search_finely(a_, b_, search_.best_direction());
+    if (end.around && is_simplex_around<BoundedNumber>(*end.around))
+      return met_around(*end.around, point_of<BoundedNumber>(b_, joined(*end.around, false)));
+    improve_lower<BoundedNumber>(end.direction);
+    return false;
   }
 
   /// A point of A lies within B, which need not be smooth.

@@ -122,7 +122,7 @@ bool is_origin_within(const std::array<VectorOf<Number>, 4>& corner) {
     const auto& p = corner[(i + 1) % 4];
     const auto& q = corner[(i + 2) % 4];
     const auto& r = corner[(i + 3) % 4];
-    const Number volume = inner(outer(p, q), r);
+    const Number volume = volume_from_origin(p, q, r);
     const bool odd = i % 2 == 1;
     positive += (odd ? (-volume).is_positive() : volume.is_positive()) ? 1 : 0;
     negative += (odd ? (-volume).is_negative() : volume.is_negative()) ? 1 : 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "narrow/smooth/distance/smooth_search.hpp"
@@ -51,6 +52,24 @@ template <class Number>
 /// The distance of two points is at most this.
 template <class Number>
 [[nodiscard]] double distance_at_most(const VectorOf<Number>& p, const VectorOf<Number>& q);
+
+inline double middle(const DoubleWord& a) { return a.high; }
+
+/// Six times the signed volume of the tetrahedron of the origin and three points, seen from the nearest of them: the
+/// others may be far away, where their difference is known better than they are.
+template <class Number>
+[[nodiscard]] Number volume_from_origin(const VectorOf<Number>& p, const VectorOf<Number>& q,
+                                        const VectorOf<Number>& r) {
+  const auto size = [](const VectorOf<Number>& v) {
+    return std::fmax(std::fmax(std::fabs(middle(v[0])), std::fabs(middle(v[1]))), std::fabs(middle(v[2])));
+  };
+  const auto seen_from = [](const VectorOf<Number>& a, const VectorOf<Number>& b, const VectorOf<Number>& c) {
+    return inner(a, outer(difference(b, a), difference(c, a)));
+  };
+  const double of_p = size(p), of_q = size(q), of_r = size(r);
+  if (of_q < of_p && of_q < of_r) return seen_from(q, r, p);
+  return of_r < of_p ? seen_from(r, p, q) : seen_from(p, q, r);
+}
 
 /// The origin certainly lies inside the tetrahedron.
 template <class Number>

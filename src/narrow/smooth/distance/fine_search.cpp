@@ -1,9 +1,11 @@
-#include "narrow/smooth/fine_search.hpp"
+#include "narrow/smooth/distance/fine_search.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/smooth/distance/smooth_proof.hpp"
 
 namespace toccata {
 namespace {
@@ -11,6 +13,10 @@ namespace {
 using FinePoint = VectorOf<DoubleWord>;
 
 constexpr int most_steps = 256;
+/// Atoms that are as high as doubles tell.
+constexpr Index most_atoms = 16;
+/// Apart where a plane has this part of the distance of the nearest point found.
+constexpr double enough = 0.99;
 
 bool is_positive(const DoubleWord& x) { return x.high > 0; }
 
@@ -83,26 +89,33 @@ class FineSimplex {
 
  private:
   void offer_edge(Nearest& best, std::size_t i, std::size_t j) const {
+    if (is_nearer(j, i)) std::swap(i, j);
     const FinePoint along = difference(point_[j], point_[i]);
     const DoubleWord squared = inner(along, along), part = -inner(point_[i], along);
     if (!is_positive(part) || !is_less(part, squared)) return;
     best.offer(1U << i | 1U << j, sum(point_[i], multiple(part / squared, along)));
   }
 
+  /// Seen from the corner that is nearest to the origin: what is rounded far away counts little then.
   void offer_triangle(Nearest& best, std::size_t i, std::size_t j, std::size_t k) const {
-    const FinePoint &p = point_[i], &q = point_[j], &r = point_[k];
-    const FinePoint normal = outer(difference(q, p), difference(r, p));
+    if (is_nearer(j, i)) std::swap(i, j);
+    if (is_nearer(k, i)) std::swap(i, k);
+    const FinePoint &p = point_[i], u = difference(point_[j], p), v = difference(point_[k], p), normal = outer(u, v);
     const DoubleWord squared = inner(normal, normal);
-    if (!is_positive(squared) || !is_positive(inner(normal, outer(q, r))) || !is_positive(inner(normal, outer(r, p))) ||
-        !is_positive(inner(normal, outer(p, q))))
-      return;
+    if (!is_positive(squared)) return;
+    const DoubleWord of_u = inner(normal, outer(v, p)), of_v = inner(normal, outer(p, u));
+    if (!is_positive(of_u) || !is_positive(of_v) || !is_less(of_u + of_v, squared)) return;
     best.offer(1U << i | 1U << j | 1U << k, multiple(inner(normal, p) / squared, normal));
+  }
+
+  [[nodiscard]] bool is_nearer(std::size_t i, std::size_t j) const {
+    return is_less(inner(point_[i], point_[i]), inner(point_[j], point_[j]));
   }
 
   /// Six times that of the tetrahedron of the origin and the face opposite to a corner; all have one sign where the
   /// origin is inside.
   [[nodiscard]] double volume_opposite(std::size_t i) const {
-    const double volume = inner(outer(point_[(i + 1) % 4], point_[(i + 2) % 4]), point_[(i + 3) % 4]).high;
+    const double volume = volume_from_origin(point_[(i + 1) % 4], point_[(i + 2) % 4], point_[(i + 3) % 4]).high;
     return i % 2 == 0 ? volume : -volume;
   }
 
@@ -121,27 +134,63 @@ class FineSimplex {
   std::size_t size_ = 0;
 };
 
+/// Of length 1 but for rounding.
+FineDirection unit_of(const FinePoint& p) {
+  const double largest = largest_magnitude(rounded(p));
+  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const double length = largest * plain_length((1 / largest) * rounded(p));
+  return multiple(DoubleWord{1, 0} / DoubleWord{length, 0}, p);
+}
+
+FineDirection opposite(const FineDirection& d) { return {-d[0], -d[1], -d[2]}; }
+
+/// The highest of the atoms that doubles do not tell apart, and the round part for the direction.
+SmoothSupport fine_support(const SmoothBody& body, const FineDirection& direction) {
+  SmoothSupport support = body.support(rounded(direction));
+  std::array<Index, most_atoms> found;
+  const Index count = std::min(body.highest_atoms(rounded(direction), found), most_atoms);
+  DoubleWord highest = atom_height<BoundedNumber>(body, support.atom, direction).value;
+  for (const Index atom : std::span(found.data(), count)) {
+    const DoubleWord height = atom_height<BoundedNumber>(body, atom, direction).value;
+    if (!is_less(highest, height)) continue;
+    support.atom = atom;
+    highest = height;
+  }
+  support.round = {};
+  support.point = body.plain_centre(support.atom);
+  if (!body.grown(support.atom)) return support;
+  Vec3 along;
+  for (std::size_t j = 0; j < body.column_count(); ++j)
+    along[static_cast<int>(j)] = inner(direction, vector_as<DoubleWord>(body.column(j))).high;
+  support.round = unit_or_zero(along);
+  support.point = support.point + body.map(support.round);
+  return support;
+}
+
 }  // namespace
 
-std::optional<std::array<SmoothSearch::Corner, 4>> corners_around_origin(const SmoothBody& a, const SmoothBody& b,
-                                                                         const Vec3& first_direction) {
+FineEnd search_finely(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction) {
   FineSimplex simplex;
   Nearest nearest;
-  Vec3 direction = unit_or_zero(first_direction);
-  for (int i = 0; i < most_steps && !(direction == Vec3{}); ++i) {
-    const SmoothSearch::Corner corner{a.support(-direction), b.support(direction), 1};
+  FineEnd end;
+  end.direction = fine(unit_or_zero(first_direction));
+  for (int i = 0; i < most_steps; ++i) {
+    const SmoothSearch::Corner corner{fine_support(a, opposite(end.direction)), fine_support(b, end.direction), 1};
     const FinePoint point = vector_as<DoubleWord>(point_of<BoundedNumber>(a, body_point(corner.a)) -
                                                   point_of<BoundedNumber>(b, body_point(corner.b)));
-    if (i > 0 && !is_less(inner(nearest.point, point), nearest.squared)) return {};
+    if (i > 0 && !is_less(inner(nearest.point, point), nearest.squared * enough)) break;
     simplex.append(point, corner);
     const Nearest next = simplex.nearest();
-    if (next.kept == 15) return simplex.corners();
-    if (i > 0 && !is_less(next.squared, nearest.squared)) return {};
+    if (next.kept == 15) {
+      end.around = simplex.corners();
+      break;
+    }
+    if (!(next.squared.high > 0) || (i > 0 && !is_less(next.squared, nearest.squared))) break;
     nearest = next;
     simplex.keep(nearest.kept);
-    direction = unit_or_zero(rounded(nearest.point));
+    end.direction = unit_of(nearest.point);
   }
-  return {};
+  return end;
 }
 
 }  // namespace toccata
