@@ -98,7 +98,7 @@ class TouchingPair {
 
 SmoothParting first_parting(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
   if (met.contact != SmoothContact::contact) return TouchingPair(a, b).least();
-  const Penetration least = least_depth(a, b, met);
+  const Penetration least = least_depth(a, b);
   return {least.direction, least.upper, least.on_a, least.on_b};
 }
 

@@ -7,7 +7,7 @@ namespace toccata {
 
 /// Of bodies that certainly have a common inner point, the direction along which B has to move the least, but for what
 /// was not found; A is made of a smooth shape.
-[[nodiscard]] Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met);
+[[nodiscard]] Penetration least_depth(const SmoothBody& a, const SmoothBody& b);
 
 struct SmoothParting {
   Vec3 normal;       ///< unit, from A to B

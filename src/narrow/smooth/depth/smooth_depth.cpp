@@ -71,9 +71,7 @@ class DeepPair {
 
 }  // namespace
 
-Penetration least_depth(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& /*met*/) {
-  return DeepPair(a, b).answer();
-}
+Penetration least_depth(const SmoothBody& a, const SmoothBody& b) { return DeepPair(a, b).answer(); }
 
 namespace {
 
@@ -88,7 +86,7 @@ Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
     result.status = Status::undecided;
     return result;
   }
-  result = least_depth(a, b, near);
+  result = least_depth(a, b);
   // The direction is rounded: a little farther it certainly serves.
   result.upper = std::nextafter(result.upper * (1 + 0x1p-50) / frame.factor, HUGE_VAL);
   result.lower = std::nextafter(result.lower / frame.factor, 0);
