@@ -121,5 +121,14 @@ TEST(GrownSolid, RefusesSurfacesAndNegativeDistances) {
   EXPECT_THROW(GrownSolid(PosedConvex(Box{{1, 1, 1}}), -1), Error);
 }
 
+TEST(GrownSolid, RefusesPointsThatAreNotFinite) {
+  const GrownSolid grown(PosedConvex(Box{{1, 1, 1}}), 0.5);
+  for (const double bad : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    EXPECT_THROW(static_cast<void>(grown.in_moved_planes({0, bad, 0})), Error);
+    EXPECT_THROW(static_cast<void>(grown.in_beveled_planes({0, bad, 0})), Error);
+    EXPECT_THROW(static_cast<void>(grown.contains({0, bad, 0})), Error);
+  }
+}
+
 }  // namespace
 }  // namespace toccata

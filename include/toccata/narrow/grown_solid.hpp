@@ -15,6 +15,8 @@ class GrownSolid {
   /// been flattened by rounding, or the distance is negative or not finite.
   GrownSolid(const PosedConvex& solid, double distance);
 
+  // All three throw Error when the point is not finite.
+
   /// Behind all face planes, each moved outwards by the distance: exact as that, but accepts more than the grown solid.
   /// Where two faces meet at the inner angle α it reaches 1 / sin(α / 2) times as far as it should, at a box's corner
   /// √3 times; at sharp edges any number of times.

@@ -97,16 +97,19 @@ bool is_behind(const SumOperand& solid, Index face, const Vec3& point, double di
 }  // namespace
 
 bool GrownSolid::in_moved_planes(const Vec3& point) const {
+  if (!is_finite(point))
+    throw Error("a point asked about has a coordinate that is not finite; give finite coordinates");
   for (Index f = 0; f < parts_->solid.faces().size(); ++f)
     if (!is_behind(parts_->solid, f, point, parts_->distance)) return false;
   return true;
 }
 
 bool GrownSolid::in_beveled_planes(const Vec3& point) const {
+  if (!in_moved_planes(point)) return false;
   const double rounding = 0x1p-48 * largest_magnitude(point);
   for (const Bevel& bevel : parts_->bevels)
     if (dot(bevel.normal, point) > bevel.height + rounding * sum_of_magnitudes(bevel.normal)) return false;
-  return in_moved_planes(point);
+  return true;
 }
 
 bool GrownSolid::contains(const Vec3& point) const {
