@@ -89,6 +89,22 @@ TEST(Smooth, ASegmentThroughTheRimOfAThinConeIsContact) {
   EXPECT_LE(distance(segment, point).upper, 1e-15);
 }
 
+// The tip of a needle is 1.3843441189782 · 10⁻¹² before an edge: the lower end was 4 · 10⁻¹⁷ more.
+TEST(Smooth, ANeedleBesideAnEdgeIsNoFartherThanItIs) {
+  Pose pose;
+  pose.linear[0] = {0.2838305671586695, -0.93522719016584166, -0.21163721771203861};
+  pose.linear[1] = {0.86294280437027371, 0.1529069392595693, 0.48161103009777301};
+  pose.linear[2] = {-0.41805493123745796, -0.31932674598407068, 0.85044723749758255};
+  const PosedSmooth needle(Cone(2.4354780584330685e-06, 1.3221214532741807), pose);
+  const PosedConvex triangle(Triangle({Vec3{-0.00038693981545928624, 1.8369359908678056, -0.089337502881010056},
+                                       Vec3{-0.27981010585004251, 0.63674827502257947, 1.1243945375746023},
+                                       Vec3{-0.79643484584762747, 1.0046820897295592, 0.49431164234743397}}));
+  const Distance found = distance(needle, triangle);
+  EXPECT_GT(found.lower, 0);
+  EXPECT_LE(found.lower, found.upper);
+  EXPECT_LE(found.lower, 1.38434411899e-12);
+}
+
 TEST(Smooth, DistancesOfSimplePairs) {
   const PosedSmooth ball(Ellipsoid({1, 1, 1}), Pose::translation(3, 4, 0));
   const Distance d = distance(ball, PosedConvex(Point({0, 0, 0})));

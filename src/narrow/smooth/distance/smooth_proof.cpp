@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
@@ -80,7 +82,8 @@ Number height_of(const SmoothBody& body, const FineDirection& direction) {
   const VectorOf<Number> d = direction_as<Number>(direction);
   const Number growth = growth_along(body, d);
   std::array<Index, most_atoms> found;
-  const Index count = body.highest_atoms(rounded(direction), found);
+  // Where Newton's method has failed, the direction is of any length.
+  const Index count = body.highest_atoms(unit_or_zero(rounded(direction)), found);
   Number highest;
   double widest = -1;
   const auto look_at = [&](Index atom) {
