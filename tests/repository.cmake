@@ -12,8 +12,7 @@ set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROC
 
 # Every header compiles alone: a unit that includes nothing else, for each but those which a source of the library
 # includes before anything else.
-file(GLOB LIBRARY_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*.cpp
-                                             ${PROJECT_SOURCE_DIR}/src/*/*/*/*.cpp)
+file(GLOB LIBRARY_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*/*.cpp)
 foreach(source IN LISTS LIBRARY_SOURCES)
   file(STRINGS ${source} first REGEX "^#include" LIMIT_COUNT 1)
   list(APPEND INCLUDED_FIRST ${first})

@@ -223,6 +223,13 @@ TEST(Smooth, ATinyShapeInTheMiddleOfAnotherIsInContact) {
 // Whole numbers, faces, rims, sides and tips in parallel: the exact gap is 0, whichever axis they lie along.
 TEST(Smooth, TouchingAlongEveryAxisCountsAsContact) {
   const PosedConvex box(Box({1, 1, 1}));
+  const auto expect_touch = [](const auto& a, const auto& b, const char* how) {
+    EXPECT_TRUE(overlap(a, b)) << how;
+    EXPECT_EQ(smooth_contact(a, b), SmoothContact::contact) << how;
+    EXPECT_EQ(smooth_contact(b, a), SmoothContact::contact) << how;
+    EXPECT_EQ(distance(a, b).status, Status::exact) << how;
+    EXPECT_EQ(distance(a, b).upper, 0) << how;
+  };
   const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int turn = 0; turn < 3; ++turn)
     for (const double sign : {-1.0, 1.0}) {
@@ -239,15 +246,15 @@ TEST(Smooth, TouchingAlongEveryAxisCountsAsContact) {
         return placed;
       };
       const int across = (up + 1) % 3;
-      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(up, 4)), box)) << "standing";
-      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 3)), box)) << "lying";
-      EXPECT_TRUE(overlap(PosedSmooth(Cone(2, 3), at(up, 4)), box)) << "on its base, or its tip";
-      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 4)), box)) << "on its pole";
-      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(across, 3)), box)) << "on its side";
-      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(up, 6)), PosedSmooth(Cylinder(1, 3), pose)));
-      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 3)), PosedSmooth(Cylinder(1, 3), pose)));
-      EXPECT_TRUE(overlap(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 5)), PosedSmooth(Cylinder(1, 2), pose)));
-      EXPECT_TRUE(overlap(PosedSmooth(Cylinder(2, 3), at(across, 4)), PosedConvex(Sphere(2))));
+      expect_touch(PosedSmooth(Cylinder(2, 3), at(up, 4)), box, "standing");
+      expect_touch(PosedSmooth(Cylinder(2, 3), at(across, 3)), box, "lying");
+      expect_touch(PosedSmooth(Cone(2, 3), at(up, 4)), box, "on its base, or its tip");
+      expect_touch(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 4)), box, "on its pole");
+      expect_touch(PosedSmooth(Ellipsoid({2, 2, 3}), at(across, 3)), box, "on its side");
+      expect_touch(PosedSmooth(Cylinder(2, 3), at(up, 6)), PosedSmooth(Cylinder(1, 3), pose), "two smooth ones");
+      expect_touch(PosedSmooth(Cylinder(2, 3), at(across, 3)), PosedSmooth(Cylinder(1, 3), pose), "two smooth ones");
+      expect_touch(PosedSmooth(Ellipsoid({2, 2, 3}), at(up, 5)), PosedSmooth(Cylinder(1, 2), pose), "two smooth ones");
+      expect_touch(PosedSmooth(Cylinder(2, 3), at(across, 4)), PosedConvex(Sphere(2)), "at a ball");
     }
 }
 

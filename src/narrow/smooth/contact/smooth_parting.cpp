@@ -42,21 +42,31 @@ class TouchingPair {
  public:
   TouchingPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b), polish_(a, b) {}
 
+  /// The cheap guesses come first: where one shows that they no more than touch, none is better.
   SmoothParting least() {
+    along_axes([&](const Vec3& d) { take(d); });
+    if (is_touching()) return best_;
     SmoothSearch search(a_, b_, plain(a_.middle_point()) - plain(b_.middle_point()));
     search.run(0);
     polish(-search.best_direction());
-    for (const SmoothBody* body : {&a_, &b_})
-      if (body->smooth_kind())
-        for (const BoundedVector& axis : body->axes()) {
-          polish(plain(axis));
-          polish(-plain(axis));
-        }
+    if (is_touching()) return best_;
+    along_axes([&](const Vec3& d) { polish(d); });
     polish_best_of_spiral();
     return best_;
   }
 
  private:
+  [[nodiscard]] bool is_touching() const { return best_.depth <= rounding_along; }
+
+  /// Those of the smooth shapes, and against them.
+  template <class Visit>
+  void along_axes(const Visit& visit) const {
+    for (const SmoothBody* body : {&a_, &b_})
+      if (body->smooth_kind())
+        for (const BoundedVector& axis : body->axes())
+          for (const double sign : {1.0, -1.0}) visit(unit_or_zero(sign * plain(axis)));
+  }
+
   /// From a direction and from where Newton's method leads from there.
   void polish(const Vec3& direction) {
     const Vec3 d = unit_or_zero(direction);
@@ -70,6 +80,7 @@ class TouchingPair {
   }
 
   void take(const Vec3& d) {
+    if (d == Vec3{}) return;
     const double depth = depth_along(a_, b_, d);
     if (depth < best_.depth) best_ = {d, depth, a_.support(d).point, b_.support(-d).point};
   }

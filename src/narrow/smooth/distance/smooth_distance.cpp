@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/common_point.hpp"
 #include "narrow/smooth/distance/quick_proof.hpp"
 #include "narrow/smooth/distance/smooth_coherent.hpp"
 #include "narrow/smooth/distance/smooth_nearest.hpp"
@@ -148,7 +149,10 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
   if (is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart()) return SmoothContact::apart;
   const Pair pair(a, b);
-  return nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
+  const SmoothContact found = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
+  if (found != SmoothContact::undecided) return found;
+  const SmoothNearest nearest = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance);
+  return common_point(a, b, nearest, frame) ? SmoothContact::contact : found;
 }
 
 /// The search begins with this direction, and leaves there that of the nearest points; zero: none.
@@ -164,7 +168,10 @@ Distance distance_of(const PosedSmooth& a, const B& b, Vec3& direction) {
   }
   const Pair pair(a, b);
   const QuickPolish* const guess = quick ? quick->guess() : nullptr;
-  return in_world(nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance, guess), pair.frame);
+  const SmoothNearest found = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance, guess);
+  if (found.contact == SmoothContact::undecided)
+    if (const auto point = common_point(a, b, found, frame)) return {.on_a = *point, .on_b = *point};
+  return in_world(found, frame);
 }
 
 template <class B>
