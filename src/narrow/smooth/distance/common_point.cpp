@@ -12,8 +12,6 @@ namespace {
 bool holds(const PosedSmooth& shape, const Vec3& point) { return side_of(point, shape) != Sign::positive; }
 bool holds(const PosedConvex& shape, const Vec3& point) { return overlap(PosedConvex(Point(point)), shape); }
 
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 /// What is off by roundings of the search is put back to the multiple of `grid` it came from.
 Vec3 rounded(const Vec3& v, double grid) {
   return {grid * std::nearbyint(v.x / grid), grid * std::nearbyint(v.y / grid), grid * std::nearbyint(v.z / grid)};
