@@ -203,7 +203,7 @@ def check_keys(checks, browser):
 def check_tabs(checks, browser):
     """The arrows go from tab to tab, and nothing else; Tab has one of them to stop at."""
     browser.value("document.getElementById('tab-findings').focus()")
-    was = browser.value("location.hash")
+    was = browser.value("toccata.link()")
     for key, opened in [("ArrowRight", "objects"), ("ArrowRight", "findings"), ("ArrowLeft", "objects"), ("Home", "findings"), ("End", "objects"), ("Home", "findings")]:
         browser.press(key)
         checks.expect(browser.value("document.activeElement.id") == f"tab-{opened}", f"{key} goes to the tab {opened}")
@@ -211,7 +211,7 @@ def check_tabs(checks, browser):
         checks.expect(shown == opened, f"{key} opens {shown}, not {opened}")
         stops = browser.value("[...document.querySelectorAll('[role=tab]')].filter((one) => one.tabIndex === 0).map((one) => one.id).join()")
         checks.expect(stops == f"tab-{opened}", f"Tab stops at {stops}")
-    checks.expect(browser.value("location.hash") == was, "the scene stays as it is")
+    checks.expect(browser.value("toccata.link()") == was, "the scene stays as it is")
     browser.value("document.activeElement.blur()")
 
 
