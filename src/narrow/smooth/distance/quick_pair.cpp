@@ -1,0 +1,96 @@
+#include "narrow/smooth/distance/quick_pair.hpp"
+
+#include "math/vec3_measures.hpp"
+
+namespace toccata {
+namespace {
+
+/// The search ends early: what it leaves, Newton's method gains faster, and where that fails it goes on.
+constexpr double quick_parts[] = {0.7, 0.1, 1e-2, 1e-3};
+
+/// What gaps in a pair's frame may be off by, with u = 2⁻⁵³. All coordinates of centres and columns are at most 2
+/// there, and off by 6 u and 2 u. So the height of an atom is off by 21 u for its centre and 37 u for its growth, and
+/// the gap of two support points differs from what their heights leave by 100 u: 216 u in all.
+constexpr double gap_rounding = 0x1p-44;
+
+/// In a pair's frame: the intervals of greater distances are narrow.
+constexpr double hair = 0x1p-29;
+
+bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
+bool is_quick(const PosedSmooth& shape) {
+  return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
+}
+bool is_quick(const PosedConvex& shape) { return shape.radius() == 0 || is_moderate(shape.radius()); }
+
+template <class B>
+bool are_quick(const PosedSmooth& a, const B& b, const PairFrame& frame) {
+  return is_moderate(frame.factor) && is_quick(a) && is_quick(b);
+}
+
+}  // namespace
+
+bool is_quick(const PosedSmooth& a, const PosedSmooth& b, const PairFrame& frame) { return are_quick(a, b, frame); }
+bool is_quick(const PosedSmooth& a, const PosedConvex& b, const PairFrame& frame) { return are_quick(a, b, frame); }
+
+template <class B>
+QuickPair<B>::QuickPair(const PosedSmooth& a, const B& b, const PairFrame& frame, const Vec3& first_direction)
+    : a_(a),
+      b_(b),
+      body_a_(a, frame),
+      body_b_(b, frame),
+      search_(body_a_, body_b_, first_direction == Vec3{} ? body_a_.middle() - body_b_.middle() : first_direction),
+      polish_(body_a_, body_b_) {}
+
+template <class B>
+std::optional<QuickDistance> QuickPair<B>::distance() {
+  for (const double part : quick_parts) {
+    search_.run(part);
+    if (search_.inside()) return {};
+    begin_polish();
+    if (polish_.run()) {
+      is_guess_ = true;
+      const auto found = proved_distance(a_, b_, polish_);
+      return found || !polish_.refine() ? found : proved_distance(a_, b_, polish_);
+    }
+    if (search_.stalled()) return {};
+  }
+  return {};
+}
+
+template <class B>
+bool QuickPair<B>::is_apart() {
+  search_.run_until_apart();
+  if (search_.best_gap() > gap_rounding) return true;
+  return search_.best_gap() > 0 && lower_along(search_.best_direction()) > 0;
+}
+
+template <class B>
+std::optional<bool> QuickPair<B>::is_within(double tolerance, double factor) {
+  search_.run_until_compared(factor * tolerance);
+  // By so much more that the tolerance lies below the interval of the distance too, which is wider for hairs only.
+  const double length = (1 + 0x1p-38) * plain_length(search_.best_direction());
+  if (search_.best_gap() > length * (factor * tolerance) + hair) return false;
+  begin_polish();
+  if (proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), polish_.direction()).upper <= tolerance) return true;
+  return {};
+}
+
+template <class B>
+void QuickPair<B>::begin_polish() {
+  std::array<SmoothSearch::Corner, 4> corner;
+  const std::size_t count = search_.corners(corner);
+  polish_.begin({corner.data(), count}, search_.nearest());
+}
+
+template <class B>
+double QuickPair<B>::lower_along(const Vec3& direction) {
+  const std::array<SmoothSearch::Corner, 1> corner{
+      SmoothSearch::Corner{body_a_.support(-direction), body_b_.support(direction), 1}};
+  polish_.begin(corner, direction);
+  return proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), direction).lower;
+}
+
+template class QuickPair<PosedSmooth>;
+template class QuickPair<PosedConvex>;
+
+}  // namespace toccata
