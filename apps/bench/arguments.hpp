@@ -50,6 +50,17 @@ struct ConvexArguments {
   bool json = false;
 };
 
+struct CastsArguments {
+  std::string pair = "cylinder-box";
+  std::string regime = "hit";
+  std::vector<std::string> peers;
+  std::size_t count = 2000;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
 struct RaysArguments {
   std::string mesh;
   std::vector<std::string> peers;
@@ -189,6 +200,7 @@ struct WalkerArguments {
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
 int run_convex(const ConvexArguments& arguments);
+int run_casts(const CastsArguments& arguments);
 int run_rays(const RaysArguments& arguments);
 int run_decompose(const DecomposeArguments& arguments);
 int run_self(const SelfArguments& arguments);

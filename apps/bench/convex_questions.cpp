@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "dop_bodies.hpp"
+#include "random_bodies.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
@@ -14,92 +14,11 @@
 namespace toccata::bench {
 namespace {
 
-/// Of so many different pairs, so that shapes are not always in the nearest cache.
-constexpr std::size_t different_pairs = 50;
-
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
-// Every number is drawn in a statement of its own: the order in which arguments are evaluated is not specified.
-
-Vec3 random_direction(Random& random) {
-  while (true) {
-    const double x = random.between(-1, 1);
-    const double y = random.between(-1, 1);
-    const double z = random.between(-1, 1);
-    const Vec3 v{x, y, z};
-    if (dot(v, v) > 0.01 && dot(v, v) <= 1) return (1 / length(v)) * v;
-  }
-}
-
-Mat3 random_rotation(Random& random) {
-  const Vec3 v = random_direction(random);
-  const double w = random.between(-1, 1);
-  return rotation_of({v.x, v.y, v.z, w});
-}
-
-double random_size(Random& random) { return random.between(0.3, 1); }
-
-ConvexHull random_hull(std::size_t vertices, Random& random) {
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < vertices; ++i) points.push_back(random_direction(random));
-  return ConvexHull(points);
-}
-
-Box random_box(Random& random) {
-  const double x = random_size(random);
-  const double y = random_size(random);
-  const double z = random_size(random);
-  return Box({x, y, z});
-}
-
-Capsule random_capsule(Random& random) {
-  const double half_length = random_size(random);
-  const double radius = 0.5 * random_size(random);
-  return Capsule({0, 0, -half_length}, {0, 0, half_length}, radius);
-}
-
-ConvexBody random_round(const std::string& kind, Random& random) {
-  const double radius = random_size(random);
-  const double half_height = random_size(random);
-  if (kind == "cone") return Cone(radius, half_height);
-  return Cylinder(radius, half_height);
-}
-
-Triangle random_triangle(Random& random) {
-  const Vec3 p = random_direction(random);
-  const Vec3 q = random_direction(random);
-  return {{p, q, random_direction(random)}};
-}
-
-ConvexBody random_body(const std::string& kind, std::size_t vertices, Random& random) {
-  if (kind == "sphere") return Sphere(random_size(random));
-  if (kind == "box") return random_box(random);
-  if (kind == "capsule") return random_capsule(random);
-  if (kind == "triangle") return random_triangle(random);
-  if (kind == "cylinder" || kind == "cone") return random_round(kind, random);
-  if (kind == "ellipsoid") return Ellipsoid(random_box(random).half_extents());
-  if (kind.ends_with("-dop")) return random_dop(kind, random);
-  return random_hull(vertices, random);
-}
-
 /// The kinds of "sphere-box"; of "box", that twice.
 std::pair<std::string, std::string> kinds_of(const std::string& pair) {
   const std::size_t dash = pair.find('-');
   if (dash == std::string::npos) return {pair, pair};
   return {pair.substr(0, dash), pair.substr(dash + 1)};
-}
-
-/// The radius of a ball around the origin that holds it.
-double reach_of(const PosedSmooth& shape) { return length(shape.half()); }
-
-double reach_of(const PosedConvex& shape) {
-  double reach = 0;
-  for (Index i = 0; i < shape.vertex_count(); ++i) reach = std::max(reach, length(shape.vertex(i)));
-  return reach + shape.radius();
-}
-
-double reach_of(const ConvexBody& body) {
-  return std::visit([]<class Shape>(const Shape& shape) { return reach_of(PosedAs<Shape>(shape, Pose{})); }, body);
 }
 
 Distance distance_of(const ConvexPair& pair, const ConvexQuestion& question) {
@@ -124,9 +43,9 @@ ConvexQuestion random_question(const std::string& regime, const ConvexPair& pair
   question.b = {random_rotation(random), {}};
   const double reach = reach_of(pair.a) + reach_of(pair.b);
   const double away = regime == "deep" ? 0.3 * random.unit() : regime == "far" ? random.between(1.5, 5) : 1.1;
-  question.b.offset = away * reach * random_direction(random);
+  question.b.offset = away * reach * unit_vector(random);
   if (regime == "near") leave_gap(pair, question);
-  const Vec3 both = 5 * random_direction(random);
+  const Vec3 both = 5 * unit_vector(random);
   question.a.offset = question.a.offset + both;
   question.b.offset = question.b.offset + both;
   return question;
@@ -141,9 +60,9 @@ double distance_of_walk(ConvexTask task) {
 void add_walk(std::size_t number, const ConvexPair& pair, std::size_t steps, Random& random, ConvexWork& work) {
   constexpr double degrees = 0.01 * 180 / 3.14159265358979323846;
   const double reach = distance_of_walk(work.task) * (reach_of(pair.a) + reach_of(pair.b));
-  const Vec3 start = random_direction(random);
-  const Vec3 across = cross(start, random_direction(random));
-  const Vec3 axis_a = random_direction(random), axis_b = random_direction(random);
+  const Vec3 start = unit_vector(random);
+  const Vec3 across = cross(start, unit_vector(random));
+  const Vec3 axis_a = unit_vector(random), axis_b = unit_vector(random);
   const Mat3 first_a = random_rotation(random), first_b = random_rotation(random);
   for (std::size_t step = 0; step < steps; ++step) {
     const double angle = degrees * static_cast<double>(step);

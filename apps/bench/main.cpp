@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "arguments.hpp"
+#include "casts.hpp"
 #include "convex_library.hpp"
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
@@ -21,6 +22,7 @@ struct Options {
   MeshArguments mesh;
   TriangleArguments triangle;
   ConvexArguments convex;
+  CastsArguments casts;
   RaysArguments rays;
   SelfArguments self;
   DecomposeArguments decompose;
@@ -143,6 +145,21 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
   add_peers(*convex, arguments.peers, convex_peers());
   add_common(*convex, arguments);
   convex->footer("Example:\n  ./toccata bench convex --pair hull --vertices 32 --task distance --peer bullet,fcl");
+}
+
+void add_casts(CLI::App& app, CastsArguments& arguments) {
+  CLI::App* casts =
+      app.add_subcommand("casts", "when a ray or a shape that moves first meets a shape with round sides");
+  casts->add_option("--pair", arguments.pair, "what moves, and what it is moved at")
+      ->check(CLI::IsMember(cast_pairs()))
+      ->capture_default_str();
+  casts->add_option("--regime", arguments.regime, "hit; graze: within 1 % of just missing; miss")
+      ->check(CLI::IsMember({"hit", "graze", "miss"}))
+      ->capture_default_str();
+  add_number(*casts, "--count", arguments.count, "questions");
+  add_peers(*casts, arguments.peers, cast_peers());
+  add_common(*casts, arguments);
+  casts->footer("Example:\n  ./toccata bench casts --pair cone-box --regime graze --peer bullet,fcl");
 }
 
 void add_rays(CLI::App& app, RaysArguments& arguments) {
@@ -374,6 +391,7 @@ int main_of(int argc, char** argv) {
   add_mesh(app, options.mesh);
   add_triangle(app, options.triangle);
   add_convex(app, options.convex);
+  add_casts(app, options.casts);
   add_rays(app, options.rays);
   add_self(app, options.self);
   add_decompose(app, options.decompose);
@@ -398,6 +416,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return run_mesh(options.mesh);
   if (app.got_subcommand("triangle")) return run_triangle(options.triangle);
   if (app.got_subcommand("convex")) return run_convex(options.convex);
+  if (app.got_subcommand("casts")) return run_casts(options.casts);
   if (app.got_subcommand("rays")) return run_rays(options.rays);
   if (app.got_subcommand("decompose")) return run_decompose(options.decompose);
   if (app.got_subcommand("self")) return run_self(options.self);

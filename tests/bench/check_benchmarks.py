@@ -252,6 +252,21 @@ def check_moving_shapes(with_bullet):
     assert refused.returncode == 2 and "--task cast" in refused.stderr, refused.stderr
 
 
+def check_casts(peers):
+    """Every pair and regime, every answer of Toccata judged with 60 digits; who cannot be asked is told with the reason."""
+    asked = [peer for peer in ("bullet", "fcl", "ode") if peer in peers]
+    named = ["--peer", ",".join(asked)] if asked else []
+    answering = {"ray-cylinder": {"bullet", "ode"}, "ray-cone": {"bullet"}, "ray-ellipsoid": set(),
+                 "cylinder-box": {"bullet", "fcl"}, "cone-box": {"bullet", "fcl"}, "ellipsoid": {"fcl"}}
+    for pair, libraries in answering.items():
+        for regime, hits in (("hit", 20), ("graze", None), ("miss", 0)):
+            made = check(20, "casts", "--pair", pair, "--regime", regime, "--count", "20", "--rounds", "1", "--verify", *named)
+            assert {r["library"] for r in made["results"]} == {"toccata"} | (libraries & set(asked)), made["results"]
+            assert {r["library"] for r in made["not_measured"]} == set(asked) - libraries, made["not_measured"]
+            told = made["question"]["hits"]
+            assert 0 < told < 20 if hits is None else told == hits, made["question"]
+
+
 def check_cells():
     """Kept cells are those of a grid made anew, and moving little costs the cells that change only."""
     made = report("partitions", "--mesh", "gen:torus?around=12&sides=6", "--task", "cells", "--rounds", "2")
@@ -294,6 +309,7 @@ def main():
     check_world(peers)
     check_parts(peers)
     check_world_queries(peers)
+    check_casts(peers)
     check_cells()
     check_sums(peers)
     check_walker()

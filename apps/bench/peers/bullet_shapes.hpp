@@ -15,7 +15,9 @@
 #include "toccata/shapes/cylinder.hpp"
 #include "toccata/shapes/shape.hpp"
 
+// Names of its own for the linker: each peer has a `converted` of the same parameters.
 namespace toccata::bench {
+inline namespace bullet_shapes {
 
 inline btVector3 converted(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -64,4 +66,5 @@ inline std::unique_ptr<btConvexHullShape> converted(const ConvexHull& hull) {
   return without_margin(std::move(shape));
 }
 
+}  // namespace bullet_shapes
 }  // namespace toccata::bench

@@ -17,7 +17,9 @@
 #include "toccata/shapes/ellipsoid.hpp"
 #include "toccata/shapes/shape.hpp"
 
+// Names of its own for the linker: each peer has a `converted` of the same parameters.
 namespace toccata::bench {
+inline namespace fcl_shapes {
 
 inline fcl::Vector3d converted(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -59,4 +61,5 @@ inline fcl::Convexd converted(const ConvexHull& hull) {
   return {vertices, static_cast<int>(topology.face_count()), faces};
 }
 
+}  // namespace fcl_shapes
 }  // namespace toccata::bench

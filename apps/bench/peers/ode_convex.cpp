@@ -1,40 +1,12 @@
-#include <ode/ode.h>
-
 #include <array>
 
 #include "convex_library.hpp"
+#include "peers/ode_shapes.hpp"
 
 namespace toccata::bench {
 namespace {
 
-/// ODE is set up and closed once for the whole program.
-class Engine {
- public:
-  Engine() { dInitODE2(0); }
-  ~Engine() { dCloseODE(); }
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
-};
-
-struct Destroy {
-  void operator()(dxGeom* geometry) const { dGeomDestroy(geometry); }
-};
-using Geometry = std::unique_ptr<dxGeom, Destroy>;
-
-Geometry converted(const Sphere& sphere) { return Geometry(dCreateSphere(nullptr, sphere.radius())); }
-
-Geometry converted(const Box& box) {
-  const Vec3& half = box.half_extents();
-  return Geometry(dCreateBox(nullptr, 2 * half.x, 2 * half.y, 2 * half.z));
-}
-
-Geometry converted(const Capsule& capsule) {
-  return Geometry(dCreateCapsule(nullptr, capsule.radius(), 2 * capsule.end().z));
-}
-
-Geometry converted(const Cylinder& cylinder) {
-  return Geometry(dCreateCylinder(nullptr, cylinder.radius(), 2 * cylinder.half_height()));
-}
+using bench::converted;
 
 // ODE has none alone, and its convex shapes are not compared; `ode_convex` offers no such pair.
 Geometry converted(const Triangle&) { return nullptr; }
@@ -44,14 +16,6 @@ Geometry converted(const Ellipsoid&) { return nullptr; }
 
 Geometry converted(const ConvexBody& body) {
   return std::visit([](const auto& shape) { return converted(shape); }, body);
-}
-
-dxGeom* place(dxGeom* geometry, const Pose& pose) {
-  const Mat3& m = pose.linear;
-  const dMatrix3 rotation{m[0].x, m[0].y, m[0].z, 0, m[1].x, m[1].y, m[1].z, 0, m[2].x, m[2].y, m[2].z, 0};
-  dGeomSetPosition(geometry, pose.offset.x, pose.offset.y, pose.offset.z);
-  dGeomSetRotation(geometry, rotation);
-  return geometry;
 }
 
 class OdeConvex : public ConvexLibrary {
@@ -91,7 +55,7 @@ class OdeConvex : public ConvexLibrary {
   }
 
   const ConvexWork* work_ = nullptr;
-  Engine engine_;
+  OdeEngine engine_;
   std::vector<Geometry> a_;
   std::vector<Geometry> b_;
 };

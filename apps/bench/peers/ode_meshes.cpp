@@ -1,22 +1,13 @@
 #include <malloc.h>
-#include <ode/ode.h>
 
 #include <cstring>
 #include <optional>
 
 #include "library.hpp"
+#include "peers/ode_shapes.hpp"
 
 namespace toccata::bench {
 namespace {
-
-/// ODE is set up and closed once for the whole program.
-class Engine {
- public:
-  Engine() { dInitODE2(0); }
-  ~Engine() { dCloseODE(); }
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
-};
 
 std::size_t heap_in_use() {
   const auto heap = mallinfo2();
@@ -88,7 +79,7 @@ class OdeMeshes : public MeshLibrary {
   }
 
  private:
-  Engine engine_;
+  OdeEngine engine_;
   std::optional<OdeMesh> a_;
   std::optional<OdeMesh> b_;
 };

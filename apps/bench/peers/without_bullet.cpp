@@ -1,4 +1,5 @@
 #include "broad.hpp"
+#include "casts.hpp"
 #include "convex_library.hpp"
 #include "world.hpp"
 #include "world_queries.hpp"
@@ -10,5 +11,6 @@ ConvexOffer bullet_convex(const ConvexWork&) { peer_is_missing("bullet"); }
 BroadLibraries bullet_broad_libraries(std::span<const Aabb>) { peer_is_missing("bullet"); }
 std::unique_ptr<WorldLibrary> bullet_world() { peer_is_missing("bullet"); }
 WorldQueryLibraries bullet_world_query_libraries(WorldTask) { peer_is_missing("bullet"); }
+CastOffer bullet_casts(const CastWork&) { peer_is_missing("bullet"); }
 
 }  // namespace toccata::bench

@@ -1,4 +1,5 @@
 #include "broad.hpp"
+#include "casts.hpp"
 #include "convex_library.hpp"
 #include "parts.hpp"
 #include "refits.hpp"
@@ -15,5 +16,6 @@ BroadLibraries fcl_broad_libraries() { peer_is_missing("fcl"); }
 PartsLibraries fcl_parts() { peer_is_missing("fcl"); }
 std::unique_ptr<WorldLibrary> fcl_world() { peer_is_missing("fcl"); }
 WorldQueryLibraries fcl_world_query_libraries(WorldTask) { peer_is_missing("fcl"); }
+CastOffer fcl_casts(const CastWork&) { peer_is_missing("fcl"); }
 
 }  // namespace toccata::bench
