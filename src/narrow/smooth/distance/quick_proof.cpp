@@ -277,8 +277,8 @@ QuickDistance interval_of(const PointA& x, const PointB& y, const Vec3& directio
 }
 
 std::optional<QuickDistance> if_narrow(const QuickDistance& found) {
-  if (!(found.lower > 0) || !(found.upper - found.lower <= 1e-12 * found.upper)) return {};
-  return found;
+  if (is_narrow(found)) return found;
+  return {};
 }
 
 }  // namespace

@@ -16,6 +16,11 @@ struct QuickDistance {
 
 // Of pairs of a size, half axes and radii from 2⁻³⁰⁰ to 2³⁰⁰.
 
+/// The lower end is positive, and the interval no wider than 10⁻¹² of its upper end.
+[[nodiscard]] inline bool is_narrow(const QuickDistance& found) {
+  return found.lower > 0 && found.upper - found.lower <= 1e-12 * found.upper;
+}
+
 /// Where the interval is no wider than 10⁻¹² of its upper end.
 [[nodiscard]] std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedSmooth& b,
                                                            const QuickPolish& guess);

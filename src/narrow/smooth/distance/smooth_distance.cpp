@@ -1,7 +1,10 @@
 #include <cmath>
 #include <optional>
 
+#include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/axial_box.hpp"
 #include "narrow/smooth/distance/common_point.hpp"
+#include "narrow/smooth/distance/ellipsoid_pair.hpp"
 #include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_coherent.hpp"
 #include "narrow/smooth/distance/smooth_nearest.hpp"
@@ -58,9 +61,21 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   return common_point(a, b, nearest, frame) ? SmoothContact::contact : found;
 }
 
-/// The search begins with this direction, and leaves there that of the nearest points; zero: none.
+/// Of pairs that have a way of their own.
+std::optional<QuickDistance> closed_distance(const PosedSmooth& a, const PosedSmooth& b, const Vec3& direction) {
+  return ellipsoid_distance(a, b, direction);
+}
+std::optional<QuickDistance> closed_distance(const PosedSmooth& a, const PosedConvex& b, const Vec3&) {
+  return axial_box_distance(a, b);
+}
+
+/// The search begins with this direction, and leaves there that of the nearest points, of any length; zero: none.
 template <class B>
 Distance distance_of(const PosedSmooth& a, const B& b, Vec3& direction) {
+  if (const auto found = closed_distance(a, b, direction)) {
+    direction = found->on_a - found->on_b;
+    return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
+  }
   const PairFrame frame = pair_frame(a, b);
   std::optional<QuickPair<B>> quick;
   if (is_quick(a, b, frame)) {
@@ -105,14 +120,16 @@ bool overlap(const PosedSmooth& a, const PosedConvex& b) { return smooth_contact
 bool overlap(const PosedConvex& a, const PosedSmooth& b) { return overlap(b, a); }
 
 Distance coherent_distance(const PosedSmooth& a, const PosedSmooth& b, Vec3& direction) {
-  if (!comes_before(b, a)) return distance_of(a, b, direction);
-  direction = -direction;
-  const Distance found = exchanged(distance_of(b, a, direction));
-  direction = -direction;
+  const bool turned = comes_before(b, a);
+  Vec3 between = turned ? -direction : direction;
+  const Distance found = turned ? exchanged(distance_of(b, a, between)) : distance_of(a, b, between);
+  direction = unit_or_zero(turned ? -between : between);
   return found;
 }
 Distance coherent_distance(const PosedSmooth& a, const PosedConvex& b, Vec3& direction) {
-  return distance_of(a, b, direction);
+  const Distance found = distance_of(a, b, direction);
+  direction = unit_or_zero(direction);
+  return found;
 }
 
 bool is_within(const PosedSmooth& a, const PosedSmooth& b, double tolerance) {

@@ -1,0 +1,308 @@
+#include "narrow/smooth/distance/axial_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/pose_checks.hpp"
+#include "narrow/smooth/distance/axial_foot.hpp"
+
+// The square of the distance of the round shape A from the point C + Σ s_j b_j of the box is convex in s, and half of
+// it has the derivative b_j · (q − x), x the point of A nearest to the point q, which has a closed form. So the nearest
+// point of the box is sought by an active set: coordinates at an end of their range which the derivative does not lead
+// inwards rest there. Where all rest, the nearest points are found; where one is free, Newton's method has a closed
+// second derivative; where two are, the nearest point of A is its farthest against the normal of that face.
+namespace toccata {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr int most_steps = 16;
+/// What is left after a step that is smaller than this part of the shapes is about its square.
+constexpr double small_step = 0x1p-24;
+/// Points of round sides are drawn in by this part, as in quick_proof.cpp.
+constexpr double drawn_in = 10 * u;
+/// As far as the guess goes, both poses are rotations.
+constexpr double largest_skew = 0x1p-42;
+
+bool is_moderate(double x) { return x > 0x1p-290 && x < 0x1p290; }
+
+double clamped(double x, double limit) { return std::min(std::max(x, -limit), limit); }
+
+class AxialBox {
+ public:
+  AxialBox(const PosedSmooth& a, const PosedConvex& b)
+      : a_(a),
+        b_(b),
+        shape_(a.kind(), a.half()),
+        axis_(a.pose().linear.column(2)),
+        half_(b.as_box().half_extents),
+        between_(b.as_box().centre - a.pose().offset) {
+    for (int j = 0; j < 3; ++j) {
+      side_[static_cast<std::size_t>(j)] = b.pose().linear.column(j);
+      at_[j] = clamped(-dot(side_[static_cast<std::size_t>(j)], between_), half_[j]);
+    }
+    small_ = small_step * std::min({a.half().x, a.half().z, half_.x, half_.y, half_.z});
+  }
+
+  /// Tells whether the conditions of the nearest points hold.
+  bool search() {
+    for (int i = 0; i < most_steps; ++i) {
+      if (!look_from_box()) return false;
+      const Step taken = step();
+      if (taken == Step::none) return true;
+      if (taken == Step::failed) return false;
+      if (taken == Step::small) return look_from_box();
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::optional<QuickDistance> proved() const;
+
+ private:
+  enum class Step { none, small, far, failed };
+
+  [[nodiscard]] const Vec3& side(int j) const { return side_[static_cast<std::size_t>(j)]; }
+
+  /// The nearest point of A to the point of the box, and what is between them.
+  bool look_from_box() {
+    const Vec3 point = between_ + ((at_.x * side_[0] + at_.y * side_[1]) + at_.z * side_[2]);
+    const double up = dot(axis_, point);
+    const Vec3 across = point - up * axis_;
+    const double out = plain_length(across);
+    radial_ = out > 0 ? (1 / out) * across : Vec3{};
+    foot_ = shape_.foot(out, up);
+    gap_ = point - (foot_.out * radial_ + foot_.up * axis_);
+    return foot_.outside;
+  }
+
+  Step step() {
+    Vec3 derivative;
+    int free = 0, one_free = 0, one_resting = 0;
+    for (int j = 0; j < 3; ++j) {
+      derivative[j] = dot(side(j), gap_);
+      const bool rests = (at_[j] == half_[j] && derivative[j] <= 0) || (at_[j] == -half_[j] && derivative[j] >= 0);
+      free += rests ? 0 : 1;
+      (rests ? one_resting : one_free) = j;
+    }
+    if (free == 0) return Step::none;
+    if (free == 3) return Step::failed;
+    if (free == 1) return step_along(one_free, derivative[one_free]);
+    if (off_faces_ < 2) return step_on(one_resting);
+    for (int j = 0; j < 3; ++j)
+      if (j != one_resting && std::fabs(derivative[j]) > std::fabs(derivative[one_free])) one_free = j;
+    return step_along(one_free, derivative[one_free]);
+  }
+
+  /// Newton's step, or to the middle of the part of the edge that is left where it would leave that.
+  Step step_along(int j, double derivative) {
+    if (j != edge_) {
+      edge_ = j;
+      most_ = half_[j];
+      least_ = -most_;
+    }
+    (derivative > 0 ? most_ : least_) = at_[j];
+    const double up = dot(side(j), axis_), out = dot(side(j), radial_);
+    const double within = foot_.slope_out * out + foot_.slope_up * up;
+    const double beside = std::max(0.0, 1 - (up * up + out * out));
+    const double second = (up * up + out * out - within * within) + (1 - foot_.share) * beside;
+    double next = clamped(at_[j] - derivative / second, half_[j]);
+    if (!(next >= least_ && next <= most_)) next = 0.5 * (least_ + most_);
+    const double length = std::fabs(next - at_[j]);
+    at_[j] = next;
+    return length < small_ ? Step::small : Step::far;
+  }
+
+  /// The nearest points where the point of the box lies on the face j.
+  Step step_on(int j) {
+    edge_ = -1;
+    const Vec3 inwards = at_[j] > 0 ? -side(j) : side(j);
+    const double up = dot(axis_, inwards);
+    const Vec3 across = inwards - up * axis_;
+    const double out = plain_length(across);
+    const AxialFoot foot = shape_.farthest(out, up);
+    const Vec3 radial = out > 0 ? (1 / out) * across : Vec3{};
+    const Vec3 from_box = (foot.out * radial + foot.up * axis_) - between_;
+    bool on_face = true;
+    for (int k = 0; k < 3; ++k) {
+      if (k == j) continue;
+      const double wanted = dot(side(k), from_box);
+      at_[k] = clamped(wanted, half_[k]);
+      on_face = on_face && at_[k] == wanted;
+    }
+    off_faces_ += on_face ? 0 : 1;
+    if (!on_face) return Step::far;
+    radial_ = radial;
+    foot_ = foot;
+    return Step::none;
+  }
+
+  /// In the frame of A, and of A.
+  [[nodiscard]] Vec3 local_point() const;
+  /// From the box to A, across the flat parts on which the nearest points lie: there, what a direction is off by counts
+  /// wholly.
+  [[nodiscard]] Vec3 direction(const Vec3& z) const;
+  [[nodiscard]] std::optional<QuickDistance> proved_longer(const Vec3& p, const Vec3& d) const;
+
+  const PosedSmooth& a_;
+  const PosedConvex& b_;
+  AxialShape shape_;
+  Vec3 axis_;
+  Vec3 half_;     // of the box
+  Vec3 between_;  // from the middle of A to that of the box
+  std::array<Vec3, 3> side_{};
+  double small_ = 0;
+  Vec3 at_;        // s
+  int edge_ = -1;  // along which the last step went, and the part of it where the nearest point is
+  int off_faces_ = 0;
+  double least_ = 0;
+  double most_ = 0;
+  Vec3 radial_;  // from the axis of A towards the point of the box
+  Vec3 gap_;     // q − x
+  AxialFoot foot_;
+};
+
+Vec3 AxialBox::local_point() const {
+  const Mat3& m = a_.pose().linear;
+  const Vec3& half = a_.half();
+  const bool is_cone = a_.kind() == PosedSmooth::Kind::cone;
+  const double reach = is_cone ? half.x * ((half.z - foot_.up) / (2 * half.z)) : half.x;
+  const Vec3 v{foot_.out * dot(m.column(0), radial_), foot_.out * dot(m.column(1), radial_), 0};
+  const double length = plain_length(v), most = reach * (1 - drawn_in);
+  const double less = length > most ? most / length : 1;
+  return {less * v.x, less * v.y, foot_.up};
+}
+
+Vec3 AxialBox::direction(const Vec3& z) const {
+  if (foot_.slope_out == 1) return dot(z, axis_) > 0 ? axis_ : -axis_;
+  std::array<Vec3, 2> flat;
+  std::size_t size = 0;
+  for (int j = 0; j < 3; ++j)
+    if (std::fabs(at_[j]) < half_[j] && size < 2) flat[size++] = side(j);
+  if (size < 2 && foot_.slope_up > 0) flat[size++] = foot_.slope_out * radial_ + foot_.slope_up * axis_;
+  if (size == 0) return z;
+  if (size == 1) return z - dot(flat[0], z) * flat[0];
+  const Vec3 normal = cross(flat[0], flat[1]);
+  return dot(z, normal) > 0 ? normal : -normal;
+}
+
+/// A point of the box: a corner, and steps along up to two edges from there to others. No longer than half the edge, so
+/// that it is a mean of corners as they are, rounded.
+struct BoxPoint {
+  Vec3 corner;
+  Vec3 steps;
+  bool is_corner = true;
+};
+
+/// As PosedConvex numbers corners.
+Index nearest_corner(const Vec3& at) { return (at.x > 0 ? 1U : 0U) + (at.y > 0 ? 2U : 0U) + (at.z > 0 ? 4U : 0U); }
+
+BoxPoint box_point(const PosedConvex& box, const Vec3& at) {
+  const Vec3& half = box.as_box().half_extents;
+  const Index nearest = nearest_corner(at);
+  BoxPoint point{box.vertex(nearest), {}};
+  for (int j = 0; j < 3; ++j) {
+    const double inwards = half[j] - std::fabs(at[j]);
+    if (inwards == 0) continue;
+    point.is_corner = false;
+    point.steps = point.steps + (inwards / (2 * half[j])) * (box.vertex(nearest ^ (1U << j)) - point.corner);
+  }
+  return point;
+}
+
+/// What a box reaches beyond one of its corners along a direction.
+double beyond_corner(const PosedConvex& box, const Vec3& corner, const Vec3& d) {
+  const double *const x = box.along(0), *const y = box.along(1), *const z = box.along(2);
+  std::array<double, 8> height;
+  for (std::size_t k = 0; k < 8; ++k)
+    height[k] = (d.x * (x[k] - corner.x) + d.y * (y[k] - corner.y)) + d.z * (z[k] - corner.z);
+  const auto higher = [&](std::size_t i, std::size_t j) { return height[i] > height[j] ? height[i] : height[j]; };
+  return std::max({higher(0, 1), higher(2, 3), higher(4, 5), higher(6, 7)});
+}
+
+/// What a cylinder or a cone reaches beyond one of its points p, against a direction whose products with the columns of
+/// its pose are n.
+double beyond_axial(const PosedSmooth& shape, const Vec3& p, const Vec3& n) {
+  const double radius = shape.half().x, h = shape.half().z;
+  const double round = n.x * p.x + n.y * p.y, rim = radius * std::sqrt(n.x * n.x + n.y * n.y) + round;
+  if (shape.kind() == PosedSmooth::Kind::cylinder) return rim + (h * std::fabs(n.z) + n.z * p.z);
+  return std::max(rim + n.z * (p.z + h), round - n.z * (h - p.z));
+}
+
+// With r and h the radius and half height, e the length of the box's half extents, d = z, the difference of the points
+// as computed, and L its length: an operation rounds by at most u = 2⁻⁵³ of its result, a product of three terms by 3 u
+// times that of the magnitudes, a length by 2.5 u; and rotations, but for 2⁻⁴², change no length.
+//
+// z: the point p turned, |p| ≤ P = √(r² + h²), 3 √3 u P; its sum with what is between, which is at most L + P + 2.1 e,
+// twice u; the steps, 3 u e each for their differences, products and sum, at most e; u L at the end. In all
+// u (8.2 P + 6.2 e + 3 L), P ≤ r + h being of no use.
+// n: 3 u L each, so 4.3 u L of the first two. Of A: the rim 4.3 r for each of two uses of n, 3.5 + 2 of the length and
+// the product, 2 of the sum; of the axis 3 · 2 h, 4 h of the differences and products, 2 h and 2 r of sums: in all
+// u L (18.1 r + 12.1 h), the cylinder less.
+// Of the box: 4 u for each height, of corners no farther than 2.1 e: u L 8.4 e; where there are steps, their 3 u e,
+// 3 u for their product, and 3 u e of the difference: u L 9.1 e more.
+std::optional<QuickDistance> AxialBox::proved() const {
+  const Vec3 p = local_point();
+  const Mat3& m = a_.pose().linear;
+  const Vec3 turned{dot(m[0], p), dot(m[1], p), dot(m[2], p)};
+  const BoxPoint on_b = box_point(b_, at_);
+  const Vec3 z = ((a_.pose().offset - on_b.corner) + turned) - on_b.steps;
+  const Vec3 d = direction(z);
+  const double length = plain_length(z);
+  const Vec3 n{dot(m.column(0), d), dot(m.column(1), d), dot(m.column(2), d)};
+  const double of_box = beyond_corner(b_, on_b.corner, d) - dot(d, on_b.steps);
+  const double along = (dot(z, d) - (beyond_axial(a_, p, n) + of_box)) / plain_length(d);
+
+  const double r = a_.half().x, h = a_.half().z, e = plain_length(half_) + b_.as_box().slack;
+  const double off = u * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
+  const double off_beyond = u * ((20.5 * r + 13.7 * h) + (on_b.is_corner ? 9.5 : 20) * e);
+  QuickDistance found;
+  // 2.5 u of the length, 2 u of the operations.
+  found.upper = (length + off) * (1 + 6 * u);
+  // 3 u of the product, u of the difference, 3.5 u of the quotient, 2 u of the operations.
+  found.lower = (along - (off + off_beyond)) - 12 * u * length;
+  found.on_a = turned + a_.pose().offset;
+  found.on_b = on_b.corner + on_b.steps;
+  if (!is_moderate(length)) return {};
+  if (is_narrow(found)) return found;
+  return proved_longer(p, d);
+}
+
+/// Hairs, with twice the digits.
+std::optional<QuickDistance> AxialBox::proved_longer(const Vec3& p, const Vec3& d) const {
+  QuickSide on_a, on_b;
+  const double upper = 0.5 * (1 + p.z / a_.half().z), reach = a_.kind() == PosedSmooth::Kind::cone ? 1 - upper : 1;
+  on_a.atom[1] = 1;
+  on_a.weight = {1 - upper, upper, 0};
+  on_a.size = 2;
+  if (reach > 0) on_a.round = (1 / (reach * a_.half().x)) * Vec3{p.x, p.y, 0};
+  on_b.atom[0] = nearest_corner(at_);
+  on_b.size = 1;
+  for (int j = 0; j < 3; ++j) {
+    if (std::fabs(at_[j]) == half_[j]) continue;
+    if (on_b.size == on_b.atom.size()) return {};
+    on_b.atom[on_b.size] = on_b.atom[0] ^ (1U << j);
+    on_b.weight[on_b.size++] = (half_[j] - std::fabs(at_[j])) / (2 * half_[j]);
+  }
+  const QuickDistance found = proved_interval(a_, b_, on_a, on_b, d);
+  if (is_narrow(found)) return found;
+  return {};
+}
+
+bool is_round_beside_box(const PosedSmooth& a, const PosedConvex& b) {
+  const RigidBox& box = b.as_box();
+  if (a.kind() == PosedSmooth::Kind::ellipsoid || !(box.skew < largest_skew) || b.radius() > 0) return false;
+  if (!(box.slack < 0x1p290) || !is_surely_rigid(a.pose().linear)) return false;
+  const Vec3& e = box.half_extents;
+  return is_moderate(a.half().x) && is_moderate(a.half().z) && is_moderate(e.x) && is_moderate(e.y) && is_moderate(e.z);
+}
+
+}  // namespace
+
+std::optional<QuickDistance> axial_box_distance(const PosedSmooth& a, const PosedConvex& b) {
+  if (!is_round_beside_box(a, b)) return {};
+  AxialBox pair(a, b);
+  if (!pair.search()) return {};
+  return pair.proved();
+}
+
+}  // namespace toccata

@@ -1,0 +1,167 @@
+#include "narrow/smooth/distance/ellipsoid_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/vec3_measures.hpp"
+#include "narrow/pose_checks.hpp"
+
+// An ellipsoid with the matrix S = M Mᵀ, M its half axes in the world, reaches h = √(d · S d) from its middle along d,
+// at the point S d / h, and the derivative of that point is H = (S − (S d / h)(S d / h)ᵀ) / h. So with z the difference
+// of the points of A farthest against d and of B farthest along it, and γ = z · d / d · d, the condition of the nearest
+// points is that z is along d, and Newton's method for it, as H d = 0, the iteration d ← (γ + H_A + H_B)⁻¹ z.
+namespace toccata {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr int most_steps = 10;
+/// What is left after a turn this small, squared, is about its square.
+constexpr double small_turn_squared = 0x1p-46;
+/// Of half axes: that the squares of S do not hide the shorter ones.
+constexpr double most_slim = 64;
+/// The points are drawn in by this part, as in quick_proof.cpp.
+constexpr double drawn_in = 10 * u;
+
+bool is_moderate(double x) { return x > 0x1p-290 && x < 0x1p290; }
+
+/// By its upper half.
+struct Symmetric {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+};
+
+Vec3 operator*(const Symmetric& m, const Vec3& v) {
+  return {(m.xx * v.x + m.xy * v.y) + m.xz * v.z, (m.xy * v.x + m.yy * v.y) + m.yz * v.z,
+          (m.xz * v.x + m.yz * v.y) + m.zz * v.z};
+}
+
+Symmetric squared_axes(const PosedSmooth& shape) {
+  const Vec3& h = shape.half();
+  const auto scaled = [&](const Vec3& row) { return Vec3{row.x * h.x, row.y * h.y, row.z * h.z}; };
+  const Vec3 x = scaled(shape.pose().linear[0]), y = scaled(shape.pose().linear[1]), z = scaled(shape.pose().linear[2]);
+  return {dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)};
+}
+
+/// What an ellipsoid reaches along a direction.
+struct Reach {
+  Reach(const Symmetric& squared, const Vec3& direction) {
+    const Vec3 along = squared * direction;
+    part = 1 / std::sqrt(dot(along, direction));
+    point = part * along;
+  }
+  Vec3 point;
+  double part = 0;  // 1 / h
+};
+
+/// Adds H, but for what belongs to S.
+void bend(Symmetric& k, const Symmetric& s, const Reach& reach) {
+  const Vec3 &p = reach.point, q = reach.part * p;
+  k.xx += reach.part * s.xx - q.x * p.x;
+  k.xy += reach.part * s.xy - q.x * p.y;
+  k.xz += reach.part * s.xz - q.x * p.z;
+  k.yy += reach.part * s.yy - q.y * p.y;
+  k.yz += reach.part * s.yz - q.y * p.z;
+  k.zz += reach.part * s.zz - q.z * p.z;
+}
+
+/// k⁻¹ v.
+Vec3 solved(const Symmetric& k, const Vec3& v) {
+  const Symmetric adjugate{k.yy * k.zz - k.yz * k.yz, k.xz * k.yz - k.xy * k.zz, k.xy * k.yz - k.xz * k.yy,
+                           k.xx * k.zz - k.xz * k.xz, k.xy * k.xz - k.xx * k.yz, k.xx * k.yy - k.xy * k.xy};
+  const double determinant = (k.xx * adjugate.xx + k.xy * adjugate.xy) + k.xz * adjugate.xz;
+  return (1 / determinant) * (adjugate * v);
+}
+
+/// From B to A, where the conditions of the nearest points hold.
+std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b, const Vec3& first) {
+  const Vec3 between = a.pose().offset - b.pose().offset;
+  const Symmetric of_a = squared_axes(a), of_b = squared_axes(b);
+  const Vec3 start = first == Vec3{} ? between : first;
+  Vec3 d = (1 / plain_length(start)) * start;
+  for (int i = 0; i < most_steps; ++i) {
+    const Reach reach_a(of_a, d), reach_b(of_b, d);
+    const Vec3 z = (between - reach_a.point) - reach_b.point;
+    const double squared = dot(d, d), gap = dot(z, d) / squared;
+    if (!(gap > 0)) return {};
+    Symmetric k{gap, 0, 0, gap, 0, gap};
+    bend(k, of_a, reach_a);
+    bend(k, of_b, reach_b);
+    const Vec3 next = solved(k, z), turn = next - d;
+    d = next;
+    if (dot(turn, turn) < small_turn_squared * squared) return d;
+  }
+  return {};
+}
+
+/// The farthest point of an ellipsoid along a direction.
+struct FarthestPoint {
+  FarthestPoint(const PosedSmooth& shape, const Vec3& direction) {
+    const Mat3& m = shape.pose().linear;
+    const Vec3& half = shape.half();
+    const Vec3 along{half.x * dot(m.column(0), direction), half.y * dot(m.column(1), direction),
+                     half.z * dot(m.column(2), direction)};
+    height = plain_length(along);
+    round = ((1 - drawn_in) / height) * along;
+    const Vec3 p{half.x * round.x, half.y * round.y, half.z * round.z};
+    from_middle = {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
+    size = plain_length(half);
+  }
+  Vec3 round;  // in the unit ball
+  Vec3 from_middle;
+  double height = 0;  // but for drawing it in
+  double size = 0;
+};
+
+/// Hairs, with twice the digits.
+std::optional<QuickDistance> proved_longer(const PosedSmooth& a, const PosedSmooth& b, const FarthestPoint& on_a,
+                                           const FarthestPoint& on_b, const Vec3& direction) {
+  const QuickDistance found =
+      proved_interval(a, b, QuickSide{.round = on_a.round}, QuickSide{.round = on_b.round}, direction);
+  if (is_narrow(found)) return found;
+  return {};
+}
+
+// An operation rounds by at most u = 2⁻⁵³ of its result, a product of three terms by 3 u times that of the magnitudes;
+// and rotations, but for 2⁻⁴², change no length. With e the length of a shape's half axes, h what it reaches along d,
+// |d| its length and L that of z:
+//
+// Its point is at most h / |d| … e from the middle; as a point of the shape it rounds by u e for the half axes and
+// 3 √3 u e turned. z: these of both, and the sums, of parts of at most L + e_A + e_B: u (8.2 (e_A + e_B) + 3 L).
+// What the shape reaches beyond its point: the product with the half axes is off by 3 u |d| e and u h; that counts
+// twice, as the point may be at either side; 10 u h for drawing in, 2.5 u of the length, 3 u of the factor, 2 u of the
+// product: u (6 e |d| + 19.5 h).
+std::optional<QuickDistance> proved(const PosedSmooth& a, const PosedSmooth& b, const Vec3& d) {
+  const FarthestPoint on_a(a, -d), on_b(b, d);
+  const Vec3 z = ((a.pose().offset - b.pose().offset) + on_a.from_middle) - on_b.from_middle;
+  const double length = plain_length(z), part = 1 / plain_length(d);
+  if (!is_moderate(length)) return {};
+  const double sizes = on_a.size + on_b.size;
+  const double off = u * (9.3 * sizes + 3.5 * length);
+  const double beyond = u * (6.8 * sizes + 22 * (on_a.height + on_b.height) * part);
+  QuickDistance found;
+  // 2.5 u of the length, 2 u of the operations.
+  found.upper = (length + off) * (1 + 6 * u);
+  // 3 u of the product, 3.5 u of the quotient, 2 u of the operations.
+  found.lower = (dot(z, d) * part - (off + beyond)) - 10 * u * length;
+  found.on_a = on_a.from_middle + a.pose().offset;
+  found.on_b = on_b.from_middle + b.pose().offset;
+  if (is_narrow(found)) return found;
+  return proved_longer(a, b, on_a, on_b, d);
+}
+
+bool is_plain(const PosedSmooth& shape) {
+  const Vec3& half = shape.half();
+  const double least = std::min({half.x, half.y, half.z}), most = std::max({half.x, half.y, half.z});
+  return shape.kind() == PosedSmooth::Kind::ellipsoid && is_moderate(least) && is_moderate(most) &&
+         most <= most_slim * least && is_surely_rigid(shape.pose().linear);
+}
+
+}  // namespace
+
+std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const PosedSmooth& b,
+                                                const Vec3& first_direction) {
+  if (!is_plain(a) || !is_plain(b)) return {};
+  if (const auto direction = nearest_direction(a, b, first_direction)) return proved(a, b, *direction);
+  return {};
+}
+
+}  // namespace toccata

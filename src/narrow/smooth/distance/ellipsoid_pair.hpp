@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "narrow/smooth/distance/quick_proof.hpp"
+
+namespace toccata {
+
+/// The distance of two ellipsoids with rigid poses that are apart, proved, by Newton's method on the direction between
+/// them, from the given one or, where that is zero, from that of their middles. What it does not answer, any other pair
+/// of shapes among it, is left to `QuickPair`.
+[[nodiscard]] std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const PosedSmooth& b,
+                                                              const Vec3& first_direction);
+
+}  // namespace toccata
