@@ -71,7 +71,7 @@ TEST(SmoothDepths, OfWhatDoesNotOverlapAreZero) {
   const Penetration touching =
       penetration(channel, Ellipsoid({0.5, 0.5, 0.5}), {.pose_b = Pose::translation(0, 0.5, 2)});
   EXPECT_EQ(touching.upper, 0);
-  EXPECT_EQ(touching.status, Status::undecided);
+  EXPECT_EQ(touching.status, Status::exact);
 }
 
 }  // namespace

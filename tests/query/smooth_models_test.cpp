@@ -214,6 +214,39 @@ void expect_depth(const Model& a, const Model& b, const PairQuery& query, double
 }
 
 // A table of which the legs are cylinders, and a floor.
+// The triangle that is touched tells the mesh.
+TEST(SmoothModels, TouchingTrianglesIsToldExactly) {
+  const Model crate(toccata::box_mesh({1, 1, 1})), field(HeightField(2, 2, 4, 4, std::vector<double>{0, 0, 0, 0}));
+  const auto expect_touching = [](const Model& mesh, const Model& shape, const Vec3& place) {
+    const PairQuery query = poses_of({}, {{}, place});
+    EXPECT_TRUE(overlap(mesh, shape, query));
+    EXPECT_FALSE(contacts(mesh, shape, query).empty());
+    const Relation lie = relation(mesh, shape, query);
+    EXPECT_EQ(lie.kind, RelationKind::touching);
+    EXPECT_EQ(lie.status, Status::exact);
+    const Distance gap = distance(mesh, shape, query);
+    EXPECT_EQ(gap.upper, 0);
+    EXPECT_EQ(gap.status, Status::exact);
+    const Cast cast = cast_shape(shape, {0, 0, -1}, mesh, poses_of({{}, place}, {}));
+    EXPECT_TRUE(cast.hit);
+    EXPECT_EQ(cast.upper, 0);
+    EXPECT_EQ(cast.status, Status::exact);
+    if (!lie.a_solid) return;
+    const Penetration depth = penetration(mesh, shape, query);
+    EXPECT_EQ(depth.upper, 0);
+    EXPECT_EQ(depth.status, Status::exact);
+  };
+  const Model can(Cylinder(0.5, 1)), cone(Cone(0.5, 1)), egg(Ellipsoid({0.5, 1, 0.75}));
+  expect_touching(crate, can, {0.25, 0.3, 2});
+  expect_touching(crate, can, {1.5, 0.1, 0.5});
+  expect_touching(crate, can, {1.5, 1, 2});
+  expect_touching(crate, cone, {0, 0.7, -2});
+  expect_touching(crate, egg, {0.1, 0.125, 1.75});
+  expect_touching(field, can, {2.3, 1.1, 1});
+  expect_touching(field, cone, {2, 2, 1});
+  expect_touching(field, egg, {1.7, 2, 0.75});
+}
+
 TEST(SmoothModels, CompoundsOfThemArePartedToo) {
   const Cylinder leg(0.25, 1);
   std::vector<CompoundPart> parts{{Box({2, 1, 0.125}), Pose::translation(0, 0, 2)}};

@@ -10,7 +10,8 @@
 namespace toccata {
 
 /// Apart and contact are proved. Undecided: the sets meet, or lie within 10⁻¹² of the size of the smooth shape of
-/// touching (of two, of the larger; docs/truth.md): its depth or its gap is no larger. It counts as contact. Against
+/// touching (of two, of the larger; docs/truth.md): its depth or its gap is no larger. It counts as contact. What
+/// touches exactly is in contact where exact signs find a point of doubles in both, as along the axes. Against
 /// half-spaces nothing is undecided: all their answers are exact in what they say of touching, and of lying within.
 enum class SmoothContact : std::uint8_t { apart, contact, undecided };
 

@@ -30,10 +30,26 @@ ExactPlace exact_place(const PosedSmooth& shape, const Vec3& point) {
   return place;
 }
 
+UnitPlace unit_place(const ExactPlace& place) {
+  const auto& axis = place.axis;
+  UnitPlace unit;
+  for (std::size_t i = 0; i < 3; ++i) unit.row[i] = cross(axis[(i + 1) % 3], axis[(i + 2) % 3]);
+  unit.volume = dot(unit.row[0], axis[0]);
+  if (unit.volume < 0) {
+    unit.volume = -unit.volume;
+    for (IntegerVector& row : unit.row) row = -row;
+  }
+  for (std::size_t i = 0; i < 3; ++i) unit.along[i] = dot(unit.row[i], place.point);
+  return unit;
+}
+
 Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const Vec3& normal) {
-  const ExactPlace place = exact_place(shape, point);
   const std::array<Vec3, 1> along{normal};
-  const IntegerVector n = scaled_wide(normal, common_exponent(along));
+  return exact_sign_of_height(shape, point, scaled_wide(normal, common_exponent(along)));
+}
+
+Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const IntegerVector& n) {
+  const ExactPlace place = exact_place(shape, point);
   const WideInteger middle = -dot(n, place.point), x = dot(n, place.axis[0]), y = dot(n, place.axis[1]),
                     z = dot(n, place.axis[2]);
   switch (shape.kind()) {
@@ -45,6 +61,21 @@ Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const Vec
       break;
   }
   return std::min(sign_of(middle + z), sign_of_less_root(middle - z, x * x + y * y));
+}
+
+Sign exact_sign_of_height(const PosedConvex& shape, const Vec3& point, const IntegerVector& n) {
+  const std::array<Vec3, 2> numbers{point, {shape.radius(), 0, 0}};
+  int unit = common_exponent(numbers);
+  for (Index i = 0; i < shape.vertex_count(); ++i) {
+    const std::array<Vec3, 1> vertex{shape.vertex(i)};
+    unit = std::min(unit, common_exponent(vertex));
+  }
+  const WideInteger level = dot(n, scaled_wide(point, unit)), radius = scaled_wide(shape.radius(), unit),
+                    reach_squared = (radius * radius) * dot(n, n);
+  Sign least = Sign::positive;
+  for (Index i = 0; i < shape.vertex_count() && least != Sign::negative; ++i)
+    least = std::min(least, sign_of_less_root(dot(n, scaled_wide(shape.vertex(i), unit)) - level, reach_squared));
+  return least;
 }
 
 bool is_middle_in(const PosedSmooth& shape, const PosedSmooth& other) {

@@ -16,8 +16,19 @@ struct ExactPlace {
 
 [[nodiscard]] ExactPlace exact_place(const PosedSmooth& shape, const Vec3& point);
 
-/// Of the least height of a shape above the plane through the point; the normal need not be a unit vector.
+/// A point along the half axes by Cramer's rule: it is at u = along / volume.
+struct UnitPlace {
+  std::array<WideInteger, 3> along;
+  WideInteger volume;                ///< positive
+  std::array<IntegerVector, 3> row;  ///< the planes of the half axes: the gradients of `along`
+};
+
+[[nodiscard]] UnitPlace unit_place(const ExactPlace& place);
+
+// Of the least height of a shape above the plane through the point; the normal need not be a unit vector.
 [[nodiscard]] Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const Vec3& normal);
+[[nodiscard]] Sign exact_sign_of_height(const PosedSmooth& shape, const Vec3& point, const IntegerVector& normal);
+[[nodiscard]] Sign exact_sign_of_height(const PosedConvex& shape, const Vec3& point, const IntegerVector& normal);
 
 // Does the other shape contain the middle of this one, by exact signs? Then it meets the interior.
 [[nodiscard]] bool is_middle_in(const PosedSmooth& shape, const PosedSmooth& other);

@@ -30,7 +30,7 @@ SmoothBody::SmoothBody(const PosedConvex& shape, const PairFrame& frame) : Plain
     column_[j][j] = exactly(frame.factor * shape.radius());
   }
   const Index few = std::min<Index>(count_, 8);
-  const BoundedNumber part = exactly(1.0 / few);
+  const BoundedNumber part = exactly(1.0) / exactly(few);
   middle_ = zero_vector();
   for (Index i = 0; i < few; ++i) middle_ = middle_ + part * centre(i);
 }

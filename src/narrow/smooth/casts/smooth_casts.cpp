@@ -27,14 +27,14 @@ class SmoothCast {
   SmoothCast(const SmoothBody& a, const BoundedVector& motion, const SmoothBody& b) : a_(a), motion_(motion), b_(b) {}
 
   /// `point` in the pair's frame, `normal` from B to A. Nothing, where they do not meet or are free until the limit.
-  std::optional<Cast> answer(const SmoothAdvance& begun, double limit) {
+  /// `start` is what is nearest at the start, where not even that is known to be free.
+  std::optional<Cast> answer(const SmoothAdvance& begun, const std::optional<SmoothNearest>& start, double limit) {
     if (free_until_is(begun) > limit) return {};
-    if (free_until_ == 0) {
-      const SmoothNearest start = at(0);
-      if (start.contact != SmoothContact::apart) {
-        point_ = start.on_b;
+    if (start) {
+      if (start->contact != SmoothContact::apart) {
+        point_ = start->on_b;
         normal_ = {};
-        return met(0, start.contact);
+        return met(0, start->contact);
       }
     } else if (const auto soon = met_soon()) {
       return soon;
@@ -167,7 +167,9 @@ std::optional<Cast> cast_until(const PosedSmooth& a, const Vec3& motion, const B
   const SmoothAdvance start = begun(a, motion, b, frame, limit);
   if (start.for_ever || start.free_until > limit) return {};
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b).answer(start, limit);
+  std::optional<SmoothNearest> nearest;
+  if (!(start.free_until > 0)) nearest = nearest_of(a, body_a, b, body_b, SmoothQuestion::distance);
+  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b).answer(start, nearest, limit);
   return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
 }
 

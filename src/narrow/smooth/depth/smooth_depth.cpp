@@ -82,8 +82,12 @@ Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
   const SmoothNearest near = nearest_of(shape_a, a, shape_b, b, SmoothQuestion::distance);
   Penetration result;
   if (near.contact == SmoothContact::apart) return result;
-  if (near.contact == SmoothContact::undecided) {
-    result.status = Status::undecided;
+  if (near.contact == SmoothContact::undecided || near.shared) {
+    if (near.shared) result.on_a = result.on_b = near.shared->point;
+    if (is_touching(near))
+      result.direction = near.shared->normal;
+    else
+      result.status = Status::undecided;
     return result;
   }
   result = least_depth(a, b);

@@ -7,9 +7,10 @@
 
 namespace toccata {
 
-// Where the search left open whether two shapes meet: a world point that exact signs find in both, of those next to the
-// nearest points that were found. Shapes that touch where numbers of few digits put them, such as aligned ones at whole
-// numbers, have one.
+// Where the search left open whether two shapes meet: a world point that exact signs find in both. Looked at are the
+// nearest points that were found, as they are, with the last digits rounded away, and with coordinates of the middles,
+// poles, rims and corners that are next to theirs; and these points themselves. So shapes that touch along the axes
+// have one wherever a double's coordinates are in both.
 [[nodiscard]] std::optional<Vec3> common_point(const PosedSmooth& a, const PosedSmooth& b, const SmoothNearest& found,
                                                const PairFrame& frame);
 [[nodiscard]] std::optional<Vec3> common_point(const PosedSmooth& a, const PosedConvex& b, const SmoothNearest& found,

@@ -3,7 +3,6 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/smooth/distance/axial_box.hpp"
-#include "narrow/smooth/distance/common_point.hpp"
 #include "narrow/smooth/distance/ellipsoid_pair.hpp"
 #include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_coherent.hpp"
@@ -55,10 +54,7 @@ SmoothContact contact_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
   if (is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart()) return SmoothContact::apart;
   const Pair pair(a, b);
-  const SmoothContact found = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
-  if (found != SmoothContact::undecided) return found;
-  const SmoothNearest nearest = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance);
-  return common_point(a, b, nearest, frame) ? SmoothContact::contact : found;
+  return nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
 }
 
 /// Of pairs that have a way of their own.
@@ -87,8 +83,7 @@ Distance distance_of(const PosedSmooth& a, const B& b, Vec3& direction) {
   const Pair pair(a, b);
   const QuickPolish* const guess = quick ? quick->guess() : nullptr;
   const SmoothNearest found = nearest_of(a, pair.a, b, pair.b, SmoothQuestion::distance, guess);
-  if (found.contact == SmoothContact::undecided)
-    if (const auto point = common_point(a, b, found, frame)) return {.on_a = *point, .on_b = *point};
+  if (found.shared) return {.on_a = found.shared->point, .on_b = found.shared->point};
   return in_world(found, frame);
 }
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <span>
 
+#include "narrow/smooth/distance/common_point.hpp"
 #include "narrow/smooth/distance/fine_search.hpp"
+#include "narrow/smooth/distance/parting_plane.hpp"
 #include "narrow/smooth/exact_place.hpp"
 
 namespace toccata {
@@ -20,10 +22,10 @@ class NearestSearch {
   NearestSearch(const SmoothBody& a, const SmoothBody& b)
       : a_(a), b_(b), search_(a, b, plain(a.middle_point()) - plain(b.middle_point())), polish_(a, b) {}
 
-  SmoothNearest meeting() {
+  /// By the first plane that the search comes across.
+  bool proves_apart() {
     search_.run_until_apart();
-    if (search_.best_gap() > 0 && improve_lower<BoundedDouble>(fine(search_.best_direction()))) return best_;
-    return distance();
+    return search_.best_gap() > 0 && improve_lower<BoundedDouble>(fine(search_.best_direction()));
   }
 
   /// Where the guess is as good as it seems.
@@ -234,32 +236,54 @@ class NearestSearch {
 SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess) {
   NearestSearch search(a, b);
   if (guess != nullptr && search.proves(*guess)) return search.best();
-  return question == SmoothQuestion::meeting ? search.meeting() : search.distance();
+  if (question == SmoothQuestion::distance) return search.distance();
+  if (search.proves_apart()) return search.best();
+  // From anew, so that both questions are told the same.
+  return NearestSearch(a, b).distance();
 }
 
 namespace {
 
-template <class B>
-SmoothNearest decided_by_middle(SmoothNearest found, const PosedSmooth& a, const SmoothBody& body_a, const B& b) {
-  if (found.contact != SmoothContact::undecided || !is_middle_in(a, b)) return found;
+void take_meeting_at(SmoothNearest& found, const Vec3& point) {
   found.contact = SmoothContact::contact;
   found.lower = found.upper = 0;
-  found.on_a = found.on_b = plain(body_a.middle_point());
+  found.on_a = found.on_b = point;
   found.narrow = true;
-  return found;
+}
+
+template <class B>
+void decide_by_middle(SmoothNearest& found, const PosedSmooth& a, const SmoothBody& body_a, const B& b) {
+  if (found.contact == SmoothContact::undecided && is_middle_in(a, b))
+    take_meeting_at(found, plain(body_a.middle_point()));
+}
+
+template <class B>
+void decide_by_common_point(SmoothNearest& found, const PosedSmooth& a, const B& b) {
+  if (found.contact != SmoothContact::undecided) return;
+  const PairFrame frame = pair_frame(a, b);
+  const std::optional<Vec3> point = common_point(a, b, found, frame);
+  if (!point) return;
+  found.shared = SharedPoint{*point, parting_normal(a, b, *point).value_or(Vec3{})};
+  take_meeting_at(found, frame.plainly_placed(*point));
 }
 
 }  // namespace
 
 SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b, const SmoothBody& body_b,
                          SmoothQuestion question, const QuickPolish* guess) {
-  const SmoothNearest found = decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
-  return decided_by_middle(found, b, body_b, a);
+  SmoothNearest found = nearest_of(body_a, body_b, question, guess);
+  decide_by_middle(found, a, body_a, b);
+  decide_by_middle(found, b, body_b, a);
+  decide_by_common_point(found, a, b);
+  return found;
 }
 
 SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedConvex& b, const SmoothBody& body_b,
                          SmoothQuestion question, const QuickPolish* guess) {
-  return decided_by_middle(nearest_of(body_a, body_b, question, guess), a, body_a, b);
+  SmoothNearest found = nearest_of(body_a, body_b, question, guess);
+  decide_by_middle(found, a, body_a, b);
+  decide_by_common_point(found, a, b);
+  return found;
 }
 
 }  // namespace toccata

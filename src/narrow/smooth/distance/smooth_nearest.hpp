@@ -1,9 +1,19 @@
 #pragma once
 
+#include <optional>
+
 #include "narrow/smooth/distance/smooth_polish.hpp"
 #include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
+
+/// Where exact signs found a point of both shapes, in the world.
+struct SharedPoint {
+  Vec3 point;
+  /// Where they are proved to have no more in common than boundaries: that of a plane through the point which parts
+  /// them, a unit vector from A to B. Else zero.
+  Vec3 normal;
+};
 
 /// What is proved of two bodies, in the pair's frame.
 struct SmoothNearest {
@@ -17,8 +27,15 @@ struct SmoothNearest {
   /// Then, where that was the proof: four points of A − B around the origin.
   std::array<SmoothSearch::Corner, 4> around{};
   bool is_around = false;
+  /// Or where that was the proof.
+  std::optional<SharedPoint> shared;
   bool narrow = false;  ///< the interval is as narrow as is promised
 };
+
+/// Proved to have points in common, and no inner points.
+[[nodiscard]] inline bool is_touching(const SmoothNearest& found) {
+  return found.shared && !(found.shared->normal == Vec3{});
+}
 
 /// How much is asked: whether they meet, or how far apart they are.
 enum class SmoothQuestion : std::uint8_t { meeting, distance };
@@ -28,7 +45,8 @@ enum class SmoothQuestion : std::uint8_t { meeting, distance };
                                        const QuickPolish* guess = nullptr);
 
 // The same of shapes in their pair's frame. Where this leaves open whether they meet, exact signs tell whether one
-// contains the middle of the other: of shapes that are tiny beside it, all simplices may be flat for doubles.
+// contains the middle of the other (of shapes that are tiny beside it, all simplices may be flat for doubles), whether
+// a point next to the nearest ones is in both, and whether they only touch there.
 [[nodiscard]] SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b,
                                        const SmoothBody& body_b, SmoothQuestion question,
                                        const QuickPolish* guess = nullptr);

@@ -25,14 +25,14 @@ bool may_hold(const Relation& found) {
   return found.kind == RelationKind::overlapping || found.kind == RelationKind::crossing;
 }
 
-Relation relation_of(SmoothContact contact, bool b_solid) {
+Relation relation_of(const SmoothNearest& found, bool b_solid) {
   Relation result;
   result.a_solid = true;
   result.b_solid = b_solid;
-  if (contact == SmoothContact::apart) return result;
-  if (contact == SmoothContact::undecided) {
+  if (found.contact == SmoothContact::apart) return result;
+  if (found.contact == SmoothContact::undecided || found.shared) {
     result.kind = RelationKind::touching;
-    result.status = Status::undecided;
+    result.status = is_touching(found) ? Status::exact : Status::undecided;
     return result;
   }
   result.kind = b_solid ? RelationKind::overlapping : RelationKind::crossing;
@@ -45,7 +45,7 @@ Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
   if (comes_before(b, a)) return exchanged(relation(b, a));
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting).contact, true);
+  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting), true);
   if (!may_hold(found)) return found;
   if (a == b) return with_containment(found, Within::yes, Within::yes);
   return with_containment(found, is_held_by_smooth(body_a, body_b), is_held_by_smooth(body_b, body_a));
@@ -54,7 +54,7 @@ Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
 Relation relation(const PosedSmooth& a, const PosedConvex& b) {
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting).contact, b.solid());
+  const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting), b.solid());
   if (!may_hold(found)) return found;
   const Within b_in_a = is_held_by_smooth(b, body_b, a, body_a);
   const bool is_all = b_in_a == Within::yes || !b.solid();

@@ -28,17 +28,9 @@ Sign greatest_sign(std::initializer_list<WideInteger> numbers) {
 }
 
 Sign exact_side(const PosedSmooth& shape, const Vec3& point) {
-  const ExactPlace place = exact_place(shape, point);
-  const auto& axis = place.axis;
-  // By Cramer's rule: the point is at u = d / volume along the half axes.
-  std::array<WideInteger, 3> d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = dot(cross(axis[(i + 1) % 3], axis[(i + 2) % 3]), place.point);
-  WideInteger volume = dot(cross(axis[1], axis[2]), axis[0]);
-  if (volume < 0) {
-    volume = -volume;
-    for (WideInteger& number : d) number = -number;
-  }
-  const WideInteger across = d[0] * d[0] + d[1] * d[1], squared = volume * volume;
+  const UnitPlace place = unit_place(exact_place(shape, point));
+  const auto& d = place.along;
+  const WideInteger &volume = place.volume, across = d[0] * d[0] + d[1] * d[1], squared = volume * volume;
   switch (shape.kind()) {
     case PosedSmooth::Kind::ellipsoid:
       return greatest_sign({(across + d[2] * d[2]) - squared});
