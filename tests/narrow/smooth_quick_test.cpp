@@ -1,5 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/axial_box.hpp"
+#include "narrow/smooth/distance/ellipsoid_pair.hpp"
+#include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
 #include "narrow/smooth_cases.hpp"
 
@@ -63,6 +68,45 @@ TEST(SmoothQuick, NearestFeaturesThatTheSearchMeetsExactly) {
           EXPECT_EQ(quick_fault(PlacedSmooth{shape, pose}, box), "") << gap << " " << beside.x << " " << beside.y;
         }
   }
+}
+
+std::optional<QuickDistance> own_way(const PosedSmooth& a, const PosedConvex& b) { return axial_box_distance(a, b); }
+std::optional<QuickDistance> own_way(const PosedSmooth& a, const PosedSmooth& b) {
+  return ellipsoid_distance(a, b, {});
+}
+
+/// How the answers of a pair's own way differ from those that any pair gets; empty: in nothing, or it gives none.
+template <class B>
+std::string own_way_fault(const PosedSmooth& a, const B& b, int& answered) {
+  const auto own = own_way(a, b);
+  const auto plain = QuickPair<B>(a, b, pair_frame(a, b)).distance();
+  if (!own) return "";
+  ++answered;
+  if (!is_narrow(*own)) return "wide";
+  if (!plain) return "";
+  if (own->lower > plain->upper || plain->lower > own->upper) return "interval";
+  const double off = std::max(plain_length(own->on_a - plain->on_a), plain_length(own->on_b - plain->on_b));
+  // The middles lie by 5 from the origin at most, and the other way is as good as that.
+  return off > 2e-12 ? fmt::format("points by {}", off) : "";
+}
+
+// From far apart, where a corner and a rim are nearest, to hairs, where edges and faces are.
+TEST(SmoothQuick, PairsWithAWayOfTheirOwnAgreeWithTheWayOfAll) {
+  Random random(10);
+  const std::pair<const char*, const char*> kinds[] = {
+      {"cylinder", "box"}, {"cone", "box"}, {"ellipsoid", "ellipsoid"}};
+  for (const auto& [kind_a, kind_b] : kinds)
+    for (const double gap : {5.0, 1.0, 0.1, 0.01, 3e-3}) {
+      int answered = 0;
+      for (int i = 0; i < 200; ++i) {
+        SmoothCase pair = smooth_case(kind_a, kind_b, "far", random);
+        leave_smooth_gap(pair, gap);
+        const PosedSmooth a = posed(pair.a);
+        EXPECT_EQ(std::visit([&](const auto& b) { return own_way_fault(a, posed(b), answered); }, pair.b), "")
+            << kind_a << " " << gap << " " << i;
+      }
+      EXPECT_GT(answered, gap < 0.01 ? 0 : 150) << kind_a << " " << gap;
+    }
 }
 
 // Of more than eight vertices.

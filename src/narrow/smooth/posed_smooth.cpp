@@ -1,5 +1,6 @@
 #include "toccata/narrow/posed_smooth.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,7 +19,7 @@ double reach_of(const Vec3& half, const Pose& pose) {
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec3 r = magnitudes(pose.linear[i]);
-    largest = std::fmax(largest, dot(r, half) + std::fabs(pose.offset[i]));
+    largest = std::max(largest, dot(r, half) + std::fabs(pose.offset[i]));
   }
   return largest;
 }
@@ -27,8 +28,10 @@ double reach_of(const Vec3& half, const Pose& pose) {
 
 PosedSmooth::PosedSmooth(Kind kind, const Vec3& half, const Pose& pose, std::string_view who)
     : kind_(kind), half_(half), pose_(pose) {
-  require_finite(pose, who);
-  require_regular(pose, who);
+  if (!is_surely_rigid(pose.linear) || !is_surely_finite(pose.offset)) {
+    require_finite(pose, who);
+    require_regular(pose, who);
+  }
   if (!std::isfinite(reach_of(half, pose)))
     throw Error(
         fmt::format("{}: it reaches beyond the finite numbers under the pose ({}); use smaller numbers or a "

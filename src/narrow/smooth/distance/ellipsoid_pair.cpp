@@ -15,6 +15,9 @@ namespace {
 
 constexpr double u = 0x1p-53;
 constexpr int most_steps = 10;
+constexpr int most_blind_steps = 3;
+/// Of what an ellipsoid reaches.
+constexpr double blind_part = 0.1;
 /// What is left after a turn this small, squared, is about its square.
 constexpr double small_turn_squared = 0x1p-46;
 /// Of half axes: that the squares of S do not hide the shorter ones.
@@ -81,11 +84,13 @@ std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b
     const Reach reach_a(of_a, d), reach_b(of_b, d);
     const Vec3 z = (between - reach_a.point) - reach_b.point;
     const double squared = dot(d, d), gap = dot(z, d) / squared;
-    if (!(gap > 0)) return {};
-    Symmetric k{gap, 0, 0, gap, 0, gap};
+    // Where the direction does not separate them yet, it is led on as if it did.
+    const double positive = gap > 0 ? gap : blind_part / (reach_a.part * squared);
+    if (!(gap > 0) && i >= most_blind_steps) return {};
+    Symmetric k{positive, 0, 0, positive, 0, positive};
     bend(k, of_a, reach_a);
     bend(k, of_b, reach_b);
-    const Vec3 next = solved(k, z), turn = next - d;
+    const Vec3 next = solved(k, z + (positive - gap) * d), turn = next - d;
     d = next;
     if (dot(turn, turn) < small_turn_squared * squared) return d;
   }
