@@ -23,6 +23,35 @@ Fine fine_height(const oracle::FineSet& set, const FinePoint& d) {
   return (p.x * d.x + p.y * d.y + p.z * d.z) / sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
 }
 
+FinePoint fine_cross(const FinePoint& u, const FinePoint& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+/// Across the surfaces of a smooth shape, outwards, where its images of other sizes pass through a point: of the round
+/// part, and of the flat ones.
+std::vector<FinePoint> normals_at(const oracle::FineSet& set, const Vec3& point) {
+  const auto& axis = set.axis;
+  std::array<FinePoint, 3> dual{fine_cross(axis[1], axis[2]), fine_cross(axis[2], axis[0]),
+                                fine_cross(axis[0], axis[1])};
+  const Fine volume = axis[0].x * dual[0].x + axis[0].y * dual[0].y + axis[0].z * dual[0].z;
+  for (FinePoint& d : dual) d = {d.x / volume, d.y / volume, d.z / volume};
+  const FinePoint from{Fine(point.x) - set.centre.x, Fine(point.y) - set.centre.y, Fine(point.z) - set.centre.z};
+  const auto coordinate = [&](int i) { return dual[i].x * from.x + dual[i].y * from.y + dual[i].z * from.z; };
+  const auto across = [&](const Fine& u, const Fine& v, const Fine& w) {
+    return FinePoint{u * dual[0].x + v * dual[1].x + w * dual[2].x, u * dual[0].y + v * dual[1].y + w * dual[2].y,
+                     u * dual[0].z + v * dual[1].z + w * dual[2].z};
+  };
+  const Fine u = coordinate(0), v = coordinate(1), w = coordinate(2), radius = sqrt(u * u + v * v);
+  std::vector<FinePoint> normals;
+  if (set.kind == oracle::FineKind::ellipsoid && radius + abs(w) > 0) normals.push_back(across(u, v, w));
+  if (set.kind == oracle::FineKind::ellipsoid) return normals;
+  const bool is_cone = set.kind == oracle::FineKind::cone;
+  if (radius > 0) normals.push_back(across(u / radius, v / radius, is_cone ? 0.5 : 0));
+  normals.push_back(across(0, 0, -1));
+  if (!is_cone) normals.push_back(across(0, 0, 1));
+  return normals;
+}
+
 /// By how much A is higher than B in some direction, the most that a climb from many finds: never more than there is.
 class Excess {
  public:
@@ -30,11 +59,11 @@ class Excess {
 
   [[nodiscard]] Fine along(const FinePoint& d) const { return fine_height(a_, d) - fine_height(b_, d); }
 
-  [[nodiscard]] Fine most(const std::vector<Vec3>& hints, int tries, int steps) {
-    std::vector<Vec3> from = hints;
-    for (int i = 0; i < tries; ++i) from.push_back(smooth_direction(random_));
+  [[nodiscard]] Fine most(const std::vector<FinePoint>& hints, int tries, int steps) {
     std::vector<std::pair<Fine, FinePoint>> found;
-    for (const Vec3& d : from) {
+    for (const FinePoint& at : hints) found.emplace_back(along(at), at);
+    for (int i = 0; i < tries; ++i) {
+      const Vec3 d = smooth_direction(random_);
       const FinePoint at{Fine(d.x), Fine(d.y), Fine(d.z)};
       found.emplace_back(along(at), at);
     }
@@ -111,17 +140,13 @@ std::string inner_depth_fault(const BoundaryPoint& found, const Vec3& point, con
                               const std::string& regime, double size, Random& random) {
   const oracle::FineSet at = oracle::hull_set_of({point}, 0);
   Excess above(at, set, random);
-  const Vec3 way = found.point - point;
-  std::vector<Vec3> hints;
-  if (!(way == Vec3{})) hints.push_back((1 / std::max({std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)})) * way);
-  const Fine least = -above.most(hints, 40, is_slim(regime) ? 60 : 220);
+  // The direction of the least height is that across the surface at the nearest point; a climb alone ends before the
+  // last digits.
+  const Fine least = -above.most(normals_at(set, found.point), 40, is_slim(regime) ? 60 : 220);
   if (least < 0) return "told to be inside";
   if (Fine(found.lower) > least) return fmt::format("lower {} above {}", found.lower, least.str(20));
-  // Near the boundary the rounded way to the nearest point is no good direction, and the climb ends before the last
-  // digits.
-  const Fine slack = Fine(is_slim(regime) ? 1e-2 : 1e-7) * Fine(found.upper) + Fine(1e-10 * size);
-  if (!is_slim(regime) && regime != "distant" && least > Fine(found.upper) + slack)
-    return fmt::format("upper {} below {}", found.upper, least.str(20));
+  const Fine slack = Fine(1e-12) * Fine(found.upper) + Fine(1e-15 * size);
+  if (least > Fine(found.upper) + slack) return fmt::format("upper {} below {}", found.upper, least.str(20));
   return "";
 }
 
