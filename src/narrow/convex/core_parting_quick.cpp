@@ -93,8 +93,8 @@ class QuickParting {
   [[nodiscard]] Corners corners_of(Index f) const {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners.a[k] = surface_.on_a[surface_.corner[4 * f + k]];
-      corners.b[k] = surface_.on_b[surface_.corner[4 * f + k]];
+      corners.a[k] = surface_.on_a[surface_.facets.corner(f, k)];
+      corners.b[k] = surface_.on_b[surface_.facets.corner(f, k)];
     }
     return corners;
   }
@@ -114,8 +114,8 @@ class QuickParting {
     const Index nearest = surface_.nearest;
     if (holds_foot(nearest)) return nearest;
     const Vec3 across = (1 / length(surface_.normal(nearest))) * surface_.normal(nearest);
-    for (Index f = 0; f < surface_.slots; ++f) {
-      if (surface_.order[f] == HUGE_VAL) continue;
+    for (Index f = 0; f < surface_.facets.count(); ++f) {
+      if (surface_.facets.is_vacant(f)) continue;
       const Vec3 n = surface_.normal(f);
       if (dot(n, across) >= (1 - 0x1p-30) * length(n) && holds_foot(f)) return f;
     }
@@ -153,8 +153,8 @@ class QuickParting {
     for (Index i = 0; i < s.points; ++i)
       extent = std::max({extent, std::fabs(s.x[i]), std::fabs(s.y[i]), std::fabs(s.z[i])});
     const double unit_error = 0x1p-46 * extent * extent, least = (1 + 0x1p-48) * lower * lower;
-    for (Index f = 0; f < s.slots; ++f) {
-      if (s.order[f] == HUGE_VAL) continue;
+    for (Index f = 0; f < s.facets.count(); ++f) {
+      if (s.facets.is_vacant(f)) continue;
       const Vec3 n = s.normal(f), p = corner(f, 0), q = corner(f, 1), r = corner(f, 2);
       const double error = unit_error * (size(p - r) + size(q - r)), certain = s.offset[f] - error;
       if (certain > 0 && certain * certain >= least * dot(n, n)) continue;
@@ -163,7 +163,7 @@ class QuickParting {
     return true;
   }
 
-  [[nodiscard]] Vec3 corner(Index f, std::size_t k) const { return surface_.point(surface_.corner[4 * f + k]); }
+  [[nodiscard]] Vec3 corner(Index f, std::size_t k) const { return surface_.point(surface_.facets.corner(f, k)); }
 
   /// By the formula: for a facet that has the origin behind it.
   [[nodiscard]] bool is_certainly_beyond(Index f, double lower) const {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <span>
 
 #include "narrow/convex/quick_expansion.hpp"
 
@@ -38,10 +37,10 @@ constexpr std::array<Vec3, 6> axes{{{-0.3396, -0.4877, 0.8042},
                                     {-0.9334, -0.3549, -0.0533},
                                     {0.2974, 0.3444, 0.8905},
                                     {0.0972, 0.9915, 0.0863}}};
-constexpr std::uint8_t icosahedron_faces[20][3] = {{0, 1, 4}, {0, 2, 3},  {0, 3, 11},  {0, 4, 2},  {0, 11, 1},
-                                                   {1, 8, 9}, {1, 9, 4},  {1, 11, 8},  {2, 4, 5},  {2, 5, 7},
-                                                   {2, 7, 3}, {3, 7, 10}, {3, 10, 11}, {4, 9, 5},  {5, 6, 7},
-                                                   {5, 9, 6}, {6, 8, 10}, {6, 9, 8},   {6, 10, 7}, {8, 11, 10}};
+constexpr std::array<FacetSlots::Corners, 20> icosahedron_faces{
+    {{0, 1, 4},  {0, 2, 3}, {0, 3, 11}, {0, 4, 2}, {0, 11, 1}, {1, 8, 9},   {1, 9, 4},
+     {1, 11, 8}, {2, 4, 5}, {2, 5, 7},  {2, 7, 3}, {3, 7, 10}, {3, 10, 11}, {4, 9, 5},
+     {5, 6, 7},  {5, 9, 6}, {6, 8, 10}, {6, 9, 8}, {6, 10, 7}, {8, 11, 10}}};
 
 constexpr std::array<std::uint16_t, 80> twins_of_icosahedron() {
   std::array<std::uint16_t, 80> twins{};
@@ -161,7 +160,8 @@ class Expansion {
   enum class Start { tetrahedron, icosahedron };
 
   bool run(Start start) {
-    s_.points = s_.slots = 0;
+    s_.points = 0;
+    s_.facets.clear();
     if (!(start == Start::icosahedron ? start_icosahedron() : start_tetrahedron())) return false;
     while (s_.points < QuickSurface::most_points) {
       const Index f = nearest();
@@ -189,9 +189,8 @@ class Expansion {
     return i;
   }
 
-  /// In a slot, with the edges that lead from the third corner to the others. False when it has hardly an area.
-  HWY_INLINE bool place(Index f, const std::array<Index, 3>& corners, const Vec3& corner, const Vec3& to_first,
-                        const Vec3& to_second) {
+  /// Of a facet, with the edges that lead from a corner to the others. False when it has hardly an area.
+  HWY_INLINE bool measure(Index f, const Vec3& corner, const Vec3& to_first, const Vec3& to_second) {
     const Vec3 n = cross(to_first, to_second);
     const double squared = dot(n, n), offset = dot(n, corner);
     const double order = offset * std::fabs(offset) / squared;
@@ -200,13 +199,18 @@ class Expansion {
     s_.normal_z[f] = n.z;
     s_.offset[f] = offset;
     s_.order[f] = std::bit_cast<double>((std::bit_cast<std::uint64_t>(order) & ~facet_bits) | f);
-    for (std::size_t k = 0; k < 3; ++k) s_.corner[4 * f + k] = static_cast<std::uint8_t>(corners[k]);
     return squared > least_squared_;
   }
 
-  bool place(Index f, Index p, Index q, Index r) {
-    const Vec3 corner = s_.point(r);
-    return place(f, {p, q, r}, corner, s_.point(p) - corner, s_.point(q) - corner);
+  bool measure_all() {
+    bool has_area = true;
+    for (Index f = 0; f < slots(); ++f) {
+      const auto [p, q, r] = s_.facets.corners(f);
+      const Vec3 corner = s_.point(r);
+      has_area &= measure(f, corner, s_.point(p) - corner, s_.point(q) - corner);
+    }
+    clear_padding(slots());
+    return has_area;
   }
 
   void clear(Index f) {
@@ -214,9 +218,10 @@ class Expansion {
     s_.order[f] = HUGE_VAL;
   }
 
-  void join(std::size_t edge, std::size_t other) {
-    s_.twin[edge] = static_cast<std::uint16_t>(other);
-    s_.twin[other] = static_cast<std::uint16_t>(edge);
+  [[nodiscard]] Index slots() const { return static_cast<Index>(s_.facets.count()); }
+  [[nodiscard]] Index padded_slots() const { return (slots() + 7) / 8 * 8; }
+  void clear_padding(Index from) {
+    for (Index f = from; f < padded_slots(); ++f) clear(f);
   }
 
   bool is_in_range(double extent) {
@@ -237,13 +242,8 @@ class Expansion {
       extent = std::max(extent, largest(here.value));
     }
     if (!is_in_range(extent)) return false;
-    bool has_area = true;
-    for (Index f = 0; f < 20; ++f)
-      has_area &= place(f, icosahedron_faces[f][0], icosahedron_faces[f][1], icosahedron_faces[f][2]);
-    std::copy(icosahedron_twins.begin(), icosahedron_twins.end(), s_.twin.begin());
-    s_.slots = 20;
-    for (Index f = 20; f < 24; ++f) clear(f);
-    return has_area;
+    s_.facets.start(icosahedron_faces, icosahedron_twins);
+    return measure_all();
   }
 
   /// Of far points, the first towards the origin's nearest side.
@@ -271,19 +271,9 @@ class Expansion {
     const Vec3 u = p[1].value - p[0].value, v = p[2].value - p[0].value, w = p[3].value - p[0].value;
     const double volume = dot(cross(u, v), w);
     if (!is_in_range(extent) || !(std::fabs(volume) > 0x1p-30 * extent * extent * extent)) return false;
-    // Corner 3 lies behind the face 0, i, j.
-    const Index i = volume < 0 ? 1 : 2, j = 3 - i;
-    bool has_area = place(0, 0, i, j);
-    has_area &= place(1, 0, 3, i);
-    has_area &= place(2, i, 3, j);
-    has_area &= place(3, j, 3, 0);
-    join(0, 6), join(1, 10), join(2, 14), join(4, 13), join(5, 8), join(9, 12);
-    s_.slots = 4;
-    for (Index f = 4; f < 8; ++f) clear(f);
-    return has_area;
+    s_.facets.start_tetrahedron(volume > 0);
+    return measure_all();
   }
-
-  [[nodiscard]] Index padded_slots() const { return (s_.slots + 7) / 8 * 8; }
 
   [[nodiscard]] HWY_INLINE Index nearest() const {
     const Index count = padded_slots();
@@ -293,10 +283,8 @@ class Expansion {
     return static_cast<Index>(std::bit_cast<std::uint64_t>(order) & facet_bits);
   }
 
-  static constexpr std::size_t words = QuickSurface::most_facets / 64;
-
   /// One bit a slot: the facets that see the point, by more than rounding.
-  HWY_INLINE void find_seen(const Vec3& p, std::array<std::uint64_t, words>& seen) const {
+  HWY_INLINE void find_seen(const Vec3& p, FacetSlots::Bits& seen) const {
     const Number x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
     const Number rounding = hn::Set(tag, 1 + 0x1p-44);
     const Index count = padded_slots();
@@ -310,70 +298,23 @@ class Expansion {
     }
   }
 
-  [[nodiscard]] Index new_slot() {
-    if (s_.slots % 8 == 0)
-      for (Index f = s_.slots; f < s_.slots + 8; ++f) clear(f);
-    return s_.slots++;
-  }
-
-  /// An edge on the horizon, from the corner under whose number it is kept.
-  struct Edge {
-    std::uint16_t twin;
-    std::uint8_t to;
-  };
-
-  /// Facets that see the point go, as far as they hang together, and a fan from their horizon to the point comes.
+  /// False when what is seen is no disc, or a facet has hardly an area.
   bool add(const Point& point, Index above) {
-    std::array<std::uint64_t, words> seen;
+    FacetSlots::Bits seen{};
     find_seen(point.value, seen);
-    std::array<Edge, QuickSurface::most_points> leaving;
-    std::array<Index, QuickSurface::most_facets> gone;
-    gone[0] = above;
-    Index gone_count = 1, edges = 0, start = 0;
-    std::array<std::uint64_t, words> new_ones = seen;
-    new_ones[above / 64] &= ~(std::uint64_t{1} << (above % 64));
-    for (Index g = 0; g < gone_count; ++g)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t edge = 4 * gone[g] + k, twin = s_.twin[edge], other = twin / 4;
-        const std::uint64_t bit = std::uint64_t{1} << (other % 64);
-        if ((seen[other / 64] & bit) == 0) {
-          start = s_.corner[edge];
-          leaving[start] = {static_cast<std::uint16_t>(twin), s_.corner[4 * gone[g] + (k + 1) % 3]};
-          ++edges;
-        } else if ((new_ones[other / 64] & bit) != 0) {
-          new_ones[other / 64] &= ~bit;
-          gone[gone_count++] = static_cast<Index>(other);
-        }
-      }
-    if (edges < 3 || s_.slots + edges > QuickSurface::most_facets + gone_count) return false;
-    for (Index k = edges; k < gone_count; ++k) clear(gone[k]);
-    return make_fan(point, leaving, start, edges, {gone.data(), gone_count});
-  }
-
-  /// False when the horizon is not one loop, or a facet has hardly an area.
-  bool make_fan(const Point& point, const std::array<Edge, QuickSurface::most_points>& leaving, Index start,
-                Index edges, std::span<const Index> free) {
-    const Index apex = append(point);
+    if (!s_.facets.find_hole(above, seen)) return false;
+    const Index padded = padded_slots();
+    s_.facets.fill_hole(append(point));
+    clear_padding(padded);
+    for (const std::uint16_t f : s_.facets.left_over()) clear(f);
     bool has_area = true;
-    Index from = start, first = 0, previous = 0;
-    Vec3 to_from = s_.point(from) - point.value;
-    for (Index k = 0; k < edges; ++k) {
-      const Edge edge = leaving[from];
+    Vec3 to_from = s_.point(s_.facets.hole()[0].from) - point.value;
+    for (const FacetSlots::HoleEdge& edge : s_.facets.hole()) {
       const Vec3 to_next = s_.point(edge.to) - point.value;
-      const Index f = k < free.size() ? free[k] : new_slot();
-      has_area &= place(f, {from, edge.to, apex}, point.value, to_from, to_next);
-      join(4 * f, edge.twin);
-      if (k == 0)
-        first = f;
-      else
-        join(4 * previous + 1, 4 * f + 2);
-      previous = f;
-      from = edge.to;
+      has_area &= measure(edge.slot, point.value, to_from, to_next);
       to_from = to_next;
-      if (from == start && k + 1 < edges) return false;
     }
-    join(4 * previous + 1, 4 * first + 2);
-    return has_area && from == start;
+    return has_area;
   }
 
   Side a_, b_;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
 
+#include "narrow/convex/facet_slots.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 
 namespace toccata {
@@ -11,25 +12,23 @@ namespace toccata {
 /// left it: a sphere, as each step replaces a disc by a fan. Which facets a point sees was decided by rounded numbers,
 /// so that it need not be convex.
 struct QuickSurface {
-  static constexpr std::size_t most_points = 192;
-  static constexpr std::size_t most_facets = 2 * most_points;  // of a sphere, less than twice as many as points
+  static constexpr std::size_t most_points = FacetSlots::most_corners;
+  static constexpr std::size_t most_facets = FacetSlots::most_facets;
 
   // Of points: a − b, each coordinate rounded once, and of which vertices.
   std::array<double, most_points> x, y, z;
   std::array<Index, most_points> on_a, on_b;
   Index points = 0;
 
-  // Of facets: the rounded cross product of two edges, outwards, and its product with a corner; the squared distance
-  // from the origin with the sign of the product, but for the last bits, which hold the number of the facet. Zero, and
-  // an infinite distance, of slots that hold no facet.
+  FacetSlots facets;
+  // Of facets, by their slots: the rounded cross product of two edges, outwards, and its product with a corner; the
+  // squared distance from the origin with the sign of the product, but for the last bits, which hold the number of the
+  // facet. Zero, and an infinite distance, of vacant slots and up to the next multiple of 8.
   alignas(64) std::array<double, most_facets> normal_x;
   alignas(64) std::array<double, most_facets> normal_y;
   alignas(64) std::array<double, most_facets> normal_z;
   alignas(64) std::array<double, most_facets> offset;
   alignas(64) std::array<double, most_facets> order;
-  std::array<std::uint8_t, 4 * most_facets> corner;  ///< those of facet f at 4f, 4f + 1 and 4f + 2
-  std::array<std::uint16_t, 4 * most_facets> twin;   ///< of the edge from a corner to the next, that in the other facet
-  Index slots = 0;
 
   Index nearest = 0;  ///< the facet that is nearest to the origin, when it is found
 

@@ -1,66 +1,81 @@
 #include "narrow/smooth/depth/growing_surface.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
+#include <utility>
 
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
+namespace {
 
-bool GrowingSurface::start(const std::array<Vec3, 4>& corners) {
-  std::copy(corners.begin(), corners.end(), point_.begin());
+Vec3 rounded(const GrowingSurface::FinePoint& p) { return {p[0].high, p[1].high, p[2].high}; }
+
+}  // namespace
+
+bool GrowingSurface::start(Precision precision, const std::array<Corner, 4>& corners) {
+  precision_ = precision;
   extent_ = 0;
-  for (const Vec3& p : corners) extent_ = std::fmax(extent_, sum_of_magnitudes(p));
-  const Vec3 u = point_[1] - point_[0], v = point_[2] - point_[0], w = point_[3] - point_[0];
+  corners_ = 4;
+  if (is_fine()) fine_.resize(most_corners);
+  for (std::size_t i = 0; i < 4; ++i) set(i, corners[i]);
+  const Vec3 u = corner(1) - corner(0), v = corner(2) - corner(0), w = corner(3) - corner(0);
   const double volume = dot(cross(u, v), w);
   if (!(std::fabs(volume) > 0)) return false;
-  corners_ = facets_ = 4;
-  // Corner 3 lies behind the face 0, i, j.
-  const std::size_t i = volume < 0 ? 1 : 2, j = 3 - i;
-  if (!place(0, 0, i, j) || !place(1, 0, 3, i) || !place(2, i, 3, j) || !place(3, j, 3, 0)) return false;
-  join(0, 6), join(1, 10), join(2, 14), join(4, 13), join(5, 8), join(9, 12);
+  slots_.start_tetrahedron(volume > 0);
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto [i, j, k] = slots_.corners(f);
+    if (normal_of(i, j, k) == Vec3{}) return false;
+    measure(f);
+  }
   return true;
 }
 
-bool GrowingSurface::place(std::size_t f, std::size_t i, std::size_t j, std::size_t k) {
-  const Vec3 normal = unit_or_zero(cross(point_[i] - point_[k], point_[j] - point_[k]));
+void GrowingSurface::set(std::size_t i, const Corner& corner) {
+  const Vec3& p = corner.point;
+  x_[i] = p.x;
+  y_[i] = p.y;
+  z_[i] = p.z;
+  squared_[i] = dot(p, p);
+  extent_ = std::fmax(extent_, sum_of_magnitudes(p));
+  if (is_fine()) fine_[i] = corner.fine;
+}
+
+Vec3 GrowingSurface::normal_of(std::size_t i, std::size_t j, std::size_t k) const {
+  if (is_fine()) return rounded(outer(difference(fine_[i], fine_[k]), difference(fine_[j], fine_[k])));
+  return cross(corner(i) - corner(k), corner(j) - corner(k));
+}
+
+FacetSlots::Corners GrowingSurface::nearest_first(std::size_t f) const {
+  FacetSlots::Corners c = slots_.corners(f);
+  const auto nearest = std::min_element(c.begin(), c.end(), [&](auto i, auto j) { return squared_[i] < squared_[j]; });
+  std::rotate(c.begin(), nearest, c.end());
+  return c;
+}
+
+void GrowingSurface::measure(std::size_t f) {
   // Of the corner that is nearest to the origin, as that of a shallow place is, rounding takes the least.
-  Vec3 p = point_[k];
-  for (const std::size_t other : {i, j})
-    if (dot(point_[other], point_[other]) < dot(p, p)) p = point_[other];
-  facet_[f] = {{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j), static_cast<std::uint16_t>(k)},
-               normal,
-               dot(normal, p),
-               false};
-  return !(normal == Vec3{});
-}
-
-bool GrowingSurface::has_area(std::size_t i, std::size_t j, const Vec3& apex) const {
-  return !(cross(point_[i] - apex, point_[j] - apex) == Vec3{});
-}
-
-void GrowingSurface::join(std::size_t edge, std::size_t other) {
-  twin_[edge] = static_cast<std::uint16_t>(other);
-  twin_[other] = static_cast<std::uint16_t>(edge);
+  const auto [i, j, k] = nearest_first(f);
+  Vec3 normal = normal_of(j, k, i);
+  const double length = plain_length(normal);
+  normal = length > 0x1p-500 ? (1 / length) * normal : unit_or_zero(normal);
+  normal_x_[f] = normal.x;
+  normal_y_[f] = normal.y;
+  normal_z_[f] = normal.z;
+  pending_[f] = height_[f] = dot(normal, corner(i));
 }
 
 std::optional<std::size_t> GrowingSurface::lowest() const {
-  std::optional<std::size_t> found;
-  double least = HUGE_VAL;
-  for (std::size_t f = 0; f < facets_; ++f) {
-    if (facet_[f].settled || !(facet_[f].height < least)) continue;
-    least = facet_[f].height;
-    found = f;
-  }
-  return found;
+  const auto end = pending_.begin() + static_cast<std::ptrdiff_t>(facet_count());
+  const auto found = std::min_element(pending_.begin(), end);
+  if (!(*found < HUGE_VAL)) return std::nullopt;
+  return static_cast<std::size_t>(found - pending_.begin());
 }
 
 std::size_t GrowingSurface::most_before(const Vec3& point) const {
   std::size_t found = 0;
   double most = -HUGE_VAL;
-  for (std::size_t f = 0; f < facets_; ++f) {
-    const double above = dot(facet_[f].normal, point) - facet_[f].height;
+  for (std::size_t f = 0; f < facet_count(); ++f) {
+    const double above = dot(normal(f), point) - height_[f];
     if (!(above > most)) continue;
     most = above;
     found = f;
@@ -68,88 +83,44 @@ std::size_t GrowingSurface::most_before(const Vec3& point) const {
   return found;
 }
 
-void GrowingSurface::find_disc(const Vec3& point, std::size_t first, double margin) {
-  gone_count_ = around_ = 0;
-  gone_[gone_count_++] = static_cast<std::uint16_t>(first);
-  is_gone_[first] = true;
-  for (std::size_t g = 0; g < gone_count_; ++g)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t f = gone_[g], twin = twin_[4 * f + k], other = twin / 4;
-      if (is_gone_[other]) continue;
-      const Facet& beyond = facet_[other];
-      if (dot(beyond.normal, point) - beyond.height > margin) {
-        is_gone_[other] = true;
-        gone_[gone_count_++] = static_cast<std::uint16_t>(other);
-      }
-    }
-  for (std::size_t g = 0; g < gone_count_; ++g)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Facet& f = facet_[gone_[g]];
-      const std::uint16_t twin = twin_[4 * gone_[g] + k];
-      if (is_gone_[twin / 4]) continue;
-      around_start_ = f.corner[k];
-      leaving_[around_start_] = {twin, f.corner[(k + 1) % 3]};
-      ++around_;
-    }
-  for (std::size_t g = 0; g < gone_count_; ++g) is_gone_[gone_[g]] = false;
-}
-
-/// One loop that passes no corner twice.
-bool GrowingSurface::is_disc() const {
-  std::size_t at = around_start_;
-  for (std::size_t i = 0; i < around_; ++i) {
-    at = leaving_[at].to;
-    if (at == around_start_) return i + 1 == around_;
+void GrowingSurface::find_seen(const Vec3& point, double margin) {
+  seen_ = {};
+  for (std::size_t f = 0; f < facet_count(); ++f) {
+    const bool is_seen = dot(normal(f), point) - height_[f] > margin;
+    seen_[f / 64] |= std::uint64_t{is_seen} << (f % 64);
   }
-  return false;
 }
 
-void GrowingSurface::make_fan(const Vec3& point) {
-  const std::size_t apex = corners_++;
-  point_[apex] = point;
-  extent_ = std::fmax(extent_, sum_of_magnitudes(point));
-  std::size_t from = around_start_, first = 0, previous = 0;
-  // A disc has fewer triangles than edges around it, unless there are corners within it, which are gone.
-  const std::size_t kept = std::min(around_, gone_count_);
-  for (std::size_t i = 0; i < around_; ++i) {
-    const Edge edge = leaving_[from];
-    const std::size_t f = i < kept ? gone_[i] : facets_++;
-    place(f, from, edge.to, apex);
-    join(4 * f, edge.twin);
-    if (i == 0)
-      first = f;
-    else
-      join(4 * previous + 1, 4 * f + 2);
-    previous = f;
-    from = edge.to;
-  }
-  join(4 * previous + 1, 4 * first + 2);
-  // From the last slot on, so that what moves into a slot that gets free stays.
-  std::sort(gone_.begin() + kept, gone_.begin() + gone_count_, std::greater<>());
-  for (std::size_t g = kept; g < gone_count_; ++g) remove(gone_[g]);
-}
-
-void GrowingSurface::remove(std::size_t f) {
-  const std::size_t last = --facets_;
-  if (f == last) return;
-  facet_[f] = facet_[last];
-  for (std::size_t k = 0; k < 3; ++k) join(4 * f + k, twin_[4 * last + k]);
-}
-
-bool GrowingSurface::add(const Vec3& point, std::size_t beyond) {
+bool GrowingSurface::add(const Corner& corner, std::size_t beyond) {
   if (full()) return false;
+  set(corners_, corner);
   // Where rounding tears apart what is seen, less of it counts as seen; at last the facet alone.
   for (const double part : {0x1p-51, 0x1p-48, 0x1p-44, HUGE_VAL}) {
-    find_disc(point, beyond, part * extent_);
-    if (!is_disc()) continue;
-    bool all = true;
-    for (std::size_t i = 0, from = around_start_; i < around_; ++i, from = leaving_[from].to)
-      all = all && has_area(from, leaving_[from].to, point);
-    if (!all) continue;
-    make_fan(point);
+    find_seen(corner.point, part * extent_);
+    if (!slots_.find_hole(beyond, seen_)) continue;
+    const auto has_area = [&](const auto& edge) { return !(normal_of(edge.from, edge.to, corners_) == Vec3{}); };
+    if (!std::all_of(slots_.hole().begin(), slots_.hole().end(), has_area)) continue;
+    slots_.fill_hole(corners_++);
+    for (const FacetSlots::HoleEdge& edge : slots_.hole()) measure(edge.slot);
+    for (const std::uint16_t f : slots_.left_over()) {
+      normal_x_[f] = normal_y_[f] = normal_z_[f] = 0;
+      height_[f] = pending_[f] = HUGE_VAL;
+    }
     return true;
   }
   return false;
+}
+
+// With n the product of the edges e and f, and p the corner: what corners and edges are off by, and rounding, turns n
+// by less than 4 error (|e| + |f|), its direction by less than twice that part of |n|, and moves p by `error`; so the
+// height changes by less than 8 error (|e| + |f|) |p| / |n| + 2 error. A facet that is not much larger than `error`
+// does not come near to passing.
+bool GrowingSurface::is_surely_above(std::size_t f, double height, double error) const {
+  const auto [i, j, k] = nearest_first(f);
+  const Vec3 p = corner(i), u = corner(j) - p, v = corner(k) - p, normal = cross(u, v);
+  const double unsure = 8 * error * (sum_of_magnitudes(u) + sum_of_magnitudes(v)) * sum_of_magnitudes(p);
+  // Asked so that NaN is not certain.
+  return dot(normal, p) - unsure > (height + 3 * error) * plain_length(normal) * (1 + 0x1p-50);
 }
 
 }  // namespace toccata

@@ -43,12 +43,13 @@ Vec3 some_across(const Vec3& d) {
   return unit_or_zero(aside);
 }
 
-SmoothCap::SmoothCap(const SmoothBody& a, const SmoothBody& b, const Vec3& axis) : axis_(axis), count_(1) {
+SmoothCap::SmoothCap(const SmoothBody& a, const SmoothBody& b, const HighestPoint& highest)
+    : axis_(highest.axis), count_(1) {
   side_[0].body = &a;
   side_[1].body = &b;
-  on_a_[0] = a.support(axis);
-  on_b_[0] = b.support(-axis);
-  atoms_[0] = {on_a_[0].atom, on_b_[0].atom};
+  on_a_[0] = highest.on_a;
+  on_b_[0] = highest.on_b;
+  atoms_[0] = highest.atoms();
   look();
 }
 
@@ -245,29 +246,40 @@ double SmoothCap::widest_tangent(double least) const {
   return std::fmax(tangent, narrowest);
 }
 
-BoundedNumber SmoothCap::exact_height(std::size_t i) const {
-  return atom_height<BoundedNumber>(*side_[0].body, atoms_[i].a, fine(axis_)) +
-         atom_height<BoundedNumber>(*side_[1].body, atoms_[i].b, fine(-axis_));
+template <class Number>
+Number SmoothCap::weighed_height(const std::array<Number, most_pairs>& height) const {
+  if (count_ == 1) return height[0];
+  Number weighed = number_as<Number>(weight_[0]) * height[0], total = number_as<Number>(weight_[0]);
+  for (std::size_t i = 1; i < count_; ++i) {
+    weighed = weighed + number_as<Number>(weight_[i]) * height[i];
+    total = total + number_as<Number>(weight_[i]);
+  }
+  return weighed / total;
 }
 
-void SmoothCap::refine() {
-  std::array<BoundedNumber, most_pairs> height;
-  for (std::size_t i = 0; i < count_; ++i) height[i] = exact_height(i);
-  BoundedNumber weighed = exactly(weight_[0]) * height[0], total = exactly(weight_[0]);
-  for (std::size_t i = 1; i < count_; ++i) {
-    weighed = weighed + exactly(weight_[i]) * height[i];
-    total = total + exactly(weight_[i]);
-  }
-  exact_height_ = count_ == 1 ? height[0] : weighed / total;
-  height_ = middle(exact_height_);
+/// Gives what the height is certainly no less than.
+template <class Number>
+double SmoothCap::refined() {
+  std::array<Number, most_pairs> height;
+  for (std::size_t i = 0; i < count_; ++i)
+    height[i] = height_of_pair<Number>(*side_[0].body, *side_[1].body, atoms_[i], axis_);
+  const Number weighed = weighed_height(height);
+  height_ = middle(weighed);
   uneven_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) uneven_ = std::fmax(uneven_, ceiling_of(exact_height_ - height[i]));
+  for (std::size_t i = 0; i < count_; ++i) uneven_ = std::fmax(uneven_, ceiling_of(weighed - height[i]));
+  return floor_of(weighed);
 }
+
+void SmoothCap::refine() { (void)refined<BoundedNumber>(); }
 
 double SmoothCap::proved_height(double tangent, double least) {
-  refine();
-  // The axis is of length 1 but for rounding, and x lies across it but for that.
-  const double lower = floor_of(exact_height_) * (1 - 0x1p-49) - loss_within(tangent * (1 + rounding), least);
+  double lower = 0;
+  const auto prove = [&](double height) {
+    // The axis is of length 1 but for rounding, and x lies across it but for that.
+    lower = height * (1 - 0x1p-49) - loss_within(tangent * (1 + rounding), least);
+    return lower * (1 - 0x1p-50) >= least;
+  };
+  if (!prove(refined<BoundedDouble>())) prove(refined<BoundedNumber>());
   // Asked so that NaN is no proof.
   return lower > 0 ? lower * (1 - 0x1p-50) : 0;
 }

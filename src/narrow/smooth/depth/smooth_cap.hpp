@@ -16,6 +16,27 @@ struct AtomPair {
   friend bool operator==(const AtomPair&, const AtomPair&) = default;
 };
 
+/// The highest point of A − B along a direction of length 1, but for rounding.
+struct HighestPoint {
+  Vec3 axis;
+  SmoothSupport on_a;
+  SmoothSupport on_b;
+  Vec3 point;
+  double height = 0;
+
+  HighestPoint(const SmoothBody& a, const SmoothBody& b, const Vec3& direction)
+      : axis(direction), on_a(a.support(direction)), on_b(b.support(-direction)), point(on_a.point - on_b.point) {
+    height = dot(axis, point);
+  }
+  [[nodiscard]] AtomPair atoms() const { return {on_a.atom, on_b.atom}; }
+};
+
+/// How high the hull of the pair's atoms is along the axis, which is taken as it is.
+template <class Number>
+[[nodiscard]] Number height_of_pair(const SmoothBody& a, const SmoothBody& b, const AtomPair& pair, const Vec3& axis) {
+  return atom_height<Number>(a, pair.a, fine(axis)) + atom_height<Number>(b, pair.b, fine(-axis));
+}
+
 /// A unit vector across one that is not zero.
 [[nodiscard]] Vec3 some_across(const Vec3& d);
 
@@ -32,8 +53,8 @@ struct AtomPair {
 /// origin, no direction of the cap |x| ≤ t has a lower height than h.
 class SmoothCap {
  public:
-  /// Of the atoms that are highest along the axis, which is of length 1.
-  SmoothCap(const SmoothBody& a, const SmoothBody& b, const Vec3& axis);
+  /// Of the atoms that are highest along the axis.
+  SmoothCap(const SmoothBody& a, const SmoothBody& b, const HighestPoint& highest);
   /// Of up to three pairs, which need not be the highest ones: what is told is then still no more than the height.
   SmoothCap(const SmoothBody& a, const SmoothBody& b, const Vec3& axis, std::span<const AtomPair> atoms);
 
@@ -83,7 +104,10 @@ class SmoothCap {
   void look();
   void weigh();
   void look_at(Side& side, const Vec3& outward) const;
-  [[nodiscard]] BoundedNumber exact_height(std::size_t i) const;
+  template <class Number>
+  [[nodiscard]] Number weighed_height(const std::array<Number, most_pairs>& height) const;
+  template <class Number>
+  [[nodiscard]] double refined();
   /// At the axis itself; less h of the ball.
   [[nodiscard]] Symmetric plain_excess() const;
   /// No more than G for |x| ≤ t.
@@ -103,7 +127,6 @@ class SmoothCap {
   std::array<Vec3, most_pairs> point_{};
   std::array<double, most_pairs> weight_{1, 0, 0};  ///< of the points, for the one through which the axis goes
   double height_ = 0;
-  BoundedNumber exact_height_;
   double uneven_ = 0;           ///< how much lower a point is than that one
   std::array<Vec3, 2> across_;  ///< of two pairs, the first leads from point to point
   std::array<Side, 2> side_;

@@ -17,26 +17,38 @@ namespace {
 /// deep in many directions (balls around one centre, round bars along one axis), it would take corners without end.
 constexpr std::array<double, 5> parts{0x1p-43, 1e-5, 1e-3, 1e-2, 0.05};
 
-/// Two bodies that certainly have a common inner point.
+/// Two bodies, in the pair's frame. The search begins at once: where it is proved that the origin lies deep within A −
+/// B, they are known to meet.
 class DeepPair {
  public:
-  DeepPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
+  DeepPair(const SmoothBody& a, const SmoothBody& b)
+      : a_(a), b_(b), expansion_(a, b), found_(attempt(parts[0], Precision::plain)) {}
 
-  /// In the pair's frame.
+  [[nodiscard]] bool certainly_meet() const { return result_.lower > 0; }
+
+  /// Of bodies that have a common inner point.
   Penetration answer() {
-    SmoothExpansion expansion(a_, b_);
-    for (const double part : parts) {
-      const bool reached = expansion.run(part);
-      result_.lower = std::fmax(result_.lower, expansion.proved_depth());
-      if (reached && result_.lower >= expansion.upper() * (1 - 2 * part)) break;
-    }
-    take(fine(expansion.direction()));
+    if (!found_) search();
+    take(fine(expansion_.direction()));
     polish();
     result_.status = result_.upper - result_.lower <= 1e-12 * result_.upper ? Status::exact : Status::not_converged;
     return result_;
   }
 
  private:
+  using Precision = SmoothExpansion::Precision;
+
+  bool attempt(double part, Precision precision) {
+    const bool reached = expansion_.run(part, precision);
+    result_.lower = std::fmax(result_.lower, expansion_.proved_depth());
+    return reached && result_.lower >= expansion_.upper() * (1 - 2 * part);
+  }
+
+  void search() {
+    for (std::size_t i = 1; i < 2 * parts.size(); ++i)
+      if (attempt(parts[i % parts.size()], i < parts.size() ? Precision::plain : Precision::fine)) return;
+  }
+
   /// Newton's method from the best direction, which makes the upper end as good as numbers are.
   void polish() {
     if (result_.upper - result_.lower <= 1e-12 * result_.upper) return;
@@ -67,6 +79,8 @@ class DeepPair {
   const SmoothBody& a_;
   const SmoothBody& b_;
   Penetration result_{.upper = HUGE_VAL};
+  SmoothExpansion expansion_;
+  bool found_;
 };
 
 }  // namespace
@@ -75,22 +89,28 @@ Penetration least_depth(const SmoothBody& a, const SmoothBody& b) { return DeepP
 
 namespace {
 
+/// Of what has no inner point in common, as far as is known.
+Penetration shallow_penetration(const SmoothNearest& near) {
+  Penetration result;
+  if (near.contact == SmoothContact::apart) return result;
+  if (near.shared) result.on_a = result.on_b = near.shared->point;
+  if (is_touching(near))
+    result.direction = near.shared->normal;
+  else
+    result.status = Status::undecided;
+  return result;
+}
+
 template <class B>
 Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
   const PairFrame frame = pair_frame(shape_a, shape_b);
   const SmoothBody a(shape_a, frame), b(shape_b, frame);
-  const SmoothNearest near = nearest_of(shape_a, a, shape_b, b, SmoothQuestion::distance);
-  Penetration result;
-  if (near.contact == SmoothContact::apart) return result;
-  if (near.contact == SmoothContact::undecided || near.shared) {
-    if (near.shared) result.on_a = result.on_b = near.shared->point;
-    if (is_touching(near))
-      result.direction = near.shared->normal;
-    else
-      result.status = Status::undecided;
-    return result;
+  DeepPair pair(a, b);
+  if (!pair.certainly_meet()) {
+    const SmoothNearest near = nearest_of(shape_a, a, shape_b, b, SmoothQuestion::distance);
+    if (near.contact != SmoothContact::contact || near.shared) return shallow_penetration(near);
   }
-  result = least_depth(a, b);
+  Penetration result = pair.answer();
   // The direction is rounded: a little farther it certainly serves.
   result.upper = std::nextafter(result.upper * (1 + 0x1p-50) / frame.factor, HUGE_VAL);
   result.lower = std::nextafter(result.lower / frame.factor, 0);

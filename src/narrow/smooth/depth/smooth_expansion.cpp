@@ -18,51 +18,80 @@ constexpr double missing_for_cap = 0.1;
 constexpr double missing_for_edges = 0.02;
 constexpr double height_for_cap = 1.2;
 constexpr double little = 0.01;
+/// Below this, heights in doubles have too few digits.
+constexpr double shallow = 0x1p-8;
 /// Beyond so many corners caps are looked for everywhere, lest there be no end of corners.
 constexpr std::size_t many_corners = 40;
 
 }  // namespace
 
-void SmoothExpansion::offer(SmoothCap& cap) {
-  if (cap.atoms().size() == 1 && cap.height() < upper_ + rounding && cap.height() < 0x1p-8) cap.refine();
-  if (!(cap.height() < upper_)) return;
-  upper_ = cap.height();
-  direction_ = cap.axis();
+SmoothExpansion::Corner::Corner(const SmoothCap& cap, double s, double t)
+    : a(cap.on_a()), b(cap.on_b()), axis(cap.axis()), atom_count(cap.atoms().size()), times(s), tangent(t) {
+  std::copy(cap.atoms().begin(), cap.atoms().end(), atoms.begin());
+}
+
+SmoothExpansion::SmoothExpansion(const SmoothBody& a, const SmoothBody& b)
+    : a_(a), b_(b), memory_(buffer_.data(), buffer_.size()), corner_(&memory_) {
+  corner_.reserve(GrowingSurface::most_corners);
+}
+
+/// Gives the height as good as it is needed.
+double SmoothExpansion::offer(const HighestPoint& highest) {
+  double height = highest.height;
+  if (height < upper_ + rounding && height < shallow)
+    height = middle(height_of_pair<BoundedNumber>(a_, b_, highest.atoms(), highest.axis));
+  offer(height, highest.axis);
+  return height;
+}
+
+void SmoothExpansion::offer(double height, const Vec3& axis) {
+  if (!(height < upper_)) return;
+  upper_ = height;
+  direction_ = axis;
 }
 
 double SmoothExpansion::target() const { return upper_ * (1 - part_); }
 
-void SmoothExpansion::append(const SmoothCap& cap) {
-  Corner& corner = corner_[surface_.corner_count()];
-  corner = {cap.on_a(), cap.on_b(), cap.axis(), {}, cap.atoms().size(), 0, 0};
-  std::copy(cap.atoms().begin(), cap.atoms().end(), corner.atoms.begin());
+GrowingSurface::Corner SmoothExpansion::placed(const Corner& corner, const Vec3& point) const {
+  if (precision_ == Precision::plain) return {point, {}};
+  return {point, vector_as<DoubleWord>(exact_corner<BoundedNumber>(corner))};
+}
+
+bool SmoothExpansion::add(const Corner& corner, const Vec3& point, std::size_t facet) {
+  if (!surface_.add(placed(corner, point), facet)) return false;
+  corner_.push_back(corner);
+  return true;
 }
 
 bool SmoothExpansion::start() {
+  has_surface_ = false;
   const Vec3 between = unit_or_zero(plain(b_.middle_point()) - plain(a_.middle_point()));
-  SmoothCap first(a_, b_, between == Vec3{} ? Vec3{1, 0, 0} : between), second(a_, b_, -first.axis());
-  std::array<Vec3, 4> point{first.point(), second.point()};
-  const auto place = [&](SmoothCap& cap, std::size_t i) {
-    point[i] = cap.point();
-    corner_[i] = {cap.on_a(), cap.on_b(), {}, {}, 0, 0, 0};
-    offer(cap);
+  const HighestPoint first(a_, b_, between == Vec3{} ? Vec3{1, 0, 0} : between), second(a_, b_, -first.axis);
+  std::array<GrowingSurface::Corner, 4> corner;
+  corner_.clear();
+  const auto place = [&](const HighestPoint& highest) {
+    offer(highest);
+    corner_.push_back(Corner(highest));
+    corner[corner_.size() - 1] = placed(corner_.back(), highest.point);
   };
-  place(first, 0);
-  place(second, 1);
-  const Vec3 axis = unit_or_zero(point[1] - point[0]);
-  SmoothCap third(a_, b_, some_across(axis));
-  place(third, 2);
-  const Vec3 normal = unit_or_zero(cross(axis, point[2] - point[0]));
+  place(first);
+  place(second);
+  if (!(upper_ > 0)) return false;
+  const Vec3 axis = unit_or_zero(second.point - first.point);
+  const HighestPoint third(a_, b_, some_across(axis));
+  place(third);
+  const Vec3 normal = unit_or_zero(cross(axis, third.point - first.point));
   if (normal == Vec3{}) return false;
-  SmoothCap up(a_, b_, normal), down(a_, b_, -normal);
-  const double above = dot(normal, up.point() - point[0]), below = dot(normal, point[0] - down.point());
-  place(above > below ? up : down, 3);
-  return surface_.start(point);
+  const HighestPoint up(a_, b_, normal), down(a_, b_, -normal);
+  const double above = dot(normal, up.point - first.point), below = dot(normal, first.point - down.point);
+  place(above > below ? up : down);
+  return has_surface_ = surface_.start(precision_, corner);
 }
 
 // Corners that were raised when less was known to be low are wrong by so much: then all begins again.
-bool SmoothExpansion::run(double part) {
+bool SmoothExpansion::run(double part, Precision precision) {
   part_ = part;
+  precision_ = precision;
   bool reached = false;
   for (int i = 0; i < most_starts; ++i) {
     highest_target_ = 0;
@@ -75,7 +104,8 @@ bool SmoothExpansion::run(double part) {
 bool SmoothExpansion::grow() {
   if (!start()) return false;
   while (const std::optional<std::size_t> lowest = surface_.lowest()) {
-    if (surface_.facet(*lowest).height >= target()) return true;
+    if (!(upper_ > 0)) return false;
+    if (surface_.height(*lowest) >= target()) return true;
     if (surface_.full()) return false;
     if (!step(*lowest)) surface_.settle(*lowest);
   }
@@ -84,51 +114,49 @@ bool SmoothExpansion::grow() {
 
 // The lowest height near is looked for by Newton's method, so that its cap is as wide as can be.
 bool SmoothExpansion::step(std::size_t facet) {
-  SmoothCap here(a_, b_, surface_.facet(facet).normal);
-  offer(here);
-  const double gain = here.height() - surface_.facet(facet).height;
+  const HighestPoint here(a_, b_, surface_.normal(facet));
+  const double gain = offer(here) - surface_.height(facet);
   if (is_promising(here, gain, missing_for_cap) && raise(lowest_near(here), gain)) return true;
   if (is_promising(here, gain, missing_for_edges) && raise_edge_or_face(facet, here, gain)) return true;
   if (!(gain > rounding)) return false;
-  append(here);
-  return surface_.add(here.point(), facet);
+  return add(Corner(here), here.point, facet);
 }
 
 // Caps are dear: points alone grow the surface where it is far from what it stands for, or where that is high.
-bool SmoothExpansion::is_promising(const SmoothCap& here, double gain, double missing) const {
+bool SmoothExpansion::is_promising(const HighestPoint& here, double gain, double missing) const {
   if (surface_.corner_count() > many_corners) return true;
-  return gain < missing * upper_ + little && here.height() < height_for_cap * upper_ + little;
+  return gain < missing * upper_ + little && here.height < height_for_cap * upper_ + little;
 }
 
-SmoothCap SmoothExpansion::lowest_near(const SmoothCap& from) {
-  SmoothCap lowest = from;
+SmoothCap SmoothExpansion::lowest_near(const HighestPoint& from) {
+  SmoothCap lowest(a_, b_, from);
   for (int i = 0; i < most_steps; ++i) {
     const std::optional<Vec3> axis = lowest.lower_axis();
     if (!axis) break;
-    SmoothCap next(a_, b_, *axis);
+    const HighestPoint next(a_, b_, *axis);
     offer(next);
-    if (!(next.height() < lowest.height())) break;
-    lowest = next;
+    if (!(next.height < lowest.height())) break;
+    lowest = SmoothCap(a_, b_, next);
   }
   return lowest;
 }
 
 /// Of the facet's corners and the highest point above it.
-bool SmoothExpansion::raise_edge_or_face(std::size_t facet, const SmoothCap& here, double gain) {
-  std::array<AtomPair, 4> pair{here.atoms()[0]};
+bool SmoothExpansion::raise_edge_or_face(std::size_t facet, const HighestPoint& here, double gain) {
+  std::array<AtomPair, 4> pair{here.atoms()};
   std::size_t count = 1;
-  for (const std::uint16_t i : surface_.facet(facet).corner) {
+  for (const std::uint8_t i : surface_.corners_of(facet)) {
     const AtomPair next{corner_[i].a.atom, corner_[i].b.atom};
     if (std::find(pair.begin(), pair.begin() + count, next) == pair.begin() + count) pair[count++] = next;
   }
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
-      if (raise_around(here.axis(), std::array{pair[i], pair[j]}, gain)) return true;
+      if (raise_around(here.axis, std::array{pair[i], pair[j]}, gain)) return true;
   for (std::size_t left = 0; left < count && count >= 3; ++left) {
     std::array<AtomPair, 3> three;
     for (std::size_t k = 0, to = 0; k < count && to < 3; ++k)
       if (k != left || count == 3) three[to++] = pair[k];
-    if (raise_around(here.axis(), three, gain)) return true;
+    if (raise_around(here.axis, three, gain)) return true;
     if (count == 3) break;
   }
   return false;
@@ -145,12 +173,11 @@ bool SmoothExpansion::raise_around(const Vec3& axis, std::span<const AtomPair> a
     // What comes to rest higher is of no use.
     if (i == 1 && !(cap.height() < 1.25 * upper_ + rounding)) return false;
   }
-  SmoothCap all(a_, b_, cap.axis());
-  offer(all);
+  const double highest = offer(HighestPoint(a_, b_, cap.axis()));
   // Of a shallow place rounded heights tell nothing; the point between the pairs' is refined.
-  if (!(cap.height() > all.height() - 8 * rounding)) return false;
-  cap.refine();
-  offer(cap);
+  if (!(cap.height() > highest - 8 * rounding)) return false;
+  if (cap.height() < shallow) cap.refine();
+  offer(cap.height(), cap.axis());
   return raise(cap, gain);
 }
 
@@ -161,22 +188,17 @@ bool SmoothExpansion::raise(const SmoothCap& cap, double gain) {
   const double times = least * std::sqrt(1 + tangent * tangent) * (1 - 0x1p-48);
   const Vec3 point = times * cap.axis();
   const std::size_t facet = surface_.most_before(point);
-  const double above = dot(surface_.facet(facet).normal, point) - surface_.facet(facet).height;
+  const double above = dot(surface_.normal(facet), point) - surface_.height(facet);
   // What is as low as anything is raised at once, but where it is raised already.
   const bool is_lowest = cap.height() <= upper_ * (1 + 0x1p-20);
   const double raised = 0x1p-10 * least * tangent * tangent;
   if (!(above > std::fmax(is_lowest ? raised : gain, 0x1p-54))) return false;
-  append(cap);
-  Corner& corner = corner_[surface_.corner_count()];
-  corner.times = times;
   highest_target_ = std::fmax(highest_target_, least);
-  corner.tangent = tangent;
-  return surface_.add(point, facet);
+  return add(Corner(cap, times, tangent), point, facet);
 }
 
 template <class Number>
-VectorOf<Number> SmoothExpansion::exact_corner(std::size_t i) const {
-  const Corner& c = corner_[i];
+VectorOf<Number> SmoothExpansion::exact_corner(const Corner& c) const {
   if (c.tangent > 0) return multiple(number_as<Number>(c.times), vector_as<Number>(exactly(c.axis)));
   return difference(point_of<Number>(a_, body_point(c.a)), point_of<Number>(b_, body_point(c.b)));
 }
@@ -190,28 +212,34 @@ double SmoothExpansion::proved_height(const std::array<VectorOf<Number>, 3>& cor
   return height > 0 ? height : 0;
 }
 
-/// Of the facet's corners, the one that is nearest to the origin first: its height is the least rounded.
-std::array<std::uint16_t, 3> SmoothExpansion::nearest_first(std::size_t facet) const {
-  std::array<std::uint16_t, 3> corner = surface_.facet(facet).corner;
-  const auto squared = [&](std::uint16_t i) { return dot(surface_.corner(i), surface_.corner(i)); };
-  const auto nearest =
-      std::min_element(corner.begin(), corner.end(), [&](auto i, auto j) { return squared(i) < squared(j); });
-  std::rotate(corner.begin(), nearest, corner.end());
-  return corner;
+/// Of the facet's corners, the one that is nearest to the origin comes first: its height is the least rounded.
+template <class Number>
+double SmoothExpansion::proved_height(std::size_t facet) const {
+  const auto [i, j, k] = surface_.nearest_first(facet);
+  return proved_height<Number>(
+      {exact_corner<Number>(corner_[i]), exact_corner<Number>(corner_[j]), exact_corner<Number>(corner_[k])});
+}
+
+/// No corner of the surface is farther than this from the point that it stands for: centres and columns are rounded
+/// once, round parts are of length 1 but for 2⁻⁵¹, and each sum is of a handful of numbers.
+double SmoothExpansion::corner_error() const {
+  double columns = 0, largest = 0;
+  for (std::size_t j = 0; j < 3; ++j)
+    columns += sum_of_magnitudes(a_.plain_column(j)) + sum_of_magnitudes(b_.plain_column(j));
+  for (const Corner& c : corner_)
+    largest = std::fmax(largest, sum_of_magnitudes(c.a.point) + sum_of_magnitudes(c.b.point) + 2 * c.times);
+  return 0x1p-48 * (largest + 2 * columns);
 }
 
 // Every facet turns its outer side away from the origin, so that the closed surface goes round the origin, and all
 // its corners' hull holds the ball that reaches to the lowest facet.
 double SmoothExpansion::proved_lowest(double enough) const {
-  std::array<VectorOf<BoundedDouble>, GrowingSurface::most_corners> point;
-  for (std::size_t i = 0; i < surface_.corner_count(); ++i) point[i] = exact_corner<BoundedDouble>(i);
+  const double error = corner_error();
   double least = enough;
   for (std::size_t f = 0; f < surface_.facet_count() && least > 0; ++f) {
-    const auto [i, j, k] = nearest_first(f);
-    if (proved_height<BoundedDouble>({point[i], point[j], point[k]}) >= least) continue;
-    const double finely = proved_height<BoundedNumber>(
-        {exact_corner<BoundedNumber>(i), exact_corner<BoundedNumber>(j), exact_corner<BoundedNumber>(k)});
-    least = std::fmin(least, finely);
+    if (surface_.is_vacant(f) || surface_.is_surely_above(f, least, error)) continue;
+    if (proved_height<BoundedDouble>(f) >= least) continue;
+    least = std::fmin(least, proved_height<BoundedNumber>(f));
   }
   return least;
 }
@@ -219,8 +247,7 @@ double SmoothExpansion::proved_lowest(double enough) const {
 /// The caps that raised corners stand for are wider where less is to be proved. Those that do not hold come down.
 bool SmoothExpansion::lower_caps(double least) {
   bool all_hold = true;
-  for (std::size_t i = 0; i < surface_.corner_count(); ++i) {
-    Corner& c = corner_[i];
+  for (Corner& c : corner_) {
     if (!(c.tangent > 0)) continue;
     const double ratio = c.times / least * (1 + 0x1p-48), tangent = std::sqrt(std::fmax(ratio * ratio - 1, 0));
     if (SmoothCap(a_, b_, c.axis, {c.atoms.data(), c.atom_count}).proved_height(tangent, least) >= least) continue;
@@ -231,6 +258,7 @@ bool SmoothExpansion::lower_caps(double least) {
 }
 
 double SmoothExpansion::proved_depth() {
+  if (!has_surface_ || !(upper_ > 0)) return 0;
   double least = proved_lowest(target());
   while (least > 0 && !lower_caps(least)) least = proved_lowest(least);
   return least;

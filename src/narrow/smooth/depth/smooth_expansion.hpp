@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <span>
+#include <vector>
 
 #include "narrow/smooth/depth/growing_surface.hpp"
 #include "narrow/smooth/depth/smooth_cap.hpp"
@@ -19,11 +21,13 @@ namespace toccata {
 /// round places need no end of corners.
 class SmoothExpansion {
  public:
-  SmoothExpansion(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
+  using Precision = GrowingSurface::Precision;
+
+  SmoothExpansion(const SmoothBody& a, const SmoothBody& b);
 
   /// Until no facet is lower than the lowest height found by more than this part of it; false when that did not come to
-  /// an end. The origin lies within A − B.
-  bool run(double part);
+  /// an end, or a height is not positive: then the origin does not lie within A − B, or hardly.
+  bool run(double part, Precision precision);
 
   /// The lowest height found, rounded, and its direction; infinite before all.
   [[nodiscard]] double upper() const { return upper_; }
@@ -41,31 +45,42 @@ class SmoothExpansion {
     std::size_t atom_count = 0;
     double times = 0;    ///< s
     double tangent = 0;  ///< t; 0 of what is not raised
+
+    explicit Corner(const HighestPoint& highest) : a(highest.on_a), b(highest.on_b) {}
+    Corner(const SmoothCap& cap, double s, double t);
   };
 
   bool start();
   bool grow();
-  void offer(SmoothCap& cap);
+  double offer(const HighestPoint& highest);
+  void offer(double height, const Vec3& axis);
   [[nodiscard]] double target() const;
   [[nodiscard]] bool step(std::size_t facet);
-  [[nodiscard]] bool is_promising(const SmoothCap& here, double gain, double missing) const;
-  [[nodiscard]] SmoothCap lowest_near(const SmoothCap& from);
-  bool raise_edge_or_face(std::size_t facet, const SmoothCap& here, double gain);
+  [[nodiscard]] bool is_promising(const HighestPoint& here, double gain, double missing) const;
+  [[nodiscard]] SmoothCap lowest_near(const HighestPoint& from);
+  bool raise_edge_or_face(std::size_t facet, const HighestPoint& here, double gain);
   bool raise_around(const Vec3& axis, std::span<const AtomPair> atoms, double gain);
   bool raise(const SmoothCap& cap, double gain);
-  void append(const SmoothCap& cap);
+  bool add(const Corner& corner, const Vec3& point, std::size_t facet);
   template <class Number>
-  [[nodiscard]] VectorOf<Number> exact_corner(std::size_t i) const;
+  [[nodiscard]] VectorOf<Number> exact_corner(const Corner& corner) const;
   template <class Number>
   [[nodiscard]] static double proved_height(const std::array<VectorOf<Number>, 3>& corner);
-  [[nodiscard]] std::array<std::uint16_t, 3> nearest_first(std::size_t facet) const;
+  [[nodiscard]] GrowingSurface::Corner placed(const Corner& corner, const Vec3& point) const;
+  [[nodiscard]] double corner_error() const;
+  template <class Number>
+  [[nodiscard]] double proved_height(std::size_t facet) const;
   [[nodiscard]] double proved_lowest(double enough) const;
   bool lower_caps(double least);
 
   const SmoothBody& a_;
   const SmoothBody& b_;
+  Precision precision_ = Precision::plain;
   GrowingSurface surface_;
-  std::array<Corner, GrowingSurface::most_corners> corner_;
+  bool has_surface_ = false;
+  alignas(64) std::array<std::byte, sizeof(Corner) * GrowingSurface::most_corners + 64> buffer_;
+  std::pmr::monotonic_buffer_resource memory_;
+  std::pmr::vector<Corner> corner_;
   double part_ = 0;
   double highest_target_ = 0;  ///< that corners were raised for
   double upper_ = HUGE_VAL;

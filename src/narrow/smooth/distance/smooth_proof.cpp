@@ -159,6 +159,7 @@ template VectorOf<BoundedDouble> point_of(const SmoothBody&, const BodyPoint&);
 template VectorOf<BoundedNumber> point_of(const SmoothBody&, const BodyPoint&);
 template double gap_along<BoundedDouble>(const SmoothBody&, const SmoothBody&, const FineDirection&);
 template double gap_along<BoundedNumber>(const SmoothBody&, const SmoothBody&, const FineDirection&);
+template BoundedDouble atom_height(const SmoothBody&, Index, const FineDirection&);
 template BoundedNumber atom_height(const SmoothBody&, Index, const FineDirection&);
 template BoundedDouble height_of(const SmoothBody&, const FineDirection&);
 template BoundedNumber height_of(const SmoothBody&, const FineDirection&);
