@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/convex/close_rise.hpp"
 #include "narrow/convex/edge_walk.hpp"
 
 namespace toccata {
@@ -113,23 +114,10 @@ class Walk {
 
 }  // namespace
 
-// Bounds of heights. Let u = 2^-53. In its own frame a vertex x has the height h = fl(fl(Rᵀd) · x), off by less than
-// 6.01u Σ |d_i||R_ij||x_j| from d · Rx, and the world vertex is off by less than 4.01u (Σ |R_ij||x_j| + |t_i|) from
-// Rx + t; so h + d · t is within 10.1u Σ |d_i|(Σ |R_ij||x_j| + |t_i|) of the height of the world vertex. With 32u in
-// place of 10.1u the few roundings of the bounds themselves and of their comparison are covered. For |d_i| its greatest
-// is taken. A direction of which each coordinate is off by the slack s adds s times the same sum. Underflow: a product
-// of Rᵀd loses at most 2^-1074, times |x_j|; each of those that make a height as much; and those that make a world
-// vertex, times |d_i| ≤ 2^300.
 namespace {
-
-constexpr double rounding = 0x1p-48;
-constexpr double lost_per_coordinate = 0x1p-1000;
-constexpr double lost_per_height = 0x1p-700;
 
 /// From so many vertices on a walk along edges was measured to be faster than a scan.
 constexpr Index least_walked = 8000;
-
-double spread_of(const Vec3& direction, double slack) { return rounding * largest_magnitude(direction) + slack; }
 
 }  // namespace
 
@@ -202,20 +190,9 @@ double SupportSearch::close_depth(const Vec3& direction, double spread, const Ve
   return (highest - dot(direction, offset_)) + 2 * (spread * offset_magnitude_ + lost_per_height);
 }
 
-/// With M = Σ |R_ij| extent + Σ |t_i|, the depth of a vertex is less than its height by spread · M at most, and the
-/// bound is more than the height of the given vertex by 3 spread · M. As the spread is 32u of the direction, the
-/// roundings of depths, of the bound and of either world vertex add less than 1 spread · M, and those of a height in
-/// the shape's own frame half of one.
-double most_close_rise(const Pose& pose, double extent, const Vec3& direction, double slack) {
-  const Mat3& r = pose.linear;
-  const double stretch = (sum_of_magnitudes(r[0]) + sum_of_magnitudes(r[1])) + sum_of_magnitudes(r[2]);
-  const double most = 8 * spread_of(direction, slack) * (stretch * extent + sum_of_magnitudes(pose.offset));
-  return most + 8 * (lost_per_height + 3 * lost_per_coordinate * extent);
-}
-
 Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vertex, std::span<const Index> own,
                            std::span<Index> found) const {
-  const double spread = spread_of(direction, slack);
+  const double spread = height_spread(direction, slack);
   const double bound = close_depth(direction, spread, vertex);
   const SupportScan along = scan(direction, spread);
   if (trail_.walks) return walked_close(along, bound, own, found);
@@ -224,7 +201,7 @@ Index SupportSearch::close(const Vec3& direction, double slack, const Vec3& vert
 }
 
 double SupportSearch::lower_bound(const Vec3& direction) const {
-  const double spread = spread_of(direction, 0);
+  const double spread = height_spread(direction, 0);
   return (least_depth(scan(direction, spread)) + dot(direction, offset_)) -
          2 * (spread * offset_magnitude_ + lost_per_height);
 }

@@ -77,11 +77,6 @@ class SupportSearch {
 /// Directions for which the bounds of SupportSearch hold.
 [[nodiscard]] bool in_certain_range(const Vec3& direction);
 
-/// `close` finds no vertex that is higher than the given one by more than this, where a height is the product in
-/// doubles with the direction turned into the shape's own frame; `extent` is the greatest magnitude of a coordinate
-/// there.
-[[nodiscard]] double most_close_rise(const Pose& pose, double extent, const Vec3& direction, double slack);
-
 /// Where the search ended.
 struct GjkEnd {
   GjkSimplex simplex;

@@ -5,6 +5,7 @@
 
 #include "narrow/convex/gjk.hpp"
 #include "narrow/exact/feature_pair.hpp"
+#include "narrow/exact/formula_numbers.hpp"
 
 // The nearest points of two features by a formula in doubles, with a proof that they are those of the shapes.
 namespace toccata {
@@ -22,17 +23,6 @@ struct VertexBefore {
 /// would be left without a vertex, or with more than three.
 [[nodiscard]] std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::size_t i,
                                                        const VertexBefore& before);
-
-/// The nearest points of two cores, the radii left aside. Errors are lengths.
-struct FormulaNearest {
-  Vec3 on_a;
-  Vec3 on_b;
-  double point_error = 0;  ///< of either point, less 2^-48 of the greatest coordinate of the shapes
-  Vec3 difference;         ///< on_a − on_b
-  double difference_error = 0;
-  double distance = 0;
-  double distance_error = 0;
-};
 
 /// The vertices of features in the world, in their order.
 struct FeaturePoints {
@@ -62,8 +52,8 @@ class NearestFormula {
 
   /// After `solve`: a positive multiple of the exact difference, and what each of its coordinates may be off by. Where
   /// `close` finds no vertex of A along it and none of B against it, but those of the features, all others are beyond.
-  [[nodiscard]] const Vec3& across() const { return across_; }
-  [[nodiscard]] double slack() const { return slack_; }
+  [[nodiscard]] const Vec3& across() const { return numbers_.across; }
+  [[nodiscard]] double slack() const { return numbers_.slack; }
 
   /// After a proof that failed because a vertex lies just before the plane through the features, as on a face that
   /// rounding has bent: which.
@@ -72,7 +62,7 @@ class NearestFormula {
   [[nodiscard]] const NearestFeatures& features() const { return features_; }
 
   /// After a proof.
-  [[nodiscard]] const FormulaNearest& nearest() const { return nearest_; }
+  [[nodiscard]] const FormulaNearest& nearest() const { return numbers_.nearest; }
 
   /// After a proof: the answer of `distance` for the shapes' radii, if the numbers are good enough for what is promised
   /// of it.
@@ -88,21 +78,12 @@ class NearestFormula {
     const Difference e = edge(i);
     return e.head - e.tail;
   }
-  [[nodiscard]] bool at_vertices();
-  [[nodiscard]] bool on_edge();
-  [[nodiscard]] bool on_plane();
   [[nodiscard]] Sign height_sign(const Difference& vector) const;
 
   const NearestFeatures& features_;
   const FeaturePoints& points_;
-  Vec3 first_;
   std::size_t edges_;
-  FormulaNearest nearest_;
-  // A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its
-  // normal, or the opposite.
-  Vec3 across_;
-  double slack_ = 0;
-  Sign side_ = Sign::positive;
+  FormulaNumbers numbers_;
   std::optional<VertexBefore> before_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
@@ -18,7 +20,7 @@ class WorldFace {
     const Mat3& r = body.pose->linear;
     const Mat3 cofactors{{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])}};
     turn_ = dot(r[0], cofactors[0]) < 0 ? -1 : 1;
-    const Vec3& own = body.parts->sides[face].plane.normal;
+    const Vec3& own = body.parts->sides[face].normal;
     normal_ = turn_ * Vec3{dot(cofactors[0], own), dot(cofactors[1], own), dot(cofactors[2], own)};
   }
 
@@ -229,9 +231,15 @@ class Walk {
   }
 
   void from_vertex(std::size_t of, Index vertex, const Vec3& outward, Descent& best) const {
-    for (const Parts::Spoke& spoke : parts(of).spokes_at(vertex))
-      if (const double slope = dot(outward, spoke.along) * spoke.per_length; slope < best.slope)
-        best = {of, {Kind::edge, parts(of).edge_of(spoke.half_edge)}, slope};
+    const Parts& p = parts(of);
+    const Vec3 start = p.vertex(vertex);
+    for (const Parts::Spoke& spoke : p.spokes_at(vertex)) {
+      const Vec3 way = p.vertex(spoke.vertex) - start;
+      const double falls = dot(outward, way);
+      if (!(falls < 0)) continue;
+      const double slope = falls / plain_length(way);
+      if (slope < best.slope) best = {of, {Kind::edge, p.edge_of(spoke.half_edge)}, slope};
+    }
   }
 
   /// No where every way into a face leads behind it.
@@ -239,11 +247,11 @@ class Walk {
     const Parts& p = parts(of);
     bool falls = false, stays = false;
     for (const Index h : {edge, p.topology.twin[edge]}) {
-      const double slope = dot(outward, p.rims[h].plane.normal);
+      const double slope = dot(outward, p.rims[h].normal);
       if (!(slope < 0)) continue;
       falls = true;
       const Index face = p.topology.face[h];
-      if (!(dot(outward, p.sides[face].plane.normal) < 0)) continue;
+      if (!(dot(outward, p.sides[face].normal) < 0)) continue;
       stays = true;
       if (slope < best.slope) best = {of, {Kind::face, face}, slope};
     }

@@ -17,7 +17,7 @@ struct WalkBody {
   const Pose* pose;
 
   /// In the world.
-  [[nodiscard]] Vec3 vertex(Index i) const { return world_vertex(*pose, parts->vertices[i]); }
+  [[nodiscard]] Vec3 vertex(Index i) const { return world_vertex(*pose, parts->vertex(i)); }
   /// A direction of the world, along which heights are the same in the shape's own frame but for the offset.
   [[nodiscard]] Vec3 own(const Vec3& direction) const {
     const Mat3& r = pose->linear;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -9,25 +10,26 @@
 
 namespace toccata {
 
-/// The planes as the walk reads them. All lengths are in the shape's own frame.
+/// The regions as the walk reads them. What is read of a feature that is looked at for the first time comes from far
+/// away: it is one line of the cache, besides coordinates, which are those of the hull itself. All lengths are in the
+/// shape's own frame.
 struct VoronoiRegions::Parts {
-  /// An edge as its vertex sees it: the way along it, which is the normal of the vertex–edge plane.
+  /// An edge as its vertex sees it.
   struct Spoke {
-    Vec3 along;
-    double per_length = 0;  ///< 1 by its length
+    Index vertex = 0;  ///< its other end
     Index half_edge = 0;
   };
-  /// A half-edge as its face sees it: the edge–face plane; and what shows quickly that no other vertex is low.
-  struct Rim {
-    RegionPlane plane;
-    /// From its start towards the vertex of the face after its end, so much of the way that, with heights measured from
-    /// the plane of the other face at the edge, no vertex is lower that is not in that plane; 0 where nothing is
-    /// certain.
-    Vec3 into{};
-    double per_length = 0;  ///< 1 by the length of the edge
+  /// An edge, with what shows quickly that no other vertex is low.
+  struct alignas(64) Edge {
+    /// In either face, from the start of its half-edge there towards the vertex of the face after its end, so much of
+    /// the way that, with heights measured from the plane of the other face, no vertex is lower that is not in that
+    /// plane; 0 where nothing is certain.
+    std::array<Vec3, 2> into{};
+    double lean = 0;                ///< four times the extent by the length
+    std::array<Index, 2> vertex{};  ///< its ends, ascending
   };
-  struct Side {
-    RegionPlane plane;
+  struct alignas(64) Side {
+    Vec3 normal;  ///< outwards, unit
     /// No vertex that is not of the face lies less far below its plane; 0 where nothing is certain.
     double clearance = 0;
     double error = 0;                 ///< of each coordinate of the normal
@@ -35,32 +37,45 @@ struct VoronoiRegions::Parts {
     Index corner_count = 0;
   };
 
-  std::optional<ConvexHull> hull;  // keeps what the topology refers to
-  const double* stored = nullptr;  // the hull's own coordinates, by which a shape made of it is known
+  std::optional<ConvexHull> hull;  // keeps what the topology and the coordinates refer to
+  std::vector<double> own;         // the coordinates of what is no hull
   HullTopology topology;
   int dimension = 0;
   double extent = 0;  // the greatest magnitude of a coordinate
-  std::vector<Vec3> vertices;
-  std::vector<Index> first_spoke;  // of each vertex, and one more
+  Index vertex_count = 0;
+  std::array<Index, 3> numbers{};        // of vertices, half-edges, faces: those of features are below
+  std::array<const double*, 3> along{};  // coordinates of vertices along each axis
+  std::vector<Index> first_spoke;        // of each vertex, and one more
   std::vector<Spoke> spokes;
-  std::vector<Index> spoke_of;  // each half-edge
-  std::vector<Rim> rims;
+  std::vector<Index> edge_number;  // of each half-edge, where its edge is
+  std::vector<Edge> edges;
+  std::vector<RegionPlane> rims;  // of each half-edge: the edge–face plane
   std::vector<Side> sides;
 
+  [[nodiscard]] Vec3 vertex(Index i) const { return {along[0][i], along[1][i], along[2][i]}; }
   [[nodiscard]] std::span<const Spoke> spokes_at(Index vertex) const {
     return std::span(spokes).subspan(first_spoke[vertex], first_spoke[vertex + 1] - first_spoke[vertex]);
   }
+  /// From the start of a half-edge to its end.
+  [[nodiscard]] Vec3 way(Index half_edge) const {
+    return vertex(topology.target(half_edge)) - vertex(topology.origin[half_edge]);
+  }
+  [[nodiscard]] const Edge& edge(Index half_edge) const { return edges[edge_number[half_edge]]; }
   [[nodiscard]] bool has_faces() const { return dimension >= 2; }
   /// An end, where there are any: not a corner of a triangle that lies between the others.
   [[nodiscard]] Index any_vertex() const { return topology.origin.empty() ? 0 : topology.origin[0]; }
-  [[nodiscard]] Index edge_of(Index half_edge) const {
-    return half_edge < topology.twin[half_edge] ? half_edge : topology.twin[half_edge];
-  }
+  [[nodiscard]] Index edge_of(Index half_edge) const { return std::min(half_edge, topology.twin[half_edge]); }
 };
 
 /// The vertices of a face, in its order.
 [[nodiscard]] inline std::span<const Index> corners_of_face(const HullTopology& t, Index face) {
   return t.origin.subspan(t.face_start[face], t.face_start[face + 1] - t.face_start[face]);
+}
+
+/// There is such a feature, which may be anything.
+[[nodiscard]] inline bool has_feature(const VoronoiRegions::Parts& parts, const ConvexFeature& feature) {
+  const auto kind = static_cast<std::size_t>(feature.kind);
+  return kind < parts.numbers.size() && feature.index < parts.numbers[kind];
 }
 
 /// It is a face of more than three.

@@ -22,8 +22,8 @@ Filtered filtered_along(const Vec3& from, const Vec3& to, const Vec3& p) {
 
 /// On which side of a vertex–edge plane a point lies: positive, ahead of the vertex along the edge.
 Sign side_of_vertex(const Parts& parts, Index half_edge, const Vec3& p) {
-  const Vec3 from = parts.vertices[parts.topology.origin[half_edge]];
-  const Vec3 to = parts.vertices[parts.topology.target(half_edge)];
+  const Vec3 from = parts.vertex(parts.topology.origin[half_edge]);
+  const Vec3 to = parts.vertex(parts.topology.target(half_edge));
   const Filtered along = filtered_along(from, to, p);
   if (along.is_positive()) return Sign::positive;
   if (along.is_negative()) return Sign::negative;
@@ -40,8 +40,8 @@ double magnitude_of_product(const Vec3& u, const Vec3& v) {
 /// f) e turned as e and f turn.
 Sign side_of_edge(const Parts& parts, Index half_edge, const Vec3& p) {
   const HullTopology& t = parts.topology;
-  const Vec3 from = parts.vertices[t.origin[half_edge]], to = parts.vertices[t.target(half_edge)];
-  const Vec3 third = parts.vertices[t.target(t.next(half_edge))];
+  const Vec3 from = parts.vertex(t.origin[half_edge]), to = parts.vertex(t.target(half_edge));
+  const Vec3 third = parts.vertex(t.target(t.next(half_edge)));
   const Vec3 e = to - from, f = third - from, q = p - from;
   const double value = dot(e, e) * dot(f, q) - dot(e, f) * dot(e, q);
   const double magnitude =
@@ -59,7 +59,7 @@ Sign side_of_edge(const Parts& parts, Index half_edge, const Vec3& p) {
 Sign side_of_face(const Parts& parts, Index face, const Vec3& p) {
   const HullTopology& t = parts.topology;
   const Index h = t.face_start[face];
-  const auto corner = [&](Index half_edge) { return parts.vertices[t.origin[half_edge]]; };
+  const auto corner = [&](Index half_edge) { return parts.vertex(t.origin[half_edge]); };
   return orient3d(corner(h), corner(h + 1), corner(h + 2), p);
 }
 

@@ -31,9 +31,8 @@ FaceNormal face_normal(const Parts& parts, Index face) {
   const HullTopology& t = parts.topology;
   FaceNormal best{{}, std::numeric_limits<double>::infinity()};
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h) {
-    const Vec3 corner = parts.vertices[t.target(h)];
-    const Vec3 from = corner - parts.vertices[t.origin[h]], to = parts.vertices[t.target(t.next(h))] - corner;
-    const Vec3 unit_from = unit_or_zero(from), unit_to = unit_or_zero(to), normal = cross(unit_from, unit_to);
+    const Vec3 unit_from = unit_or_zero(parts.way(h)), unit_to = unit_or_zero(parts.way(t.next(h)));
+    const Vec3 normal = cross(unit_from, unit_to);
     const double sine = plain_length(normal), error = 0x1p-49 / sine + 0x1p-50;
     if (error < best.error) best = {unit_or_zero(normal), error};
   }
@@ -42,16 +41,14 @@ FaceNormal face_normal(const Parts& parts, Index face) {
 
 void add_spokes(Parts& parts) {
   const HullTopology& t = parts.topology;
-  parts.first_spoke.assign(parts.vertices.size() + 1, 0);
-  parts.spoke_of.resize(t.origin.size());
-  for (Index v = 0; v < parts.vertices.size(); ++v) {
+  parts.first_spoke.assign(parts.vertex_count + 1, 0);
+  parts.spokes.reserve(t.origin.size());
+  for (Index v = 0; v < parts.vertex_count; ++v) {
     parts.first_spoke[v + 1] = static_cast<Index>(parts.spokes.size());
     if (t.origin.empty() || t.origin[t.leaving[v]] != v) continue;  // a corner that is none
     Index h = t.leaving[v];
     do {
-      const Vec3 along = parts.vertices[t.target(h)] - parts.vertices[v];
-      parts.spoke_of[h] = static_cast<Index>(parts.spokes.size());
-      parts.spokes.push_back({along, 1 / dot(unit_or_zero(along), along), h});
+      parts.spokes.push_back({t.target(h), h});
       h = t.next(t.twin[h]);
     } while (h != t.leaving[v]);
     parts.first_spoke[v + 1] = static_cast<Index>(parts.spokes.size());
@@ -65,71 +62,92 @@ bool is_of_face(const HullTopology& t, Index vertex, Index face) {
 
 /// The least depth below the plane of a face that a vertex has which is not of the face. Vertices down to any depth
 /// hang together by edges, so it is a neighbour of the face.
-double least_depth(const Parts& parts, Index face, const FaceNormal& normal) {
+double least_depth(const Parts& parts, Index face, const Vec3& normal) {
   const HullTopology& t = parts.topology;
   double least = std::numeric_limits<double>::infinity();
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h)
-    for (const Parts::Spoke& spoke : parts.spokes_at(t.origin[h])) {
-      if (is_of_face(t, t.target(spoke.half_edge), face)) continue;
-      const Vec3 along = parts.vertices[t.target(spoke.half_edge)] - parts.vertices[t.origin[h]];
-      least = std::min(least, -dot(normal.unit, along));
-    }
+    for (const Parts::Spoke& spoke : parts.spokes_at(t.origin[h]))
+      if (!is_of_face(t, spoke.vertex, face)) least = std::min(least, -dot(normal, parts.way(spoke.half_edge)));
   return least;
 }
 
-void add_sides(Parts& parts, const std::vector<FaceNormal>& normals) {
-  const HullTopology& t = parts.topology;
-  for (Index f = 0; f < t.face_count(); ++f) {
-    const RegionPlane plane = plane_through(normals[f].unit, parts.vertices[t.origin[t.face_start[f]]]);
-    const double depth = parts.dimension == 3 ? least_depth(parts, f, normals[f]) : 0;
-    const double certain = depth - 8 * normals[f].error * parts.extent;
-    const double clearance = certain > 0 && normals[f].error < 0x1p-30 ? certain : 0;
-    const auto corners = corners_of_face(t, f);
-    std::array<Index, 3> triangle{};
-    if (corners.size() == 3) std::ranges::partial_sort_copy(corners, triangle);
-    parts.sides.push_back({plane, clearance, normals[f].error, triangle, static_cast<Index>(corners.size())});
-  }
+Parts::Side side_of(const Parts& parts, Index face) {
+  const FaceNormal normal = face_normal(parts, face);
+  const double depth = parts.dimension == 3 ? least_depth(parts, face, normal.unit) : 0;
+  const double certain = depth - 8 * normal.error * parts.extent;
+  const double clearance = certain > 0 && normal.error < 0x1p-30 ? certain : 0;
+  const auto corners = corners_of_face(parts.topology, face);
+  std::array<Index, 3> triangle{};
+  if (corners.size() == 3) std::ranges::partial_sort_copy(corners, triangle);
+  return {normal.unit, clearance, normal.error, triangle, static_cast<Index>(corners.size())};
 }
 
-void add_rims(Parts& parts, const std::vector<FaceNormal>& normals) {
+/// From the start of a half-edge into its face: see `Edge::into`.
+Vec3 way_into(const Parts& parts, Index half_edge) {
   const HullTopology& t = parts.topology;
+  const Parts::Side& beyond = parts.sides[t.face[t.twin[half_edge]]];
+  const Vec3 into = parts.vertex(t.target(t.next(half_edge))) - parts.vertex(t.origin[half_edge]);
+  const double height = -dot(beyond.normal, into) + 8 * beyond.error * parts.extent;
+  return ((1 - 0x1p-40) * (beyond.clearance / height)) * into;
+}
+
+void add_edges(Parts& parts) {
+  const HullTopology& t = parts.topology;
+  parts.edge_number.resize(t.origin.size());
+  parts.edges.reserve(t.origin.size() / 2);
   for (Index h = 0; h < t.origin.size(); ++h) {
-    const Parts::Spoke& spoke = parts.spokes[parts.spoke_of[h]];
-    const Vec3 start = parts.vertices[t.origin[h]], unit = unit_or_zero(spoke.along);
-    Parts::Rim rim{plane_through(unit_or_zero(cross(normals[t.face[h]].unit, unit)), start), {}, spoke.per_length};
-    if (parts.dimension == 3) {
-      const Index beyond = t.face[t.twin[h]];
-      const Vec3 into = parts.vertices[t.target(t.next(h))] - start;
-      const double height = -dot(normals[beyond].unit, into) + 8 * normals[beyond].error * parts.extent;
-      rim.into = ((1 - 0x1p-40) * (parts.sides[beyond].clearance / height)) * into;
-    }
-    parts.rims.push_back(rim);
+    const Index twin = t.twin[h];
+    if (twin < h) continue;
+    parts.edge_number[h] = parts.edge_number[twin] = static_cast<Index>(parts.edges.size());
+    const Vec3 way = parts.way(h);
+    const auto [least, greatest] = std::minmax({t.origin[h], t.target(h)});
+    Parts::Edge edge{{}, 4 * parts.extent / dot(unit_or_zero(way), way), {least, greatest}};
+    if (parts.dimension == 3) edge.into = {way_into(parts, h), way_into(parts, twin)};
+    parts.edges.push_back(edge);
   }
 }
 
-std::shared_ptr<const Parts> parts_of(std::vector<Vec3> vertices, const HullTopology& topology,
+void add_rims(Parts& parts) {
+  const HullTopology& t = parts.topology;
+  parts.rims.reserve(t.origin.size());
+  for (Index h = 0; h < t.origin.size(); ++h) {
+    const Vec3 into = cross(parts.sides[t.face[h]].normal, unit_or_zero(parts.way(h)));
+    parts.rims.push_back(plane_through(unit_or_zero(into), parts.vertex(t.origin[h])));
+  }
+}
+
+/// Of a hull the coordinates are its own.
+void add_vertices(Parts& parts, const std::vector<Vec3>& vertices) {
+  if (parts.hull) {
+    parts.vertex_count = parts.hull->vertex_count();
+    for (int axis = 0; axis < 3; ++axis)
+      parts.along[static_cast<std::size_t>(axis)] = parts.hull->padded_coordinates(axis).data();
+    parts.extent = parts.hull->largest_coordinate();
+    return;
+  }
+  parts.vertex_count = static_cast<Index>(vertices.size());
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Vec3& v : vertices) parts.own.push_back(v[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) parts.along[axis] = parts.own.data() + axis * vertices.size();
+  for (const Vec3& v : vertices) parts.extent = std::max(parts.extent, largest_magnitude(v));
+}
+
+std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const HullTopology& topology,
                                       std::optional<ConvexHull> hull = {}) {
-  Parts parts;
-  parts.hull = std::move(hull);
-  if (parts.hull) parts.stored = parts.hull->padded_coordinates(0).data();
-  parts.topology = topology;
-  parts.dimension = dimension_of(topology);
-  parts.vertices = std::move(vertices);
-  for (const Vec3& v : parts.vertices) parts.extent = std::max(parts.extent, largest_magnitude(v));
-  add_spokes(parts);
-  if (parts.has_faces()) {
-    std::vector<FaceNormal> normals;
-    for (Index f = 0; f < topology.face_count(); ++f) normals.push_back(face_normal(parts, f));
-    add_sides(parts, normals);
-    add_rims(parts, normals);
+  const auto parts = std::make_shared<Parts>();
+  parts->hull = std::move(hull);
+  parts->topology = topology;
+  parts->dimension = dimension_of(topology);
+  add_vertices(*parts, vertices);
+  add_spokes(*parts);
+  if (parts->has_faces()) {
+    for (Index f = 0; f < topology.face_count(); ++f) parts->sides.push_back(side_of(*parts, f));
+    add_rims(*parts);
   }
-  return std::make_shared<const Parts>(std::move(parts));
-}
-
-std::vector<Vec3> vertices_of(const ConvexHull& hull) {
-  std::vector<Vec3> vertices;
-  for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
-  return vertices;
+  add_edges(*parts);
+  parts->numbers = {parts->vertex_count, static_cast<Index>(topology.origin.size()),
+                    static_cast<Index>(parts->sides.size())};
+  return parts;
 }
 
 std::vector<Vec3> corners_of(const Box& box) {
@@ -151,20 +169,21 @@ VoronoiRegions::VoronoiRegions(const Triangle& shape)
 
 VoronoiRegions::VoronoiRegions(const Box& shape) : parts_(parts_of(corners_of(shape), box_topology())) {}
 
-VoronoiRegions::VoronoiRegions(const ConvexHull& shape)
-    : parts_(parts_of(vertices_of(shape), shape.topology(), shape)) {}
+VoronoiRegions::VoronoiRegions(const ConvexHull& shape) : parts_(parts_of({}, shape.topology(), shape)) {}
 
 int VoronoiRegions::dimension() const { return parts_->dimension; }
 const HullTopology& VoronoiRegions::topology() const { return parts_->topology; }
-Index VoronoiRegions::vertex_count() const { return static_cast<Index>(parts_->vertices.size()); }
-Vec3 VoronoiRegions::vertex(Index i) const { return parts_->vertices[i]; }
+Index VoronoiRegions::vertex_count() const { return parts_->vertex_count; }
+Vec3 VoronoiRegions::vertex(Index i) const { return parts_->vertex(i); }
 
 RegionPlane VoronoiRegions::vertex_edge_plane(Index half_edge) const {
-  const Vec3 unit = unit_or_zero(parts_->spokes[parts_->spoke_of[half_edge]].along);
-  return plane_through(unit, parts_->vertices[parts_->topology.origin[half_edge]]);
+  return plane_through(unit_or_zero(parts_->way(half_edge)), parts_->vertex(parts_->topology.origin[half_edge]));
 }
-RegionPlane VoronoiRegions::edge_face_plane(Index half_edge) const { return parts_->rims[half_edge].plane; }
-RegionPlane VoronoiRegions::face_plane(Index face) const { return parts_->sides[face].plane; }
+RegionPlane VoronoiRegions::edge_face_plane(Index half_edge) const { return parts_->rims[half_edge]; }
+RegionPlane VoronoiRegions::face_plane(Index face) const {
+  const HullTopology& t = parts_->topology;
+  return plane_through(parts_->sides[face].normal, parts_->vertex(t.origin[t.face_start[face]]));
+}
 
 std::vector<ConvexFeature> VoronoiRegions::features() const {
   using Kind = ConvexFeature::Kind;
@@ -202,9 +221,9 @@ std::vector<RegionBound> VoronoiRegions::bounds(const ConvexFeature& feature) co
 
 std::size_t VoronoiRegions::memory() const {
   const Parts& p = *parts_;
-  return sizeof(Parts) + p.vertices.size() * sizeof(Vec3) + p.spokes.size() * sizeof(Parts::Spoke) +
-         (p.first_spoke.size() + p.spoke_of.size()) * sizeof(Index) + p.rims.size() * sizeof(Parts::Rim) +
-         p.sides.size() * sizeof(Parts::Side);
+  return sizeof(Parts) + p.own.size() * sizeof(double) + p.spokes.size() * sizeof(Parts::Spoke) +
+         (p.first_spoke.size() + p.edge_number.size()) * sizeof(Index) + p.edges.size() * sizeof(Parts::Edge) +
+         p.rims.size() * sizeof(RegionPlane) + p.sides.size() * sizeof(Parts::Side);
 }
 
 }  // namespace toccata
