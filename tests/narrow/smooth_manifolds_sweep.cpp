@@ -19,6 +19,20 @@ bool is_flipped(const Manifold& m, const Manifold& other) {
   return true;
 }
 
+bool is_same(const PlacedSmooth& a, const PlacedSmooth& b) {
+  return a.shape.index() == b.shape.index() && posed(a).half() == posed(b).half() &&
+         a.pose.numbers() == b.pose.numbers();
+}
+bool is_same(const PlacedSmooth&, const PlacedConvex&) { return false; }
+
+bool is_equal(const Manifold& m, const Manifold& other) {
+  const auto same = [](const ManifoldPoint& p, const ManifoldPoint& q) {
+    return p.position == q.position && p.depth == q.depth && p.on_a == q.on_a && p.on_b == q.on_b;
+  };
+  return m.count == other.count && m.normal == other.normal &&
+         std::equal(m.points.begin(), m.points.begin() + m.count, other.points.begin(), same);
+}
+
 /// From the middle of A: that of the pair.
 double reach_of(const oracle::FineSet& a, const oracle::FineSet& b) {
   double largest = b.radius.convert_to<double>();
@@ -69,7 +83,8 @@ std::string check_manifold(const SmoothCase& pair, const B& placed_b, bool with_
   const Manifold m = manifold(a, b);
   const SmoothContact contact = smooth_contact(a, b);
   if ((m.count > 0) != (contact != SmoothContact::apart)) return "there, or not";
-  if (!is_flipped(m, manifold(b, a))) return "exchanged";
+  const Manifold exchanged = manifold(b, a);
+  if (!(is_same(pair.a, placed_b) ? is_equal(m, exchanged) : is_flipped(m, exchanged))) return "exchanged";
   if (m.count == 0) return "";
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i)
     if (!is_known_feature(m.points[i].on_a, pair.a) || !is_known_feature(m.points[i].on_b, placed_b)) return "features";

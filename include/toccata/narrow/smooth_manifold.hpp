@@ -24,7 +24,8 @@ namespace toccata {
 //   cone       face 0 the cap, 1 the side; edges 0 to 3 the quarters of the rim; vertex 0 the tip
 //   ellipsoid  face 0
 //
-// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit.
+// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit. Of two equal shapes at
+// one place both orders are the same question, and have the same answer.
 [[nodiscard]] Manifold manifold(const PosedSmooth& a, const PosedSmooth& b);
 [[nodiscard]] Manifold manifold(const PosedSmooth& a, const PosedConvex& b);
 [[nodiscard]] Manifold manifold(const PosedConvex& a, const PosedSmooth& b);

@@ -47,6 +47,21 @@ SmoothBody SmoothBody::moved(const BoundedVector& by) const {
   return result;
 }
 
+SmoothBody SmoothBody::made_smaller(double part) const {
+  SmoothBody result = *this;
+  const BoundedNumber left = exactly(1.0) - exactly(part);
+  for (Index i = 0; i < count_; ++i) {
+    result.centre_[i] = middle_ + left * (centre_[i] - middle_);
+    result.plain_centre_[i] = plain(result.centre_[i]);
+  }
+  for (std::size_t j = 0; j < columns_; ++j) {
+    result.column_[j] = left * column_[j];
+    result.plain_column_[j] = plain(result.column_[j]);
+  }
+  for (BoundedVector& axis : result.axes_) axis = left * axis;
+  return result;
+}
+
 Mat3 SmoothBody::roundness() const {
   const Vec3 x = plain(axes_[0]), y = plain(axes_[1]), z = plain(axes_[2]);
   const Vec3 normal = cross(y, z);

@@ -21,6 +21,8 @@ class SmoothBody : public PlainBody {
   [[nodiscard]] const std::array<BoundedVector, 3>& axes() const { return axes_; }
   /// The body of a smooth shape, moved.
   [[nodiscard]] SmoothBody moved(const BoundedVector& by) const;
+  /// The body of a smooth shape, made smaller around its middle by a part of its size.
+  [[nodiscard]] SmoothBody made_smaller(double part) const;
   /// Of a smooth shape: the map that makes it as long as it is wide, rounded.
   [[nodiscard]] Mat3 roundness() const;
   [[nodiscard]] const BoundedVector& middle_point() const { return middle_; }

@@ -66,17 +66,22 @@ void clip_by_polygon(Clip& clip, const ContactPatch& polygon, const Vec3& p, con
     clip.take_off(beyond(polygon, i, p), beyond(polygon, i, q), polygon.corners[i].to_next);
 }
 
+/// Of the part of the way that is the nearest to the disc's middle, where the disc's units are the finest: what is far
+/// from a slim disc would lose all digits of where the way enters it.
 void clip_by_disc(Clip& clip, const ContactPatch& disc, const Vec3& p, const Vec3& q) {
-  const Vec3 u = disc.on_unit_disc(p), way = disc.on_unit_disc(q) - u;
-  const double a = flat_dot(way, way), b = flat_dot(u, way), c = flat_dot(u, u) - 1;
-  const double squared = b * b - a * c;
+  const Vec3 along = q - p, from_p = disc.on_unit_disc(p), way = disc.on_unit_disc(q) - from_p;
+  const double a = flat_dot(way, way);
+  double amid = a > 0 ? -flat_dot(from_p, way) / a : 0;
+  const Vec3 u = disc.on_unit_disc(p + amid * along);
+  const double b = flat_dot(u, way), c = flat_dot(u, u) - 1, squared = b * b - a * c;
   if (!(a > 0) || !(squared >= 0)) {
     if (!(a == 0 && c <= 0)) clip.to = -1;
     return;
   }
-  const double root = std::sqrt(squared), from = (-b - root) / a, to = (-b + root) / a;
-  clip.begin(from, disc.rim_at(u + from * way));
-  clip.end(to, disc.rim_at(u + to * way));
+  amid -= b / a;
+  const double half = std::sqrt(squared) / a;
+  clip.begin(amid - half, disc.rim_at(disc.on_unit_disc(p + (amid - half) * along)));
+  clip.end(amid + half, disc.rim_at(disc.on_unit_disc(p + (amid + half) * along)));
 }
 
 /// Between the planes across the ends of a line along it; of others nothing.

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "math/vec3_measures.hpp"
-#include "toccata/math/trigonometry.hpp"
+#include "narrow/smooth/distance/smooth_polish.hpp"
 
 namespace toccata {
 namespace {
@@ -17,8 +16,9 @@ namespace {
 /// out a step turns the normal more, from nearer the points are told more finely.
 constexpr std::array<double, 4> gaps_between{0x1p-2, 0x1p-6, 0x1p-12, 0x1p-20};
 
-/// The nearest points lie across from each other, but for this.
+/// The nearest points lie across from each other, but for this; and almost.
 constexpr double rounding_across = 0x1p-44;
+constexpr double almost_across = 0x1p-8;
 
 /// A direction that is no worse, but for this, is another one.
 constexpr double rounding_along = 0x1p-46;
@@ -31,52 +31,45 @@ double depth_along(const SmoothBody& a, const SmoothBody& b, const Vec3& normal)
   return -gap_along<BoundedNumber>(a, b, fine(-normal));
 }
 
+/// From A to B, where the direction leads from B to A.
+Vec3 normal_of(const FineDirection& direction) {
+  return -unit_or_zero({direction[0].high, direction[1].high, direction[2].high});
+}
+
 /// The bodies moved apart along the normal, and no farther than by the gap.
 SmoothNearest nearest_when_parted(const SmoothBody& a, const SmoothBody& b, const Vec3& way) {
   return nearest_of(a.moved(exactly(-way)), b, SmoothQuestion::distance);
 }
 
-/// Of bodies that hardly meet, the direction along which they overlap the least, or nearly so: A − B has a surface at
-/// the origin, and no inside from which to look for it.
+/// Of bodies that hardly meet, a direction along which they overlap hardly at all: A − B has a surface at the origin,
+/// and no inside from which to look for it. But A made smaller by a part ε of its size, around its middle, is apart
+/// from B, and has a proved direction to the nearest point d. With heights h seen from the middle, A and B overlap along
+/// d by no more than ε (h(d) − h(n)), where n is a direction along which they do not: the less the smaller ε is, and
+/// the nearer d comes to n.
 class TouchingPair {
  public:
-  TouchingPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b), polish_(a, b) {}
+  TouchingPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
 
   /// The cheap guesses come first: where one shows that they no more than touch, none is better.
   SmoothParting least() {
-    along_axes([&](const Vec3& d) { take(d); });
-    if (is_touching()) return best_;
-    SmoothSearch search(a_, b_, plain(a_.middle_point()) - plain(b_.middle_point()));
-    search.run(0);
-    polish(-search.best_direction());
-    if (is_touching()) return best_;
-    along_axes([&](const Vec3& d) { polish(d); });
-    polish_best_of_spiral();
+    take_axes();
+    for (const double part : parts_made_smaller) {
+      if (best_.depth <= rounding_along) break;
+      const SmoothNearest near = nearest_of(a_.made_smaller(part), b_, SmoothQuestion::distance);
+      if (near.contact == SmoothContact::apart) take(normal_of(near.direction));
+    }
     return best_;
   }
 
  private:
-  [[nodiscard]] bool is_touching() const { return best_.depth <= rounding_along; }
+  static constexpr std::array<double, 5> parts_made_smaller{0x1p-4, 0x1p-10, 0x1p-18, 0x1p-26, 0x1p-34};
 
   /// Those of the smooth shapes, and against them.
-  template <class Visit>
-  void along_axes(const Visit& visit) const {
+  void take_axes() {
     for (const SmoothBody* body : {&a_, &b_})
       if (body->smooth_kind())
         for (const BoundedVector& axis : body->axes())
-          for (const double sign : {1.0, -1.0}) visit(unit_or_zero(sign * plain(axis)));
-  }
-
-  /// From a direction and from where Newton's method leads from there.
-  void polish(const Vec3& direction) {
-    const Vec3 d = unit_or_zero(direction);
-    if (d == Vec3{}) return;
-    take(d);
-    const std::array<SmoothSearch::Corner, 1> corner{SmoothSearch::Corner{a_.support(d), b_.support(-d), 1}};
-    polish_.begin(corner, -d, SmoothPolish::Attempt::first);
-    if (!polish_.settle()) return;
-    const FineDirection& found = polish_.direction();
-    take(-unit_or_zero({found[0].high, found[1].high, found[2].high}));
+          for (const double sign : {1.0, -1.0}) take(unit_or_zero(sign * plain(axis)));
   }
 
   void take(const Vec3& d) {
@@ -85,25 +78,8 @@ class TouchingPair {
     if (depth < best_.depth) best_ = {d, depth, a_.support(d).point, b_.support(-d).point};
   }
 
-  /// From the best of directions all over the sphere, on a spiral of the golden angle.
-  void polish_best_of_spiral() {
-    constexpr int count = 128;
-    std::array<std::pair<double, Vec3>, count> found;
-    for (int i = 0; i < count; ++i) {
-      const double z = 1 - (2 * i + 1.0) / count, across = std::sqrt(1 - z * z);
-      const SineCosine turn = sine_cosine_of_turns(0.3819660112501051 * i);
-      const Vec3 d{across * turn.cosine, across * turn.sine, z};
-      found[static_cast<std::size_t>(i)] = {dot(d, a_.support(d).point - b_.support(-d).point), d};
-    }
-    constexpr std::size_t tried = 6;
-    std::partial_sort(found.begin(), found.begin() + tried, found.end(),
-                      [](const auto& f, const auto& g) { return f.first < g.first; });
-    for (std::size_t i = 0; i < tried; ++i) polish(found[i].second);
-  }
-
   const SmoothBody& a_;
   const SmoothBody& b_;
-  SmoothPolish polish_;
   SmoothParting best_{{}, HUGE_VAL, {}, {}};
 };
 
@@ -111,6 +87,29 @@ SmoothParting first_parting(const SmoothBody& a, const SmoothBody& b, const Smoo
   if (met.contact != SmoothContact::contact) return TouchingPair(a, b).least();
   const Penetration least = least_depth(a, b);
   return {least.direction, least.upper, least.on_a, least.on_b};
+}
+
+/// Across the normal.
+double aside(const Vec3& v, const Vec3& normal) { return plain_length(v - dot(v, normal) * normal); }
+
+/// By Newton's method, from farthest points that lie almost across from each other: of round places, which have no
+/// others as far. False where it does not find the very points.
+bool is_polished(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b) {
+  const Vec3& d = parting.normal;
+  if (!(aside(parting.on_a - parting.on_b, d) <= almost_across)) return false;
+  const std::array<SmoothSearch::Corner, 1> corner{SmoothSearch::Corner{a.support(d), b.support(-d), 1}};
+  SmoothPolish polish(a, b);
+  polish.begin(corner, -d, SmoothPolish::Attempt::first);
+  if (!polish.settle()) return false;
+  const Vec3 normal = normal_of(polish.direction());
+  const double depth = depth_along(a, b, normal);
+  if (!(depth < parting.depth + rounding_along)) return false;
+  const Vec3 on_a = plain(point_of<BoundedNumber>(a, polish.on_a())),
+             on_b = plain(point_of<BoundedNumber>(b, polish.on_b()));
+  const Vec3 overlap = on_a - on_b;
+  if (!(aside(overlap, normal) <= rounding_across && dot(overlap, normal) >= depth - rounding_across)) return false;
+  parting = {normal, depth, on_a, on_b};
+  return true;
 }
 
 enum class Step : std::uint8_t { none, another, last };
@@ -121,9 +120,8 @@ Step take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b,
   if (near.contact != SmoothContact::apart) return Step::none;
   parting.on_a = near.on_a + way;
   parting.on_b = near.on_b;
-  const Vec3 between = near.on_b - near.on_a;
-  if (plain_length(between - dot(between, parting.normal) * parting.normal) <= rounding_across) return Step::last;
-  const Vec3 normal = -unit_or_zero({near.direction[0].high, near.direction[1].high, near.direction[2].high});
+  if (aside(near.on_b - near.on_a, parting.normal) <= rounding_across) return Step::last;
+  const Vec3 normal = normal_of(near.direction);
   const double depth = depth_along(a, b, normal);
   if (!(depth < parting.depth + rounding_along)) return Step::none;
   parting.normal = normal;
@@ -137,6 +135,7 @@ Step take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b,
 // direction of w they are parted no later. So each step shortens the way, until w lies along the normal.
 SmoothParting parting_of(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
   SmoothParting parting = first_parting(a, b, met);
+  if (is_polished(parting, a, b)) return parting;
   for (const double gap : gaps_between)
     for (int step = 0; step < most_steps; ++step)
       if (const Step taken = take_step(parting, a, b, gap); taken == Step::none)

@@ -6,6 +6,7 @@
 #include "narrow/smooth/distance/common_point.hpp"
 #include "narrow/smooth/distance/fine_search.hpp"
 #include "narrow/smooth/distance/parting_plane.hpp"
+#include "narrow/smooth/distance/simplex_around.hpp"
 #include "narrow/smooth/exact_place.hpp"
 
 namespace toccata {
@@ -135,6 +136,7 @@ class NearestSearch {
                         of_a = point_of<BoundedNumber>(a_, joined(true, search));
     if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
       return met_around(corner, of_b);
+    if (is_surrounded(a_, b_, {corner.data(), count})) return met(of_b);
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
       if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
