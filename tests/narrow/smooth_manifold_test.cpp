@@ -156,6 +156,64 @@ TEST(SmoothManifold, OfARimOnAnEdgeIsOnePoint) {
   EXPECT_EQ(m.points[0].on_b.kind, FeatureKind::edge);
 }
 
+// A needle that stands, a little askew, on an edge a million times as long as its cap is wide.
+TEST(SmoothManifold, OfAnEdgeAcrossASlimCapIsOnBoth) {
+  Random random(11);
+  for (int i = 0; i < 40; ++i) {
+    const double radius = random.between(1e-6, 4e-6), depth = std::pow(10.0, random.between(-9, -7));
+    const Mat3 askew = rotation_about(smooth_direction(random), random.between(0.1, 1));
+    const PlacedSmooth needle{Cylinder(radius, 1), {askew, {}}};
+    const oracle::FineSet at_origin = fine_set(needle);
+    const double lowest = oracle::farthest(at_origin, fine_of({0, 0, -1})).z.convert_to<double>();
+    const PlacedConvex roof{Box({1, 2, 1}),
+                            {rotation_about({0, 1, 0}, 45),
+                             {random.between(-1, 1) * radius, random.between(-1, 1), lowest + depth - std::sqrt(2.0)}}};
+    const Vec3 below = transform(needle.pose, {0, 0, -1});
+    PlacedConvex moved = roof;
+    moved.pose.offset = roof.pose.offset + Vec3{below.x, below.y, 0};
+    const Manifold m = manifold(posed(needle), posed(moved));
+    if (m.count == 0) continue;
+    EXPECT_EQ(smooth_manifold_fault(m, at_origin, fine_set(moved), 3), "") << i;
+  }
+}
+
+// The tip is a point of the other one's base; behind it the cones go through each other.
+TEST(SmoothManifold, OfATipThatTouchesABaseFromWithinIsDeep) {
+  const PlacedSmooth upright{Cone(3, 3), {}}, hanging{Cone(1, 3), {rotation_about({1, 0, 0}, 180), {-2, 2, 0}}};
+  EXPECT_EQ(smooth_contact(posed(upright), posed(hanging)), SmoothContact::contact);
+  const Manifold m = manifold(posed(upright), posed(hanging));
+  ASSERT_EQ(m.count, 1);
+  EXPECT_NEAR(m.points[0].depth, (3 - std::sqrt(8)) * 2 / std::sqrt(5), 1e-13);
+  EXPECT_EQ(smooth_manifold_fault(m, fine_set(upright), fine_set(hanging), 3), "");
+}
+
+// The side of a cone 3 wide and 4 high leans by 3 : 4; a crate lies on it.
+TEST(SmoothManifold, OfSlopesThatTouchHasTheirNormal) {
+  const PosedSmooth cone(Cone(3, 2));
+  const Mat3 sloped{{Vec3{0.6, 0, 0.8}, Vec3{0, 1, 0}, Vec3{-0.8, 0, 0.6}}};
+  const Manifold on_side = manifold(cone, PosedConvex(Box({1, 1, 1}), {sloped, {1.5 + 0.8, 0, 0.6}}));
+  ASSERT_EQ(on_side.count, 2);
+  EXPECT_NEAR(dot(on_side.normal, Vec3{0.8, 0, 0.6}), 1, 1e-15);
+  EXPECT_NEAR(on_side.points[0].depth, 0, 1e-15);
+  const PosedSmooth other(Cone(3, 2), {rotation_about({1, 0, 0}, 180), {3, 0, 0}});
+  const Manifold of_lines = manifold(cone, other);
+  ASSERT_EQ(of_lines.count, 2);
+  EXPECT_NEAR(dot(of_lines.normal, Vec3{0.8, 0, 0.6}), 1, 1e-15);
+}
+
+// Both orders are one question: nothing tells A from B.
+TEST(SmoothManifold, OfEqualShapesAtOnePlaceIsOneAnswer) {
+  for (const SmoothShape& shape :
+       {SmoothShape(Cylinder(3, 2)), SmoothShape(Cone(1, 2)), SmoothShape(Ellipsoid({1, 2, 3}))}) {
+    const PlacedSmooth placed{shape, placed_at(1, 2, 3)};
+    const Manifold m = manifold(posed(placed), posed(placed));
+    EXPECT_EQ(smooth_manifold_fault(m, fine_set(placed), fine_set(placed), 3), "");
+    const Manifold again = manifold(posed(placed), posed(placed));
+    EXPECT_EQ(m.normal, again.normal);
+    EXPECT_EQ(sorted_positions(m), sorted_positions(again));
+  }
+}
+
 TEST(SmoothManifold, HoldsForAffineImages) {
   Pose sheared = placed_at(0.25, 0, 1);
   sheared.linear[0] = {1.5, 0, 0.5};

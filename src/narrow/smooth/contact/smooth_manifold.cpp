@@ -8,6 +8,7 @@
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/smooth/contact/patch_overlap.hpp"
 #include "narrow/smooth/contact/smooth_parting.hpp"
+#include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/smooth_order.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 
@@ -151,14 +152,19 @@ ContactPatch patch_of_second(const PosedConvex& shape, const SmoothBody&, const 
   return patch_of(scaled, frame.factor * frame.origin, contact.at, -1, touching, memory);
 }
 
+/// Of what the longer way leaves undecided, that may have a quick proof of its own.
+template <class B>
+bool is_quickly_apart(const PosedSmooth& a, const B& b, const PairFrame& frame) {
+  return is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart();
+}
+
 template <class B>
 Manifold manifold_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
   const SmoothNearest met = nearest_of(body_a, body_b, SmoothQuestion::meeting);
   if (met.contact == SmoothContact::apart) return {};
-  // Of what is undecided here, that may have a quick proof of its own.
-  if (met.contact == SmoothContact::undecided && smooth_contact(a, b) == SmoothContact::apart) return {};
+  if (met.contact == SmoothContact::undecided && is_quickly_apart(a, b, frame)) return {};
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const SmoothParting parting = parting_of(body_a, body_b, met);

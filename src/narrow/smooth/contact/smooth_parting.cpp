@@ -43,9 +43,9 @@ SmoothNearest nearest_when_parted(const SmoothBody& a, const SmoothBody& b, cons
 
 /// Of bodies that hardly meet, a direction along which they overlap hardly at all: A − B has a surface at the origin,
 /// and no inside from which to look for it. But A made smaller by a part ε of its size, around its middle, is apart
-/// from B, and has a proved direction to the nearest point d. With heights h seen from the middle, A and B overlap along
-/// d by no more than ε (h(d) − h(n)), where n is a direction along which they do not: the less the smaller ε is, and
-/// the nearer d comes to n.
+/// from B, and has a proved direction to the nearest point d. With heights h seen from the middle, A and B overlap
+/// along d by no more than ε (h(d) − h(n)), where n is a direction along which they do not: the less the smaller ε is,
+/// and the nearer d comes to n.
 class TouchingPair {
  public:
   TouchingPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}

@@ -35,8 +35,7 @@ class DoublePyramid {
     // Farthest points are in the order of their directions.
     for (const Vec3& d : {x, y, -x, -y}) ring_[size_++] = farthest(d);
     size_ = static_cast<std::size_t>(
-        std::unique(ring_.begin(), ring_.end(),
-                    [](const Corner& p, const Corner& q) { return point(p) == point(q); }) -
+        std::unique(ring_.begin(), ring_.end(), [](const Corner& p, const Corner& q) { return point(p) == point(q); }) -
         ring_.begin());
     if (size_ > 1 && point(ring_[size_ - 1]) == point(ring_[0])) --size_;
   }
