@@ -73,5 +73,46 @@ TEST(SmoothCasts, ALimitLeavesOutWhatIsLaterAndChangesNothingElse) {
       }
 }
 
+void expect_time(const PosedSmooth& target, const Vec3& from, const Vec3& way, double time) {
+  const Cast cast = cast_ray(from, way, target);
+  EXPECT_TRUE(cast.hit);
+  EXPECT_LE(cast.lower, time);
+  EXPECT_GE(cast.upper, time);
+  EXPECT_LE(cast.upper - cast.lower, 0x1p-40);
+  EXPECT_EQ(cast.status, Status::exact);
+}
+
+TEST(SmoothCasts, RaysAlongAxesAndAcrossThemMeetCapsAndSidesAtTheirTimes) {
+  for (const bool mirrored : {false, true}) {
+    Pose place = Pose::translation(3, 4, 5);
+    place.linear[2].z = mirrored ? -1 : 1;
+    const PosedSmooth can(Cylinder(1, 2), place), cone(Cone(1, 2), place), egg(Ellipsoid({1, 1, 2}), place);
+    const double tip = mirrored ? -1 : 1;
+    expect_time(can, {3, 4, 9}, {0, 0, -4}, 0.5);
+    expect_time(can, {3.5, 4, 9}, {0, 0, -4}, 0.5);
+    expect_time(can, {1, 4, 6}, {4, 0, 0}, 0.25);
+    expect_time(egg, {3, 4, 9}, {0, 0, -4}, 0.5);
+    expect_time(cone, {3, 4, 5 - 4 * tip}, {0, 0, 4 * tip}, 0.5);
+    expect_time(cone, {3.5, 4, 5 + 4 * tip}, {0, 0, -8 * tip}, 0.5);
+    expect_time(cone, {1, 4, 5}, {4, 0, 0}, 0.375);
+    for (const PosedSmooth* target : {&can, &cone, &egg}) {
+      EXPECT_FALSE(cast_ray({4.5, 4, 9}, {0, 0, -9}, *target).hit);  // beside, along the axis
+      EXPECT_FALSE(cast_ray({1, 4, 8}, {4, 0, 0}, *target).hit);     // above, across it
+      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, 4}, *target).hit);     // away
+      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, -1}, *target).hit);    // too short
+      EXPECT_EQ(cast_ray({3, 4, 5}, {0, 0, 4}, *target).upper, 0);   // from within
+      EXPECT_TRUE(cast_ray({3, 4, 5}, {4, 0, 0}, *target).hit);
+    }
+  }
+  // Past the tip: the cone that goes on beyond it is none.
+  const PosedSmooth cone(Cone(1, 1));
+  EXPECT_FALSE(cast_ray({-3, 0, 2}, {6, 0, 0}, cone).hit);
+  EXPECT_FALSE(cast_ray({-3, 0, 1.5}, {6, 0, 1e-3}, cone).hit);
+  EXPECT_FALSE(cast_ray({0.1, 0, 9}, {0, 0, -7}, cone).hit);
+  // From above the tip down into it, and down beside its base.
+  expect_time(cone, {0.25, 0, 4.5}, {0, 0, -8}, 0.5);
+  EXPECT_FALSE(cast_ray({1.25, 0, 4}, {0, 0, -8}, cone).hit);
+}
+
 }  // namespace
 }  // namespace toccata::test

@@ -173,26 +173,41 @@ std::optional<Cast> cast_until(const PosedSmooth& a, const Vec3& motion, const B
   return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
 }
 
-/// The line's entry, where that is certain.
+/// What a ray meets, where that is certain.
+template <class Number>
+std::optional<Cast> cast_of(const LineWithin<Number>& within, const Vec3& origin, const Vec3& motion) {
+  const Number one = number_as<Number>(1.0);
+  if (within.empty) return Cast{};
+  Cast cast;
+  cast.point = origin;
+  cast.hit = within.enters.is_negative() && within.leaves.is_positive();
+  if (cast.hit) return cast;
+  if ((within.enters - one).is_positive() || within.leaves.is_negative()) return Cast{};
+  if (!within.enters.is_positive() || !within.leaves.is_positive() || !(one - within.enters).is_positive()) return {};
+  cast.hit = true;
+  cast.lower = std::fmax(0, floor_of(within.enters));
+  cast.upper = std::fmin(1, ceiling_of(within.enters));
+  if (!(cast.upper - cast.lower <= 4 * time_width)) return {};
+  cast.point = origin + cast.lower * motion;
+  cast.normal = unit_or_zero(within.normal);
+  return cast;
+}
+
+std::optional<Cast> by_roots_in_doubles(const Vec3& origin, const Vec3& motion, const PosedSmooth& target) {
+  const Mat3& linear = target.pose().linear;
+  const Vec3& half = target.half();
+  const std::array<Vec3, 3> axis{half.x * linear.column(0), half.y * linear.column(1), half.z * linear.column(2)};
+  const auto within = quick_line_within(target.kind(), axis, origin - target.pose().offset, motion);
+  return within ? cast_of(*within, origin, motion) : std::nullopt;
+}
+
 std::optional<Cast> by_roots(const Vec3& origin, const Vec3& motion, const PosedSmooth& target) {
+  if (const auto quickly = by_roots_in_doubles(origin, motion, target)) return quickly;
   const PairFrame frame = pair_frame(target, target);
   const SmoothBody body(target, frame);
-  const auto within = line_within(body, frame.place(origin), frame.scaled(motion));
-  if (!within) return {};
-  const BoundedNumber one = exactly(1.0);
-  if (within->empty || (within->enters - one).is_positive() || within->leaves.is_negative()) return Cast{};
-  if (!within->leaves.is_positive() || !(one - within->enters).is_positive()) return {};
-  Cast cast;
-  cast.hit = true;
-  cast.point = origin;
-  if (within->enters.is_negative()) return cast;
-  if (!within->enters.is_positive()) return {};
-  cast.lower = std::fmax(0, floor_of(within->enters));
-  cast.upper = std::fmin(1, ceiling_of(within->enters));
-  if (cast.upper - cast.lower > 4 * time_width) return {};
-  cast.point = origin + cast.lower * motion;
-  cast.normal = unit_or_zero(within->normal);
-  return cast;
+  const auto within = line_within(RoundAndLine<BoundedNumber>{
+      target.kind(), body.axes(), frame.place(origin) - body.middle_point(), frame.scaled(motion)});
+  return within ? cast_of(*within, origin, motion) : std::nullopt;
 }
 
 }  // namespace

@@ -2,21 +2,39 @@
 
 #include <optional>
 
-#include "narrow/smooth/smooth_body.hpp"
+#include "narrow/smooth/number_vector.hpp"
+#include "toccata/narrow/posed_smooth.hpp"
 
 namespace toccata {
 
-/// The times at which a line is in a smooth shape, where they are certain.
+/// The times of the way, from 0 to 1, at which a point that moves along a line is in a smooth shape. What lies beyond
+/// these may be taken for unbounded.
+template <class Number>
 struct LineWithin {
-  bool empty = false;  ///< the line certainly misses
-  BoundedNumber enters;
-  BoundedNumber leaves;
-  Vec3 normal;  ///< outwards where it enters, in the pair's frame; not of length 1
+  bool empty = false;  ///< the way certainly misses
+  Number enters{};
+  Number leaves{};
+  Vec3 normal;  ///< outwards where it enters, in the frame of the axes; not of length 1
 };
 
-/// Of the line from + t · along, in the pair's frame, by the roots of one quadratic equation in the frame in which the
-/// shape is round. Empty where rounding leaves a root or an order in doubt.
-[[nodiscard]] std::optional<LineWithin> line_within(const SmoothBody& smooth, const BoundedVector& from,
-                                                    const BoundedVector& along);
+/// The images of the half axes of a shape that is round where these are the axes, of the radius twice and the half
+/// height; and a line, seen from its middle.
+template <class Number>
+struct RoundAndLine {
+  PosedSmooth::Kind kind = PosedSmooth::Kind::ellipsoid;
+  std::array<VectorOf<Number>, 3> axis{};
+  VectorOf<Number> from{};
+  VectorOf<Number> along{};
+};
+
+/// By the roots of one quadratic equation in the frame in which the shape is round. Empty where rounding leaves a root
+/// or an order in doubt.
+template <class Number>
+[[nodiscard]] std::optional<LineWithin<Number>> line_within(const RoundAndLine<Number>& given);
+
+/// The same of one in doubles: `axis` and `from` are off by a rounding each, `along` is exact.
+[[nodiscard]] std::optional<LineWithin<BoundedDouble>> quick_line_within(PosedSmooth::Kind kind,
+                                                                         const std::array<Vec3, 3>& axis,
+                                                                         const Vec3& from, const Vec3& along);
 
 }  // namespace toccata
