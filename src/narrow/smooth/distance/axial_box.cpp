@@ -19,8 +19,9 @@ constexpr double u = 0x1p-53;
 constexpr int most_steps = 16;
 /// What is left after a step that is smaller than this part of the shapes is about its square.
 constexpr double small_step = 0x1p-24;
-/// Points of round sides are drawn in by this part, as in quick_proof.cpp.
-constexpr double drawn_in = 10 * u;
+/// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: t (3 − t²) / 2
+/// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; of a cone, how wide it is by 3 u.
+constexpr double drawn_in = 13 * u;
 /// As far as the guess goes, both poses are rotations.
 constexpr double largest_skew = 0x1p-42;
 
@@ -166,10 +167,13 @@ Vec3 AxialBox::local_point() const {
   const Vec3& half = a_.half();
   const bool is_cone = a_.kind() == PosedSmooth::Kind::cone;
   const double reach = is_cone ? half.x * ((half.z - foot_.up) / (2 * half.z)) : half.x;
-  const Vec3 v{foot_.out * dot(m.column(0), radial_), foot_.out * dot(m.column(1), radial_), 0};
-  const double length = plain_length(v), most = reach * (1 - drawn_in);
-  const double less = length > most ? most / length : 1;
-  return {less * v.x, less * v.y, foot_.up};
+  if (!(reach > 0)) return {0, 0, foot_.up};
+  const double part = foot_.out / reach;
+  const Vec3 v{part * dot(m.column(0), radial_), part * dot(m.column(1), radial_), 0};
+  // No more than the quotient by the length, for no length.
+  const double squared = dot(v, v), less = squared > 1 - 0x1p-30 ? 1.5 - 0.5 * squared : 1;
+  const double drawn = (1 - drawn_in) * less * reach;
+  return {drawn * v.x, drawn * v.y, foot_.up};
 }
 
 Vec3 AxialBox::direction(const Vec3& z) const {
@@ -247,10 +251,11 @@ std::optional<QuickDistance> AxialBox::proved() const {
   const BoxPoint on_b = box_point(b_, at_);
   const Vec3 z = ((a_.pose().offset - on_b.corner) + turned) - on_b.steps;
   const Vec3 d = direction(z);
-  const double length = plain_length(z);
+  const double length = plain_length(z), length_of_d = plain_length(d);
+  if (!is_moderate(length) || !is_moderate(length_of_d)) return {};
   const Vec3 n{dot(m.column(0), d), dot(m.column(1), d), dot(m.column(2), d)};
   const double of_box = beyond_corner(b_, on_b.corner, d) - dot(d, on_b.steps);
-  const double along = (dot(z, d) - (beyond_axial(a_, p, n) + of_box)) / plain_length(d);
+  const double along = (dot(z, d) - (beyond_axial(a_, p, n) + of_box)) / length_of_d;
 
   const double r = a_.half().x, h = a_.half().z, e = plain_length(half_) + b_.as_box().slack;
   const double off = u * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
@@ -262,7 +267,6 @@ std::optional<QuickDistance> AxialBox::proved() const {
   found.lower = (along - (off + off_beyond)) - 12 * u * length;
   found.on_a = turned + a_.pose().offset;
   found.on_b = on_b.corner + on_b.steps;
-  if (!is_moderate(length)) return {};
   if (is_narrow(found)) return found;
   return proved_longer(p, d);
 }
