@@ -162,7 +162,7 @@ template <class B>
 Manifold manifold_of(const PosedSmooth& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
-  const SmoothNearest met = nearest_of(body_a, body_b, SmoothQuestion::meeting);
+  const SmoothNearest met = nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting);
   if (met.contact == SmoothContact::apart) return {};
   if (met.contact == SmoothContact::undecided && is_quickly_apart(a, b, frame)) return {};
   std::array<std::byte, 8192> buffer;

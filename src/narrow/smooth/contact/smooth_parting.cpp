@@ -50,9 +50,11 @@ class TouchingPair {
  public:
   TouchingPair(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
 
-  /// The cheap guesses come first: where one shows that they no more than touch, none is better.
-  SmoothParting least() {
+  /// The cheap guesses come first: where one shows that they no more than touch, none is better. `proved` is the normal
+  /// of a plane between them, or zero.
+  SmoothParting least(const Vec3& proved) {
     take_axes();
+    if (best_.depth > rounding_along) take(proved);
     for (const double part : parts_made_smaller) {
       if (best_.depth <= rounding_along) break;
       const SmoothNearest near = nearest_of(a_.made_smaller(part), b_, SmoothQuestion::distance);
@@ -84,7 +86,9 @@ class TouchingPair {
 };
 
 SmoothParting first_parting(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
-  if (met.contact != SmoothContact::contact) return TouchingPair(a, b).least();
+  // Of a point that exact signs found in both it is open whether it is an inner one.
+  if (met.contact != SmoothContact::contact || met.shared)
+    return TouchingPair(a, b).least(met.shared ? met.shared->normal : Vec3{});
   const Penetration least = least_depth(a, b);
   return {least.direction, least.upper, least.on_a, least.on_b};
 }
