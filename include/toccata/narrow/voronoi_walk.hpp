@@ -12,8 +12,8 @@ namespace toccata {
 struct VoronoiCounts {
   std::uint64_t questions = 0;
   std::uint64_t kept = 0;      ///< of them: the features of the time before were still the nearest
-  std::uint64_t walked = 0;    ///< others were found by walking
-  std::uint64_t searched = 0;  ///< the first, or one in which rounding left a doubt or the cores meet: by GJK
+  std::uint64_t walked = 0;    ///< others, or the first, were found by walking
+  std::uint64_t searched = 0;  ///< rounding left a doubt, or the cores meet: by GJK
   std::uint64_t steps = 0;     ///< from region to region
   friend constexpr bool operator==(const VoronoiCounts&, const VoronoiCounts&) = default;
 };
@@ -24,7 +24,7 @@ struct TrackedPair {
   ConvexFeature on_a{};
   ConvexFeature on_b{};
   enum class State : std::uint8_t {
-    unknown,  ///< never asked: GJK finds the first features
+    unknown,  ///< never asked: the first walk begins at the vertices that face each other
     apart,    ///< at the last question
     meeting,  ///< at the last question the shapes met; the features are what is known
   } state = State::unknown;

@@ -17,7 +17,9 @@ struct WalkBody {
   const Pose* pose;
 
   /// In the world.
-  [[nodiscard]] Vec3 vertex(Index i) const { return world_vertex(*pose, parts->vertex(i)); }
+  [[nodiscard]] Vec3 vertex(Index i) const { return point(parts->vertex(i)); }
+  /// In the world, of the shape's own frame.
+  [[nodiscard]] Vec3 point(const Vec3& own) const { return world_vertex(*pose, own); }
   /// A direction of the world, along which heights are the same in the shape's own frame but for the offset.
   [[nodiscard]] Vec3 own(const Vec3& direction) const {
     const Mat3& r = pose->linear;

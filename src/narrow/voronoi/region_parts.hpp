@@ -42,6 +42,7 @@ struct VoronoiRegions::Parts {
   HullTopology topology;
   int dimension = 0;
   double extent = 0;  // the greatest magnitude of a coordinate
+  Vec3 middle;        // of the vertices, but for rounding
   Index vertex_count = 0;
   std::array<Index, 3> numbers{};        // of vertices, half-edges, faces: those of features are below
   std::array<const double*, 3> along{};  // coordinates of vertices along each axis

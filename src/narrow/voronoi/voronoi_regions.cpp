@@ -132,6 +132,14 @@ void add_vertices(Parts& parts, const std::vector<Vec3>& vertices) {
   for (const Vec3& v : vertices) parts.extent = std::max(parts.extent, largest_magnitude(v));
 }
 
+/// Summed so that nothing overflows.
+Vec3 middle_of(const Parts& parts) {
+  const double share = 1.0 / parts.vertex_count;
+  Vec3 middle;
+  for (Index i = 0; i < parts.vertex_count; ++i) middle = middle + share * parts.vertex(i);
+  return middle;
+}
+
 std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const HullTopology& topology,
                                       std::optional<ConvexHull> hull = {}) {
   const auto parts = std::make_shared<Parts>();
@@ -139,6 +147,7 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
   parts->topology = topology;
   parts->dimension = dimension_of(topology);
   add_vertices(*parts, vertices);
+  parts->middle = middle_of(*parts);
   add_spokes(*parts);
   if (parts->has_faces()) {
     for (Index f = 0; f < topology.face_count(); ++f) parts->sides.push_back(side_of(*parts, f));

@@ -9,6 +9,7 @@
 #include "narrow/convex/kept_simplex.hpp"
 #include "narrow/exact/nearest_formula.hpp"
 #include "narrow/voronoi/feature_proof.hpp"
+#include "narrow/voronoi/walk_start.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/gjk.hpp"
 
@@ -98,10 +99,12 @@ class TrackedQuestion {
     ++tracked_.counts.questions;
     const bool is_known = tracked_.state != TrackedPair::State::unknown && has_feature(*body_a_.parts, tracked_.on_a) &&
                           has_feature(*body_b_.parts, tracked_.on_b) && is_walked(tracked_.on_a, tracked_.on_b);
-    if (!is_known) forget();
-    // A walk from anywhere is a long way through memory that nobody has read of late: GJK is nearer.
-    if (is_known ? tracked_.cores_meet : path_ == nullptr) return searched();
+    if (is_known && tracked_.cores_meet) return searched();
     if (!are_regions_of(body_a_, a_) || !are_regions_of(body_b_, b_)) return searched();
+    if (!is_known) {
+      begin();
+      return walk();
+    }
     if (path_ == nullptr && !has_more_corners(*body_a_.parts, tracked_.on_a) &&
         !has_more_corners(*body_b_.parts, tracked_.on_b)) {
       const FeaturesAsked asked{{tracked_.on_a, tracked_.on_b},
@@ -126,10 +129,19 @@ class TrackedQuestion {
     if (walk.end != WalkEnd::below)
       if (const auto distance = proved_distance(a_, body_a_, b_, body_b_, asked)) {
         ++tracked_.counts.walked;
+        tracked_.cores_meet = false;
         return told(*distance);
       }
     keep_simplex(asked);
     return searched();
+  }
+
+  /// A way that is told for teaching is a long one.
+  void begin() {
+    if (path_ != nullptr) return forget();
+    const auto [vertex_a, vertex_b] = facing_vertices(a_, body_a_, b_, body_b_);
+    tracked_.on_a = {Kind::vertex, vertex_a};
+    tracked_.on_b = {Kind::vertex, vertex_b};
   }
 
   void forget() {
