@@ -20,6 +20,7 @@ struct Typed {
   std::string_view option;
   std::string_view text;
   std::string_view form;  ///< how it is written
+  Longest longest = Longest::infinite;
 };
 
 constexpr std::string_view pair_form = "NAME,NAME=LENGTH";
@@ -27,8 +28,8 @@ constexpr std::string_view pair_form = "NAME,NAME=LENGTH";
 [[noreturn]] void refuse(const Typed& typed) {
   throw Error(
       fmt::format("{} {}: write {}, where a length is 0 or more, in units of the scene (0.5) or with its own "
-                  "(2mm, 0.1in), or all",
-                  typed.option, typed.text, typed.form));
+                  "(2mm, 0.1in){}",
+                  typed.option, typed.text, typed.form, typed.longest == Longest::infinite ? ", or all" : ""));
 }
 
 /// What a length of 1 in the named unit is in the world's.
@@ -44,7 +45,7 @@ double world_units(const Typed& typed, std::string_view unit, const Scene& scene
 }
 
 double length_of(std::string_view text, const Typed& typed, const Scene& scene) {
-  if (text == "all") return std::numeric_limits<double>::infinity();
+  if (text == "all" && typed.longest == Longest::infinite) return std::numeric_limits<double>::infinity();
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
@@ -87,8 +88,8 @@ void require_touching_counts(const CheckArguments& arguments) {
         "near, to which they belong: leave one of the two out");
 }
 
-double read_length(std::string_view option, std::string_view text, const Scene& scene) {
-  return length_of(text, {option, text, "LENGTH"}, scene);
+double read_length(std::string_view option, std::string_view text, const Scene& scene, Longest longest) {
+  return length_of(text, {option, text, "LENGTH", longest}, scene);
 }
 
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene) {

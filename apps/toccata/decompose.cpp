@@ -61,7 +61,7 @@ int run_decompose(const DecomposeArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
   DecomposeQuestion question = arguments.question;
   if (!arguments.concavity.empty())
-    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene);
+    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene, Longest::finite);
   const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
   const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
   if (arguments.format == Format::table)

@@ -136,6 +136,8 @@ TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   };
   refused({"decompose", "gen:box", "gen:box"}, "here are 2 objects: name one file, of one mesh");
   refused({"decompose", "gen:box", "--concavity", "-1"}, "--concavity -1: write LENGTH, where a length is 0 or more");
+  for (const char* text : {"all", "x"})
+    refused({"decompose", "gen:box", "--concavity", text}, "with its own (2mm, 0.1in)\n");
   refused({"decompose", "gen:box", "--concavity", "2mm"}, "add --unit, or leave the unit out");
   refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "-o or --glb would write a");
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");

@@ -17,6 +17,7 @@
 #include "toccata/math/predicates.hpp"
 #include "toccata/query/inside.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/signed_distance.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 
 namespace toccata::test {
@@ -186,6 +187,47 @@ TEST(ConvexParts, AtAnyScaleAndPlaceContainTheSolid) {
     }
 }
 
+/// Among some corners of the hull.
+Vec3 point_within(const ConvexHull& hull, Random& random) {
+  Vec3 point{};
+  double left = 1;
+  for (int i = 0; i < 4; ++i) {
+    const double weight = i == 3 ? left : left * random.between(0, 1);
+    point = point + weight * hull.vertex(static_cast<Index>(random.below(hull.vertex_count())));
+    left -= weight;
+  }
+  return point;
+}
+
+TEST(ConvexParts, ConcavitiesBracketTheFarthestOfManyPoints) {
+  const Model solid(generate_mesh("noise-sphere", {{"subdivisions", 3}}));
+  const ConvexParts parts = decompose(solid, {.max_parts = 6});
+  Random random(4);
+  for (const ConvexPart& part : parts.parts) {
+    EXPECT_GT(part.hull.topology().face_count(), 64U);
+    double farthest = 0;
+    for (int i = 0; i < 3000; ++i)
+      farthest = std::max(farthest, signed_distance(point_within(part.hull, random), solid).lower);
+    EXPECT_LE(farthest, part.concavity);
+    EXPECT_LT(part.concavity, 0.25);
+  }
+}
+
+TEST(ConvexParts, ThatStickOutByRoundingAreKnownToDoNoMore) {
+  const Model solid(box_mesh({0, 0, 0}, {1, 1, 1}));
+  const SolidFrame frame(inspect(solid.mesh()));
+  const auto found = [&](double out) {
+    const TriangleMesh larger = box_mesh({-out, -out, -out}, {1 + out, 1, 1});
+    return ConcaveSolid(solid, frame).concavity_of(ConvexHull(larger.vertices()), 1e-3, std::nullopt);
+  };
+  EXPECT_EQ(found(0).upper, 0);
+  EXPECT_GT(found(0x1p-52).upper, 0x1p-52);
+  EXPECT_LT(found(0x1p-52).upper, 1e-8);
+  EXPECT_GT(found(0.1).lower, 0.05);
+  EXPECT_GE(found(0.1).upper, std::sqrt(0.03));
+  EXPECT_LT(found(0.1).upper, 0.2);
+}
+
 TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
   const TriangleMesh prism = l_prism();
   const auto bound = [&](int exponent) {
@@ -193,7 +235,8 @@ TEST(ConvexParts, OfTinyAndHugeMeshesAreAsConcaveAsOfTheSameMeshScaled) {
     for (Vec3& v : vertices) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
     const Model solid(prism.with_vertices(vertices));
     const SolidFrame frame(inspect(solid.mesh()));
-    const Concavity found = concavity_of(ConvexHull(vertices), solid, frame, std::ldexp(0.5, exponent), std::nullopt);
+    const Concavity found =
+        ConcaveSolid(solid, frame).concavity_of(ConvexHull(vertices), std::ldexp(0.5, exponent), std::nullopt);
     return std::ldexp(found.upper, -exponent);
   };
   const double plain = bound(0);

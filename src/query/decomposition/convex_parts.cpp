@@ -39,6 +39,7 @@ class Decomposer {
       : solid_(solid),
         options_(options),
         frame_(health),
+        concave_(solid, frame_),
         resolution_(resolution_of_size * frame_.length(1)),
         reflex_(reflex_planes(solid.mesh(), frame_, health.signed_volume < 0 ? -1 : 1)),
         search_(frame_, reflex_, options.threads) {
@@ -78,7 +79,7 @@ class Decomposer {
   [[nodiscard]] bool is_within_limit(std::vector<Vec3> points) const {
     if (options_.concavity == 0) return false;
     for (Vec3& p : points) p = frame_.world(p);
-    return concavity_of(ConvexHull(points), solid_, frame_, 0, options_.concavity).upper <= options_.concavity;
+    return concave_.concavity_of(ConvexHull(points), 0, options_.concavity).upper <= options_.concavity;
   }
 
   /// False when there is none to cut.
@@ -140,7 +141,7 @@ class Decomposer {
     const auto allowed = [&](const GrowingPart& part) {
       if (part.volume - part.solid_volume <= no_excess * solid_volume_) return true;
       return options_.concavity > 0 &&
-             concavity_of(part.hull, solid_, frame_, 0, options_.concavity).upper <= options_.concavity;
+             concave_.concavity_of(part.hull, 0, options_.concavity).upper <= options_.concavity;
     };
     return merged_parts(std::move(parts), options_.max_parts, options_.threads, allowed);
   }
@@ -148,9 +149,8 @@ class Decomposer {
   [[nodiscard]] ConvexParts finished(std::vector<GrowingPart> growing) const {
     std::ranges::stable_sort(growing, [](const GrowingPart& a, const GrowingPart& b) { return a.volume > b.volume; });
     std::vector<Concavity> concavities(growing.size());
-    parallel_for(growing.size(), options_.threads, [&](std::size_t i) {
-      concavities[i] = concavity_of(growing[i].hull, solid_, frame_, resolution_, {});
-    });
+    parallel_for(growing.size(), options_.threads,
+                 [&](std::size_t i) { concavities[i] = concave_.concavity_of(growing[i].hull, resolution_, {}); });
     ConvexParts result;
     double hull_sum = 0;
     for (std::size_t i = 0; i < growing.size(); ++i) {
@@ -173,6 +173,7 @@ class Decomposer {
   const Model& solid_;
   const DecompositionOptions& options_;
   SolidFrame frame_;
+  ConcaveSolid concave_;
   double resolution_;
   ReflexPlanes reflex_;
   CutSearch search_;

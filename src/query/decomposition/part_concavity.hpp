@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "query/decomposition/solid_frame.hpp"
+#include "query/inside/side_search.hpp"
+#include "query/nearest/nearest_search.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 
@@ -14,11 +16,23 @@ struct Concavity {
   double upper = 0;
 };
 
-/// Proved by branch and bound over tetrahedra: the distance changes by no more than the way one goes. `upper` is 0
-/// where the hull lies within the solid, else the interval is narrowed to `resolution` or a twentieth, or until `limit`
-/// is not in it, or some thousand distances have been asked for.
-/// `frame` is the solid's: in it ways are measured, so that their squares neither over- nor underflow.
-[[nodiscard]] Concavity concavity_of(const ConvexHull& hull, const Model& solid, const SolidFrame& frame,
-                                     double resolution, std::optional<double> limit);
+/// A solid in its place, made ready for many questions about hulls. It refers to the model and the frame.
+class ConcaveSolid {
+ public:
+  /// `frame` is the solid's: in it ways are measured, so that their squares neither over- nor underflow.
+  ConcaveSolid(const Model& solid, const SolidFrame& frame);
+
+  /// Proved by branch and bound over tetrahedra: the distance changes by no more than the way one goes, and is no more
+  /// than that from any point of the solid. `upper` is 0 where the hull lies within the solid, else the interval is
+  /// narrowed to `resolution` or a twentieth, or until `limit` is not in it, or some thousand distances have been asked
+  /// for.
+  [[nodiscard]] Concavity concavity_of(const ConvexHull& hull, double resolution, std::optional<double> limit) const;
+
+ private:
+  const Model& solid_;
+  const SolidFrame& frame_;
+  NearestSearch nearest_;
+  SideSearch sides_;
+};
 
 }  // namespace toccata
