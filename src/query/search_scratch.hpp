@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,15 @@ struct NearCandidate {
   TriangleGaps::Points points{};
 };
 
+/// Two elements of which one moves: they do not meet before a time. The earliest is the greatest, as a heap has it.
+struct WaitingCast {
+  double time;
+  ItemPair items;
+  friend bool operator<(const WaitingCast& x, const WaitingCast& y) {
+    return std::tie(y.time, y.items.first, y.items.second) < std::tie(x.time, x.items.first, x.items.second);
+  }
+};
+
 /// Memory that searches need and keep: see Workspace.
 struct SearchScratch {
   SearchPart main;
@@ -62,6 +72,7 @@ struct SearchScratch {
   std::vector<std::pair<Index, Index>> faces;   ///< that meet
   NearFrontier near;
   SweptFrontier swept;
+  std::vector<WaitingCast> casts;         ///< of smooth shapes, still to be asked: a heap
   std::vector<NearCandidate> candidates;  ///< for the nearest pair
   WalkCounts counts;
   ConvexWorkspace convex;                    ///< of the last pair of convex shapes

@@ -147,6 +147,17 @@ TEST(Allocation, AWarmWorkspaceAnswersWithoutForOtherShapes) {
   }
 }
 
+TEST(Allocation, AWarmWorkspaceAnswersWithoutForRoundSides) {
+  const Meshes m;
+  const Model egg(Ellipsoid({0.2, 0.3, 0.4}));
+  const PairQuery above{.pose_a = Pose::translation(0, 0, 3)}, beside{.pose_b = Pose::translation(0, 0.1, 1.5)};
+  expect_none_when_warm("cast of an egg", [&](Workspace& w) {
+    EXPECT_TRUE(cast_shape(egg, {0.9, 0.1, -4}, m.ring, above, w).hit);
+  });
+  expect_none_when_warm("distance of an egg",
+                        [&](Workspace& w) { EXPECT_GT(distance(m.ring, egg, beside, w).lower, 0.5); });
+}
+
 TEST(Allocation, ABatchAllocatesNoMoreForMoreQueries) {
   const Meshes m;
   const auto count = [&](std::size_t queries) {

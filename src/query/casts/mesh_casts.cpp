@@ -73,6 +73,7 @@ class FirstMeeting {
 
   std::optional<ShapeHit> answer() {
     scratch_.counts = {};
+    scratch_.casts.clear();
     const SweptView view(a_, motion_, b_);
     const SweptWalk walk({tree_of(a_), tree_of(b_)}, view.directions());
     walk.run(scratch_.swept, limit_, [this](ItemPair items) {
@@ -88,15 +89,6 @@ class FirstMeeting {
   }
 
  private:
-  /// Items that do not meet before a time.
-  struct Waiting {
-    double time;
-    ItemPair items;
-    friend bool operator<(const Waiting& x, const Waiting& y) {
-      return std::tie(y.time, y.items.first, y.items.second) < std::tie(x.time, x.items.first, x.items.second);
-    }
-  };
-
   void cast(ItemPair items) {
     const auto found = cast_items(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_);
     if (!found || !found->hit) return;
@@ -108,18 +100,20 @@ class FirstMeeting {
   /// not before all that the walk has still to show come later.
   void look_at(ItemPair items) requires has_smooth_side<A, B> {
     const double time = free_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_);
+    std::vector<WaitingCast>& waiting = scratch_.casts;
     if (time <= limit_) {
-      waiting_.push_back({time, items});
-      std::push_heap(waiting_.begin(), waiting_.end());
+      waiting.push_back({time, items});
+      std::push_heap(waiting.begin(), waiting.end());
     }
     cast_until(scratch_.swept.waiting.empty() ? limit_ : scratch_.swept.waiting.front().time);
   }
 
   void cast_until(double time) {
-    while (!waiting_.empty() && waiting_.front().time <= std::min(time, limit_)) {
-      std::pop_heap(waiting_.begin(), waiting_.end());
-      const ItemPair items = waiting_.back().items;
-      waiting_.pop_back();
+    std::vector<WaitingCast>& waiting = scratch_.casts;
+    while (!waiting.empty() && waiting.front().time <= std::min(time, limit_)) {
+      std::pop_heap(waiting.begin(), waiting.end());
+      const ItemPair items = waiting.back().items;
+      waiting.pop_back();
       cast(items);
     }
   }
@@ -130,7 +124,6 @@ class FirstMeeting {
   double limit_;
   SearchScratch& scratch_;
   std::optional<ShapeHit> first_;
-  std::vector<Waiting> waiting_;  ///< a heap, the earliest first
 };
 
 ShapeHit at_start(const Vec3& point) {

@@ -1,12 +1,16 @@
 #include "query/distance/mesh_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 #include "narrow/exact/within.hpp"
+#include "narrow/smooth/distance/smooth_beyond.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
 #include "query/distance/near_view.hpp"
 #include "query/inside/part_inside.hpp"
@@ -56,12 +60,27 @@ Distance least_of(Distance nearest, double lower, const PosedSmooth&) {
   return nearest;
 }
 
+/// Of shapes of which every triangle is looked at closely.
+struct NeverBeyond {
+  explicit NeverBeyond(const PosedConvex&) {}
+  void look_along(const Vec3&) {}
+  [[nodiscard]] bool is_beyond(const std::array<Vec3, 3>&, double) const { return false; }
+};
+
+template <class Shape>
+using Beyond = std::conditional_t<std::same_as<Shape, PosedSmooth>, SmoothBeyond, NeverBeyond>;
+
 /// The nearest triangle to a convex shape; what is farther than the cutoff is not wanted.
 template <class Shape>
 class NearestToShape final : public NearQuestion {
  public:
   NearestToShape(const PosedMesh& mesh, const Shape& shape, double cutoff, ConvexWorkspace& workspace)
-      : mesh_(mesh), shape_(shape), workspace_(workspace), cutoff_(cutoff), limit_(limit_from(cutoff)) {}
+      : mesh_(mesh),
+        shape_(shape),
+        workspace_(workspace),
+        cutoff_(cutoff),
+        limit_(limit_from(cutoff)),
+        beyond_(shape) {}
 
   /// Of the shape's core, which boxes are compared with.
   [[nodiscard]] double limit() const override {
@@ -70,9 +89,11 @@ class NearestToShape final : public NearQuestion {
 
   void visit(std::span<const ItemPair> pairs) override {
     for (const ItemPair& pair : pairs) {
+      if (beyond_.is_beyond(mesh_.triangle(pair.first).vertex, limit_)) continue;
       const PosedConvex triangle = convex(mesh_, pair.first);
       Distance found = distance(triangle, shape_, &workspace_);
       found.element_a = pair.first;
+      beyond_.look_along(found.on_a - found.on_b);
       if (found.lower > limit_) continue;
       within_ = within_ || is_within(found, triangle, shape_, cutoff_);
       lower_ = std::min(lower_, found.lower);
@@ -93,6 +114,7 @@ class NearestToShape final : public NearQuestion {
   ConvexWorkspace& workspace_;
   double cutoff_;
   double limit_;
+  Beyond<Shape> beyond_;
   std::optional<Distance> best_;
   double lower_ = infinity;  ///< of all distances
   bool within_ = false;

@@ -20,11 +20,6 @@ constexpr int most_places = 64;
 bool holds(const PosedSmooth& shape, const Vec3& point) { return side_of(point, shape) != Sign::positive; }
 bool holds(const PosedConvex& shape, const Vec3& point) { return overlap(PosedConvex(Point(point)), shape); }
 
-Vec3 middle_of(const PosedSmooth& shape) { return shape.pose().offset; }
-Vec3 middle_of(const PosedConvex& shape) {
-  return 0.5 * shape.vertex(0) + 0.5 * shape.vertex(shape.vertex_count() - 1);
-}
-
 double rounded(double x, double grid) { return grid * std::nearbyint(x / grid); }
 
 /// A point, and which of its coordinates are those of a place.

@@ -5,17 +5,13 @@
 #include <vector>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/shape_places.hpp"
 #include "narrow/smooth/exact_place.hpp"
 
 namespace toccata {
 namespace {
 
 using Normals = std::vector<IntegerVector>;
-
-Vec3 middle_of(const PosedSmooth& shape) { return shape.pose().offset; }
-Vec3 middle_of(const PosedConvex& shape) {
-  return 0.5 * shape.vertex(0) + 0.5 * shape.vertex(shape.vertex_count() - 1);
-}
 
 IntegerVector wide_vector(const Vec3& v) {
   const std::array<Vec3, 1> one{v};

@@ -6,6 +6,12 @@
 // The points that stand out of a shape, in the world, rounded: where whole numbers put it, they are whole.
 namespace toccata {
 
+/// An inner point, or one of the shape where it has none; rounded.
+inline Vec3 middle_of(const PosedSmooth& shape) { return shape.pose().offset; }
+inline Vec3 middle_of(const PosedConvex& shape) {
+  return 0.5 * shape.vertex(0) + 0.5 * shape.vertex(shape.vertex_count() - 1);
+}
+
 /// Calls visit(point): of a smooth shape the middle, the ends of the half axes, and those of its caps.
 template <class Visit>
 void visit_places(const PosedSmooth& shape, const Visit& visit) {
