@@ -117,8 +117,6 @@ int exit_code_of(const std::vector<ConvexResult>& results) {
 int run_convex(const ConvexArguments& arguments) {
   if (arguments.pair == "sphere-triangle" && arguments.task == "penetration")
     throw Error("penetration is defined for two solids, and a triangle is a surface");
-  if (has_smooth(arguments.pair) && arguments.task == "manifold")
-    throw Error("manifolds of cylinders, cones and ellipsoids are not compared; choose another task");
   const ConvexWork work = convex_work(arguments);
   const ConvexOffer offer = convex_libraries(arguments.peers, work);
   std::vector<ConvexResult> results;

@@ -24,11 +24,27 @@ double error_of(const ConvexAnswer& answer, const ConvexAnswer& ours) {
   return std::isnan(answer.upper) ? INFINITY : error;
 }
 
-bool has_number(ConvexTask task) { return task == ConvexTask::distance || task == ConvexTask::penetration; }
-
-bool differ(ConvexTask task, const ConvexAnswer& x, const ConvexAnswer& ours) {
-  return x.overlap != ours.overlap || (has_number(task) && error_of(x, ours) > convex_tolerance);
+/// The contact of shapes with round sides is compared as a depth and a normal.
+bool is_manifold_of_smooth(const ConvexWork& work) {
+  return work.task == ConvexTask::manifold && has_smooth(work.pair);
 }
+
+bool has_number(const ConvexWork& work) {
+  return work.task == ConvexTask::distance || work.task == ConvexTask::penetration || is_manifold_of_smooth(work);
+}
+
+bool is_along(const Vec3& x, const Vec3& y) {
+  const Vec3 across = cross(x, y);
+  return dot(x, y) > 0 && dot(across, across) <= convex_tolerance * convex_tolerance;
+}
+
+bool differ(const ConvexWork& work, const ConvexAnswer& x, const ConvexAnswer& ours) {
+  return x.overlap != ours.overlap || (has_number(work) && error_of(x, ours) > convex_tolerance) ||
+         (is_manifold_of_smooth(work) && ours.overlap && !is_along(x.direction, ours.direction));
+}
+
+/// What is allowed of Toccata's own number: nothing of an interval; the depth of a manifold is a single number.
+double own_tolerance(ConvexTask task) { return task == ConvexTask::manifold ? 0x1p-20 : 0; }
 
 /// The two shapes of a question, exactly.
 class Truth {
@@ -42,7 +58,7 @@ class Truth {
     if (std::isnan(answer.lower) || std::isnan(answer.upper)) return false;
     // A depth of 0 does not tell whether shapes touch, so penetration is right or not as a number.
     if (task_ != ConvexTask::penetration && answer.overlap != oracle::overlap(a_, b_)) return false;
-    if (!has_number(task_)) return true;
+    if (task_ != ConvexTask::distance && task_ != ConvexTask::penetration) return true;
     const double low = answer.lower - tolerance;
     if (low > 0 && compare(low) < 0) return false;
     if (compare(answer.upper + tolerance) > 0) return false;
@@ -82,18 +98,22 @@ class FineTruth {
         a_(fine_set_of(work.pairs[question.pair].a, question.a)),
         b_(fine_set_of(work.pairs[question.pair].b, question.b)),
         near_(fine_nearness(a_, b_, 1e-14, 400)) {
-    if (task_ == ConvexTask::penetration && near_.meet) depth_ = FineHeights(a_, b_).least();
+    if (is_depth_asked() && near_.meet) depth_ = FineHeights(a_, b_).least();
   }
 
   bool is_right(const ConvexAnswer& answer, double tolerance) const {
     if (std::isnan(answer.lower) || std::isnan(answer.upper)) return false;
-    if (task_ == ConvexTask::penetration) return is_depth(answer, tolerance);
+    if (is_depth_asked()) return is_depth(answer, tolerance);
     if (answer.overlap ? near_.lower > tolerance : near_.meet && near_.depth > tolerance) return false;
     if (task_ == ConvexTask::overlap) return true;
     return near_.upper >= answer.lower - tolerance && near_.lower <= answer.upper + tolerance;
   }
 
  private:
+  [[nodiscard]] bool is_depth_asked() const {
+    return task_ == ConvexTask::penetration || task_ == ConvexTask::manifold;
+  }
+
   /// Along its own direction B leaves A, and along no other sooner.
   [[nodiscard]] bool is_depth(const ConvexAnswer& answer, double tolerance) const {
     if (!near_.meet) return answer.upper <= tolerance;
@@ -113,7 +133,8 @@ template <class AnyTruth>
 void judge_one(const ConvexWork& work, std::size_t query, std::vector<ConvexResult>& results) {
   const AnyTruth truth(work, work.questions[query]);
   for (ConvexResult& result : results) {
-    const double tolerance = result.who.library == results.front().who.library ? 0 : convex_tolerance;
+    const double tolerance =
+        result.who.library == results.front().who.library ? own_tolerance(work.task) : convex_tolerance;
     if (!truth.is_right(result.answers[query], tolerance)) ++result.wrong;
   }
 }
@@ -125,9 +146,8 @@ void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& res
     const ConvexAnswer& ours = results.front().answers[query];
     bool any = false;
     for (ConvexResult& result : results) {
-      if (has_number(work.task))
-        result.worst_error = std::max(result.worst_error, error_of(result.answers[query], ours));
-      if (!differ(work.task, result.answers[query], ours)) continue;
+      if (has_number(work)) result.worst_error = std::max(result.worst_error, error_of(result.answers[query], ours));
+      if (!differ(work, result.answers[query], ours)) continue;
       any = true;
       ++result.disagreements;
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/pair_arrays.hpp"
 #include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/smooth_manifold.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/narrow/sphere.hpp"
 
@@ -38,13 +40,18 @@ ConvexAnswer asked(ConvexTask task, const PosedConvex& a, const PosedConvex& b, 
 template <class A, class B>
 concept OneIsSmooth = std::is_same_v<A, PosedSmooth> || std::is_same_v<B, PosedSmooth>;
 
-/// Of shapes with round sides only this is compared (`run_convex` refuses the rest).
+/// Of shapes with round sides a manifold tells how deep it is too.
 template <class A, class B>
 requires OneIsSmooth<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, ConvexWorkspace*) {
   if (task == ConvexTask::overlap) return {overlap(a, b)};
   if (task == ConvexTask::penetration) {
     const Penetration p = penetration(a, b);
     return {p.upper > 0, p.lower, p.upper, p.direction};
+  }
+  if (task == ConvexTask::manifold) {
+    const Manifold m = manifold(a, b);
+    const double depth = std::max(m.points[0].depth, 0.0);
+    return {m.count > 0, depth, depth, m.normal, m.count};
   }
   const Distance d = distance(a, b);
   return {d.lower == 0, d.lower, d.upper};

@@ -174,6 +174,13 @@ def check_convex(peers):
                 assert run(*words).returncode == 2
                 continue
             check_convex_report(report(*words, "--vertices", "12", "--verify", *named), pair)
+    for pair, regime in (("cylinder-box", "deep"), ("cone-box", "coherent"), ("ellipsoid", "deep")):
+        words = ["convex", "--pair", pair, "--task", "manifold", "--regime", regime, "--count", "30", "--rounds", "1"]
+        made = report(*words, "--verify", *named)
+        check_convex_report(made, pair)
+        if "bullet" in peers and pair != "ellipsoid":
+            rows = [row for row in made["results"] if row["library"] == "bullet"]
+            assert len(rows) == 1 and rows[0]["wrong"] == 0 and rows[0]["worst_error"] < 1e-4, rows
 
 
 def check_convex_report(made, pair):
