@@ -18,32 +18,6 @@ void FacetSlots::start_tetrahedron(bool is_positive) {
   slots_ = 4;
 }
 
-bool FacetSlots::find_hole(std::size_t first, const Bits& seen) {
-  const auto bit_of = [](std::size_t f) { return std::uint64_t{1} << (f % 64); };
-  Bits gone{};
-  gone_[0] = static_cast<std::uint16_t>(first);
-  gone_count_ = 1;
-  gone[first / 64] = bit_of(first);
-  edges_ = 0;
-  std::size_t start = 0;
-  for (std::size_t g = 0; g < gone_count_; ++g)
-    for (std::size_t f = gone_[g], k = 0; k < 3; ++k) {
-      const std::size_t twin = twin_[4 * f + k], other = twin / 4;
-      const std::uint64_t bit = bit_of(other);
-      if ((gone[other / 64] & bit) != 0) continue;
-      if ((seen[other / 64] & bit) != 0) {
-        gone[other / 64] |= bit;
-        gone_[gone_count_++] = static_cast<std::uint16_t>(other);
-        continue;
-      }
-      start = corner(f, k);
-      twin_from_[start] = static_cast<std::uint16_t>(twin);
-      next_to_[start] = corner(f, k == 2 ? 0 : k + 1);
-      ++edges_;
-    }
-  return go_around(start);
-}
-
 /// One loop that passes no corner twice.
 bool FacetSlots::go_around(std::size_t start) {
   if (edges_ < 3 || edges_ > most_corners || slots_ + edges_ > most_facets + gone_count_) return false;

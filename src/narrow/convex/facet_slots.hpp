@@ -16,7 +16,13 @@ class FacetSlots {
   static constexpr std::size_t most_facets = 2 * most_corners;  // of a sphere, less than twice as many as corners
 
   using Corners = std::array<std::uint8_t, 3>;  ///< against the clock, seen from outside
-  using Bits = std::array<std::uint64_t, most_facets / 64>;
+  /// One for each slot.
+  struct Bits {
+    std::array<std::uint64_t, most_facets / 64> word{};
+
+    [[nodiscard]] bool operator()(std::size_t f) const { return (word[f / 64] >> (f % 64) & 1) != 0; }
+    void set(std::size_t f) { word[f / 64] |= std::uint64_t{1} << (f % 64); }
+  };
 
   /// Of the way around a hole: the new facet in the slot has the corners `from`, `to` and the new one.
   struct HoleEdge {
@@ -38,9 +44,10 @@ class FacetSlots {
   [[nodiscard]] std::uint8_t corner(std::size_t f, std::size_t k) const { return corner_[4 * f + k]; }
   [[nodiscard]] Corners corners(std::size_t f) const { return {corner(f, 0), corner(f, 1), corner(f, 2)}; }
 
-  /// Looks for the facets to go: the first, and those with a bit, as far as they hang together with it. False when they
-  /// are no disc, or there are not slots enough.
-  [[nodiscard]] bool find_hole(std::size_t first, const Bits& seen);
+  /// Looks for the facets to go: the first, and those of which `is_seen(f)` is told, as far as they hang together with
+  /// it. False when they are no disc, or there are not slots enough.
+  template <class IsSeen>
+  [[nodiscard]] bool find_hole(std::size_t first, const IsSeen& is_seen);
   [[nodiscard]] std::span<const HoleEdge> hole() const { return {hole_.data(), edges_}; }
   /// The slots of facets that are to go, which no new facet takes.
   [[nodiscard]] std::span<const std::uint16_t> left_over() const {
@@ -72,5 +79,30 @@ class FacetSlots {
   std::size_t gone_count_ = 0;
   std::size_t edges_ = 0;
 };
+
+template <class IsSeen>
+bool FacetSlots::find_hole(std::size_t first, const IsSeen& is_seen) {
+  Bits gone;
+  gone.set(first);
+  gone_[0] = static_cast<std::uint16_t>(first);
+  gone_count_ = 1;
+  edges_ = 0;
+  std::size_t start = 0;
+  for (std::size_t g = 0; g < gone_count_; ++g)
+    for (std::size_t f = gone_[g], k = 0; k < 3; ++k) {
+      const std::size_t twin = twin_[4 * f + k], other = twin / 4;
+      if (gone(other)) continue;
+      if (is_seen(other)) {
+        gone.set(other);
+        gone_[gone_count_++] = static_cast<std::uint16_t>(other);
+        continue;
+      }
+      start = corner(f, k);
+      twin_from_[start] = static_cast<std::uint16_t>(twin);
+      next_to_[start] = corner(f, k == 2 ? 0 : k + 1);
+      ++edges_;
+    }
+  return go_around(start);
+}
 
 }  // namespace toccata

@@ -288,19 +288,18 @@ class Expansion {
     const Number x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
     const Number rounding = hn::Set(tag, 1 + 0x1p-44);
     const Index count = padded_slots();
-    for (Index i = 0; i < count; i += 64) seen[i / 64] = 0;
     for (Index i = 0; i < count; i += lanes) {
       const Number height = hn::Add(
           hn::Add(hn::Mul(x, hn::Load(tag, s_.normal_x.data() + i)), hn::Mul(y, hn::Load(tag, s_.normal_y.data() + i))),
           hn::Mul(z, hn::Load(tag, s_.normal_z.data() + i)));
       const Number offset = hn::Load(tag, s_.offset.data() + i);
-      seen[i / 64] |= bits_of(hn::Gt(height, hn::Mul(rounding, offset))) << (i % 64);
+      seen.word[i / 64] |= bits_of(hn::Gt(height, hn::Mul(rounding, offset))) << (i % 64);
     }
   }
 
   /// False when what is seen is no disc, or a facet has hardly an area.
   bool add(const Point& point, Index above) {
-    FacetSlots::Bits seen{};
+    FacetSlots::Bits seen;
     find_seen(point.value, seen);
     if (!s_.facets.find_hole(above, seen)) return false;
     const Index padded = padded_slots();

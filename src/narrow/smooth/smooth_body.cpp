@@ -29,10 +29,6 @@ SmoothBody::SmoothBody(const PosedConvex& shape, const PairFrame& frame) : Plain
     column_[j] = zero_vector();
     column_[j][j] = exactly(frame.factor * shape.radius());
   }
-  const Index few = std::min<Index>(count_, 8);
-  const BoundedNumber part = exactly(1.0) / exactly(few);
-  middle_ = zero_vector();
-  for (Index i = 0; i < few; ++i) middle_ = middle_ + part * centre(i);
 }
 
 SmoothBody::SmoothBody(const BoundedVector& point) : PlainBody(plain(point)), middle_(point) { centre_[0] = point; }
@@ -67,6 +63,14 @@ Mat3 SmoothBody::roundness() const {
   const Vec3 normal = cross(y, z);
   const double part = 1 / dot(normal, x);
   return {{part * normal, part * cross(z, x), part * cross(x, y)}};
+}
+
+BoundedVector SmoothBody::middle_of_vertices() const {
+  const Index few = std::min<Index>(count_, 8);
+  const BoundedNumber part = exactly(1.0) / exactly(few);
+  BoundedVector result = zero_vector();
+  for (Index i = 0; i < few; ++i) result = result + part * centre(i);
+  return result;
 }
 
 BoundedVector SmoothBody::centre(Index atom) const {

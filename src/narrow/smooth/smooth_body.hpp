@@ -25,13 +25,16 @@ class SmoothBody : public PlainBody {
   [[nodiscard]] SmoothBody made_smaller(double part) const;
   /// Of a smooth shape: the map that makes it as long as it is wide, rounded.
   [[nodiscard]] Mat3 roundness() const;
-  [[nodiscard]] const BoundedVector& middle_point() const { return middle_; }
+  /// Of a polytope, of the first few vertices.
+  [[nodiscard]] BoundedVector middle_point() const { return hull_ == nullptr ? middle_ : middle_of_vertices(); }
 
  private:
+  [[nodiscard]] BoundedVector middle_of_vertices() const;
+
   std::array<BoundedVector, 2> centre_{};
   std::array<BoundedVector, 3> column_{};
   std::array<BoundedVector, 3> axes_{};
-  BoundedVector middle_{};
+  BoundedVector middle_{};  ///< but of a polytope
 };
 
 }  // namespace toccata

@@ -24,8 +24,9 @@ bool GrowingSurface::start(Precision precision, const std::array<Corner, 4>& cor
   slots_.start_tetrahedron(volume > 0);
   for (std::size_t f = 0; f < 4; ++f) {
     const auto [i, j, k] = slots_.corners(f);
-    if (normal_of(i, j, k) == Vec3{}) return false;
-    measure(f);
+    const Vec3 product = across(i, j, k);
+    if (product == Vec3{}) return false;
+    measure(f, product);
   }
   return true;
 }
@@ -40,28 +41,32 @@ void GrowingSurface::set(std::size_t i, const Corner& corner) {
   if (is_fine()) fine_[i] = corner.fine;
 }
 
-Vec3 GrowingSurface::normal_of(std::size_t i, std::size_t j, std::size_t k) const {
+Vec3 GrowingSurface::across(std::size_t i, std::size_t j, std::size_t k) const {
   if (is_fine()) return rounded(outer(difference(fine_[i], fine_[k]), difference(fine_[j], fine_[k])));
   return cross(corner(i) - corner(k), corner(j) - corner(k));
 }
 
 FacetSlots::Corners GrowingSurface::nearest_first(std::size_t f) const {
-  FacetSlots::Corners c = slots_.corners(f);
-  const auto nearest = std::min_element(c.begin(), c.end(), [&](auto i, auto j) { return squared_[i] < squared_[j]; });
-  std::rotate(c.begin(), nearest, c.end());
-  return c;
+  const auto [i, j, k] = slots_.corners(f);
+  const double of_i = squared_[i], of_j = squared_[j], of_k = squared_[k];
+  if (of_j < of_i && of_j <= of_k) return {j, k, i};
+  if (of_k < of_i) return {k, i, j};
+  return {i, j, k};
 }
 
-void GrowingSurface::measure(std::size_t f) {
-  // Of the corner that is nearest to the origin, as that of a shallow place is, rounding takes the least.
-  const auto [i, j, k] = nearest_first(f);
-  Vec3 normal = normal_of(j, k, i);
-  const double length = plain_length(normal);
-  normal = length > 0x1p-500 ? (1 / length) * normal : unit_or_zero(normal);
+void GrowingSurface::measure(std::size_t f, const Vec3& product) {
+  const double length = plain_length(product);
+  const Vec3 normal = length > 0x1p-500 ? (1 / length) * product : unit_or_zero(product);
   normal_x_[f] = normal.x;
   normal_y_[f] = normal.y;
   normal_z_[f] = normal.z;
-  pending_[f] = height_[f] = dot(normal, corner(i));
+  // Of the corner that is nearest to the origin, as that of a shallow place is, rounding takes the least.
+  pending_[f] = height_[f] = dot(normal, corner(nearest_first(f)[0]));
+}
+
+void GrowingSurface::vacate(std::size_t f) {
+  normal_x_[f] = normal_y_[f] = normal_z_[f] = 0;
+  height_[f] = pending_[f] = HUGE_VAL;
 }
 
 std::optional<std::size_t> GrowingSurface::lowest() const {
@@ -83,32 +88,33 @@ std::size_t GrowingSurface::most_before(const Vec3& point) const {
   return found;
 }
 
-void GrowingSurface::find_seen(const Vec3& point, double margin) {
-  seen_ = {};
-  for (std::size_t f = 0; f < facet_count(); ++f) {
-    const bool is_seen = dot(normal(f), point) - height_[f] > margin;
-    seen_[f / 64] |= std::uint64_t{is_seen} << (f % 64);
+/// The facets that see the last corner by more than the margin, and whether all that come in their place have an area.
+bool GrowingSurface::find_fan(std::size_t beyond, double margin) {
+  const Vec3 apex = corner(corners_);
+  const auto is_seen = [&](std::size_t f) { return dot(normal(f), apex) - height_[f] > margin; };
+  if (!slots_.find_hole(beyond, is_seen)) return false;
+  for (std::size_t k = 0; k < slots_.hole().size(); ++k) {
+    const Vec3 product = across(slots_.hole()[k].from, slots_.hole()[k].to, corners_);
+    if (product == Vec3{}) return false;
+    fan_x_[k] = product.x;
+    fan_y_[k] = product.y;
+    fan_z_[k] = product.z;
   }
+  return true;
 }
 
 bool GrowingSurface::add(const Corner& corner, std::size_t beyond) {
   if (full()) return false;
   set(corners_, corner);
   // Where rounding tears apart what is seen, less of it counts as seen; at last the facet alone.
-  for (const double part : {0x1p-51, 0x1p-48, 0x1p-44, HUGE_VAL}) {
-    find_seen(corner.point, part * extent_);
-    if (!slots_.find_hole(beyond, seen_)) continue;
-    const auto has_area = [&](const auto& edge) { return !(normal_of(edge.from, edge.to, corners_) == Vec3{}); };
-    if (!std::all_of(slots_.hole().begin(), slots_.hole().end(), has_area)) continue;
-    slots_.fill_hole(corners_++);
-    for (const FacetSlots::HoleEdge& edge : slots_.hole()) measure(edge.slot);
-    for (const std::uint16_t f : slots_.left_over()) {
-      normal_x_[f] = normal_y_[f] = normal_z_[f] = 0;
-      height_[f] = pending_[f] = HUGE_VAL;
-    }
-    return true;
-  }
-  return false;
+  const std::array<double, 4> parts{0x1p-51, 0x1p-48, 0x1p-44, HUGE_VAL};
+  if (std::none_of(parts.begin(), parts.end(), [&](double part) { return find_fan(beyond, part * extent_); }))
+    return false;
+  slots_.fill_hole(corners_++);
+  for (std::size_t k = 0; k < slots_.hole().size(); ++k)
+    measure(slots_.hole()[k].slot, {fan_x_[k], fan_y_[k], fan_z_[k]});
+  for (const std::uint16_t f : slots_.left_over()) vacate(f);
+  return true;
 }
 
 // With n the product of the edges e and f, and p the corner: what corners and edges are off by, and rounding, turns n

@@ -63,9 +63,11 @@ class GrowingSurface {
 
  private:
   void set(std::size_t i, const Corner& corner);
-  void measure(std::size_t f);
-  [[nodiscard]] Vec3 normal_of(std::size_t i, std::size_t j, std::size_t k) const;
-  void find_seen(const Vec3& point, double margin);
+  /// Of three corners, across their plane; of any length.
+  [[nodiscard]] Vec3 across(std::size_t i, std::size_t j, std::size_t k) const;
+  void measure(std::size_t f, const Vec3& product);
+  void vacate(std::size_t f);
+  [[nodiscard]] bool find_fan(std::size_t beyond, double margin);
 
   Precision precision_ = Precision::plain;
   std::size_t corners_ = 0;
@@ -76,7 +78,7 @@ class GrowingSurface {
   FacetSlots slots_;
   std::array<double, FacetSlots::most_facets> normal_x_, normal_y_, normal_z_, height_;
   std::array<double, FacetSlots::most_facets> pending_;  ///< the heights of facets that are not settled, else infinite
-  FacetSlots::Bits seen_;
+  std::array<double, most_corners> fan_x_, fan_y_, fan_z_;  ///< across the facets that are to come
 };
 
 }  // namespace toccata

@@ -68,7 +68,8 @@ class DeepPair {
     // What is far below the rounding of a unit vector is none of an axis.
     for (int i = 0; i < 3; ++i)
       if (std::fabs(d[i]) < 0x1p-60) d[i] = 0;
-    const double height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
+    double height = -gap_along<BoundedDouble>(a_, b_, fine(-d));
+    if (!(height - result_.lower <= 0.5e-12 * height)) height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
     if (!(height < result_.upper)) return;
     result_.upper = height;
     result_.direction = d;

@@ -18,6 +18,8 @@ constexpr double missing_for_cap = 0.1;
 constexpr double missing_for_edges = 0.02;
 constexpr double height_for_cap = 1.2;
 constexpr double little = 0.01;
+/// How far beside an edge or a face the axis may go, in parts of its size, for its cap to be looked for.
+constexpr double most_beyond = 0.25;
 /// Below this, heights in doubles have too few digits.
 constexpr double shallow = 0x1p-8;
 /// Beyond so many corners caps are looked for everywhere, lest there be no end of corners.
@@ -65,7 +67,7 @@ bool SmoothExpansion::add(const Corner& corner, const Vec3& point, std::size_t f
 
 bool SmoothExpansion::start() {
   has_surface_ = false;
-  const Vec3 between = unit_or_zero(plain(b_.middle_point()) - plain(a_.middle_point()));
+  const Vec3 between = unit_or_zero(b_.middle() - a_.middle());
   const HighestPoint first(a_, b_, between == Vec3{} ? Vec3{1, 0, 0} : between), second(a_, b_, -first.axis);
   std::array<GrowingSurface::Corner, 4> corner;
   corner_.clear();
@@ -116,7 +118,8 @@ bool SmoothExpansion::grow() {
 bool SmoothExpansion::step(std::size_t facet) {
   const HighestPoint here(a_, b_, surface_.normal(facet));
   const double gain = offer(here) - surface_.height(facet);
-  if (is_promising(here, gain, missing_for_cap) && raise(lowest_near(here), gain)) return true;
+  if (is_promising(here, gain, missing_for_cap))
+    if (const std::optional<SmoothCap> cap = lowest_near(here); cap && raise(*cap, gain)) return true;
   if (is_promising(here, gain, missing_for_edges) && raise_edge_or_face(facet, here, gain)) return true;
   if (!(gain > rounding)) return false;
   return add(Corner(here), here.point, facet);
@@ -128,11 +131,13 @@ bool SmoothExpansion::is_promising(const HighestPoint& here, double gain, double
   return gain < missing * upper_ + little && here.height < height_for_cap * upper_ + little;
 }
 
-SmoothCap SmoothExpansion::lowest_near(const HighestPoint& from) {
+/// Nothing where that is raised already.
+std::optional<SmoothCap> SmoothExpansion::lowest_near(const HighestPoint& from) {
   SmoothCap lowest(a_, b_, from);
   for (int i = 0; i < most_steps; ++i) {
     const std::optional<Vec3> axis = lowest.lower_axis();
     if (!axis) break;
+    if (is_raised(*axis)) return std::nullopt;
     const HighestPoint next(a_, b_, *axis);
     offer(next);
     if (!(next.height < lowest.height())) break;
@@ -141,24 +146,50 @@ SmoothCap SmoothExpansion::lowest_near(const HighestPoint& from) {
   return lowest;
 }
 
+/// The axis lies in a cap, not near its rim.
+bool SmoothExpansion::is_raised(const Vec3& axis) const {
+  return std::any_of(corner_.begin(), corner_.end(), [&](const Corner& c) {
+    const double along = dot(axis, c.axis);
+    return c.tangent > 0 && along * along * (1 + 0.25 * c.tangent * c.tangent) > 1 && along > 0;
+  });
+}
+
+/// The axis goes, but for a part of their size, between two points, or three.
+bool SmoothExpansion::is_between(const Vec3& axis, std::span<const Vec3> points) const {
+  const Vec3 &p = points[0], &q = points[1];
+  if (points.size() == 2) {
+    const Vec3 between = q - p, along = between - dot(between, axis) * axis;
+    const double beyond = most_beyond * dot(along, along);
+    return dot(p, along) <= beyond && dot(q, along) >= -beyond;
+  }
+  const Vec3& r = points[2];
+  const std::array<double, 3> share{dot(axis, cross(q, r)), dot(axis, cross(r, p)), dot(axis, cross(p, q))};
+  const double total = share[0] + share[1] + share[2];
+  return std::all_of(share.begin(), share.end(), [&](double s) { return s * total >= -most_beyond * total * total; });
+}
+
 /// Of the facet's corners and the highest point above it.
 bool SmoothExpansion::raise_edge_or_face(std::size_t facet, const HighestPoint& here, double gain) {
   std::array<AtomPair, 4> pair{here.atoms()};
+  std::array<Vec3, 4> point{here.point};
   std::size_t count = 1;
   for (const std::uint8_t i : surface_.corners_of(facet)) {
     const AtomPair next{corner_[i].a.atom, corner_[i].b.atom};
-    if (std::find(pair.begin(), pair.begin() + count, next) == pair.begin() + count) pair[count++] = next;
+    if (std::find(pair.begin(), pair.begin() + count, next) != pair.begin() + count) continue;
+    point[count] = corner_[i].a.point - corner_[i].b.point;
+    pair[count++] = next;
   }
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
-      if (raise_around(here.axis, std::array{pair[i], pair[j]}, gain)) return true;
-  for (std::size_t left = 0; left < count && count >= 3; ++left) {
-    std::array<AtomPair, 3> three;
-    for (std::size_t k = 0, to = 0; k < count && to < 3; ++k)
-      if (k != left || count == 3) three[to++] = pair[k];
-    if (raise_around(here.axis, three, gain)) return true;
-    if (count == 3) break;
-  }
+      for (std::size_t k = j + 1; k < count; ++k)
+        if (is_between(here.axis, std::array{point[i], point[j], point[k]}) &&
+            raise_around(here.axis, std::array{pair[i], pair[j], pair[k]}, gain))
+          return true;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (is_between(here.axis, std::array{point[i], point[j]}) &&
+          raise_around(here.axis, std::array{pair[i], pair[j]}, gain))
+        return true;
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory_resource>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,8 +58,10 @@ class SmoothExpansion {
   [[nodiscard]] double target() const;
   [[nodiscard]] bool step(std::size_t facet);
   [[nodiscard]] bool is_promising(const HighestPoint& here, double gain, double missing) const;
-  [[nodiscard]] SmoothCap lowest_near(const HighestPoint& from);
+  [[nodiscard]] std::optional<SmoothCap> lowest_near(const HighestPoint& from);
+  [[nodiscard]] bool is_raised(const Vec3& axis) const;
   bool raise_edge_or_face(std::size_t facet, const HighestPoint& here, double gain);
+  [[nodiscard]] bool is_between(const Vec3& axis, std::span<const Vec3> points) const;
   bool raise_around(const Vec3& axis, std::span<const AtomPair> atoms, double gain);
   bool raise(const SmoothCap& cap, double gain);
   bool add(const Corner& corner, const Vec3& point, std::size_t facet);
