@@ -32,7 +32,8 @@ class Layers final : public PairFinder {
     find_new(now);
     // Those of movers are found anew.
     return with_new_pairs(now.before, new_pairs_, std::move(storage), [&](const IndexPair& pair) {
-      return ((roles_[pair.first] == Role::mover) | (roles_[pair.second] == Role::mover)) == 0;
+      const bool first_moves = roles_[pair.first] == Role::mover, second_moves = roles_[pair.second] == Role::mover;
+      return !(first_moves | second_moves);
     });
   }
 
