@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/smooth/distance/smooth_polish.hpp"
+#include "narrow/smooth/depth/smooth_cap.hpp"
+#include "narrow/smooth/distance/quick_polish.hpp"
 
 namespace toccata {
 namespace {
@@ -25,6 +27,7 @@ constexpr double rounding_along = 0x1p-46;
 
 /// From one gap.
 constexpr int most_steps = 12;
+constexpr int most_polishing = 4;
 
 /// As far as it is told along a direction that is a double's.
 double depth_along(const SmoothBody& a, const SmoothBody& b, const Vec3& normal) {
@@ -96,24 +99,53 @@ SmoothParting first_parting(const SmoothBody& a, const SmoothBody& b, const Smoo
 /// Across the normal.
 double aside(const Vec3& v, const Vec3& normal) { return plain_length(v - dot(v, normal) * normal); }
 
-/// By Newton's method, from farthest points that lie almost across from each other: of round places, which have no
-/// others as far. False where it does not find the very points.
+/// By Newton's method on the height of A − B, from farthest points that lie almost across from each other: of round
+/// places, which have no others as far. False where it does not find the very points.
 bool is_polished(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b) {
-  const Vec3& d = parting.normal;
-  if (!(aside(parting.on_a - parting.on_b, d) <= almost_across)) return false;
-  const std::array<SmoothSearch::Corner, 1> corner{SmoothSearch::Corner{a.support(d), b.support(-d), 1}};
-  SmoothPolish polish(a, b);
-  polish.begin(corner, -d, SmoothPolish::Attempt::first);
-  if (!polish.settle()) return false;
-  const Vec3 normal = normal_of(polish.direction());
-  const double depth = depth_along(a, b, normal);
-  if (!(depth < parting.depth + rounding_along)) return false;
-  const Vec3 on_a = plain(point_of<BoundedNumber>(a, polish.on_a())),
-             on_b = plain(point_of<BoundedNumber>(b, polish.on_b()));
-  const Vec3 overlap = on_a - on_b;
-  if (!(aside(overlap, normal) <= rounding_across && dot(overlap, normal) >= depth - rounding_across)) return false;
-  parting = {normal, depth, on_a, on_b};
-  return true;
+  if (!(aside(parting.on_a - parting.on_b, parting.normal) <= almost_across)) return false;
+  std::optional<Vec3> axis = parting.normal;
+  for (int step = 0; axis && step < most_polishing; ++step) {
+    const SmoothCap cap(a, b, HighestPoint(a, b, *axis));
+    if (aside(cap.point(), cap.axis()) <= rounding_across) {
+      const double depth = depth_along(a, b, cap.axis());
+      if (!(depth < parting.depth + rounding_along)) return false;
+      parting = {cap.axis(), depth, cap.on_a().point, cap.on_b().point};
+      return true;
+    }
+    axis = cap.lower_axis();
+  }
+  return false;
+}
+
+/// Of what Newton's method in doubles ends with.
+Vec3 point_of_side(const PlainBody& body, const QuickSide& side) {
+  Vec3 point = side.grown_weight() * body.map(side.round);
+  for (std::size_t i = 0; i < side.size; ++i) point = point + side.weight[i] * body.plain_centre(side.atom[i]);
+  return point;
+}
+
+/// Where the bodies are brought apart along the normal, doubles mostly show that the nearest points lie across from
+/// each other, as they do of the least depth: so the normal stays. False where they do not.
+bool has_points_across(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b) {
+  constexpr double gap = gaps_between[0];
+  const Vec3 apart = gap * parting.normal, way = parting.depth * parting.normal + apart;
+  const PlainBody moved = a.PlainBody::moved(-way);
+  SmoothSearch search(moved, b, -parting.normal);
+  QuickPolish polish(moved, b);
+  for (const double part : {0.1, 1e-3}) {
+    search.run(part);
+    std::array<SmoothSearch::Corner, 4> corner;
+    const std::size_t count = search.corners(corner);
+    if (search.inside()) return false;
+    polish.begin({corner.data(), count}, search.nearest());
+    if (!polish.run()) continue;
+    const Vec3 x = point_of_side(moved, polish.on_a()), y = point_of_side(b, polish.on_b());
+    if (!(plain_length(y - x - apart) <= rounding_across)) return false;
+    parting.on_a = x + way;
+    parting.on_b = y;
+    return true;
+  }
+  return false;
 }
 
 enum class Step : std::uint8_t { none, another, last };
@@ -139,7 +171,7 @@ Step take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b,
 // direction of w they are parted no later. So each step shortens the way, until w lies along the normal.
 SmoothParting parting_of(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
   SmoothParting parting = first_parting(a, b, met);
-  if (is_polished(parting, a, b)) return parting;
+  if (is_polished(parting, a, b) || has_points_across(parting, a, b)) return parting;
   for (const double gap : gaps_between)
     for (int step = 0; step < most_steps; ++step)
       if (const Step taken = take_step(parting, a, b, gap); taken == Step::none)
