@@ -177,6 +177,20 @@ void expect_any_touching(const AnyPosed& a, const AnyPosed& b, const Vec3& motio
   std::visit(ask, a, b);
 }
 
+/// A last place away from each other they have no more in common.
+template <class B>
+void expect_parted(const PosedSmooth& a, const B& b, const Vec3& away, const std::string& name) {
+  const Vec3 place = a.pose().offset;
+  Vec3 step;
+  for (int i = 0; i < 3; ++i)
+    if (away[i] != 0) step[i] = std::nextafter(place[i], away[i] * HUGE_VAL) - place[i];
+  const PosedSmooth moved = a.moved(step);
+  EXPECT_NE(smooth_contact(moved, b), SmoothContact::contact) << name;
+  EXPECT_GT(distance(moved, b).upper, 0) << name;
+  const Relation lie = relation(moved, b);
+  EXPECT_TRUE(lie.kind == RelationKind::apart || lie.status == Status::undecided) << name;
+}
+
 /// Two shapes, both turned and perhaps scaled, on the two sides of a plane across an axis.
 struct Meeting {
   Toucher a, b;
@@ -215,6 +229,8 @@ TEST(SmoothTouching, ShapesOnEitherSideOfAPlaneAlongAnyAxis) {
       if (++number % every != 0) return;
       const Vec3 motion = on_axis(meeting.axis, meeting.sign);
       const std::string name = meeting.a.name + ", " + meeting.b.name + ", number " + std::to_string(number);
+      const auto ask_parted = [&](const auto& q) { expect_parted(std::get<PosedSmooth>(a), q, -motion, name); };
+      std::visit(ask_parted, b);
       if (number % 2 == 0)
         expect_any_touching(a, b, motion, name);
       else
