@@ -14,6 +14,9 @@ namespace {
 
 constexpr double relative_width = 1e-12;
 
+/// In a pair of size 1, points that are no farther apart may be those of shapes that touch.
+constexpr double close = 0x1p-36;
+
 Vec3 plain_point(const VectorOf<BoundedDouble>& p) { return {p[0].value, p[1].value, p[2].value}; }
 Vec3 plain_point(const VectorOf<BoundedNumber>& p) { return plain(p); }
 
@@ -38,19 +41,24 @@ class NearestSearch {
 
   [[nodiscard]] const SmoothNearest& best() const { return best_; }
 
-  SmoothNearest distance() {
+  /// By the search and Newton's method: true when nothing more is to be asked.
+  bool is_decided() {
     for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
       search_.run(part);
-      if (search_.inside() && is_meeting_proved()) return best_;
-      if (try_polished(search_, search_.nearest())) return best_;
+      if (search_.inside() && is_meeting_proved()) return true;
+      if (try_polished(search_, search_.nearest())) return true;
       if (search_.inside() || search_.stalled()) break;
     }
-    if (best_.contact != SmoothContact::apart && is_meeting_proved()) return best_;
-    if (try_polished(search_, search_.best_direction()) || is_decided_from_elsewhere()) return best_;
-    if (best_.contact != SmoothContact::apart && is_meeting_found_finely()) return best_;
-    improve_lower<BoundedNumber>(fine(search_.best_direction()));
     improve_upper<BoundedNumber>(joined(true), joined(false));
-    return best_;
+    return false;
+  }
+
+  /// What is left open then.
+  void decide_at_length() {
+    if (best_.contact != SmoothContact::apart && is_meeting_proved()) return;
+    if (try_polished(search_, search_.best_direction()) || is_decided_from_elsewhere()) return;
+    if (best_.contact != SmoothContact::apart && is_meeting_found_finely()) return;
+    improve_lower<BoundedNumber>(fine(search_.best_direction()));
   }
 
  private:
@@ -235,16 +243,24 @@ class NearestSearch {
 
 }  // namespace
 
-SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess) {
+namespace {
+
+/// Where the search leaves open whether they meet, and they are close, `decide(found)` comes before all that takes
+/// long; true: that is the answer.
+template <class Decide>
+SmoothNearest searched(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess,
+                       const Decide& decide) {
   NearestSearch search(a, b);
   if (guess != nullptr && search.proves(*guess)) return search.best();
-  if (question == SmoothQuestion::distance) return search.distance();
-  if (search.proves_apart()) return search.best();
   // From anew, so that both questions are told the same.
-  return NearestSearch(a, b).distance();
+  if (question == SmoothQuestion::meeting)
+    return search.proves_apart() ? search.best() : searched(a, b, SmoothQuestion::distance, nullptr, decide);
+  if (search.is_decided()) return search.best();
+  SmoothNearest found = search.best();
+  if (found.contact == SmoothContact::undecided && found.upper < close && decide(found)) return found;
+  search.decide_at_length();
+  return search.best();
 }
-
-namespace {
 
 void take_meeting_at(SmoothNearest& found, const Vec3& point) {
   found.contact = SmoothContact::contact;
@@ -269,11 +285,35 @@ void decide_by_common_point(SmoothNearest& found, const PosedSmooth& a, const B&
   take_meeting_at(found, frame.plainly_placed(*point));
 }
 
+/// Each half axis lies along one of the world's.
+bool is_along_axes(const PosedSmooth& shape) {
+  const Mat3& m = shape.pose().linear;
+  for (int i = 0; i < 3; ++i)
+    if ((m[i].x != 0) + (m[i].y != 0) + (m[i].z != 0) != 1) return false;
+  return true;
+}
+
+/// Only that they touch is told before it is known that they do not overlap: along the axes, where it is usual; where
+/// shapes are turned, points that are in both as far as doubles tell are mostly in neither.
+template <class B>
+SmoothNearest searched_with_touching(const PosedSmooth& a, const SmoothBody& body_a, const B& b,
+                                     const SmoothBody& body_b, SmoothQuestion question, const QuickPolish* guess) {
+  return searched(body_a, body_b, question, guess, [&](SmoothNearest& found) {
+    if (!is_along_axes(a)) return false;
+    decide_by_common_point(found, a, b);
+    return is_touching(found);
+  });
+}
+
 }  // namespace
+
+SmoothNearest nearest_of(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess) {
+  return searched(a, b, question, guess, [](const SmoothNearest&) { return false; });
+}
 
 SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedSmooth& b, const SmoothBody& body_b,
                          SmoothQuestion question, const QuickPolish* guess) {
-  SmoothNearest found = nearest_of(body_a, body_b, question, guess);
+  SmoothNearest found = searched_with_touching(a, body_a, b, body_b, question, guess);
   decide_by_middle(found, a, body_a, b);
   decide_by_middle(found, b, body_b, a);
   decide_by_common_point(found, a, b);
@@ -282,7 +322,7 @@ SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const P
 
 SmoothNearest nearest_of(const PosedSmooth& a, const SmoothBody& body_a, const PosedConvex& b, const SmoothBody& body_b,
                          SmoothQuestion question, const QuickPolish* guess) {
-  SmoothNearest found = nearest_of(body_a, body_b, question, guess);
+  SmoothNearest found = searched_with_touching(a, body_a, b, body_b, question, guess);
   decide_by_middle(found, a, body_a, b);
   decide_by_common_point(found, a, b);
   return found;
