@@ -15,43 +15,45 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A face in the world.
 class WorldFace {
  public:
-  WorldFace(const WalkBody& body, Index face) : body_(body), face_(face) {
+  WorldFace(const WalkBody& body, Index face) : body_(body), side_(body.parts->sides[face]) {
     // Normals turn by the matrix of cofactors, and round where the pose mirrors.
     const Mat3& r = body.pose->linear;
     const Mat3 cofactors{{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])}};
     turn_ = dot(r[0], cofactors[0]) < 0 ? -1 : 1;
-    const Vec3& own = body.parts->sides[face].normal;
+    const Vec3& own = side_.normal;
     normal_ = turn_ * Vec3{dot(cofactors[0], own), dot(cofactors[1], own), dot(cofactors[2], own)};
+    first_ = body_.vertex(corner(0));
   }
 
   /// Outwards, of any length.
   [[nodiscard]] const Vec3& normal() const { return normal_; }
 
   /// How far above the plane a point is, in units of the normal.
-  [[nodiscard]] double height(const Vec3& p) const {
-    const HullTopology& t = body_.parts->topology;
-    return dot(normal_, p - body_.vertex(t.origin[t.face_start[face_]]));
-  }
+  [[nodiscard]] double height(const Vec3& p) const { return dot(normal_, p - first_); }
 
   /// Visits the edge–face planes: each half-edge with where it starts and a normal into the face, of any length.
   template <class Visit>
   void for_each_rim(Visit visit) const {
-    const HullTopology& t = body_.parts->topology;
-    const Index begin = t.face_start[face_], end = t.face_start[face_ + 1];
-    const Vec3 first = body_.vertex(t.origin[begin]);
-    Vec3 start = first;
-    for (Index h = begin; h < end; ++h) {
-      const Vec3 next = h + 1 < end ? body_.vertex(t.origin[h + 1]) : first;
-      visit(h, start, turn_ * cross(normal_, next - start));
+    Vec3 start = first_;
+    for (Index i = 0; i < side_.corner_count; ++i) {
+      const Vec3 next = i + 1 < side_.corner_count ? body_.vertex(corner(i + 1)) : first_;
+      visit(side_.first + i, start, turn_ * cross(normal_, next - start));
       start = next;
     }
   }
 
  private:
+  /// In the order of the face.
+  [[nodiscard]] Index corner(Index i) const {
+    if (side_.corner_count != 3) return body_.parts->topology.origin[side_.first + i];
+    return side_.triangle[i == 0 || !side_.is_turned ? i : 3 - i];
+  }
+
   const WalkBody& body_;
-  Index face_;
+  const Parts::Side& side_;
   double turn_ = 1;
   Vec3 normal_;
+  Vec3 first_;
 };
 
 /// A step of the walk: through which plane, and how steeply it leads down.
@@ -112,8 +114,6 @@ class Walk {
  private:
   [[nodiscard]] const Parts& parts(std::size_t of) const { return *body_[of].parts; }
   [[nodiscard]] Vec3 world(std::size_t of, Index vertex) const { return body_[of].vertex(vertex); }
-  [[nodiscard]] Index start_of(std::size_t of, Index half_edge) const { return parts(of).topology.origin[half_edge]; }
-  [[nodiscard]] Index end_of(std::size_t of, Index half_edge) const { return parts(of).topology.target(half_edge); }
 
   void offer(std::size_t of, const ConvexFeature& feature, const ConvexFeature& other, const Vec3& on,
              const Vec3& on_other, const Vec3& from_other) {
@@ -133,12 +133,14 @@ class Walk {
   }
 
   struct Edge {
-    Index half_edge = 0;
+    Index half_edge = 0;  // that names it
+    std::array<Index, 2> vertex{};
     Vec3 from, to;
   };
 
   [[nodiscard]] Edge edge(std::size_t of, Index half_edge) const {
-    return {half_edge, world(of, start_of(of, half_edge)), world(of, end_of(of, half_edge))};
+    const Parts::Edge& own = parts(of).edge(half_edge);
+    return {own.half_edge, own.vertex, world(of, own.vertex[0]), world(of, own.vertex[1])};
   }
 
   /// The edge is of one shape, the vertex of the other.
@@ -146,11 +148,11 @@ class Walk {
     const Vec3 along = edge.to - edge.from, first = edge.from - on_other;
     const double forth = -dot(first, along), whole = dot(along, along);
     const ConvexFeature other{Kind::vertex, vertex};
-    if (!(forth > 0)) return offer(of, {Kind::vertex, start_of(of, edge.half_edge)}, other, edge.from, on_other, first);
+    if (!(forth > 0)) return offer(of, {Kind::vertex, edge.vertex[0]}, other, edge.from, on_other, first);
     if (!(forth < whole))
-      return offer(of, {Kind::vertex, end_of(of, edge.half_edge)}, other, edge.to, on_other, edge.to - on_other);
+      return offer(of, {Kind::vertex, edge.vertex[1]}, other, edge.to, on_other, edge.to - on_other);
     const Vec3 moved = (forth / whole) * along;
-    offer(of, {Kind::edge, parts(of).edge_of(edge.half_edge)}, other, edge.from + moved, on_other, first + moved);
+    offer(of, {Kind::edge, edge.half_edge}, other, edge.from + moved, on_other, first + moved);
   }
 
   void at_edges(const Edge& a, const Edge& b) {
@@ -160,14 +162,14 @@ class Walk {
     const double share_a = dot(cross(along_b, first), normal), share_b = dot(cross(along_a, first), normal);
     if (share_a > 0 && share_a < squared && share_b > 0 && share_b < squared) {
       const Vec3 between = (dot(normal, first) / squared) * normal;
-      offer(0, {Kind::edge, parts(0).edge_of(a.half_edge)}, {Kind::edge, parts(1).edge_of(b.half_edge)},
-            a.from + (share_a / squared) * along_a, b.from + (share_b / squared) * along_b, between);
+      offer(0, {Kind::edge, a.half_edge}, {Kind::edge, b.half_edge}, a.from + (share_a / squared) * along_a,
+            b.from + (share_b / squared) * along_b, between);
       return;
     }
-    at_edge_and_vertex(0, a, start_of(1, b.half_edge), b.from);
-    at_edge_and_vertex(0, a, end_of(1, b.half_edge), b.to);
-    at_edge_and_vertex(1, b, start_of(0, a.half_edge), a.from);
-    at_edge_and_vertex(1, b, end_of(0, a.half_edge), a.to);
+    at_edge_and_vertex(0, a, b.vertex[0], b.from);
+    at_edge_and_vertex(0, a, b.vertex[1], b.to);
+    at_edge_and_vertex(1, b, a.vertex[0], a.from);
+    at_edge_and_vertex(1, b, a.vertex[1], a.to);
   }
 
   void at_low_features(const ConvexFeature& a, const ConvexFeature& b) {
@@ -217,7 +219,7 @@ class Walk {
     });
     if (!inside) return true;
     if (!(plane.height(start + share * way) > 0)) return false;
-    if (!out) return at_face(of, face, forth ? end_of(1 - of, half_edge) : start_of(1 - of, half_edge));
+    if (!out) return at_face(of, face, over.vertex[forth ? 1 : 0]);
     beside_face(of, *out, over);
     return true;
   }
@@ -245,13 +247,18 @@ class Walk {
   /// No where every way into a face leads behind it.
   [[nodiscard]] bool from_edge(std::size_t of, Index edge, const Vec3& outward, Descent& best) const {
     const Parts& p = parts(of);
+    const Index number = p.edge_number[edge];
+    const auto [least, greatest] = p.edges[number].vertex;
+    Vec3 way = p.vertex(greatest) - p.vertex(least);
+    const double per_length = 1 / plain_length(way);
     bool falls = false, stays = false;
-    for (const Index h : {edge, p.topology.twin[edge]}) {
-      const double slope = dot(outward, p.rims[h].normal);
+    for (const Index face : p.faces_at[number]) {
+      const Vec3& normal = p.sides[face].normal;
+      const double slope = per_length * dot(outward, cross(normal, way));
+      way = -way;  // as the other face sees it
       if (!(slope < 0)) continue;
       falls = true;
-      const Index face = p.topology.face[h];
-      if (!(dot(outward, p.sides[face].normal) < 0)) continue;
+      if (!(dot(outward, normal) < 0)) continue;
       stays = true;
       if (slope < best.slope) best = {of, {Kind::face, face}, slope};
     }
@@ -264,18 +271,13 @@ class Walk {
 
 /// From the features to the nearest ones.
 FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& on_b, VoronoiPath* path) {
-  FeatureWalk result;
+  const FeaturesNear* const start = walk.nearest(on_a, on_b);
+  if (start == nullptr) return {{{on_a, on_b}, {}, {}, 0}, WalkEnd::below, 0};
+  FeatureWalk result{*start, WalkEnd::nearest, 0};
   const auto visit = [&](const FeaturesNear& near) {
-    result.near = near;
     if (path != nullptr)
       path->visits.push_back({near.feature[0], near.feature[1], near.on[0], near.on[1], near.squared});
   };
-  const FeaturesNear* const start = walk.nearest(on_a, on_b);
-  if (start == nullptr) {
-    result.end = WalkEnd::below;
-    result.near.feature = {on_a, on_b};
-    return result;
-  }
   visit(*start);
   while (true) {
     bool below = false;
@@ -287,6 +289,7 @@ FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& o
     result.end = next != nullptr ? WalkEnd::tie : WalkEnd::below;
     // Strictly: the squares of distances that were reached never come again, and there are finitely many.
     if (next == nullptr || !(next->squared < result.near.squared)) return result;
+    result.near = *next;
     visit(*next);
   }
 }

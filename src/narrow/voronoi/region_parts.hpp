@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -11,9 +10,13 @@
 namespace toccata {
 
 /// The regions as the walk reads them. What is read of a feature that is looked at for the first time comes from far
-/// away: it is one line of the cache, besides coordinates, which are those of the hull itself. All lengths are in the
-/// shape's own frame.
+/// away: it is one line of the cache. All lengths are in the shape's own frame.
 struct VoronoiRegions::Parts {
+  struct alignas(32) Vertex {
+    Vec3 at;
+    Index first_spoke = 0;
+    Index end_of_spokes = 0;
+  };
   /// An edge as its vertex sees it.
   struct Spoke {
     Index vertex = 0;  ///< its other end
@@ -25,7 +28,8 @@ struct VoronoiRegions::Parts {
     /// the way that, with heights measured from the plane of the other face, no vertex is lower that is not in that
     /// plane; 0 where nothing is certain.
     std::array<Vec3, 2> into{};
-    double lean = 0;                ///< four times the extent by the length
+    float lean = 0;                 ///< four times the extent by the length, or a little more
+    Index half_edge = 0;            ///< the lesser of its two, which names it
     std::array<Index, 2> vertex{};  ///< its ends, ascending
   };
   struct alignas(64) Side {
@@ -35,27 +39,31 @@ struct VoronoiRegions::Parts {
     double error = 0;                 ///< of each coordinate of the normal
     std::array<Index, 3> triangle{};  ///< of a face of three, its vertices, ascending
     Index corner_count = 0;
+    Index first = 0;         ///< its first half-edge, which starts at its least vertex
+    bool is_turned = false;  ///< of a face of three: the greatest vertex comes before the middle one
   };
 
-  std::optional<ConvexHull> hull;  // keeps what the topology and the coordinates refer to
-  std::vector<double> own;         // the coordinates of what is no hull
+  std::optional<ConvexHull> hull;  // keeps what the topology refers to
+  const double* stored = nullptr;  // the hull's own coordinates, by which a shape made of it is known
   HullTopology topology;
   int dimension = 0;
   double extent = 0;  // the greatest magnitude of a coordinate
   Vec3 middle;        // of the vertices, but for rounding
   Index vertex_count = 0;
-  std::array<Index, 3> numbers{};        // of vertices, half-edges, faces: those of features are below
-  std::array<const double*, 3> along{};  // coordinates of vertices along each axis
-  std::vector<Index> first_spoke;        // of each vertex, and one more
+  std::array<Index, 3> numbers{};  // of vertices, half-edges, faces: those of features are below
+  std::vector<Vertex> vertices;
   std::vector<Spoke> spokes;
   std::vector<Index> edge_number;  // of each half-edge, where its edge is
   std::vector<Edge> edges;
+  /// Of each edge: the face in which it leads to its greater end, and the other.
+  std::vector<std::array<Index, 2>> faces_at;
   std::vector<RegionPlane> rims;  // of each half-edge: the edge–face plane
   std::vector<Side> sides;
 
-  [[nodiscard]] Vec3 vertex(Index i) const { return {along[0][i], along[1][i], along[2][i]}; }
+  [[nodiscard]] const Vec3& vertex(Index i) const { return vertices[i].at; }
   [[nodiscard]] std::span<const Spoke> spokes_at(Index vertex) const {
-    return std::span(spokes).subspan(first_spoke[vertex], first_spoke[vertex + 1] - first_spoke[vertex]);
+    const Vertex& v = vertices[vertex];
+    return std::span(spokes).subspan(v.first_spoke, v.end_of_spokes - v.first_spoke);
   }
   /// From the start of a half-edge to its end.
   [[nodiscard]] Vec3 way(Index half_edge) const {
@@ -65,7 +73,7 @@ struct VoronoiRegions::Parts {
   [[nodiscard]] bool has_faces() const { return dimension >= 2; }
   /// An end, where there are any: not a corner of a triangle that lies between the others.
   [[nodiscard]] Index any_vertex() const { return topology.origin.empty() ? 0 : topology.origin[0]; }
-  [[nodiscard]] Index edge_of(Index half_edge) const { return std::min(half_edge, topology.twin[half_edge]); }
+  [[nodiscard]] Index edge_of(Index half_edge) const { return edge(half_edge).half_edge; }
 };
 
 /// The vertices of a face, in its order.

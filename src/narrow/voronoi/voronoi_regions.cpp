@@ -41,17 +41,16 @@ FaceNormal face_normal(const Parts& parts, Index face) {
 
 void add_spokes(Parts& parts) {
   const HullTopology& t = parts.topology;
-  parts.first_spoke.assign(parts.vertex_count + 1, 0);
   parts.spokes.reserve(t.origin.size());
   for (Index v = 0; v < parts.vertex_count; ++v) {
-    parts.first_spoke[v + 1] = static_cast<Index>(parts.spokes.size());
     if (t.origin.empty() || t.origin[t.leaving[v]] != v) continue;  // a corner that is none
+    parts.vertices[v].first_spoke = static_cast<Index>(parts.spokes.size());
     Index h = t.leaving[v];
     do {
       parts.spokes.push_back({t.target(h), h});
       h = t.next(t.twin[h]);
     } while (h != t.leaving[v]);
-    parts.first_spoke[v + 1] = static_cast<Index>(parts.spokes.size());
+    parts.vertices[v].end_of_spokes = static_cast<Index>(parts.spokes.size());
   }
 }
 
@@ -77,9 +76,12 @@ Parts::Side side_of(const Parts& parts, Index face) {
   const double certain = depth - 8 * normal.error * parts.extent;
   const double clearance = certain > 0 && normal.error < 0x1p-30 ? certain : 0;
   const auto corners = corners_of_face(parts.topology, face);
-  std::array<Index, 3> triangle{};
-  if (corners.size() == 3) std::ranges::partial_sort_copy(corners, triangle);
-  return {normal.unit, clearance, normal.error, triangle, static_cast<Index>(corners.size())};
+  Parts::Side side{normal.unit, clearance, normal.error, {}, static_cast<Index>(corners.size())};
+  side.first = parts.topology.face_start[face];
+  if (corners.size() != 3) return side;
+  side.is_turned = corners[2] < corners[1];
+  std::ranges::partial_sort_copy(corners, side.triangle);
+  return side;
 }
 
 /// From the start of a half-edge into its face: see `Edge::into`.
@@ -101,7 +103,10 @@ void add_edges(Parts& parts) {
     parts.edge_number[h] = parts.edge_number[twin] = static_cast<Index>(parts.edges.size());
     const Vec3 way = parts.way(h);
     const auto [least, greatest] = std::minmax({t.origin[h], t.target(h)});
-    Parts::Edge edge{{}, 4 * parts.extent / dot(unit_or_zero(way), way), {least, greatest}};
+    const auto lean = static_cast<float>(4 * parts.extent / dot(unit_or_zero(way), way));
+    Parts::Edge edge{{}, std::nextafter(lean, std::numeric_limits<float>::infinity()), h, {least, greatest}};
+    const Index forth = t.origin[h] == least ? h : twin;
+    parts.faces_at.push_back({t.face[forth], t.face[t.twin[forth]]});
     if (parts.dimension == 3) edge.into = {way_into(parts, h), way_into(parts, twin)};
     parts.edges.push_back(edge);
   }
@@ -116,22 +121,6 @@ void add_rims(Parts& parts) {
   }
 }
 
-/// Of a hull the coordinates are its own.
-void add_vertices(Parts& parts, const std::vector<Vec3>& vertices) {
-  if (parts.hull) {
-    parts.vertex_count = parts.hull->vertex_count();
-    for (int axis = 0; axis < 3; ++axis)
-      parts.along[static_cast<std::size_t>(axis)] = parts.hull->padded_coordinates(axis).data();
-    parts.extent = parts.hull->largest_coordinate();
-    return;
-  }
-  parts.vertex_count = static_cast<Index>(vertices.size());
-  for (int axis = 0; axis < 3; ++axis)
-    for (const Vec3& v : vertices) parts.own.push_back(v[axis]);
-  for (std::size_t axis = 0; axis < 3; ++axis) parts.along[axis] = parts.own.data() + axis * vertices.size();
-  for (const Vec3& v : vertices) parts.extent = std::max(parts.extent, largest_magnitude(v));
-}
-
 /// Summed so that nothing overflows.
 Vec3 middle_of(const Parts& parts) {
   const double share = 1.0 / parts.vertex_count;
@@ -144,9 +133,14 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
                                       std::optional<ConvexHull> hull = {}) {
   const auto parts = std::make_shared<Parts>();
   parts->hull = std::move(hull);
+  if (parts->hull) parts->stored = parts->hull->padded_coordinates(0).data();
   parts->topology = topology;
   parts->dimension = dimension_of(topology);
-  add_vertices(*parts, vertices);
+  parts->vertex_count = static_cast<Index>(vertices.size());
+  for (const Vec3& v : vertices) {
+    parts->vertices.push_back({v, 0, 0});
+    parts->extent = std::max(parts->extent, largest_magnitude(v));
+  }
   parts->middle = middle_of(*parts);
   add_spokes(*parts);
   if (parts->has_faces()) {
@@ -157,6 +151,12 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
   parts->numbers = {parts->vertex_count, static_cast<Index>(topology.origin.size()),
                     static_cast<Index>(parts->sides.size())};
   return parts;
+}
+
+std::vector<Vec3> vertices_of(const ConvexHull& hull) {
+  std::vector<Vec3> vertices;
+  for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
+  return vertices;
 }
 
 std::vector<Vec3> corners_of(const Box& box) {
@@ -178,7 +178,8 @@ VoronoiRegions::VoronoiRegions(const Triangle& shape)
 
 VoronoiRegions::VoronoiRegions(const Box& shape) : parts_(parts_of(corners_of(shape), box_topology())) {}
 
-VoronoiRegions::VoronoiRegions(const ConvexHull& shape) : parts_(parts_of({}, shape.topology(), shape)) {}
+VoronoiRegions::VoronoiRegions(const ConvexHull& shape)
+    : parts_(parts_of(vertices_of(shape), shape.topology(), shape)) {}
 
 int VoronoiRegions::dimension() const { return parts_->dimension; }
 const HullTopology& VoronoiRegions::topology() const { return parts_->topology; }
@@ -230,8 +231,8 @@ std::vector<RegionBound> VoronoiRegions::bounds(const ConvexFeature& feature) co
 
 std::size_t VoronoiRegions::memory() const {
   const Parts& p = *parts_;
-  return sizeof(Parts) + p.own.size() * sizeof(double) + p.spokes.size() * sizeof(Parts::Spoke) +
-         (p.first_spoke.size() + p.edge_number.size()) * sizeof(Index) + p.edges.size() * sizeof(Parts::Edge) +
+  return sizeof(Parts) + p.vertices.size() * sizeof(Parts::Vertex) + p.spokes.size() * sizeof(Parts::Spoke) +
+         p.edge_number.size() * sizeof(Index) + p.edges.size() * (sizeof(Parts::Edge) + sizeof(p.faces_at[0])) +
          p.rims.size() * sizeof(RegionPlane) + p.sides.size() * sizeof(Parts::Side);
 }
 

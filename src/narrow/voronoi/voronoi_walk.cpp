@@ -33,7 +33,7 @@ void require_regions_of(const PosedConvex& shape, const VoronoiRegions& regions,
 
 /// Those of a hull share its coordinates; else the vertices tell.
 bool are_regions_of(const WalkBody& body, const PosedConvex& shape) {
-  if (body.parts->along[0] == shape.along(0)) return true;
+  if (body.parts->stored == shape.along(0)) return true;
   for (Index i = 0; i < shape.vertex_count(); ++i)
     if (!(body.vertex(i) == shape.vertex(i))) return false;
   return true;
