@@ -16,7 +16,7 @@ struct AskDepth {
   }
   Penetration operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return penetration(a, b); }
   Penetration operator()(const PosedHalfSpace& a, const PosedConvex& b) const { return flipped(penetration(b, a)); }
-  Penetration operator()(const PosedHalfSpace& a, const PosedSmooth& b) const { return flipped(penetration(b, a)); }
+  Penetration operator()(const PosedHalfSpace& a, const PosedSmooth& b) const { return penetration(a, b); }
   Penetration operator()(const PosedConvex& a, const PosedSmooth& b) const { return penetration(a, b); }
   template <PosedConvexSet B>
   Penetration operator()(const PosedSmooth& a, const B& b) const {

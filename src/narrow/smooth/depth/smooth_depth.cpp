@@ -4,6 +4,7 @@
 #include "math/vec3_measures.hpp"
 #include "narrow/smooth/contact/smooth_parting.hpp"
 #include "narrow/smooth/depth/smooth_expansion.hpp"
+#include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_nearest.hpp"
 #include "narrow/smooth/distance/smooth_polish.hpp"
 #include "narrow/smooth/smooth_order.hpp"
@@ -105,6 +106,7 @@ Penetration shallow_penetration(const SmoothNearest& near) {
 template <class B>
 Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
   const PairFrame frame = pair_frame(shape_a, shape_b);
+  if (is_quick(shape_a, shape_b, frame) && QuickPair(shape_a, shape_b, frame).is_apart()) return {};
   const SmoothBody a(shape_a, frame), b(shape_b, frame);
   DeepPair pair(a, b);
   if (!pair.certainly_meet()) {
