@@ -27,16 +27,27 @@ struct FaceNormal {
   double error = 0;
 };
 
-FaceNormal face_normal(const Parts& parts, Index face) {
-  const HullTopology& t = parts.topology;
+/// Given the directions of all half-edges.
+FaceNormal face_normal(const HullTopology& t, Index face, std::span<const Vec3> directions) {
   FaceNormal best{{}, std::numeric_limits<double>::infinity()};
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h) {
-    const Vec3 unit_from = unit_or_zero(parts.way(h)), unit_to = unit_or_zero(parts.way(t.next(h)));
-    const Vec3 normal = cross(unit_from, unit_to);
+    const Vec3 normal = cross(directions[h], directions[t.next(h)]);
     const double sine = plain_length(normal), error = 0x1p-49 / sine + 0x1p-50;
-    if (error < best.error) best = {unit_or_zero(normal), error};
+    if (error < best.error) best = {normal, error};
   }
-  return best;
+  return {unit_or_zero(best.unit), best.error};
+}
+
+/// Each edge's both, unit.
+std::vector<Vec3> directions_of(const Parts& parts) {
+  const HullTopology& t = parts.topology;
+  std::vector<Vec3> directions(t.origin.size());
+  for (Index h = 0; h < t.origin.size(); ++h)
+    if (h < t.twin[h]) {
+      directions[h] = unit_or_zero(parts.way(h));
+      directions[t.twin[h]] = -directions[h];
+    }
+  return directions;
 }
 
 void add_spokes(Parts& parts) {
@@ -66,12 +77,13 @@ double least_depth(const Parts& parts, Index face, const Vec3& normal) {
   double least = std::numeric_limits<double>::infinity();
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h)
     for (const Parts::Spoke& spoke : parts.spokes_at(t.origin[h]))
-      if (!is_of_face(t, spoke.vertex, face)) least = std::min(least, -dot(normal, parts.way(spoke.half_edge)));
+      if (!is_of_face(t, spoke.vertex, face))
+        least = std::min(least, -dot(normal, parts.vertex(spoke.vertex) - parts.vertex(t.origin[h])));
   return least;
 }
 
-Parts::Side side_of(const Parts& parts, Index face) {
-  const FaceNormal normal = face_normal(parts, face);
+Parts::Side side_of(const Parts& parts, Index face, std::span<const Vec3> directions) {
+  const FaceNormal normal = face_normal(parts.topology, face, directions);
   const double depth = parts.dimension == 3 ? least_depth(parts, face, normal.unit) : 0;
   const double certain = depth - 8 * normal.error * parts.extent;
   const double clearance = certain > 0 && normal.error < 0x1p-30 ? certain : 0;
@@ -93,17 +105,17 @@ Vec3 way_into(const Parts& parts, Index half_edge) {
   return ((1 - 0x1p-40) * (beyond.clearance / height)) * into;
 }
 
-void add_edges(Parts& parts) {
+void add_edges(Parts& parts, std::span<const Vec3> directions) {
   const HullTopology& t = parts.topology;
   parts.edge_number.resize(t.origin.size());
   parts.edges.reserve(t.origin.size() / 2);
+  parts.faces_at.reserve(t.origin.size() / 2);
   for (Index h = 0; h < t.origin.size(); ++h) {
     const Index twin = t.twin[h];
     if (twin < h) continue;
     parts.edge_number[h] = parts.edge_number[twin] = static_cast<Index>(parts.edges.size());
-    const Vec3 way = parts.way(h);
     const auto [least, greatest] = std::minmax({t.origin[h], t.target(h)});
-    const auto lean = static_cast<float>(4 * parts.extent / dot(unit_or_zero(way), way));
+    const auto lean = static_cast<float>(4 * parts.extent / dot(directions[h], parts.way(h)));
     Parts::Edge edge{{}, std::nextafter(lean, std::numeric_limits<float>::infinity()), h, {least, greatest}};
     const Index forth = t.origin[h] == least ? h : twin;
     parts.faces_at.push_back({t.face[forth], t.face[t.twin[forth]]});
@@ -112,11 +124,11 @@ void add_edges(Parts& parts) {
   }
 }
 
-void add_rims(Parts& parts) {
+void add_rims(Parts& parts, std::span<const Vec3> directions) {
   const HullTopology& t = parts.topology;
   parts.rims.reserve(t.origin.size());
   for (Index h = 0; h < t.origin.size(); ++h) {
-    const Vec3 into = cross(parts.sides[t.face[h]].normal, unit_or_zero(parts.way(h)));
+    const Vec3 into = cross(parts.sides[t.face[h]].normal, directions[h]);
     parts.rims.push_back(plane_through(unit_or_zero(into), parts.vertex(t.origin[h])));
   }
 }
@@ -137,17 +149,20 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
   parts->topology = topology;
   parts->dimension = dimension_of(topology);
   parts->vertex_count = static_cast<Index>(vertices.size());
+  parts->vertices.reserve(vertices.size());
   for (const Vec3& v : vertices) {
     parts->vertices.push_back({v, 0, 0});
     parts->extent = std::max(parts->extent, largest_magnitude(v));
   }
   parts->middle = middle_of(*parts);
   add_spokes(*parts);
+  const std::vector<Vec3> directions = directions_of(*parts);
   if (parts->has_faces()) {
-    for (Index f = 0; f < topology.face_count(); ++f) parts->sides.push_back(side_of(*parts, f));
-    add_rims(*parts);
+    parts->sides.reserve(topology.face_count());
+    for (Index f = 0; f < topology.face_count(); ++f) parts->sides.push_back(side_of(*parts, f, directions));
+    add_rims(*parts, directions);
   }
-  add_edges(*parts);
+  add_edges(*parts, directions);
   parts->numbers = {parts->vertex_count, static_cast<Index>(topology.origin.size()),
                     static_cast<Index>(parts->sides.size())};
   return parts;
@@ -155,6 +170,7 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
 
 std::vector<Vec3> vertices_of(const ConvexHull& hull) {
   std::vector<Vec3> vertices;
+  vertices.reserve(hull.vertex_count());
   for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
   return vertices;
 }
