@@ -62,8 +62,14 @@ NEAR_BODIES = scene(
     ("far ball", sphere(0.4), UPRIGHT, [2.4, -1.5, 0]),
     ("capsule", {"type": "capsule", "start": [-1, -1.4, -0.4], "end": [0.9, -1, 0.4], "radius": 0.25}, UPRIGHT, [0, 0, 0]))
 GROWN = scene(
-    ("moved planes", box(1.5, 1.2, 1), UPRIGHT, [0, 0, 0]),
-    ("grown box", {"type": "rounded", "core": box(1, 0.7, 0.5), "radius": 0.5}, UPRIGHT, [0, 0, 0]))
+    ("grown box", {"type": "rounded", "core": box(1, 0.7, 0.5), "radius": 0.5}, UPRIGHT, [0, 0, 0]),
+    ("corner of the moved planes", {"type": "point", "position": [1.5, 1.2, 1]}, UPRIGHT, [0, 0, 0]),
+    ("moved planes", box(1.5, 1.2, 1), UPRIGHT, [0, 0, 0]))
+SMOOTH = scene(
+    ("table", box(2.4, 1.1, 0.25), UPRIGHT, [0, 0, -0.25]),
+    ("cylinder", {"type": "cylinder", "radius": 0.5, "half_height": 0.6}, UPRIGHT, [-2.15, -0.4, 0.5]),
+    ("cone", {"type": "cone", "radius": 0.6, "half_height": 0.7}, TURNED, [0, 0.1, 0.65]),
+    ("ellipsoid", {"type": "ellipsoid", "half_axes": [0.6, 0.4, 0.8]}, UPRIGHT, [1.5, -0.3, 0.7]))
 SUMMED = scene(
     ("A", {"type": "convex-hull", "points": [[-1, -0.8, -0.5], [1, -0.8, -0.5], [0, 1, -0.5], [-1, -0.8, 0.5], [1, -0.8, 0.5], [0, 1, 0.5]]}, UPRIGHT, [3.4, -1, 0]),
     ("B", {"type": "convex-hull", "points": [[-0.6, -0.5, -0.5], [0.7, -0.4, -0.5], [0, 0.7, -0.4], [0.1, 0, 0.9]]}, UPRIGHT, [0.4, 3, 0]))
@@ -87,7 +93,8 @@ WANTED = {
     "meshes-crossing": ([KNOT, RING, "--pose-b", *HERE, "0.4", "0", "0"], [], "finding=0"),
     "helices": ("helices", ["--clearance", "all"], "finding=0"),
     "scene-graph": ("robot", ["--penetration"], ""),
-    "grown-box": (GROWN, [], "finding=0&through=1&grid=0"),
+    "grown-box": (GROWN, ["--clearance", "all"], "finding=0&through=1&grid=0&camera=0.4,0.5,-0.2,4.7,-1.1,0.1"),
+    "smooth-shapes": (SMOOTH, ["--penetration"], "finding=0&through=1&grid=0&camera=0.3,-0.2,-0.3,3.6,-1.1,0.25"),
     "levels-aabb": ([KNOT], ["--hierarchy", "aabb"], "steps=0:5"),
     "levels-obb": ([KNOT], ["--hierarchy", "obb"], "steps=0:5"),
     "levels-ball": ([KNOT], ["--hierarchy", "ball"], "steps=0:4"),

@@ -34,6 +34,7 @@ export interface Findings {
   none: string; // where there is nothing in it
   orders: Order[]; // the first is taken where nothing is chosen
   shown: string[]; // roles of layers that are drawn while none is chosen
+  distinct?: boolean; // every object that is listed has a colour while none is chosen, not those of contacts alone
 }
 
 const plain = { counts: false, depth: 0, gap: 0, size: 0 };

@@ -28,7 +28,7 @@ export function ofParts({ report }: PageData): Findings {
   const more = `${numberText(report.hull_volume ?? 0)} in all around a solid of ${numberText(report.mesh_volume ?? 0)}`;
   return {
     all, name: `Convex parts ${parts.length.toLocaleString('en-US')}`, summary: [countText(parts.length, 'convex part'), more],
-    none: 'There is no part.', orders: ['listed'], shown: [],
+    none: 'There is no part.', orders: ['listed'], shown: [], distinct: true,
   };
 }
 

@@ -60,7 +60,7 @@ export class Viewer {
     this.known = knownOf(data, this.findings);
     const { state, complaints } = fromHash(location.hash, this.known);
     this.state = state;
-    this.touched = new Set(this.findings.all.flatMap((finding) => (finding.counts ? objectsOf(finding) : [])));
+    this.touched = new Set(this.findings.all.flatMap((finding) => (finding.counts || this.findings.distinct ? objectsOf(finding) : [])));
     this.objects = new Objects(data);
     this.motion = header.motion && new Motion(header.motion, data, this.objects);
     this.state.moment = this.chosen?.moment ?? this.state.moment;
