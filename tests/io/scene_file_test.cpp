@@ -145,7 +145,9 @@ TEST_F(SceneFile, ErrorsSayWhere) {
   expect_error(R"("objects": [{"name": "a", "generate": "box", "unit": -1}])", "must be positive");
   expect_error(R"("objects": [{"name": "a", "name": "b", "generate": "box"}])", "\"name\" appears twice");
   expect_error("\"unit\": NaN", ":1: this is not valid JSON");
-  expect_error("\n\n\"unit\": 1e400", "too large for a double");
+  expect_error("\n\n\"unit\": 1e400", ":3: at /unit: the number \"1e400\" is too large for a double");
+  expect_error(R"("objects": [{"generate": "box"}, {"pose": [1, -2e999], "name": "late"}])",
+               ": at /objects/1/pose/1: the");
   expect_error("\n\n\"unit\": 1,, ", ":3: this is not valid JSON");
 }
 
@@ -338,7 +340,8 @@ TEST_F(SceneFile, WrongShapesAreSaidWhere) {
   expect(R"({"type": "spere", "radius": 1})", "did you mean 'sphere'?");
   expect(R"({"type": "sphere", "radius": 0})", "/objects/0/shape");
   expect(R"({"type": "sphere", "radius": -2})", "the radius of a sphere is -2; give a positive finite number");
-  expect(R"({"type": "sphere", "radius": 1e999})", "too large for a double");
+  expect(R"({"type": "sphere", "radius": 1e999})",
+         "at /objects/0/shape/radius of \"a\": the number \"1e999\" is too large for a double; write numbers below");
   expect(R"({"type": "sphere", "radius": NaN})", "not valid JSON");
   expect(R"({"type": "capsule", "start": [0, 0, 0], "end": [1, 0, 0], "radius": 0})", "the radius of a capsule is 0");
   expect(R"({"type": "cylinder", "radius": 0, "half_height": 1})", "the radius of a cylinder is 0; give a positive");

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "io/formats/file_error.hpp"
+#include "io/formats/json_overflow.hpp"
+#include "io/formats/json_watch.hpp"
 #include "toccata/core/suggestion.hpp"
 
 namespace toccata::io {
@@ -19,7 +21,7 @@ using nlohmann::json;
 
 /// Told of every key of a text in turn; remembers those of the objects that are open. Building the document under such
 /// a watch, with a callback of json::parse, takes time quadratic in the length of a list of objects.
-class RepeatedKeyWatch final : public nlohmann::json_sax<json> {
+class RepeatedKeyWatch final : public JsonWatch {
  public:
   bool start_object(std::size_t) override {
     open_.emplace_back();
@@ -35,16 +37,6 @@ class RepeatedKeyWatch final : public nlohmann::json_sax<json> {
     found_ = name;
     return false;
   }
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(std::int64_t) override { return true; }
-  bool number_unsigned(std::uint64_t) override { return true; }
-  bool number_float(double, const std::string&) override { return true; }
-  bool string(std::string&) override { return true; }
-  bool binary(json::binary_t&) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
 
   [[nodiscard]] const std::optional<std::string>& found() const { return found_; }
 
@@ -90,14 +82,22 @@ void refuse_deep_nesting(std::span<const char> text, std::string_view file) {
                   "write the document with fewer levels"});
 }
 
-/// RFC 6901.
-std::string escaped(const std::string& key) {
+[[noreturn]] void refuse_overflow(std::span<const char> text, std::string_view file) {
+  const JsonOverflow found = overflow_of(text);
+  const std::string who = found.name.empty() ? "" : " of " + io::quoted(found.name);
+  fail_at_line(
+      file, line_of_byte(text, found.byte),
+      {fmt::format("at {}{}: the number {} is too large for a double", found.path, who, io::quoted(found.number)),
+       "write numbers below 1.8e308"});
+}
+
+}  // namespace
+
+std::string escaped_key(const std::string& key) {
   std::string result;
   for (const char c : key) result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   return result;
 }
-
-}  // namespace
 
 json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys repeated) {
   refuse_deep_nesting(text, file);
@@ -108,7 +108,7 @@ json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys 
     fail_at_line(file, line_of_byte(text, error.byte == 0 ? 0 : error.byte - 1),
                  {"this is not valid JSON", "look for a missing comma, quote or bracket just before"});
   } catch (const json::exception&) {
-    fail_in_file(file, {"a number is too large for a double", "write numbers below 1.8e308"});
+    refuse_overflow(text, file);
   }
   if (repeated == RepeatedKeys::refused) refuse_repeated_keys(text, file);
   return document;
@@ -137,7 +137,7 @@ JsonValue JsonValue::at(const std::string& key) const {
   if (!is_object()) fail("this is not an object", "write {…} here");
   const auto found = value_->find(key);
   if (found == value_->end()) fail(fmt::format("the key {} is missing", io::quoted(key)), "add it");
-  return {*found, file_, path_ + "/" + escaped(key)};
+  return {*found, file_, path_ + "/" + escaped_key(key)};
 }
 
 std::vector<JsonValue> JsonValue::elements() const {

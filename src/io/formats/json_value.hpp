@@ -17,6 +17,9 @@ enum class RepeatedKeys { refused, last_counts };
 /// than 1,000 deep, a number is too large for a double, or an object has a key twice and that is refused.
 [[nodiscard]] nlohmann::json parse_json(std::span<const char> text, std::string_view file, RepeatedKeys repeated);
 
+/// A key in a path by RFC 6901.
+[[nodiscard]] std::string escaped_key(const std::string& key);
+
 /// A value within a JSON file that knows where it stands, so that what is wrong with it can be said: "<file>: at
 /// /objects/3/pose: <what>; <advice>". A view: the document and the name of the file must outlive it.
 class JsonValue {
