@@ -56,16 +56,34 @@ std::string region_lines(const std::vector<ContactRegion>& regions) {
   return text;
 }
 
+std::string point_line(const std::string& what, const Manifold& manifold, int i) {
+  const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+  return fmt::format("      {} at {}, depth {:.6g}, normal {}\n", what, point_text(point.position), point.depth,
+                     point_text(manifold.normal));
+}
+
+/// The points of the first few elements that meet; JSON lists all.
+std::string element_lines(const std::vector<ContactManifold>& manifolds) {
+  const std::size_t shown = std::min(manifolds.size(), most_listed);
+  std::string text;
+  for (std::size_t k = 0; k < shown; ++k) {
+    const ContactManifold& one = manifolds[k];
+    const std::string what = fmt::format("faces {} and {} in contact", one.contact.face_a, one.contact.face_b);
+    for (int i = 0; i < one.manifold.count; ++i) text += point_line(what, one.manifold, i);
+  }
+  if (shown < manifolds.size())
+    text += fmt::format("      … and {} in contact; --json lists all\n",
+                        counted(manifolds.size() - shown, "more pair of elements", "more pairs of elements"));
+  return text;
+}
+
 /// How deep they overlap, and a line for each point and region of contact.
 std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
   if (pair.relation.kind == RelationKind::apart) return {};
   std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + "\n" : depth_refusal(scene, pair));
-  for (int i = 0; pair.manifold && i < pair.manifold->count; ++i) {
-    const ManifoldPoint& point = pair.manifold->points[static_cast<std::size_t>(i)];
-    text += fmt::format("      contact at {}, depth {:.6g}, normal {}\n", point_text(point.position), point.depth,
-                        point_text(pair.manifold->normal));
-  }
-  return text + region_lines(pair.regions);
+  if (pair.manifold)
+    for (int i = 0; i < pair.manifold->count; ++i) text += point_line("contact", *pair.manifold, i);
+  return text + element_lines(pair.manifolds) + region_lines(pair.regions);
 }
 
 std::string pair_lines(const Scene& scene, const CheckReport& report) {

@@ -33,6 +33,7 @@ struct ReportedPair {
   std::vector<ReportedFacePair> face_pairs;  ///< ascending by (face_a, face_b); filled when the answer has contacts
   std::optional<Penetration> penetration;    ///< as in PairAnswer
   std::optional<Manifold> manifold;
+  std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;  ///< filled when the answer has distances
 };

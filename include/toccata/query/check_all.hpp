@@ -24,6 +24,12 @@ struct Posed {
   std::string group{};  ///< posed models of one non-empty group are not checked against each other
 };
 
+/// The points of contact of two elements that meet.
+struct ContactManifold {
+  Contact contact;
+  Manifold manifold;
+};
+
 struct PairAnswer {
   Index a = 0;  ///< index in the span, a < b
   Index b = 0;
@@ -31,8 +37,11 @@ struct PairAnswer {
   std::vector<Contact> contacts;             ///< filled when asked for
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
-  std::vector<ContactRegion> regions{};      ///< with the penetration, of two meshes
-  std::optional<Distance> distance{};        ///< wherever a clearance is asked for: 0 where they have a common point
+  /// With the penetration, where one is a mesh, a height field or a compound and not both have a mesh: of each two
+  /// elements that meet, ascending.
+  std::vector<ContactManifold> manifolds{};
+  std::vector<ContactRegion> regions{};  ///< with the penetration, of two meshes
+  std::optional<Distance> distance{};    ///< wherever a clearance is asked for: 0 where they have a common point
 };
 
 /// How far two of the models should be from each other. They are not of one group.

@@ -170,6 +170,9 @@ class FindingNodes {
     ContactGeometry found = contact_geometry(pair.face_pairs);
     for (int i = 0; pair.manifold && i < pair.manifold->count; ++i)
       found.points.push_back(pair.manifold->points[static_cast<std::size_t>(i)].position);
+    for (const ContactManifold& one : pair.manifolds)
+      for (int i = 0; i < one.manifold.count; ++i)
+        found.points.push_back(one.manifold.points[static_cast<std::size_t>(i)].position);
     std::vector<Shown> shown{
         {corners(pair.a, meeting_faces(pair.face_pairs, &ReportedFacePair::face_a)), GlbMode::triangles, first_faces},
         {corners(pair.b, meeting_faces(pair.face_pairs, &ReportedFacePair::face_b)), GlbMode::triangles, second_faces}};

@@ -56,6 +56,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   if (report.has_penetration) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration) : Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : Json();
+    line["manifolds"] = io::json_of(pair.manifolds);
     line["regions"] = io::json_of(pair.regions);
   }
   if (report.clearance && pair.distance) io::add(line["distance"] = Json::object(), *pair.distance);
@@ -200,6 +201,7 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
     if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
     reported.penetration = pair.penetration;
     reported.manifold = pair.manifold;
+    reported.manifolds = pair.manifolds;
     reported.regions = pair.regions;
     reported.distance = pair.distance;
   }

@@ -94,6 +94,19 @@ Json json_of(const Manifold& manifold) {
   return {{"normal", json_of(manifold.normal)}, {"points", std::move(points)}};
 }
 
+Json json_of(const std::vector<ContactManifold>& manifolds) {
+  Json list = Json::array();
+  for (const ContactManifold& one : manifolds) {
+    Json entry = {{"triangle_a", one.contact.triangle_a},
+                  {"triangle_b", one.contact.triangle_b},
+                  {"face_a", one.contact.face_a},
+                  {"face_b", one.contact.face_b}};
+    entry.update(json_of(one.manifold));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 Json json_of(const ContactRegion& region) {
   return {{"triangle_pairs", region.triangle_pairs},
           {"face_pairs", region.face_pairs},

@@ -30,6 +30,7 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const Penetration& penetration);
 [[nodiscard]] Json json_of(const Manifold& manifold);
+[[nodiscard]] Json json_of(const std::vector<ContactManifold>& manifolds);
 [[nodiscard]] Json json_of(const ContactRegion& region);
 [[nodiscard]] Json json_of(const std::vector<ContactRegion>& regions);
 

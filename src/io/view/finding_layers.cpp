@@ -78,6 +78,7 @@ struct FindingMarks {
       add_depth(layers, pair.penetration);
       if (pair.distance) add_distance(layers, *pair.distance);
       add_normals(layers, pair.regions, pair.manifold);
+      for (const ContactManifold& one : pair.manifolds) add_normals(layers, {}, one.manifold);
     }
   }
 

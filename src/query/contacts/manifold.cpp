@@ -34,8 +34,11 @@ Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Worksp
 Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query) {
   SearchScratch scratch;
   const PosedModels models(a, b, query, scratch);
-  return ask(AskManifold{scratch}, posed_element(models.a, contact.triangle_a),
-             posed_element(models.b, contact.triangle_b));
+  return manifold_of(posed_element(models.a, contact.triangle_a), posed_element(models.b, contact.triangle_b), scratch);
+}
+
+Manifold manifold_of(const PosedPart& a, const PosedPart& b, SearchScratch& scratch) {
+  return ask(AskManifold{scratch}, a, b);
 }
 
 }  // namespace toccata

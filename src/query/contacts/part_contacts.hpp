@@ -4,6 +4,7 @@
 
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
@@ -14,5 +15,8 @@ namespace toccata {
 
 /// What `manifold` and the like see of an element: a shape that needs no tree.
 [[nodiscard]] PosedPart posed_element(const PosedModel& model, Index element);
+
+/// The points of contact of two elements of posed models that meet. Throws Error where both are half-spaces.
+[[nodiscard]] Manifold manifold_of(const PosedPart& a, const PosedPart& b, SearchScratch& scratch);
 
 }  // namespace toccata

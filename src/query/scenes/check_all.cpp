@@ -181,7 +181,7 @@ class Check {
     SearchScratch& scratch = workspace.scratch();
     const PosedModel& a = posed_[pair.first];
     const PosedModel& b = posed_[pair.second];
-    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}, {}, {}};
+    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}, {}, {}, {}};
     const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
     if (mesh_a != nullptr && mesh_b != nullptr)
       answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, scratch, answer);
@@ -193,7 +193,7 @@ class Check {
       if (is_undecided(*answer.distance, clearances_.of(pair), a, b)) answer.relation.status = Status::undecided;
       return answer;
     }
-    if (options_.penetration) add_depth(answer);
+    if (options_.penetration) add_depth(answer, scratch);
     return answer;
   }
 
@@ -236,17 +236,35 @@ class Check {
   }
 
   /// Where the table of pairs.hpp defines it.
-  void add_depth(PairAnswer& answer) const {
+  void add_depth(PairAnswer& answer, SearchScratch& scratch) const {
     const Posed &a = models_[answer.a], &b = models_[answer.b];
     const PairQuery query{a.pose, b.pose, a.solid, b.solid};
     const auto defined = [&](ShapeQuestion question) {
       return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
     };
-    if (a.model.has_mesh() && b.model.has_mesh()) answer.regions = contact_regions(a.model, b.model, query);
+    if (a.model.has_mesh() && b.model.has_mesh())
+      answer.regions = contact_regions(a.model, b.model, query);
+    else if (!defined(ShapeQuestion::manifold))
+      answer.manifolds = manifolds_of(posed_[answer.a], posed_[answer.b], scratch);
     if (defined(ShapeQuestion::manifold)) answer.manifold = manifold(a.model, b.model, query);
     if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration) &&
         may_be_parted(posed_[answer.a], posed_[answer.b]))
       answer.penetration = penetration(a.model, b.model, query);
+  }
+
+  /// Of every two elements that meet. Two half-spaces have no points.
+  static std::vector<ContactManifold> manifolds_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
+    const std::span<const Contact> found = contacts_of(a, b, scratch, 1);
+    const std::vector<Contact> contacts(found.begin(), found.end());
+    const auto is_half_space = [](const PosedPart& part) { return std::holds_alternative<PosedHalfSpace>(part.shape); };
+    std::vector<ContactManifold> manifolds;
+    for (const Contact& contact : contacts) {
+      const PosedPart part_a = posed_element(a, contact.triangle_a), part_b = posed_element(b, contact.triangle_b);
+      if (is_half_space(part_a) && is_half_space(part_b)) continue;
+      scratch.convex = {};  // it was another pair's
+      manifolds.push_back({contact, manifold_of(part_a, part_b, scratch)});
+    }
+    return manifolds;
   }
 
   std::span<const Posed> models_;
