@@ -286,6 +286,31 @@ TEST_F(ShapeCommands, CheckTellsHowDeepAndWhere) {
   EXPECT_EQ(run_command({"check", file, "--penetration", "--self"}).exit_code, 2);
 }
 
+TEST_F(ShapeCommands, PenetrationTellsThePointsOfEachTriangleThatAShapeMeets) {
+  const auto on_floor = [](const std::string& shape) {
+    return R"({"format": "toccata-scene", "version": 1, "objects": [
+      {"name": "floor", "shape": {"type": "height-field", "columns": 2, "rows": 2, "spacing": [4, 4], "heights": [0, 0, 0, 0]}},
+      {"name": "part", "pose": {"translation": [2, 2, 0.9375]}, "shape": )" +
+           shape + "}]}";
+  };
+  for (const std::string& shape : {std::string(R"({"type": "cylinder", "radius": 0.5, "half_height": 1})"),
+                                   std::string(R"({"type": "box", "half_extents": [0.5, 0.5, 1]})")}) {
+    const std::string file = folder.write("scene.json", on_floor(shape)).string();
+    const auto table = run_command({"check", file, "--penetration"});
+    EXPECT_NE(table.out.find("      faces 0 and 0 in contact at "), std::string::npos) << table.out;
+    const Json pair = Json::parse(run_command({"check", file, "--penetration", "--json"}).out)["pairs"][0];
+    EXPECT_TRUE(pair["manifold"].is_null());
+    ASSERT_EQ(pair["manifolds"].size(), 2U) << pair;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Json& one = pair["manifolds"][i];
+      EXPECT_EQ(one["triangle_a"], i);
+      EXPECT_GE(one["points"].size(), 3U);
+      EXPECT_NEAR(one["normal"][2].get<double>(), 1, 1e-12);
+      for (const Json& point : one["points"]) EXPECT_NEAR(point["depth"].get<double>(), 0.0625, 1e-12) << shape;
+    }
+  }
+}
+
 TEST_F(ShapeCommands, TheTableOfPairsIsTheOneOfTheDocs) {
   const auto run = run_command({"pairs"});
   EXPECT_EQ(run.exit_code, 0);
