@@ -268,7 +268,7 @@ std::optional<QuickDistance> AxialBox::proved() const {
   found.on_a = turned + a_.pose().offset;
   found.on_b = on_b.corner + on_b.steps;
   if (is_narrow(found)) return found;
-  return proved_longer(p, d);
+  return is_nearly_narrow(found) ? proved_longer(p, d) : std::nullopt;
 }
 
 /// Hairs, with twice the digits.

@@ -150,7 +150,7 @@ std::optional<QuickDistance> proved(const PosedSmooth& a, const PosedSmooth& b, 
   found.on_a = on_a.from_middle + a.pose().offset;
   found.on_b = on_b.from_middle + b.pose().offset;
   if (is_narrow(found)) return found;
-  return proved_longer(a, b, on_a, on_b, d);
+  return is_nearly_narrow(found) ? proved_longer(a, b, on_a, on_b, d) : std::nullopt;
 }
 
 bool is_plain(const PosedSmooth& shape) {

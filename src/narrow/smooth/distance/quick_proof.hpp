@@ -21,6 +21,11 @@ struct QuickDistance {
   return found.lower > 0 && found.upper - found.lower <= 1e-12 * found.upper;
 }
 
+/// With plain sums: twice the digits may make it narrow, as the rest of what it is wide by is no smaller.
+[[nodiscard]] inline bool is_nearly_narrow(const QuickDistance& found) {
+  return found.lower > 0 && found.upper - found.lower <= 1e-11 * found.upper;
+}
+
 /// Where the interval is no wider than 10⁻¹² of its upper end.
 [[nodiscard]] std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedSmooth& b,
                                                            const QuickPolish& guess);
