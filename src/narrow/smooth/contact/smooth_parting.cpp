@@ -14,9 +14,9 @@
 namespace toccata {
 namespace {
 
-/// How far apart the bodies are brought in turn, so that they have nearest points; the pair is of size 1. From farther
-/// out a step turns the normal more, from nearer the points are told more finely.
-constexpr std::array<double, 4> gaps_between{0x1p-2, 0x1p-6, 0x1p-12, 0x1p-20};
+/// How far apart the bodies are brought in turn, so that they have nearest points; the pair is of size 1. Points that
+/// lie aside of each other turn the normal by as much as the gap is small beside that, and are told the more finely.
+constexpr std::array<double, 6> gaps_between{0x1p-2, 0x1p-6, 0x1p-12, 0x1p-20, 0x1p-28, 0x1p-36};
 
 /// The nearest points lie across from each other, but for this; and almost.
 constexpr double rounding_across = 0x1p-44;
@@ -148,21 +148,22 @@ bool has_points_across(SmoothParting& parting, const SmoothBody& a, const Smooth
   return false;
 }
 
-enum class Step : std::uint8_t { none, another, last };
-
-Step take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b, double gap) {
+/// How far the points under the normal are aside of each other, after which it is turned to the nearest ones; nothing
+/// where that is no better.
+std::optional<double> take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b, double gap) {
   const Vec3 way = (parting.depth + gap) * parting.normal;
   const SmoothNearest near = nearest_when_parted(a, b, way);
-  if (near.contact != SmoothContact::apart) return Step::none;
+  if (near.contact != SmoothContact::apart) return {};
   parting.on_a = near.on_a + way;
   parting.on_b = near.on_b;
-  if (aside(near.on_b - near.on_a, parting.normal) <= rounding_across) return Step::last;
+  const double off = aside(near.on_b - near.on_a, parting.normal);
+  if (off <= rounding_across) return off;
   const Vec3 normal = normal_of(near.direction);
   const double depth = depth_along(a, b, normal);
-  if (!(depth < parting.depth + rounding_along)) return Step::none;
+  if (!(depth < parting.depth + rounding_along)) return {};
   parting.normal = normal;
   parting.depth = depth;
-  return Step::another;
+  return off;
 }
 
 }  // namespace
@@ -172,12 +173,16 @@ Step take_step(SmoothParting& parting, const SmoothBody& a, const SmoothBody& b,
 SmoothParting parting_of(const SmoothBody& a, const SmoothBody& b, const SmoothNearest& met) {
   SmoothParting parting = first_parting(a, b, met);
   if (is_polished(parting, a, b) || has_points_across(parting, a, b)) return parting;
-  for (const double gap : gaps_between)
-    for (int step = 0; step < most_steps; ++step)
-      if (const Step taken = take_step(parting, a, b, gap); taken == Step::none)
-        break;
-      else if (taken == Step::last)
-        return parting;
+  for (const double gap : gaps_between) {
+    double last = HUGE_VAL;
+    for (int step = 0; step < most_steps; ++step) {
+      const std::optional<double> off = take_step(parting, a, b, gap);
+      if (off && *off <= rounding_across) return parting;
+      // What hardly turns from here turns more from nearer.
+      if (!off || !(*off < 0.5 * last)) break;
+      last = *off;
+    }
+  }
   return parting;
 }
 
