@@ -73,6 +73,11 @@ struct RaysArguments {
 
 struct DecomposeArguments {
   std::string mesh;
+  std::string mesh_b;        ///< of pairs; empty: the same
+  std::string task = "cut";  ///< or a question about pairs of decomposed meshes
+  std::vector<std::string> peers;
+  std::size_t random = 1000;  ///< so many poses of pairs
+  std::uint64_t seed = 1;
   std::size_t parts = 32;
   int rounds = 1;
   bool json = false;
@@ -203,6 +208,7 @@ int run_convex(const ConvexArguments& arguments);
 int run_casts(const CastsArguments& arguments);
 int run_rays(const RaysArguments& arguments);
 int run_decompose(const DecomposeArguments& arguments);
+int run_decomposed(const DecomposeArguments& arguments);
 int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
 int run_partitions(const PartitionsArguments& arguments);

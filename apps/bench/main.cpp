@@ -174,10 +174,23 @@ void add_rays(CLI::App& app, RaysArguments& arguments) {
 void add_decompose(CLI::App& app, DecomposeArguments& arguments) {
   CLI::App* decompose = app.add_subcommand("decompose", "convex decomposition of a closed mesh, on one thread");
   add_mesh_file(*decompose, "--mesh", arguments.mesh)->required();
+  add_mesh_file(*decompose, "--mesh-b", arguments.mesh_b);
+  decompose
+      ->add_option("--task", arguments.task,
+                   "cut the mesh, or ask about two decomposed ones (--mesh-b, or the same twice) near contact")
+      ->check(CLI::IsMember({"cut", "overlap", "distance", "penetration"}))
+      ->capture_default_str();
+  add_number(*decompose, "--random", arguments.random, "so many poses to ask at");
+  decompose->add_option("--seed", arguments.seed, "another seed, other poses")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_peers(*decompose, arguments.peers, {"cgal"});
   add_number(*decompose, "--parts", arguments.parts, "at most so many");
   add_number(*decompose, "--rounds", arguments.rounds, "how often; the fastest counts");
   add_json(*decompose, arguments.json);
-  decompose->footer("Example:\n  ./toccata bench decompose --mesh 'gen:noise-sphere?subdivisions=6'");
+  decompose->footer(
+      "Example:\n  ./toccata bench decompose --mesh 'gen:noise-sphere?subdivisions=6'\n"
+      "  ./toccata bench decompose --mesh gen:torus --mesh-b gen:gear --task overlap");
 }
 
 void add_self(CLI::App& app, SelfArguments& arguments) {

@@ -1,4 +1,5 @@
 #include "broad.hpp"
+#include "decomposing.hpp"
 #include "library.hpp"
 #include "nearest.hpp"
 #include "self.hpp"
@@ -11,6 +12,7 @@ NearestLibraries cgal_nearest_libraries() { peer_is_missing("cgal"); }
 TriangleLibraries cgal_triangle_libraries() { peer_is_missing("cgal"); }
 SelfLibraries cgal_self_libraries() { peer_is_missing("cgal"); }
 BroadLibraries cgal_broad_libraries() { peer_is_missing("cgal"); }
+PeerParts cgal_convex_parts(const TriangleMesh&) { peer_is_missing("cgal"); }
 SumLibraries cgal_sum_libraries() { peer_is_missing("cgal"); }
 
 }  // namespace toccata::bench

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "narrow/minkowski/general_overlay.hpp"
@@ -14,6 +17,35 @@ using Parts = MinkowskiSum::Parts;
 
 constexpr std::size_t large_table = 1U << 16;
 
+/// Numbers those of some keys that were added, ascending.
+class KeyNumbers {
+ public:
+  explicit KeyNumbers(std::size_t keys)
+      : used_(keys / bits + 1), number_(std::make_unique_for_overwrite<Index[]>(keys)) {}
+
+  void add(std::size_t key) { used_[key / bits] |= std::uint64_t{1} << key % bits; }
+
+  /// Once all are there; tells each.
+  template <class Tell>
+  void count(const Tell& tell) {
+    Index total = 0;
+    for (std::size_t w = 0; w < used_.size(); ++w)
+      for (std::uint64_t left = used_[w]; left != 0; left &= left - 1) {
+        const std::size_t key = w * bits + static_cast<std::size_t>(std::countr_zero(left));
+        number_[key] = total++;
+        tell(key);
+      }
+  }
+
+  /// Of one that was added.
+  [[nodiscard]] Index of(std::size_t key) const { return number_[key]; }
+
+ private:
+  static constexpr std::size_t bits = 64;
+  std::vector<std::uint64_t> used_;
+  std::unique_ptr<Index[]> number_;  ///< of those used alone
+};
+
 /// The pairs that are corners, each once and in order, and in `corners` their numbers.
 std::vector<SumVertex> number_pairs(const SumFacets& facets, std::size_t points_of_a, std::size_t points_of_b,
                                     std::vector<Index>& corners) {
@@ -21,14 +53,12 @@ std::vector<SumVertex> number_pairs(const SumFacets& facets, std::size_t points_
   std::vector<SumVertex> vertices;
   corners.resize(facets.corners.size());
   if (points_of_a * points_of_b <= large_table) {
-    std::vector<Index> number(points_of_a * points_of_b, no_index);
-    for (const SumVertex& v : facets.corners) number[key(v)] = 0;
-    for (std::size_t k = 0; k < number.size(); ++k)
-      if (number[k] == 0) {
-        number[k] = static_cast<Index>(vertices.size());
-        vertices.push_back({static_cast<Index>(k / points_of_b), static_cast<Index>(k % points_of_b)});
-      }
-    for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = number[key(facets.corners[c])];
+    KeyNumbers numbers(points_of_a * points_of_b);
+    for (const SumVertex& v : facets.corners) numbers.add(key(v));
+    numbers.count([&](std::size_t k) {
+      vertices.push_back({static_cast<Index>(k / points_of_b), static_cast<Index>(k % points_of_b)});
+    });
+    for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = numbers.of(key(facets.corners[c]));
     return vertices;
   }
   const auto before = [&](const SumVertex& v, const SumVertex& w) { return key(v) < key(w); };
@@ -76,6 +106,17 @@ void take_facets(Parts& parts, SumFacets&& facets) {
   if (parts.kinds.empty()) {
     parts.origin.clear();
     parts.leaving.assign(1, 0);
+    return;
+  }
+  if (!facets.twins.empty()) {
+    parts.twin = std::move(facets.twins);
+    parts.leaving.resize(parts.vertices.size());
+    parts.face.resize(parts.origin.size());
+    for (Index f = static_cast<Index>(parts.kinds.size()); f-- > 0;)
+      for (Index h = parts.face_start[f + 1]; h-- > parts.face_start[f];) {
+        parts.face[h] = f;
+        parts.leaving[parts.origin[h]] = h;
+      }
     return;
   }
   HullFaces faces{parts.dimension, std::move(parts.origin), std::move(parts.face_start)};
