@@ -56,7 +56,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   if (report.has_penetration) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration) : Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : Json();
-    line["manifolds"] = io::json_of(pair.manifolds);
+    if (!pair.manifolds.empty()) line["manifolds"] = io::json_of(pair.manifolds);
     line["regions"] = io::json_of(pair.regions);
   }
   if (report.clearance && pair.distance) io::add(line["distance"] = Json::object(), *pair.distance);
