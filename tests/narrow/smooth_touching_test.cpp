@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "narrow/smooth/exact_place.hpp"
 #include "toccata/narrow/smooth_casts.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
 #include "toccata/shapes/convex_hull.hpp"
@@ -300,6 +301,29 @@ TEST(SmoothTouching, SlantedPlanesOfFewDigits) {
   expect_touching(roller, ramp, down, "a roller on a ramp");
   expect_touching(PosedSmooth(Cone(3, 2), Pose{upside_down(), {1, 0.5, 2.25}}),
                   PosedConvex(Triangle({Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{1, 1, 0.5}})), down, "a tip on a slope");
+}
+
+// Of the plane that proves touching: as exact as the relation to a half-space, which it does not use.
+TEST(SmoothTouching, HeightsOverPlanesAreThoseOverHalfSpaces) {
+  std::mt19937_64 random(5);
+  const auto whole = [&](int most) {
+    return static_cast<double>(std::uniform_int_distribution<int>(-most, most)(random));
+  };
+  int touching = 0;
+  for (int i = 0; i < 9000; ++i) {
+    const Vec3 normal{whole(4), whole(4), whole(4)}, point{whole(3), whole(3), whole(3)};
+    const Pose pose = Pose::translation(whole(4), whole(4), whole(4));
+    if (normal == Vec3{}) continue;
+    const PosedConvex shape = i % 3 == 0   ? PosedConvex(Box({1, 2, 0.5}), pose)
+                              : i % 3 == 1 ? PosedConvex(Sphere(3), pose)
+                                           : PosedConvex(Capsule({0, 0, -1}, {1, 2, 1}, 1.5), pose);
+    const RelationKind lie = relation(shape, PosedHalfSpace(HalfSpace(point, normal))).kind;
+    const Sign height = exact_sign_of_height(shape, point, scaled_wide(normal, 0));
+    EXPECT_EQ(height == Sign::positive, lie == RelationKind::apart);
+    EXPECT_EQ(height == Sign::zero, lie == RelationKind::touching);
+    touching += lie == RelationKind::touching ? 1 : 0;
+  }
+  EXPECT_GT(touching, 30);
 }
 
 // The middle of a triangle was a third of its corners in doubles, and so a point beside it, within what lies there.
