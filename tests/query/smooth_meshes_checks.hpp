@@ -270,7 +270,8 @@ inline std::string fault_of_solid_relation(const Relation& found, const Triangle
   if (found.containment == Containment::equal) return "equal";
   if (found.containment == Containment::a_in_b && shown.only_in_a) return "a in b";
   if (found.containment == Containment::b_in_a && shown.only_in_b) return "b in a";
-  if (found.kind == RelationKind::touching && found.status != Status::undecided) return "touching, exactly";
+  if (found.kind == RelationKind::touching && found.status == Status::exact && truth.contact != SmoothContact::contact)
+    return "touching, exactly, and no triangle is";
   const bool clear = truth.contact == SmoothContact::apart;
   if (clear && inside && (found.containment != Containment::b_in_a || found.status != Status::exact)) return "held";
   if (found.kind == RelationKind::overlapping && found.status == Status::exact &&
@@ -282,15 +283,17 @@ inline std::string fault_of_solid_relation(const Relation& found, const Triangle
 inline std::string fault_of_surface_relation(const Relation& found, const std::vector<Triangle>& triangles,
                                              const PosedSmooth& b) {
   RelationKind kind = RelationKind::apart;
-  bool all = true;
+  bool all = true, exact = true;
   for (const Triangle& t : triangles) {
     const Relation one = relation(PosedConvex(t), b);
+    exact &= one.status == Status::exact;
     if (one.kind == RelationKind::crossing || kind == RelationKind::apart) kind = one.kind;
     for (const Vec3& v : t.vertex) all &= smooth_contact(b, PosedConvex(Point(v))) == SmoothContact::contact;
   }
   if (found.kind != kind) return "relation of a surface";
   if ((found.containment == Containment::a_in_b) != all) return "containment of a surface";
-  if (kind == RelationKind::touching && found.status != Status::undecided) return "a surface that touches, exactly";
+  if (kind == RelationKind::touching && found.status == Status::exact && !exact)
+    return "a surface that touches, exactly";
   return "";
 }
 
