@@ -83,6 +83,7 @@
 #include "toccata/narrow/convex_half_space.hpp"
 #include "toccata/narrow/convex_penetration.hpp"
 #include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/flipped.hpp"
 #include "toccata/narrow/gjk.hpp"
 #include "toccata/narrow/grown_solid.hpp"
 #include "toccata/narrow/minkowski.hpp"

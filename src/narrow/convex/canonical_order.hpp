@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/flipped.hpp"
 
 // The numbers of a pair are computed in one order of the two and exchanged for the other, so that both orders have the
 // same bits.
@@ -8,8 +8,5 @@ namespace toccata {
 
 /// A comes first: by vertices, then by radius. Shapes of which neither comes before the other are the same.
 [[nodiscard]] bool is_canonical_order(const PosedConvex& a, const PosedConvex& b);
-
-[[nodiscard]] Penetration flipped(const Penetration& penetration);
-[[nodiscard]] Manifold flipped(const Manifold& manifold);
 
 }  // namespace toccata

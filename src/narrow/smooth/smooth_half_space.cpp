@@ -106,8 +106,8 @@ Distance distance(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(
 Relation relation(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).relation(); }
 Penetration penetration(const PosedSmooth& a, const PosedHalfSpace& b) { return Above(a, b).penetration(); }
 
-Distance distance(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(distance(b, a)); }
-Relation relation(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(relation(b, a)); }
-Penetration penetration(const PosedHalfSpace& a, const PosedSmooth& b) { return exchanged(penetration(b, a)); }
+Distance distance(const PosedHalfSpace& a, const PosedSmooth& b) { return flipped(distance(b, a)); }
+Relation relation(const PosedHalfSpace& a, const PosedSmooth& b) { return flipped(relation(b, a)); }
+Penetration penetration(const PosedHalfSpace& a, const PosedSmooth& b) { return flipped(penetration(b, a)); }
 
 }  // namespace toccata

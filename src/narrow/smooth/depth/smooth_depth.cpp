@@ -125,7 +125,7 @@ Penetration penetration_of(const PosedSmooth& shape_a, const B& shape_b) {
 }  // namespace
 
 Penetration penetration(const PosedSmooth& a, const PosedSmooth& b) {
-  if (comes_before(b, a)) return exchanged(penetration(b, a));
+  if (comes_before(b, a)) return flipped(penetration(b, a));
   return penetration_of(a, b);
 }
 
@@ -138,7 +138,7 @@ Penetration penetration(const PosedSmooth& a, const PosedConvex& b) {
 Penetration penetration(const PosedConvex& a, const PosedSmooth& b) {
   if (!a.solid())
     throw Error("penetration: the first shape is a surface, which has no interior to leave; ask for the distance");
-  return exchanged(penetration(b, a));
+  return flipped(penetration(b, a));
 }
 
 }  // namespace toccata

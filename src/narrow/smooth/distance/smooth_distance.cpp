@@ -117,7 +117,7 @@ bool overlap(const PosedConvex& a, const PosedSmooth& b) { return overlap(b, a);
 Distance coherent_distance(const PosedSmooth& a, const PosedSmooth& b, Vec3& direction) {
   const bool turned = comes_before(b, a);
   Vec3 between = turned ? -direction : direction;
-  const Distance found = turned ? exchanged(distance_of(b, a, between)) : distance_of(a, b, between);
+  const Distance found = turned ? flipped(distance_of(b, a, between)) : distance_of(a, b, between);
   direction = unit_or_zero(turned ? -between : between);
   return found;
 }
@@ -136,9 +136,9 @@ bool is_within(const PosedSmooth& a, const PosedHalfSpace& b, double tolerance) 
 }
 
 Distance distance(const PosedSmooth& a, const PosedSmooth& b) {
-  return comes_before(b, a) ? exchanged(distance_of(b, a)) : distance_of(a, b);
+  return comes_before(b, a) ? flipped(distance_of(b, a)) : distance_of(a, b);
 }
 Distance distance(const PosedSmooth& a, const PosedConvex& b) { return distance_of(a, b); }
-Distance distance(const PosedConvex& a, const PosedSmooth& b) { return exchanged(distance_of(b, a)); }
+Distance distance(const PosedConvex& a, const PosedSmooth& b) { return flipped(distance_of(b, a)); }
 
 }  // namespace toccata

@@ -42,7 +42,7 @@ Relation relation_of(const SmoothNearest& found, bool b_solid) {
 }  // namespace
 
 Relation relation(const PosedSmooth& a, const PosedSmooth& b) {
-  if (comes_before(b, a)) return exchanged(relation(b, a));
+  if (comes_before(b, a)) return flipped(relation(b, a));
   const PairFrame frame = pair_frame(a, b);
   const SmoothBody body_a(a, frame), body_b(b, frame);
   const Relation found = relation_of(nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting), true);
@@ -61,6 +61,6 @@ Relation relation(const PosedSmooth& a, const PosedConvex& b) {
   return with_containment(found, is_all ? Within::no : is_held_by_convex(body_a, b, body_b, frame), b_in_a);
 }
 
-Relation relation(const PosedConvex& a, const PosedSmooth& b) { return exchanged(relation(b, a)); }
+Relation relation(const PosedConvex& a, const PosedSmooth& b) { return flipped(relation(b, a)); }
 
 }  // namespace toccata
