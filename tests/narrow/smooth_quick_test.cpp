@@ -7,6 +7,7 @@
 #include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
 #include "narrow/smooth_cases.hpp"
+#include "toccata/narrow/smooth_penetration.hpp"
 
 // Answers in doubles, where these only just suffice, against 60 digits.
 namespace toccata::test {
@@ -52,6 +53,33 @@ TEST(SmoothQuick, IntervalsHoldWhereDoublesOnlyJustProveThem) {
         EXPECT_EQ(quick_fault(pair), "") << a << " " << b << " " << gap;
       }
     }
+}
+
+// There, the places of a hull's vertices are rounded by more than what decides, and the farthest one in the hull's own
+// frame need not be the farthest in the world.
+TEST(SmoothQuick, HullsFarFromTheOriginAreNotToldApartThatMeet) {
+  Random random(9);
+  int met = 0;
+  for (int i = 0; i < 400; ++i) {
+    SmoothCase pair = smooth_case(smooth_kinds()[random.below(3)], "hull", "far", random);
+    const double far = std::pow(10.0, random.between(8, 13));
+    const Vec3 place = far * smooth_direction(random);
+    pair.a.pose.offset = pair.a.pose.offset + place;
+    pair.pose_of_b().offset = pair.pose_of_b().offset + place;
+    leave_smooth_gap(pair, random.between(-4, 8) * 0x1p-53 * far);
+    const PosedSmooth a = posed(pair.a);
+    const PlacedConvex& placed_b = std::get<PlacedConvex>(pair.b);
+    const PosedConvex b = posed(placed_b);
+    const oracle::FineNearness truth = oracle::fine_nearness(fine_set(pair.a), fine_set(placed_b), 1e-14, 400);
+    met += truth.meet ? 1 : 0;
+    if (truth.meet) {
+      EXPECT_NE(smooth_contact(a, b), SmoothContact::apart) << i;
+      EXPECT_GT(penetration(a, b).upper, 0) << i;
+    } else {
+      EXPECT_TRUE(is_within(a, b, 1.05 * truth.upper.convert_to<double>())) << i;
+    }
+  }
+  EXPECT_GT(met, 100);
 }
 
 // A tip, a rim, an edge and a face that lie straight towards each other, where the search arrives at once.

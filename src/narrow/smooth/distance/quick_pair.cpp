@@ -1,6 +1,7 @@
 #include "narrow/smooth/distance/quick_pair.hpp"
 
 #include "math/vec3_measures.hpp"
+#include "narrow/convex/close_rise.hpp"
 
 namespace toccata {
 namespace {
@@ -11,7 +12,17 @@ constexpr double quick_parts[] = {0.7, 0.1, 1e-2, 1e-3};
 /// What gaps in a pair's frame may be off by, with u = 2⁻⁵³. All coordinates of centres and columns are at most 2
 /// there, and off by 6 u and 2 u. So the height of an atom is off by 21 u for its centre and 37 u for its growth, and
 /// the gap of two support points differs from what their heights leave by 100 u: 216 u in all.
-constexpr double gap_rounding = 0x1p-44;
+constexpr double rounding_in_pair = 0x1p-44;
+
+double gap_rounding(const PosedSmooth&, const PairFrame&) { return rounding_in_pair; }
+
+/// Of a hull that is looked at in its own frame the farthest vertex is found there: in the world any two may change
+/// their places by what rounding does to them there (close_rise.hpp), which is much where the hull is far from the
+/// origin.
+double gap_rounding(const PosedConvex& b, const PairFrame& frame) {
+  if (b.in_world()) return rounding_in_pair;
+  return rounding_in_pair + frame.factor * most_close_rise(b.pose(), b.stored_extent(), height_rounding);
+}
 
 /// In a pair's frame: the intervals of greater distances are narrow.
 constexpr double hair = 0x1p-29;
@@ -39,7 +50,8 @@ QuickPair<B>::QuickPair(const PosedSmooth& a, const B& b, const PairFrame& frame
       body_a_(a, frame),
       body_b_(b, frame),
       search_(body_a_, body_b_, first_direction == Vec3{} ? body_a_.middle() - body_b_.middle() : first_direction),
-      polish_(body_a_, body_b_) {}
+      polish_(body_a_, body_b_),
+      gap_rounding_(gap_rounding(b, frame)) {}
 
 template <class B>
 std::optional<QuickDistance> QuickPair<B>::distance() {
@@ -60,7 +72,7 @@ std::optional<QuickDistance> QuickPair<B>::distance() {
 template <class B>
 bool QuickPair<B>::is_apart() {
   search_.run_until_apart();
-  if (search_.best_gap() > gap_rounding) return true;
+  if (search_.best_gap() > gap_rounding_) return true;
   return search_.best_gap() > 0 && lower_along(search_.best_direction()) > 0;
 }
 
@@ -69,7 +81,7 @@ std::optional<bool> QuickPair<B>::is_within(double tolerance, double factor) {
   search_.run_until_compared(factor * tolerance);
   // By so much more that the tolerance lies below the interval of the distance too, which is wider for hairs only.
   const double length = (1 + 0x1p-38) * plain_length(search_.best_direction());
-  if (search_.best_gap() > length * (factor * tolerance) + hair) return false;
+  if (search_.best_gap() > length * (factor * tolerance) + (hair + gap_rounding_)) return false;
   begin_polish();
   if (proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), polish_.direction()).upper <= tolerance) return true;
   return {};

@@ -39,6 +39,7 @@ class QuickPair {
   PlainBody body_b_;
   SmoothSearch search_;
   QuickPolish polish_;
+  double gap_rounding_;  ///< what gaps along directions of the search may be off by
   bool is_guess_ = false;
 };
 
