@@ -143,6 +143,10 @@ TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
   refused({"decompose", "gen:box", "-o", "parts.obj"},
           "parts.obj: what is written here is GLB; give the file a name that ends in .glb");
+  refused({"decompose", "gen:box", "-o", "parts.html"},
+          "parts.html: what is written here is GLB; give the file a name that ends in .glb");
+  refused({"view", "gen:box", "-o", "box.glb"},
+          "box.glb: what is written here is a page (HTML); give the file a name that ends in .html");
   refused({"decompose", "open.off"}, "'open'");
   refused({"decompose", "open.off"}, "close its holes");
 }

@@ -9,7 +9,8 @@ namespace toccata {
 enum class OutputKind { page, glb, picture, plot, case_file };
 
 /// Throws Error naming the file when write_output would refuse it: it exists and was not written by Toccata as this
-/// kind, is no regular file, or its folder is missing or cannot be written to. For asking before long work.
+/// kind, is no regular file, or its folder is missing or cannot be written to; of a page or GLB file also when its name
+/// ends in that of another format (.obj, .png, .json, …). For asking before long work.
 void require_output(const std::filesystem::path& path, OutputKind kind);
 
 /// Writes a file: it is complete or not there. A file is replaced only when it is empty or one of Toccata's of the same

@@ -70,11 +70,17 @@ void require_own_or_nothing(const fs::path& path, OutputKind kind) {
                                      "choose another name, or delete it"});
 }
 
-/// GLB in a file of that name could be read by nothing.
-void require_no_name_of_a_mesh(const fs::path& path) {
-  for (const char* extension : {".obj", ".off", ".ply", ".stl", ".gltf"})
-    if (path.extension() == extension)
-      io::fail_in_file(path.string(), {"what is written here is GLB", "give the file a name that ends in .glb"});
+/// A page or GLB in a file of that name could be read by nothing.
+void require_no_name_of_another_format(const fs::path& path, OutputKind kind) {
+  const bool is_page = kind == OutputKind::page;
+  if (!is_page && kind != OutputKind::glb) return;
+  const fs::path extension = path.extension();
+  for (const char* other : {".obj", ".off", ".ply", ".stl", ".gltf", ".png", ".json", is_page ? ".glb" : ".html"})
+    if (extension == other)
+      io::fail_in_file(
+          path.string(),
+          {is_page ? "what is written here is a page (HTML)" : "what is written here is GLB",
+           is_page ? "give the file a name that ends in .html" : "give the file a name that ends in .glb"});
 }
 
 /// ISO 3309, as PNG uses it.
@@ -104,7 +110,7 @@ std::string marked_picture(std::string_view png) {
 }  // namespace
 
 void require_output(const fs::path& path, OutputKind kind) {
-  if (kind == OutputKind::glb) require_no_name_of_a_mesh(path);
+  require_no_name_of_another_format(path, kind);
   require_own_or_nothing(path, kind);
   io::require_writable(path);
 }

@@ -197,7 +197,9 @@ MeshHealth closed_health(const Model& model) {
   if (!health.closed)
     throw Error(fmt::format(
         "the mesh is open ({} edges are not used equally often in both directions), so it encloses no solid to "
-        "decompose: close its holes (`inspect` counts them), or make the hull of its vertices (ConvexHull)",
+        "decompose: close its holes and turn its faces all outwards (`inspect` counts the edges of both kinds), or "
+        "make "
+        "the hull of its vertices (ConvexHull)",
         health.unbalanced_edges));
   return health;
 }
