@@ -12,4 +12,7 @@ namespace toccata {
 [[nodiscard]] std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const PosedSmooth& b,
                                                               const Vec3& first_direction);
 
+/// Of such a pair, by the first direction on that way across which they certainly are. "No" says nothing.
+[[nodiscard]] bool are_ellipsoids_apart(const PosedSmooth& a, const PosedSmooth& b);
+
 }  // namespace toccata

@@ -1,6 +1,7 @@
 #include "narrow/smooth/distance/quick_pair.hpp"
 
 #include "math/vec3_measures.hpp"
+#include "narrow/smooth/distance/quick_meeting.hpp"
 
 namespace toccata {
 namespace {
@@ -55,6 +56,20 @@ std::optional<QuickDistance> QuickPair<B>::distance() {
     if (search_.stalled()) return {};
   }
   return {};
+}
+
+template <class B>
+std::optional<SmoothContact> QuickPair<B>::contact() {
+  if (is_apart()) return SmoothContact::apart;
+  if (search_.inside() && is_meeting()) return SmoothContact::contact;
+  return {};
+}
+
+template <class B>
+bool QuickPair<B>::is_meeting() const {
+  std::array<SmoothSearch::Corner, 4> corner;
+  const std::size_t count = search_.corners(corner);
+  return are_surely_around_origin({corner.data(), count});
 }
 
 template <class B>
