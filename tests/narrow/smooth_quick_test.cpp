@@ -111,9 +111,7 @@ TEST(SmoothQuick, PairsWithAWayOfTheirOwnAgreeWithTheWayOfAll) {
 }
 
 std::optional<SmoothContact> own_contact(const PosedSmooth& a, const PosedConvex& b) { return axial_box_contact(a, b); }
-std::optional<SmoothContact> own_contact(const PosedSmooth& a, const PosedSmooth& b) {
-  return are_ellipsoids_apart(a, b) ? std::optional(SmoothContact::apart) : std::nullopt;
-}
+std::optional<SmoothContact> own_contact(const PosedSmooth& a, const PosedSmooth& b) { return ellipsoid_contact(a, b); }
 
 /// How often doubles tell that shapes meet, and that they are apart.
 struct QuickContacts {

@@ -156,6 +156,20 @@ std::optional<QuickDistance> proved(const PosedSmooth& a, const PosedSmooth& b, 
   return is_nearly_narrow(found) ? proved_longer(a, b, on_a, on_b, d) : std::nullopt;
 }
 
+/// Which part of a vector from its middle lies within an ellipsoid; more than 1 where it ends within.
+double part_within(const PosedSmooth& shape, const Vec3& v) {
+  const Mat3& m = shape.pose().linear;
+  const Vec3& half = shape.half();
+  return 1 / plain_length({dot(m.column(0), v) / half.x, dot(m.column(1), v) / half.y, dot(m.column(2), v) / half.z});
+}
+
+// A rotation is not farther from the pose than 2⁻⁴², and the products round by less; that counts at most `most_slim`
+// times for the quotients with the half axes, so no part is off by 2⁻³⁴ of itself.
+bool are_met_between_middles(const PosedSmooth& a, const PosedSmooth& b) {
+  const Vec3 between = b.pose().offset - a.pose().offset;
+  return part_within(a, between) + part_within(b, between) > 1 + 0x1p-32;
+}
+
 bool is_plain(const PosedSmooth& shape) {
   const Vec3& half = shape.half();
   const double least = std::min({half.x, half.y, half.z}), most = std::max({half.x, half.y, half.z});
@@ -176,13 +190,17 @@ std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const Pose
 // With e the length of a shape's half axes and |d| = 1, what S and the products round counts 12 u e² for d · S d: no
 // more than 2⁻³⁵ of it, as the half axes differ by at most `most_slim`. What the shape reaches is off by half of that
 // part, and the gap by some u of all lengths.
-bool are_ellipsoids_apart(const PosedSmooth& a, const PosedSmooth& b) {
-  if (!is_plain(a) || !is_plain(b)) return false;
+std::optional<SmoothContact> ellipsoid_contact(const PosedSmooth& a, const PosedSmooth& b) {
+  if (!is_plain(a) || !is_plain(b)) return {};
   const double between = plain_length(a.pose().offset - b.pose().offset);
   const double least = 0x1p-34 * (between + plain_length(a.half()) + plain_length(b.half()));
-  bool apart = false;
-  (void)nearest_direction(a, b, {}, [&](double gap) { return apart = is_moderate(between) && gap > least; });
-  return apart;
+  std::optional<SmoothContact> found;
+  (void)nearest_direction(a, b, {}, [&](double gap) {
+    if (is_moderate(between) && gap > least) found = SmoothContact::apart;
+    if (!(gap > 0) && are_met_between_middles(a, b)) found = SmoothContact::contact;
+    return found.has_value();
+  });
+  return found;
 }
 
 }  // namespace toccata

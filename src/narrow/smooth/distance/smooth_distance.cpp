@@ -51,8 +51,7 @@ Distance in_world(const SmoothNearest& found, const PairFrame& frame) {
 
 /// Of pairs that have a way of their own.
 std::optional<SmoothContact> closed_contact(const PosedSmooth& a, const PosedSmooth& b) {
-  if (are_ellipsoids_apart(a, b)) return SmoothContact::apart;
-  return {};
+  return ellipsoid_contact(a, b);
 }
 std::optional<SmoothContact> closed_contact(const PosedSmooth& a, const PosedConvex& b) {
   return axial_box_contact(a, b);
