@@ -5,6 +5,7 @@
 #include "narrow/smooth/distance/axial_box.hpp"
 #include "narrow/smooth/distance/ellipsoid_pair.hpp"
 #include "narrow/smooth/distance/quick_pair.hpp"
+#include "narrow/smooth/distance/smooth_nearest.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
 #include "narrow/smooth_cases.hpp"
 #include "toccata/narrow/smooth_penetration.hpp"
@@ -135,6 +136,66 @@ TEST(SmoothQuick, PairsWithAWayOfTheirOwnAgreeWithTheWayOfAll) {
       }
       EXPECT_GT(answered, gap < 0.01 ? 0 : 150) << kind_a << " " << gap;
     }
+}
+
+std::optional<SmoothContact> own_contact(const PosedSmooth& a, const PosedConvex& b) { return axial_box_contact(a, b); }
+std::optional<SmoothContact> own_contact(const PosedSmooth& a, const PosedSmooth& b) { return ellipsoid_contact(a, b); }
+
+/// How often doubles tell that shapes meet, and that they are apart.
+struct QuickContacts {
+  int met = 0;
+  int apart = 0;
+};
+
+/// How what doubles prove differs from the proof with bounded numbers; empty: in nothing.
+template <class B>
+std::string contact_fault(const PosedSmooth& a, const B& b, QuickContacts& counted) {
+  const PairFrame frame = pair_frame(a, b);
+  const SmoothBody body_a(a, frame), body_b(b, frame);
+  const SmoothContact at_length = nearest_of(a, body_a, b, body_b, SmoothQuestion::meeting).contact;
+  const auto of_any = is_quick(a, b, frame) ? QuickPair<B>(a, b, frame).contact() : std::nullopt;
+  for (const auto& found : {of_any, own_contact(a, b)}) {
+    if (!found) continue;
+    if (*found == SmoothContact::undecided) return "undecided";
+    if (at_length != SmoothContact::undecided && *found != at_length) return "told otherwise";
+    (*found == SmoothContact::contact ? counted.met : counted.apart) += 1;
+  }
+  return "";
+}
+
+TEST(SmoothQuick, ContactInDoublesIsThatOfBoundedNumbers) {
+  Random random(11);
+  for (const std::string& regime : smooth_regimes()) {
+    QuickContacts counted;
+    for (const std::string& a : smooth_kinds())
+      for (const std::string& b : smooth_other_kinds())
+        for (int i = 0; i < 4; ++i) {
+          SmoothCase pair = smooth_case(a, b, regime, random);
+          const PosedSmooth first = posed(pair.a);
+          EXPECT_EQ(std::visit([&](const auto& other) { return contact_fault(first, posed(other), counted); }, pair.b),
+                    "")
+              << regime << " " << a << " " << b << " " << i;
+        }
+    EXPECT_GT(counted.apart, regime == "deep" ? 0 : regime == "close" ? 10 : 50) << regime;
+    EXPECT_GT(counted.met, regime == "deep" ? 80 : regime == "far" ? -1 : regime == "close" ? 0 : 10) << regime;
+  }
+}
+
+// Middles, rims and tips that lie just within, or just beyond what doubles prove.
+TEST(SmoothQuick, BoxesThatMeetRoundShapesByAHair) {
+  Random random(12);
+  QuickContacts counted;
+  for (int i = 0; i < 400; ++i) {
+    SmoothCase pair = smooth_case(i % 2 == 0 ? "cylinder" : "cone", "box", "far", random);
+    leave_smooth_gap(pair, 0.01);
+    const PosedSmooth a = posed(pair.a);
+    const Distance now = std::visit([&](const auto& b) { return distance(a, posed(b)); }, pair.b);
+    const double deeper = 1 + (i % 3 == 0 ? -1 : 1) * std::pow(10.0, random.between(-15, 0));
+    pair.pose_of_b().offset = pair.pose_of_b().offset + deeper * (now.on_a - now.on_b);
+    EXPECT_EQ(std::visit([&](const auto& b) { return contact_fault(a, posed(b), counted); }, pair.b), "") << i;
+  }
+  EXPECT_GT(counted.apart, 50);
+  EXPECT_GT(counted.met, 50);
 }
 
 // Of more than eight vertices.

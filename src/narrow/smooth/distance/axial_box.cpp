@@ -58,15 +58,24 @@ class AxialBox {
   }
 
   [[nodiscard]] std::optional<QuickDistance> proved() const;
+  /// By the plane across what is between the middles.
+  [[nodiscard]] bool is_parted_between_middles() const;
+  /// Where the search ended.
+  [[nodiscard]] bool is_box_met_within() const;
 
  private:
   enum class Step { none, small, far, failed };
 
   [[nodiscard]] const Vec3& side(int j) const { return side_[static_cast<std::size_t>(j)]; }
 
+  /// That of the box, from the middle of A.
+  [[nodiscard]] Vec3 point_of_box() const {
+    return between_ + ((at_.x * side_[0] + at_.y * side_[1]) + at_.z * side_[2]);
+  }
+
   /// The nearest point of A to the point of the box, and what is between them.
   bool look_from_box() {
-    const Vec3 point = between_ + ((at_.x * side_[0] + at_.y * side_[1]) + at_.z * side_[2]);
+    const Vec3 point = point_of_box();
     const double up = dot(axis_, point);
     const Vec3 across = point - up * axis_;
     const double out = plain_length(across);
@@ -292,6 +301,34 @@ std::optional<QuickDistance> AxialBox::proved_longer(const Vec3& p, const Vec3& 
   return {};
 }
 
+// With d what is between the middles and L its length, (d · x)² + (d · y)² of the columns of A's pose is no more than
+// L² (1 + 2⁻⁴²) − (d · axis)², and rounds by 12 u L². The other heights and their sum round by less than 20 u L (L + r
+// + h + e), with e the sum of the box's half extents.
+bool AxialBox::is_parted_between_middles() const {
+  const Vec3& d = between_;
+  const double squared = dot(d, d), length = std::sqrt(squared), up = dot(axis_, d);
+  if (!is_moderate(length)) return false;
+  const double radius = a_.half().x, h = a_.half().z;
+  const double rim = radius * std::sqrt(std::max(0.0, squared * (1 + 0x1p-40) - up * up));
+  const double of_a =
+      a_.kind() == PosedSmooth::Kind::cylinder ? rim + h * std::fabs(up) : std::max(rim - h * up, h * up);
+  double of_box = b_.as_box().slack * length;
+  for (int j = 0; j < 3; ++j) of_box += half_[j] * std::fabs(dot(side(j), d));
+  const double sizes = length + ((radius + h) + ((half_.x + half_.y) + half_.z));
+  return squared - (of_a + of_box) > 0x1p-46 * (length * sizes);
+}
+
+// With P = √(r² + h²), no less than the distance of the point from the middle of A, and e the length of the half
+// extents, the point is off by u (2 P + 6.3 e) and by the box's slack. What it is up and out rounds by 12 u P, and the
+// depth by 30 u P; a rotation is not farther from A's pose than 2⁻⁴³, which turns both by less than 2⁻⁴² · 1.6 P.
+bool AxialBox::is_box_met_within() const {
+  const Vec3 point = point_of_box();
+  const double up = dot(axis_, point), out = plain_length(point - up * axis_);
+  const double r = a_.half().x, h = a_.half().z;
+  const double off = 0x1p-40 * std::sqrt(r * r + h * h) + 8 * u * plain_length(half_) + 2 * b_.as_box().slack;
+  return shape_.depth_of(out, up) > off;
+}
+
 bool is_round_beside_box(const PosedSmooth& a, const PosedConvex& b) {
   const RigidBox& box = b.as_box();
   if (a.kind() == PosedSmooth::Kind::ellipsoid || !(box.skew < largest_skew) || b.radius() > 0) return false;
@@ -307,6 +344,15 @@ std::optional<QuickDistance> axial_box_distance(const PosedSmooth& a, const Pose
   AxialBox pair(a, b);
   if (!pair.search()) return {};
   return pair.proved();
+}
+
+std::optional<SmoothContact> axial_box_contact(const PosedSmooth& a, const PosedConvex& b) {
+  if (!is_round_beside_box(a, b)) return {};
+  AxialBox pair(a, b);
+  if (pair.is_parted_between_middles()) return SmoothContact::apart;
+  if (pair.search() && pair.proved()) return SmoothContact::apart;
+  if (pair.is_box_met_within()) return SmoothContact::contact;
+  return {};
 }
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "toccata/narrow/posed_smooth.hpp"
@@ -33,6 +34,13 @@ class AxialShape {
 
   [[nodiscard]] AxialFoot foot(double out, double up) const {
     return is_cone_ ? of_cone(out, up) : of_cylinder(out, up);
+  }
+
+  /// How far a point lies within, from the nearest part of the boundary; negative outside.
+  [[nodiscard]] double depth_of(double out, double up) const {
+    if (!is_cone_) return std::min(radius_ - out, half_height_ - std::fabs(up));
+    const double from_base = up + half_height_;
+    return std::min(from_base, (radius_ - out) * slope_up_ + from_base * slope_out_);
   }
 
   /// The farthest point along a direction with these parts, the first of them not negative.

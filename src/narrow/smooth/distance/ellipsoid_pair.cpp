@@ -74,8 +74,10 @@ Vec3 solved(const Symmetric& k, const Vec3& v) {
   return (1 / determinant) * (adjugate * v);
 }
 
-/// From B to A, where the conditions of the nearest points hold.
-std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b, const Vec3& first) {
+/// From B to A, where the conditions of the nearest points hold, or the length of the gap across is enough.
+template <class IsEnough>
+std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b, const Vec3& first,
+                                      const IsEnough& is_enough) {
   const Vec3 between = a.pose().offset - b.pose().offset;
   const Symmetric of_a = squared_axes(a), of_b = squared_axes(b);
   const Vec3 start = first == Vec3{} ? between : first;
@@ -84,6 +86,7 @@ std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b
     const Reach reach_a(of_a, d), reach_b(of_b, d);
     const Vec3 z = (between - reach_a.point) - reach_b.point;
     const double squared = dot(d, d), gap = dot(z, d) / squared;
+    if (is_enough(gap * std::sqrt(squared))) return d;
     // Where the direction does not separate them yet, it is led on as if it did.
     const double positive = gap > 0 ? gap : blind_part / (reach_a.part * squared);
     if (!(gap > 0) && i >= most_blind_steps) return {};
@@ -153,6 +156,20 @@ std::optional<QuickDistance> proved(const PosedSmooth& a, const PosedSmooth& b, 
   return is_nearly_narrow(found) ? proved_longer(a, b, on_a, on_b, d) : std::nullopt;
 }
 
+/// Which part of a vector from its middle lies within an ellipsoid; more than 1 where it ends within.
+double part_within(const PosedSmooth& shape, const Vec3& v) {
+  const Mat3& m = shape.pose().linear;
+  const Vec3& half = shape.half();
+  return 1 / plain_length({dot(m.column(0), v) / half.x, dot(m.column(1), v) / half.y, dot(m.column(2), v) / half.z});
+}
+
+// A rotation is not farther from the pose than 2⁻⁴², and the products round by less; that counts at most `most_slim`
+// times for the quotients with the half axes, so no part is off by 2⁻³⁴ of itself.
+bool are_met_between_middles(const PosedSmooth& a, const PosedSmooth& b) {
+  const Vec3 between = b.pose().offset - a.pose().offset;
+  return part_within(a, between) + part_within(b, between) > 1 + 0x1p-32;
+}
+
 bool is_plain(const PosedSmooth& shape) {
   const Vec3& half = shape.half();
   const double least = std::min({half.x, half.y, half.z}), most = std::max({half.x, half.y, half.z});
@@ -165,8 +182,25 @@ bool is_plain(const PosedSmooth& shape) {
 std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const PosedSmooth& b,
                                                 const Vec3& first_direction) {
   if (!is_plain(a) || !is_plain(b)) return {};
-  if (const auto direction = nearest_direction(a, b, first_direction)) return proved(a, b, *direction);
+  const auto never = [](double) { return false; };
+  if (const auto direction = nearest_direction(a, b, first_direction, never)) return proved(a, b, *direction);
   return {};
+}
+
+// With e the length of a shape's half axes and |d| = 1, what S and the products round counts 12 u e² for d · S d: no
+// more than 2⁻³⁵ of it, as the half axes differ by at most `most_slim`. What the shape reaches is off by half of that
+// part, and the gap by some u of all lengths.
+std::optional<SmoothContact> ellipsoid_contact(const PosedSmooth& a, const PosedSmooth& b) {
+  if (!is_plain(a) || !is_plain(b)) return {};
+  const double between = plain_length(a.pose().offset - b.pose().offset);
+  const double least = 0x1p-34 * (between + plain_length(a.half()) + plain_length(b.half()));
+  std::optional<SmoothContact> found;
+  (void)nearest_direction(a, b, {}, [&](double gap) {
+    if (is_moderate(between) && gap > least) found = SmoothContact::apart;
+    if (!(gap > 0) && are_met_between_middles(a, b)) found = SmoothContact::contact;
+    return found.has_value();
+  });
+  return found;
 }
 
 }  // namespace toccata

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "narrow/smooth/distance/quick_proof.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 
@@ -11,5 +12,9 @@ namespace toccata {
 /// of shapes among it, is left to `QuickPair`.
 [[nodiscard]] std::optional<QuickDistance> ellipsoid_distance(const PosedSmooth& a, const PosedSmooth& b,
                                                               const Vec3& first_direction);
+
+/// Of such a pair, apart or contact where that is certain: by the first direction on that way across which they are
+/// apart, or where the line between the middles leaves neither before it enters the other.
+[[nodiscard]] std::optional<SmoothContact> ellipsoid_contact(const PosedSmooth& a, const PosedSmooth& b);
 
 }  // namespace toccata

@@ -2,6 +2,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/close_rise.hpp"
+#include "narrow/smooth/distance/quick_meeting.hpp"
 
 namespace toccata {
 namespace {
@@ -67,6 +68,20 @@ std::optional<QuickDistance> QuickPair<B>::distance() {
     if (search_.stalled()) return {};
   }
   return {};
+}
+
+template <class B>
+std::optional<SmoothContact> QuickPair<B>::contact() {
+  if (is_apart()) return SmoothContact::apart;
+  if (search_.inside() && is_meeting()) return SmoothContact::contact;
+  return {};
+}
+
+template <class B>
+bool QuickPair<B>::is_meeting() const {
+  std::array<SmoothSearch::Corner, 4> corner;
+  const std::size_t count = search_.corners(corner);
+  return are_surely_around_origin({corner.data(), count});
 }
 
 template <class B>

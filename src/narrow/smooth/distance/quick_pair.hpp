@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "narrow/smooth/distance/quick_proof.hpp"
+#include "toccata/narrow/smooth.hpp"
 
 namespace toccata {
 
@@ -23,12 +24,15 @@ class QuickPair {
   /// What `distance` did not prove, if it ended where the conditions of the nearest points hold.
   [[nodiscard]] const QuickPolish* guess() const { return is_guess_ ? &polish_ : nullptr; }
 
+  /// Apart or contact, and both of most pairs.
+  std::optional<SmoothContact> contact();
   bool is_apart();
 
   /// `factor` is that of the pair's frame.
   std::optional<bool> is_within(double tolerance, double factor);
 
  private:
+  [[nodiscard]] bool is_meeting() const;
   void begin_polish();
   /// From the farthest points along the direction from B to A.
   double lower_along(const Vec3& direction);

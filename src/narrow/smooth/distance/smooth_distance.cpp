@@ -49,10 +49,20 @@ Distance in_world(const SmoothNearest& found, const PairFrame& frame) {
   return result;
 }
 
+/// Of pairs that have a way of their own.
+std::optional<SmoothContact> closed_contact(const PosedSmooth& a, const PosedSmooth& b) {
+  return ellipsoid_contact(a, b);
+}
+std::optional<SmoothContact> closed_contact(const PosedSmooth& a, const PosedConvex& b) {
+  return axial_box_contact(a, b);
+}
+
 template <class B>
 SmoothContact contact_of(const PosedSmooth& a, const B& b) {
+  if (const auto found = closed_contact(a, b)) return *found;
   const PairFrame frame = pair_frame(a, b);
-  if (is_quick(a, b, frame) && QuickPair(a, b, frame).is_apart()) return SmoothContact::apart;
+  if (is_quick(a, b, frame))
+    if (const auto quick = QuickPair(a, b, frame).contact()) return *quick;
   const Pair pair(a, b);
   return nearest_of(a, pair.a, b, pair.b, SmoothQuestion::meeting).contact;
 }
