@@ -36,7 +36,7 @@ class SmoothCast {
         normal_ = {};
         return met(0, start->contact);
       }
-    } else if (const auto soon = met_soon()) {
+    } else if (const auto soon = met_soon(begun)) {
       return soon;
     }
     if (advance(limit) > limit) return {};
@@ -54,12 +54,23 @@ class SmoothCast {
   }
 
   /// They meet within the width from here; nothing when that is not certain.
-  std::optional<Cast> met_soon() {
+  std::optional<Cast> met_soon(const SmoothAdvance& begun) {
     const double late = std::fmin(1, free_until_ + time_width);
+    if (is_met_where_nearest(begun, late)) return met(late, SmoothContact::contact);
     const SmoothNearest then = at(late);
     if (then.contact != SmoothContact::contact) return {};
     point_ = then.on_b;
     return met(late, then.contact);
+  }
+
+  /// One of the two points that came next to each other is in both.
+  bool is_met_where_nearest(const SmoothAdvance& begun, double late) {
+    if (begun.on_b.size == 0) return false;
+    const SmoothBody a = a_.moved(exactly(late) * motion_);
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, begun.on_b);
+    point_ = plain(of_b);
+    if (is_within(a, of_b)) return true;
+    return b_.smooth_kind() && is_within(b_, point_of<BoundedNumber>(a, begun.on_a));
   }
 
   /// From plane to plane, until they are no longer told apart. Returns until when they are free.
