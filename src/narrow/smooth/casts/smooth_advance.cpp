@@ -13,6 +13,13 @@ constexpr int most_steps = 24;
 /// A step that gains less, of the whole way, is the last one.
 constexpr double least_gain = 0x1p-46;
 
+BodyPoint body_point(const QuickSide& side) {
+  BodyPoint point;
+  for (std::size_t i = 0; i < side.size; ++i) point.append(side.atom[i], {side.weight[i], 0});
+  for (std::size_t j = 0; j < 3; ++j) point.round[j] = {side.round[static_cast<int>(j)], 0};
+  return point;
+}
+
 /// What is nearest, as far as is seen, and the direction from B to A there.
 class Nearest {
  public:
@@ -33,6 +40,7 @@ class Nearest {
     SmoothSearch search(a, b, direction_);
     QuickPolish polish(a, b);
     corners_ = 0;
+    on_a_ = on_b_ = {};
     for (const double part : {0.3, 1e-2}) {
       search.run(part);
       if (search.inside()) return false;
@@ -50,12 +58,16 @@ class Nearest {
   }
 
   [[nodiscard]] const Vec3& direction() const { return direction_; }
+  [[nodiscard]] const BodyPoint& on_a() const { return on_a_; }
+  [[nodiscard]] const BodyPoint& on_b() const { return on_b_; }
 
  private:
   /// The points of both sides in pairs that share their weights.
   void keep(const QuickPolish& polish) {
     direction_ = polish.direction();
     const QuickSide &a = polish.on_a(), &b = polish.on_b();
+    on_a_ = body_point(a);
+    on_b_ = body_point(b);
     std::array<double, 3> of_a = a.weight, of_b = b.weight;
     corners_ = 0;
     for (std::size_t i = 0, j = 0; i < a.size && j < b.size;) {
@@ -69,6 +81,8 @@ class Nearest {
 
   std::array<SmoothSearch::Corner, 6> corner_;
   std::size_t corners_ = 0;
+  BodyPoint on_a_;
+  BodyPoint on_b_;
   Vec3 direction_;
 };
 
@@ -78,8 +92,8 @@ SmoothAdvance parted_by(const Vec3& d, const PlainBody& a, const Vec3& motion, c
   const double gap = -(of_a + of_b) - 0x1p-50 * (std::fabs(of_a) + std::fabs(of_b));
   // It comes nearer by no more than this in the whole time.
   const double approach = 0x1p-50 * dot(magnitudes(d), magnitudes(motion)) - dot(d, motion) + 0x1p-1000;
-  if (approach <= 0) return {free_until, gap - free_until * approach * (1 - 0x1p-50) > 0, d};
-  return {gap > 0 ? (1 - 0x1p-50) * (gap / approach) : 0, false, d};
+  if (approach <= 0) return {free_until, gap - free_until * approach * (1 - 0x1p-50) > 0, d, {}, {}};
+  return {gap > 0 ? (1 - 0x1p-50) * (gap / approach) : 0, false, d, {}, {}};
 }
 
 /// By conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996).
@@ -97,6 +111,8 @@ class Advance {
       if (!gained || best_.for_ever) break;
       if (best_.free_until > limit || best_.free_until - before < least_gain) break;
     }
+    best_.on_a = nearest_.on_a();
+    best_.on_b = nearest_.on_b();
     return best_;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "narrow/smooth/plain_body.hpp"
+#include "narrow/smooth/distance/smooth_proof.hpp"
 
 namespace toccata {
 
@@ -9,6 +9,9 @@ struct SmoothAdvance {
   double free_until = 0;  ///< they are apart until this part of the way
   bool for_ever = false;  ///< and to its end
   Vec3 direction;         ///< of the last plane, of length 1, from the standing one; zero where there is none
+  /// Where they came next to each other, as far as is seen; of no atoms, where that is not known.
+  BodyPoint on_a;
+  BodyPoint on_b;
 };
 
 /// In the pair's frame, within the ranges of `PlainBody::height_at_most`. Ends when it is free until more than `limit`,

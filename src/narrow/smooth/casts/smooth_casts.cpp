@@ -20,11 +20,46 @@ constexpr int most_steps = 64;
 /// A time after the end of the way.
 constexpr double never = 2;
 
+constexpr double u = 0x1p-53;
+
+/// A box in the pair's frame, that tells what certainly lies within; nothing does, of other shapes.
+class BoxWithin {
+ public:
+  BoxWithin() = default;
+  BoxWithin(const PosedConvex& shape, const PairFrame& frame)
+      : linear_(shape.pose().linear),
+        half_(frame.factor * shape.as_box().half_extents),
+        centre_(frame.plainly_placed(shape.as_box().centre)),
+        off_(64 * u + 2 * frame.factor * shape.as_box().slack + 24 * shape.as_box().skew) {}
+
+  // Coordinates in the pair's frame are at most 4 here, so the difference of the point and the centre is off by 14 u,
+  // and its product with a side by 21 u more, and 2 u of what is left. The sides are askew: that counts 3 times for the
+  // inverse, of what is no longer than 7. All corners may lie inside the box of the formula by the slack.
+  [[nodiscard]] bool holds(const BoundedVector& point) const {
+    const Vec3 from_centre = plain(point) - centre_;
+    for (int j = 0; j < 3; ++j) {
+      const bool is_known = point[static_cast<std::size_t>(j)].error < 0x1p-60 && std::fabs(from_centre[j]) <= 4;
+      if (!is_known || !(half_[j] - std::fabs(dot(linear_.column(j), from_centre)) > off_)) return false;
+    }
+    return true;
+  }
+
+ private:
+  Mat3 linear_;
+  Vec3 half_;
+  Vec3 centre_;
+  double off_ = HUGE_VAL;
+};
+
+BoxWithin box_within(const PosedConvex& shape, const PairFrame& frame) { return {shape, frame}; }
+BoxWithin box_within(const PosedSmooth&, const PairFrame&) { return {}; }
+
 /// A, the body of a smooth shape, moves; B stands. By conservative advancement (B. Mirtich, "Impulse-based dynamic
 /// simulation of rigid body systems", 1996), with every separating plane proved: in doubles as far as they go.
 class SmoothCast {
  public:
-  SmoothCast(const SmoothBody& a, const BoundedVector& motion, const SmoothBody& b) : a_(a), motion_(motion), b_(b) {}
+  SmoothCast(const SmoothBody& a, const BoundedVector& motion, const SmoothBody& b, const BoxWithin& box)
+      : a_(a), motion_(motion), b_(b), box_(box) {}
 
   /// `point` in the pair's frame, `normal` from B to A. Nothing, where they do not meet or are free until the limit.
   /// `start` is what is nearest at the start, where not even that is known to be free.
@@ -36,7 +71,7 @@ class SmoothCast {
         normal_ = {};
         return met(0, start->contact);
       }
-    } else if (const auto soon = met_soon()) {
+    } else if (const auto soon = met_soon(begun)) {
       return soon;
     }
     if (advance(limit) > limit) return {};
@@ -54,12 +89,24 @@ class SmoothCast {
   }
 
   /// They meet within the width from here; nothing when that is not certain.
-  std::optional<Cast> met_soon() {
+  std::optional<Cast> met_soon(const SmoothAdvance& begun) {
     const double late = std::fmin(1, free_until_ + time_width);
+    if (is_met_where_nearest(begun, late)) return met(late, SmoothContact::contact);
     const SmoothNearest then = at(late);
     if (then.contact != SmoothContact::contact) return {};
     point_ = then.on_b;
     return met(late, then.contact);
+  }
+
+  /// One of the two points that came next to each other is in both.
+  bool is_met_where_nearest(const SmoothAdvance& begun, double late) {
+    if (begun.on_b.size == 0) return false;
+    const SmoothBody a = a_.moved(exactly(late) * motion_);
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, begun.on_b);
+    point_ = plain(of_b);
+    if (is_within(a, of_b)) return true;
+    const BoundedVector of_a = point_of<BoundedNumber>(a, begun.on_a);
+    return b_.smooth_kind() ? is_within(b_, of_a) : box_.holds(of_a);
   }
 
   /// From plane to plane, until they are no longer told apart. Returns until when they are free.
@@ -133,6 +180,7 @@ class SmoothCast {
   const SmoothBody& a_;
   BoundedVector motion_;
   const SmoothBody& b_;
+  const BoxWithin& box_;
   double free_until_ = 0;
   Vec3 normal_;
   Vec3 point_;
@@ -169,7 +217,8 @@ std::optional<Cast> cast_until(const PosedSmooth& a, const Vec3& motion, const B
   const SmoothBody body_a(a, frame), body_b(b, frame);
   std::optional<SmoothNearest> nearest;
   if (!(start.free_until > 0)) nearest = nearest_of(a, body_a, b, body_b, SmoothQuestion::distance);
-  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b).answer(start, nearest, limit);
+  const BoxWithin box = box_within(b, frame);
+  const auto cast = SmoothCast(body_a, frame.scaled(motion), body_b, box).answer(start, nearest, limit);
   return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
 }
 
