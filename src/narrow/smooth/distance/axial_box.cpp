@@ -177,7 +177,8 @@ Vec3 AxialBox::local_point() const {
   const bool is_cone = a_.kind() == PosedSmooth::Kind::cone;
   const double reach = is_cone ? half.x * ((half.z - foot_.up) / (2 * half.z)) : half.x;
   if (!(reach > 0)) return {0, 0, foot_.up};
-  const double part = foot_.out / reach;
+  // Next to a tip both are hardly more than rounding.
+  const double part = std::min(foot_.out / reach, 1.0);
   const Vec3 v{part * dot(m.column(0), radial_), part * dot(m.column(1), radial_), 0};
   // No more than the quotient by the length, for no length.
   const double squared = dot(v, v), less = squared > 1 - 0x1p-30 ? 1.5 - 0.5 * squared : 1;

@@ -74,7 +74,7 @@ class AxialShape {
     if (along >= side_length_) return {.up = half_height_};
     const double at = radius_ + along * slope_out_;
     return {.out = at,
-            .up = along * slope_up_ - half_height_,
+            .up = std::fmin(along * slope_up_ - half_height_, half_height_),
             .share = at / out,
             .slope_out = slope_out_,
             .slope_up = slope_up_};

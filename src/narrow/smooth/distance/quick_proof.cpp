@@ -176,7 +176,7 @@ class LocalPoint {
 class HullPoint {
  public:
   HullPoint(const PosedConvex& shape, const QuickSide& side)
-      : shape_(shape), body_(*side.body), first_(shape.vertex(side.atom[0])) {
+      : shape_(shape), body_(side.body), first_(shape.vertex(side.atom[0])) {
     double total = 0;
     for (std::size_t i = 1; i < side.size; ++i) {
       weight_[i] = std::max(side.weight[i], 0.0);
@@ -225,7 +225,7 @@ class HullPoint {
     } else {
       // One of those found is the highest.
       std::array<Index, most_highest> found;
-      const Index count = body_.highest_atoms(direction, found);
+      const Index count = body_->highest_atoms(direction, found);
       if (count > most_highest) return HUGE_VAL;
       for (Index i = 0; i < count; ++i) look_at(found[i]);
     }
@@ -244,7 +244,7 @@ class HullPoint {
   static constexpr Index most_highest = 16;
 
   const PosedConvex& shape_;
-  const PlainBody& body_;
+  const PlainBody* body_;  ///< of a hull in its own frame
   Vec3 first_;
   std::array<Vec3, 3> other_{};
   std::array<double, 3> weight_{};
