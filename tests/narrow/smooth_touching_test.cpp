@@ -155,7 +155,7 @@ void expect_touching(const A& a, const B& b, const Vec3& motion, const std::stri
   EXPECT_EQ(gap.on_a, gap.on_b);
   EXPECT_EQ(gap.status, Status::exact);
   const Relation lie = relation(a, b);
-  EXPECT_EQ(lie.kind, RelationKind::touching);
+  EXPECT_EQ(lie.kind, toccata::RelationKind::touching);
   EXPECT_EQ(lie.status, Status::exact);
   const Cast cast = cast_shape(a, motion, b);
   EXPECT_TRUE(cast.hit);
@@ -189,11 +189,11 @@ void expect_parted(const PosedSmooth& a, const B& b, const Vec3& away, const std
   EXPECT_NE(smooth_contact(moved, b), SmoothContact::contact) << name;
   EXPECT_GT(distance(moved, b).upper, 0) << name;
   const Relation lie = relation(moved, b);
-  EXPECT_TRUE(lie.kind == RelationKind::apart || lie.status == Status::undecided) << name;
+  EXPECT_TRUE(lie.kind == toccata::RelationKind::apart || lie.status == Status::undecided) << name;
 }
 
 /// Two shapes, both turned and perhaps scaled, on the two sides of a plane across an axis.
-struct Meeting {
+struct MeetingShapes {
   Toucher a, b;
   Mat3 turn_a, turn_b;
   int axis = 0;
@@ -217,15 +217,15 @@ void visit_meetings(const Visit& visit) {
         for (const bool scaled : {false, true})
           for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {-1.0, 1.0})
-              visit(Meeting{a, b, turn_of(turn, scaled), turn_of((5 * turn + axis) % 6, scaled && b.may_be_scaled),
-                            axis, sign});
+              visit(MeetingShapes{a, b, turn_of(turn, scaled),
+                                  turn_of((5 * turn + axis) % 6, scaled && b.may_be_scaled), axis, sign});
 }
 
 // Some of 10,128; all of them take a minute.
 TEST(SmoothTouching, ShapesOnEitherSideOfAPlaneAlongAnyAxis) {
   constexpr int every = 41;
   int number = 0;
-  visit_meetings([&](const Meeting& meeting) {
+  visit_meetings([&](const MeetingShapes& meeting) {
     meeting.visit_all([&](const AnyPosed& a, const AnyPosed& b) {
       if (++number % every != 0) return;
       const Vec3 motion = on_axis(meeting.axis, meeting.sign);
@@ -317,11 +317,11 @@ TEST(SmoothTouching, HeightsOverPlanesAreThoseOverHalfSpaces) {
     const PosedConvex shape = i % 3 == 0   ? PosedConvex(Box({1, 2, 0.5}), pose)
                               : i % 3 == 1 ? PosedConvex(Sphere(3), pose)
                                            : PosedConvex(Capsule({0, 0, -1}, {1, 2, 1}, 1.5), pose);
-    const RelationKind lie = relation(shape, PosedHalfSpace(HalfSpace(point, normal))).kind;
+    const toccata::RelationKind lie = relation(shape, PosedHalfSpace(HalfSpace(point, normal))).kind;
     const Sign height = exact_sign_of_height(shape, point, scaled_wide(normal, 0));
-    EXPECT_EQ(height == Sign::positive, lie == RelationKind::apart);
-    EXPECT_EQ(height == Sign::zero, lie == RelationKind::touching);
-    touching += lie == RelationKind::touching ? 1 : 0;
+    EXPECT_EQ(height == Sign::positive, lie == toccata::RelationKind::apart);
+    EXPECT_EQ(height == Sign::zero, lie == toccata::RelationKind::touching);
+    touching += lie == toccata::RelationKind::touching ? 1 : 0;
   }
   EXPECT_GT(touching, 30);
 }
