@@ -288,6 +288,20 @@ TEST(Smooth, RaysEnterWhereTheyShould) {
   EXPECT_NE(refusal_of([&] { (void)cast_ray({0, 0, 0}, {0, 0, 0}, tower); }).find("motion is zero"), std::string::npos);
 }
 
+TEST(Smooth, ARayThatEntersAtATipComesFromBeforeItsNormal) {
+  const double radius = 3.9285255105366881, half = 14.952253068946977;
+  const Mat3 turn{{{{0.99999999999940514, 6.4816867930369634e-07, 8.7721805547116462e-07},
+                    {-6.4816732247356271e-07, 0.99999999999859368, -1.5467169729482058e-06},
+                    {-8.7721905801935337e-07, 1.5467164043541758e-06, 0.99999999999841893}}}};
+  const PosedSmooth cone(Cone(radius, half), {turn, {-4, 4, 3}});
+  const Vec3 motion{200.0144687601516, 0.0022253091688870558, -1522.5494966590602};
+  const Cast cast = cast_ray({-3.9999868836136381, 3.9999768730963945, 17.952253068923337}, motion, cone);
+  EXPECT_TRUE(cast.hit);
+  EXPECT_LT(dot(cast.normal, motion), 0);
+  for (const Vec3& aside : {Vec3{}, Vec3{0x1p-53, 0, 0}, Vec3{0, -0x1p-50, 0}})
+    EXPECT_LT(dot(cast_ray(Vec3{0.25, 0, 9} + aside, {-0.5, 0, -8}, PosedSmooth(Cone(1, 5))).normal, {-0.5, 0, -8}), 0);
+}
+
 TEST(Smooth, AFallingConeMeetsTheFloor) {
   const PosedSmooth cone(Cone(1, 1), Pose::translation(0, 0, 5));
   const Cast cast = cast_shape(cone, {0, 0, -8}, PosedHalfSpace(HalfSpace({0, 0, 0}, {0, 0, 1})));

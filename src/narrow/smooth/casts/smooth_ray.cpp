@@ -178,21 +178,28 @@ Stretch<Number> stretch_within(PosedSmooth::Kind kind, const RoundLine<Number>& 
   return stretch;
 }
 
+/// Of a plane that touches a cone at its tip, which the line comes from.
+template <class Number>
+Vec3 normal_at_tip(const RoundLine<Number>& line) {
+  return unit_or_zero({-middle(line.v[0]), -middle(line.v[1]), 0}) + Vec3{0, 0, 0.5};
+}
+
 /// Of the surface in the frame in which it is round, where the line enters it.
 template <class Number>
 Vec3 round_normal(PosedSmooth::Kind kind, const RoundLine<Number>& line, const Stretch<Number>& stretch) {
   using End = typename Stretch<Number>::End;
   if (stretch.entered_by == End::cap_below || stretch.entered_by == End::cap_above)
     return {0, 0, stretch.entered_by == End::cap_above ? 1.0 : -1.0};
-  const double t = middle(stretch.enters);
-  Vec3 at;
-  for (int i = 0; i < 3; ++i) {
-    const auto axis = static_cast<std::size_t>(i);
-    at[i] = middle(line.p[axis]) + t * middle(line.v[axis]);
-  }
-  if (kind == PosedSmooth::Kind::ellipsoid) return at;
+  VectorOf<Number> at;
+  for (std::size_t i = 0; i < 3; ++i) at[i] = line.p[i] + stretch.enters * line.v[i];
+  const Vec3 normal{middle(at[0]), middle(at[1]), middle(at[2])};
+  if (kind == PosedSmooth::Kind::ellipsoid) return normal;
+  if (kind == PosedSmooth::Kind::cylinder) return {normal.x, normal.y, 0};
+  const Number below_tip = line.volume - at[2];
+  // Next to the tip rounding may turn the gradient round.
+  if (!below_tip.is_positive()) return normal_at_tip(line);
   // Of x² + y² = ((1 − z) / 2)² the gradient.
-  return {at.x, at.y, kind == PosedSmooth::Kind::cone ? 0.25 * (middle(line.volume) - at.z) : 0};
+  return {normal.x, normal.y, 0.25 * middle(below_tip)};
 }
 
 template <class Number>
