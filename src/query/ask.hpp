@@ -1,11 +1,13 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "query/near_parts.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
@@ -88,6 +90,19 @@ struct PosedModels {
     for (const PosedPart& part_a : a.parts)
       for (const PosedPart& part_b : b.parts)
         if (!see(part_a, part_b)) return;
+  }
+
+  /// Calls `see(part of a, part of b)` for pairs whose boxes are not farther apart than the limit, the nearest first,
+  /// ascending where they are as near. What it returns is the next limit; a negative one ends it.
+  template <class See>
+  void visit_near(double limit, const See& see) const {
+    if (a.parts.size() == 1 && b.parts.size() == 1) {
+      see(a.parts[0], b.parts[0]);
+      return;
+    }
+    NearParts pairs(a, b, limit, lender_);
+    while (const std::optional<ItemPair> next = pairs.next(limit))
+      limit = see(a.parts[next->first], b.parts[next->second]);
   }
 
   PosedModel a;

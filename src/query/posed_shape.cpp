@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "math/expansion.hpp"
+#include "math/world_vertex.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
 
@@ -117,8 +118,12 @@ PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::st
 }
 
 Aabb world_box(const PosedConvex& shape) {
+  const double *x = shape.along(0), *y = shape.along(1), *z = shape.along(2);
   Aabb box;
-  for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
+  for (Index i = 0; i < shape.vertex_count(); ++i) {
+    const Vec3 stored{x[i], y[i], z[i]};
+    box = merge(box, shape.in_world() ? stored : world_vertex(shape.pose(), stored));
+  }
   return grown(box, shape.radius());
 }
 

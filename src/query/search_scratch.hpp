@@ -57,6 +57,16 @@ struct WaitingCast {
   }
 };
 
+/// Two parts of two models, no nearer to each other than the gap of their boxes. The nearest is the greatest, as a heap
+/// has it; of equally near ones the first.
+struct PartPair {
+  double gap;
+  ItemPair parts;
+  friend bool operator<(const PartPair& x, const PartPair& y) {
+    return std::tie(y.gap, y.parts.first, y.parts.second) < std::tie(x.gap, x.parts.first, x.parts.second);
+  }
+};
+
 /// Memory that searches need and keep: see Workspace.
 struct SearchScratch {
   SearchPart main;
@@ -66,6 +76,8 @@ struct SearchScratch {
   std::vector<Contact> contacts;
 
   std::array<std::vector<PosedPart>, 2> posed;  ///< of two models: the shapes that they are the union of
+  std::array<std::vector<Aabb>, 2> part_boxes;  ///< around them
+  std::vector<PartPair> part_pairs;             ///< still to be asked: a heap
   std::vector<Contact> part_contacts;           ///< of two of them
   std::vector<Contact> all_contacts;            ///< of all parts of two models
   std::vector<Index> triangles;                 ///< that meet a shape

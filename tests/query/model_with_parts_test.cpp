@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/query/closer_than.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata::test {
@@ -59,6 +63,64 @@ TEST(ModelWithParts, RulesOutNothingThatTouchesAfterRounding) {
     query.pose_b.offset.x = scale + at;
     ASSERT_EQ(overlap(box, box, query), overlap(box.model(), box.model(), query));
     ASSERT_FALSE(overlap(box.model(), box.model(), query) && parts_are_apart(box, box, query));
+  }
+}
+
+/// The least of all pairs of parts, ascending, with no look at any box.
+Distance distance_of_every_pair(const Model& a, const Model& b, const PairQuery& query) {
+  const auto& compound_a = std::get<Compound>(a.shape());
+  const auto& compound_b = std::get<Compound>(b.shape());
+  std::optional<Distance> least;
+  for (Index i = 0; i < a.parts().size(); ++i)
+    for (Index j = 0; j < b.parts().size(); ++j) {
+      PairQuery pair = query;
+      pair.pose_a = compose(query.pose_a, compound_a.parts()[i].pose);
+      pair.pose_b = compose(query.pose_b, compound_b.parts()[j].pose);
+      Distance found = distance(a.parts()[i], b.parts()[j], pair);
+      found.element_a = found.face_a = i;
+      found.element_b = found.face_b = j;
+      const double lower = least ? std::fmin(least->lower, found.lower) : found.lower;
+      if (!least || found.upper < least->upper) least = found;
+      least->lower = lower;
+      if (least->upper == 0) return *least;
+    }
+  return *least;
+}
+
+void expect_as_every_pair(const Model& a, const Model& b, const PairQuery& query) {
+  const Distance truth = distance_of_every_pair(a, b, query);
+  EXPECT_EQ(distance(a, b, query), truth);
+  EXPECT_EQ(overlap(a, b, query), truth.upper == 0);
+  for (const double tolerance : {0.0, 0.99 * truth.lower, truth.upper, 1.01 * truth.upper}) {
+    const bool is_closer = closer_than(a, b, tolerance, query);
+    EXPECT_EQ(is_closer, truth.upper <= tolerance) << tolerance;
+    const std::optional<Distance> found = distance_within(a, b, tolerance, query);
+    ASSERT_EQ(found.has_value(), is_closer) << tolerance;
+    if (found) {
+      EXPECT_EQ(*found, truth) << tolerance;
+    }
+  }
+}
+
+TEST(ModelWithParts, PartsThatAreNotLookedAtChangeNoAnswer) {
+  const ModelWithParts torus = with_parts(generate_mesh("torus", {{"around", 24}, {"sides", 8}}), 8);
+  const ModelWithParts gear = with_parts(generate_mesh("gear"), 6);
+  // Equally near parts, one of them twice, and shapes without a hull.
+  const Pose left = Pose::translation(-1, 0, 0), right = Pose::translation(1, 0, 0);
+  const Model plain(Compound(std::vector<CompoundPart>{
+      {Box{{0.2, 0.2, 0.2}}, right}, {Sphere{0.3}, left}, {Box{{0.2, 0.2, 0.2}}, left}, {Sphere{0.3}, left}}));
+  Random random(21);
+  for (int i = 0; i < 24; ++i) {
+    PairQuery query{.pose_b = any_pose(random, 0)};
+    query.pose_b.offset = {random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
+    expect_as_every_pair(torus.parts(), gear.parts(), query);
+    expect_as_every_pair(plain, gear.parts(), query);
+  }
+  for (const Vec3& offset :
+       {Vec3{0, 0, 0}, Vec3{0, 2, 0}, Vec3{0, 0, 0.4}, Vec3{0, 0.6, 0}, Vec3{2, 0, 0}, Vec3{1e200, 0, 0}}) {
+    PairQuery query;
+    query.pose_b.offset = offset;
+    expect_as_every_pair(plain, plain, query);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "narrow/boxes/aligned_boxes.hpp"
+#include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/kept_simplex.hpp"
 #include "narrow/exact/exact_distance.hpp"
@@ -10,6 +11,7 @@
 #include "narrow/exact/meeting_certificate.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 #include "narrow/exact/nearest_formula.hpp"
+#include "narrow/exact/within.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "toccata/narrow/gjk.hpp"
@@ -44,15 +46,18 @@ std::optional<Distance> at_common_point(const BoundedVector& point) {
   return Distance{0, 0, *common, *common, Status::exact};
 }
 
-/// One question about two shapes.
+/// One question about two shapes; of `is_within` and `certainly_beyond` with the length.
 class PairQuestion {
  public:
-  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {})
+  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {},
+               double length = 0)
       : kernels_(support_kernels()),
         options_(options),
         a_(a, kernels_, options.support),
         b_(b, kernels_, options.support),
-        reach_(exactly(a.radius()) + exactly(b.radius())),
+        length_(length),
+        reach_(length == 0 ? exactly(a.radius()) + exactly(b.radius())
+                           : exactly(a.radius()) + exactly(b.radius()) + exactly(length)),
         workspace_(workspace) {
     a_.begin_at(workspace.vertex_a[0]);
     b_.begin_at(workspace.vertex_b[0]);
@@ -62,20 +67,25 @@ class PairQuestion {
   ~PairQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
 
   bool overlap() {
-    // What parted the shapes last time mostly does so again.
-    if (!(workspace_.direction == Vec3{}) && certainly_farther(a_, b_, -workspace_.direction, upper_reach()))
-      return certified(false);
-    const GjkEnd end =
-        search(kept_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
-    const bool stopped_early = !(end.separating == Vec3{});
-    const Vec3& direction = stopped_early ? end.separating : end.nearest;
-    if (!end.inside && certainly_farther(a_, b_, direction, upper_reach())) return certified(false);
-    if (end.inside && contains_origin(a_.shape(), b_.shape(), end.simplex.pairs)) return certified(true);
-    if (reach_.value.high > 0 && !end.inside)
-      if (const auto found = certain_nearest(a_, b_, end.simplex.pairs))
-        if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
+    GjkEnd end;
+    if (const std::optional<bool> within = certainly_within(end)) return *within;
     ++workspace_.counts.exact;
     return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+  }
+
+  bool is_within() {
+    GjkEnd end;
+    if (const std::optional<bool> within = certainly_within(end)) return *within;
+    ++workspace_.counts.exact;
+    const ExactNearest nearest = exact(end.simplex.pairs);
+    return nearest.meet ||
+           compare_grown_distance(nearest, a_.shape().radius(), b_.shape().radius(), length_) != Sign::positive;
+  }
+
+  bool certainly_beyond() {
+    if (is_beyond_as_before()) return certified(true);
+    const GjkEnd end = search_to_reach();
+    return !end.inside && is_beyond(direction_of(end)) && certified(true);
   }
 
   /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
@@ -107,6 +117,39 @@ class PairQuestion {
 
   /// Which answers are taken.
   enum class Cores { apart, any };
+
+  /// Are the cores no farther apart than the radii and the length together? Tells where the search ended.
+  std::optional<bool> certainly_within(GjkEnd& end) {
+    if (is_beyond_as_before()) return certified(false);
+    end = search_to_reach();
+    const VertexPairs& simplex = end.simplex.pairs;
+    if (!end.inside && is_beyond(direction_of(end))) return certified(false);
+    if (end.inside && contains_origin(a_.shape(), b_.shape(), simplex)) return certified(true);
+    if (!(reach_.value.high > 0) || end.inside) return {};
+    if (length_ > 0 && certainly_nearer(a_.shape(), b_.shape(), simplex, std::nextafter(reach_.value.high, 0)))
+      return certified(true);
+    if (const auto found = certain_nearest(a_, b_, simplex))
+      if (const auto meet = certain_meeting(found->distance - reach_)) return certified(*meet);
+    return {};
+  }
+
+  /// What parted the shapes last time mostly does so again.
+  [[nodiscard]] bool is_beyond_as_before() const {
+    return !(workspace_.direction == Vec3{}) && is_beyond(-workspace_.direction);
+  }
+
+  [[nodiscard]] bool is_beyond(const Vec3& direction) const {
+    return certainly_farther(a_, b_, direction, upper_reach());
+  }
+
+  GjkEnd search_to_reach() {
+    return search(kept_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
+  }
+
+  static const Vec3& direction_of(const GjkEnd& end) {
+    const bool stopped_early = !(end.separating == Vec3{});
+    return stopped_early ? end.separating : end.nearest;
+  }
 
   [[nodiscard]] GjkGoal to_the_end() const { return {no_goal, options_.acceleration}; }
 
@@ -205,10 +248,23 @@ class PairQuestion {
   SupportKernels kernels_;
   GjkOptions options_;
   SupportSearch a_, b_;
-  BoundedNumber reach_;                   // the sum of the radii
+  double length_;
+  BoundedNumber reach_;                   // the sum of the radii and the length
   std::optional<NearestFeatures> asked_;  // of the formula, in vain
   ConvexWorkspace& workspace_;
 };
+
+/// Sums of longer ones overflow.
+constexpr double greatest_length = 0x1p1000;
+
+std::optional<Distance> distance_by_closed_form(const PosedConvex& a, const PosedConvex& b,
+                                                ConvexWorkspace* workspace) {
+  std::optional<Distance> found;
+  if (const Distance distance = distance_of_primitives(a, b); is_known(distance)) found = distance;
+  if (!found) found = aligned_box_distance(a, b);
+  if (found && workspace != nullptr) ++workspace->counts.closed_forms;
+  return found;
+}
 
 }  // namespace
 
@@ -225,16 +281,22 @@ bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
 }
 
 Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  Distance distance = distance_of_primitives(a, b);
-  if (is_known(distance)) {
-    if (workspace != nullptr) ++workspace->counts.closed_forms;
-    return distance;
-  }
-  if (const auto aligned = aligned_box_distance(a, b)) {
-    if (workspace != nullptr) ++workspace->counts.closed_forms;
-    return *aligned;
-  }
+  if (const auto found = distance_by_closed_form(a, b, workspace)) return *found;
   return distance_by_gjk(a, b, {}, workspace);
+}
+
+bool is_within(const PosedConvex& a, const PosedConvex& b, double tolerance, ConvexWorkspace* workspace) {
+  if (const auto found = distance_by_closed_form(a, b, workspace)) return is_within(*found, a, b, tolerance);
+  ConvexWorkspace alone;
+  ConvexWorkspace& used = workspace != nullptr ? *workspace : alone;
+  if (!(tolerance < greatest_length)) return is_within(distance_by_gjk(a, b, {}, &used), a, b, tolerance);
+  return PairQuestion(a, b, used, {}, tolerance).is_within();
+}
+
+bool certainly_beyond(const PosedConvex& a, const PosedConvex& b, double length, ConvexWorkspace* workspace) {
+  if (!(length < greatest_length)) return false;
+  ConvexWorkspace alone;
+  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).certainly_beyond();
 }
 
 bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options, ConvexWorkspace* workspace) {

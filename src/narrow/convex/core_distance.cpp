@@ -37,22 +37,6 @@ Weights weights_of(const Points& p, std::size_t size) {
   return {1 - second, second, 0, 0};
 }
 
-/// Some point of the simplex is nearer to the origin than `length`. The weights are not negative and add up to 1 within
-/// 2^-52, so the rounded point is off a point of the simplex by less than eight roundings of the sum of magnitudes.
-bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex, double length) {
-  Points points;
-  for (std::size_t i = 0; i < simplex.size; ++i) points[i] = a.vertex(simplex.a[i]) - b.vertex(simplex.b[i]);
-  const Weights weights = weights_of(points, simplex.size);
-  Vec3 nearest;
-  double magnitude = 0;
-  for (std::size_t i = 0; i < simplex.size; ++i) {
-    nearest = nearest + weights[i] * points[i];
-    magnitude += (std::fabs(points[i].x) + std::fabs(points[i].y)) + std::fabs(points[i].z);
-  }
-  const double distance = std::hypot(nearest.x, nearest.y, nearest.z);
-  return distance + (0x1p-48 * (magnitude + distance) + 0x1p-1000) < length;
-}
-
 /// What the simplex proves. The lengths are rounded sums, taken one place further.
 std::optional<Sign> certain_order(const PosedConvex& a, const PosedConvex& b, double x, double y,
                                   const VertexPairs& simplex) {
@@ -73,6 +57,22 @@ CoreDistanceOrder exact_order(const PosedConvex& a, const PosedConvex& b, double
 }
 
 }  // namespace
+
+// The weights are not negative and add up to 1 within
+// 2^-52, so the rounded point is off a point of the simplex by less than eight roundings of the sum of magnitudes.
+bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex, double length) {
+  Points points;
+  for (std::size_t i = 0; i < simplex.size; ++i) points[i] = a.vertex(simplex.a[i]) - b.vertex(simplex.b[i]);
+  const Weights weights = weights_of(points, simplex.size);
+  Vec3 nearest;
+  double magnitude = 0;
+  for (std::size_t i = 0; i < simplex.size; ++i) {
+    nearest = nearest + weights[i] * points[i];
+    magnitude += (std::fabs(points[i].x) + std::fabs(points[i].y)) + std::fabs(points[i].z);
+  }
+  const double distance = std::hypot(nearest.x, nearest.y, nearest.z);
+  return distance + (0x1p-48 * (magnitude + distance) + 0x1p-1000) < length;
+}
 
 CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex& b, double x, double y,
                                         const VertexPairs& start) {

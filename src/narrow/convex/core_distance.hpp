@@ -21,4 +21,8 @@ struct CoreDistanceOrder {
 [[nodiscard]] CoreDistanceOrder compare_core_distance_at(const PosedConvex& a, const PosedConvex& b, double x, double y,
                                                          const VertexPairs& simplex);
 
+/// Some point of the simplex is nearer to the origin than the length: proved in doubles.
+[[nodiscard]] bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex,
+                                    double length);
+
 }  // namespace toccata

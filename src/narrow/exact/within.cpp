@@ -5,10 +5,6 @@
 
 namespace toccata {
 
-bool is_within(const PosedConvex& a, const PosedConvex& b, double tolerance, ConvexWorkspace* workspace) {
-  return is_within(distance(a, b, workspace), a, b, tolerance);
-}
-
 bool is_within(const Distance& known, const PosedConvex& a, const PosedConvex& b, double tolerance) {
   if (known.upper <= tolerance) return true;
   if (known.lower > tolerance) return false;

@@ -7,10 +7,9 @@
 #include "narrow/exact/within.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
 #include "query/ask.hpp"
+#include "query/distance/least_distance.hpp"
 #include "query/distance/mesh_distance.hpp"
-#include "query/keep_least.hpp"
 #include "query/nearest/nearest_triangles.hpp"
-#include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/smooth.hpp"
@@ -92,10 +91,10 @@ bool closer_than(const Model& a, const Model& b, double tolerance, const PairQue
   workspace.scratch().counts = {};
   const PosedModels models(a, b, query, workspace.scratch());
   bool found = false;
-  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+  models.visit_near(tolerance, [&](const PosedPart& part_a, const PosedPart& part_b) {
     require_answered(ShapeQuestion::distance, part_a.kind, part_b.kind);
     found = std::isinf(tolerance) || ask(question, part_a, part_b);
-    return !found;
+    return found ? -1.0 : tolerance;
   });
   return found;
 }
@@ -110,17 +109,17 @@ std::optional<Distance> distance_within(const Model& a, const Model& b, double l
   const AskNearby question{checked(limit, "limit"), workspace.scratch()};
   workspace.scratch().counts = {};
   const PosedModels models(a, b, query, workspace.scratch());
-  std::optional<Distance> least;
+  LeastDistance least(workspace.scratch());
   bool within = false;
-  // As in `distance`: parts that are farther by less than their intervals are wide count as well.
-  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
-    const std::optional<Nearby> found = ask(question, part_a, part_b);
-    if (!found) return true;
-    within = within || found->is_within;
-    keep_least(least, numbered(found->distance, part_a, part_b));
-    return least->upper > 0;
+  models.visit_near(limit_from(limit), [&](const PosedPart& part_a, const PosedPart& part_b) {
+    if (least.is_farther(part_a, part_b)) return least.limit(limit_from(limit));
+    if (const std::optional<Nearby> found = ask(question, part_a, part_b)) {
+      within = within || found->is_within;
+      least.keep(found->distance, part_a, part_b);
+    }
+    return least.limit(limit_from(limit));
   });
-  return within ? least : std::nullopt;
+  return within ? least.found() : std::nullopt;
 }
 
 }  // namespace toccata

@@ -1,11 +1,10 @@
 #include "toccata/query/distance.hpp"
 
-#include <optional>
+#include <limits>
 
 #include "query/ask.hpp"
+#include "query/distance/least_distance.hpp"
 #include "query/distance/mesh_distance.hpp"
-#include "query/keep_least.hpp"
-#include "query/numbered.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/narrow/smooth.hpp"
 
@@ -39,12 +38,14 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query) {
 
 Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedModels models(a, b, query, workspace.scratch());
-  std::optional<Distance> least;
-  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
-    keep_least(least, numbered(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b));
-    return least->upper > 0;
+  LeastDistance least(workspace.scratch());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  models.visit_near(infinity, [&](const PosedPart& part_a, const PosedPart& part_b) {
+    if (!least.is_farther(part_a, part_b))
+      least.keep(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b);
+    return least.limit(infinity);
   });
-  return *least;
+  return *least.found();
 }
 
 }  // namespace toccata

@@ -38,7 +38,10 @@ struct AskOverlap {
 bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
   const PosedModels models(a, b, query, scratch);
   bool found = false;
-  models.visit([&](const PosedPart& x, const PosedPart& y) { return !(found = ask(AskOverlap{scratch}, x, y)); });
+  models.visit_near(0, [&](const PosedPart& x, const PosedPart& y) {
+    found = ask(AskOverlap{scratch}, x, y);
+    return found ? -1.0 : 0.0;
+  });
   return found;
 }
 

@@ -9,7 +9,7 @@ namespace toccata {
 namespace {
 
 /// Boxes alone do not tell that some corner is outside of the pair's set.
-bool may_cover(const PartPair& pair, const Vec3& lower, const Vec3& upper) {
+bool may_cover(const InnerPair& pair, const Vec3& lower, const Vec3& upper) {
   const Vec3 least = pair.a->box.lower - pair.b->box.upper, greatest = pair.a->box.upper - pair.b->box.lower;
   bool may = true;
   for (int axis = 0; axis < 3; ++axis) may &= least[axis] < lower[axis] && upper[axis] < greatest[axis];
@@ -35,10 +35,10 @@ double TranslationCell::farthest() const {
 }
 
 bool PartingCover::covers(const TranslationCell& cell) const {
-  return std::any_of(pairs_.begin(), pairs_.end(), [&](const PartPair& pair) { return covers(pair, cell); });
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const InnerPair& pair) { return covers(pair, cell); });
 }
 
-bool PartingCover::covers(const PartPair& pair, const TranslationCell& cell) const {
+bool PartingCover::covers(const InnerPair& pair, const TranslationCell& cell) const {
   // The corners of a cell that is larger by more than rounding can move a part: what they span holds the cell.
   const double half = cell.half + margin_;
   if (!may_cover(pair, corner_of(cell, half, 0), corner_of(cell, half, 7))) return false;

@@ -8,7 +8,7 @@
 namespace toccata {
 
 /// A convex body within A and one within B: while they overlap, A and B do.
-struct PartPair {
+struct InnerPair {
   const InnerPart* a;
   const InnerPart* b;
 };
@@ -30,16 +30,16 @@ class PartingCover {
   /// `margin`: more than rounding moves a vertex by.
   explicit PartingCover(double margin) : margin_(margin) {}
 
-  void add(const PartPair& pair) { pairs_.push_back(pair); }
+  void add(const InnerPair& pair) { pairs_.push_back(pair); }
 
   /// Proved of all translations of the cell: after none of them do the interiors part. The cell lies within the set of
   /// a single pair when its corners do.
   [[nodiscard]] bool covers(const TranslationCell& cell) const;
 
  private:
-  [[nodiscard]] bool covers(const PartPair& pair, const TranslationCell& cell) const;
+  [[nodiscard]] bool covers(const InnerPair& pair, const TranslationCell& cell) const;
 
-  std::vector<PartPair> pairs_;
+  std::vector<InnerPair> pairs_;
   double margin_;
 };
 

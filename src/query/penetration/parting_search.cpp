@@ -98,7 +98,7 @@ void PartingSearch::turn() {
   }
 }
 
-void PartingSearch::add(const PartPair& pair) {
+void PartingSearch::add(const InnerPair& pair) {
   if (pair.a == nullptr || pair.b == nullptr) return;
   cover_.add(pair);
   const Penetration depth = depth_between(*pair.a, *pair.b);
@@ -112,7 +112,7 @@ std::size_t PartingSearch::add_parts(const Vec3& move, std::size_t most) {
   std::size_t added = 0;
   for (const PartingSeed& seed : find_seeds({a_, b_, move}, questions_.meetings(move), most))
     for (const CutBy cut : {CutBy::own_plane, CutBy::nearest_point}) {
-      const PartPair pair{a_.grow(seed.point, reach_, cut), b_.grow(seed.point - move, reach_, cut)};
+      const InnerPair pair{a_.grow(seed.point, reach_, cut), b_.grow(seed.point - move, reach_, cut)};
       if (pair.a == nullptr || pair.b == nullptr) continue;
       ++added;
       add(pair);

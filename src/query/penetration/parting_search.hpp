@@ -39,7 +39,7 @@ class PartingSearch {
   void shorten(int steps);
   void turn();
   std::size_t add_parts(const Vec3& move, std::size_t most);
-  void add(const PartPair& pair);
+  void add(const InnerPair& pair);
   void cover();
   bool settle(const TranslationCell& cell);
 
