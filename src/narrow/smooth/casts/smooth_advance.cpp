@@ -103,6 +103,8 @@ class Advance {
       : a_(a), motion_(motion), b_(b), nearest_(a.middle() - b.middle()) {}
 
   SmoothAdvance until(double limit) {
+    const SmoothAdvance beside = passes_beside();
+    if (beside.for_ever || beside.free_until > 1) return beside;
     for (int step = 0; step < most_steps; ++step) {
       const double before = best_.free_until;
       const PlainBody moved = a_.moved(before * motion_);
@@ -117,6 +119,13 @@ class Advance {
   }
 
  private:
+  /// The plane along the motion, across the way from the middle of B to the line on which that of A moves.
+  [[nodiscard]] SmoothAdvance passes_beside() const {
+    const Vec3 between = a_.middle() - b_.middle(), along = unit_or_zero(motion_);
+    const Vec3 d = unit_or_zero(between - dot(between, along) * along);
+    return parted_by((1 - 0x1p-50) * d, a_, motion_, b_, 0);
+  }
+
   bool gains() {
     const Vec3& d = nearest_.direction();
     if (!is_finite(d)) return false;
