@@ -8,6 +8,7 @@
 #include "narrow/smooth/casts/smooth_advance.hpp"
 #include "narrow/smooth/casts/smooth_cast_until.hpp"
 #include "narrow/smooth/casts/smooth_ray.hpp"
+#include "narrow/smooth/distance/quick_pair.hpp"
 #include "narrow/smooth/distance/smooth_nearest.hpp"
 #include "narrow/smooth/smooth_order.hpp"
 #include "toccata/core/error.hpp"
@@ -195,16 +196,10 @@ Cast in_world(Cast cast, const PairFrame& frame) {
   return cast;
 }
 
-bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
-bool is_moderate(const PosedSmooth& shape) {
-  return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
-}
-bool is_moderate(const PosedConvex& shape) { return shape.radius() == 0 || is_moderate(shape.radius()); }
-
 /// As far as doubles go.
 template <class B>
 SmoothAdvance begun(const PosedSmooth& a, const Vec3& motion, const B& b, const PairFrame& frame, double limit) {
-  if (!is_moderate(frame.factor) || !is_moderate(a) || !is_moderate(b)) return {};
+  if (!is_quick(a, b, frame)) return {};
   return advance_in_doubles(PlainBody(a, frame), frame.factor * motion, PlainBody(b, frame), limit);
 }
 

@@ -25,8 +25,6 @@ constexpr double drawn_in = 13 * u;
 /// As far as the guess goes, both poses are rotations.
 constexpr double largest_skew = 0x1p-42;
 
-bool is_moderate(double x) { return x > 0x1p-290 && x < 0x1p290; }
-
 double clamped(double x, double limit) { return std::min(std::max(x, -limit), limit); }
 
 class AxialBox {
@@ -297,9 +295,7 @@ std::optional<QuickDistance> AxialBox::proved_longer(const Vec3& p, const Vec3& 
     on_b.atom[on_b.size] = on_b.atom[0] ^ (1U << j);
     on_b.weight[on_b.size++] = (half_[j] - std::fabs(at_[j])) / (2 * half_[j]);
   }
-  const QuickDistance found = proved_interval(a_, b_, on_a, on_b, d);
-  if (is_narrow(found)) return found;
-  return {};
+  return if_narrow(proved_interval(a_, b_, on_a, on_b, d));
 }
 
 // With d what is between the middles and L its length, (d · x)² + (d · y)² of the columns of A's pose is no more than

@@ -25,8 +25,6 @@ constexpr double most_slim = 64;
 /// The points are drawn in by this part, as in quick_proof.cpp.
 constexpr double drawn_in = 10 * u;
 
-bool is_moderate(double x) { return x > 0x1p-290 && x < 0x1p290; }
-
 /// By its upper half.
 struct Symmetric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -122,10 +120,7 @@ struct FarthestPoint {
 /// Hairs, with twice the digits.
 std::optional<QuickDistance> proved_longer(const PosedSmooth& a, const PosedSmooth& b, const FarthestPoint& on_a,
                                            const FarthestPoint& on_b, const Vec3& direction) {
-  const QuickDistance found =
-      proved_interval(a, b, QuickSide{.round = on_a.round}, QuickSide{.round = on_b.round}, direction);
-  if (is_narrow(found)) return found;
-  return {};
+  return if_narrow(proved_interval(a, b, QuickSide{.round = on_a.round}, QuickSide{.round = on_b.round}, direction));
 }
 
 // An operation rounds by at most u = 2⁻⁵³ of its result, a product of three terms by 3 u times that of the magnitudes;

@@ -28,7 +28,6 @@ double gap_rounding(const PosedConvex& b, const PairFrame& frame) {
 /// In a pair's frame: the intervals of greater distances are narrow.
 constexpr double hair = 0x1p-29;
 
-bool is_moderate(double x) { return x > 0x1p-300 && x < 0x1p300; }
 bool is_quick(const PosedSmooth& shape) {
   return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
 }

@@ -276,11 +276,6 @@ QuickDistance interval_of(const PointA& x, const PointB& y, const Vec3& directio
   return found;
 }
 
-std::optional<QuickDistance> if_narrow(const QuickDistance& found) {
-  if (is_narrow(found)) return found;
-  return {};
-}
-
 }  // namespace
 
 QuickDistance proved_interval(const PosedSmooth& a, const PosedSmooth& b, const QuickSide& on_a, const QuickSide& on_b,

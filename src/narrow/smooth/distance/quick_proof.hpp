@@ -14,17 +14,25 @@ struct QuickDistance {
   Vec3 on_b;
 };
 
-// Of pairs of a size, half axes and radii from 2⁻³⁰⁰ to 2³⁰⁰.
+/// Sizes and lengths that are proved something of: squares and their products stay in the range of doubles.
+[[nodiscard]] inline bool is_moderate(double x) { return x > 0x1p-290 && x < 0x1p290; }
 
 /// The lower end is positive, and the interval no wider than 10⁻¹² of its upper end.
 [[nodiscard]] inline bool is_narrow(const QuickDistance& found) {
   return found.lower > 0 && found.upper - found.lower <= 1e-12 * found.upper;
 }
 
+[[nodiscard]] inline std::optional<QuickDistance> if_narrow(const QuickDistance& found) {
+  if (is_narrow(found)) return found;
+  return {};
+}
+
 /// With plain sums: twice the digits may make it narrow, as the rest of what it is wide by is no smaller.
 [[nodiscard]] inline bool is_nearly_narrow(const QuickDistance& found) {
   return found.lower > 0 && found.upper - found.lower <= 1e-11 * found.upper;
 }
+
+// Of pairs of moderate size, half axes and radii.
 
 /// Where the interval is no wider than 10⁻¹² of its upper end.
 [[nodiscard]] std::optional<QuickDistance> proved_distance(const PosedSmooth& a, const PosedSmooth& b,

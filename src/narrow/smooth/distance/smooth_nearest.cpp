@@ -143,7 +143,7 @@ class NearestSearch {
     const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
                         of_a = point_of<BoundedNumber>(a_, joined(true, search));
     if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
-      return met_around(corner, of_b);
+      return met(of_b);
     if (is_surrounded(a_, b_, {corner.data(), count})) return met(of_b);
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
@@ -175,7 +175,7 @@ class NearestSearch {
   bool is_meeting_found_finely() {
     const FineEnd end = search_finely(a_, b_, search_.best_direction());
     if (end.around && is_simplex_around<BoundedNumber>(*end.around))
-      return met_around(*end.around, point_of<BoundedNumber>(b_, joined(*end.around, false)));
+      return met(point_of<BoundedNumber>(b_, joined(*end.around, false)));
     improve_lower<BoundedNumber>(end.direction);
     return false;
   }
@@ -218,12 +218,6 @@ class NearestSearch {
     if (is_within(a_, of_b)) return met(of_b);
     if (b_.smooth_kind()) return is_within(b_, of_a) && met(of_a);
     return b_.atom_count() >= 4 && is_point_within_b(of_a) && met(of_a);
-  }
-
-  bool met_around(const std::array<SmoothSearch::Corner, 4>& corner, const BoundedVector& point) {
-    best_.around = corner;
-    best_.is_around = true;
-    return met(point);
   }
 
   bool met(const BoundedVector& point) {

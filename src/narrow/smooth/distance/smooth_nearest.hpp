@@ -24,10 +24,7 @@ struct SmoothNearest {
   /// From B to A, as `SmoothPolish` has it: across it they are `lower` apart, or what was the best there is.
   FineDirection direction;
   SmoothContact contact = SmoothContact::undecided;
-  /// Then, where that was the proof: four points of A − B around the origin.
-  std::array<SmoothSearch::Corner, 4> around{};
-  bool is_around = false;
-  /// Or where that was the proof.
+  /// Then, where that was the proof.
   std::optional<SharedPoint> shared;
   bool narrow = false;  ///< the interval is as narrow as is promised
 };
