@@ -42,6 +42,17 @@ TEST(SmoothPenetration, OfCansConesAndBoxesIsThatOfTheirFaces) {
 }
 
 // Half axes that differ by a million.
+TEST(SmoothPenetration, OfParallelBarsThatAreTurnedOverIsAcrossThem) {
+  for (const double turn_a : {1.0, -1.0})
+    for (const double turn_b : {1.0, -1.0}) {
+      const Pose over_a{{{Vec3{-1, 0, 0}, Vec3{0, -turn_a, 0}, Vec3{0, 0, turn_a}}}, {}};
+      const Pose over_b{{{Vec3{-1, 0, 0}, Vec3{0, -turn_b, 0}, Vec3{0, 0, turn_b}}}, {-2, 0, 0}};
+      const Penetration p = penetration(PosedSmooth(Cylinder(2, 2), over_a), PosedSmooth(Cylinder(1, 3), over_b));
+      EXPECT_NEAR(p.upper, 1, 1e-12);
+      EXPECT_GE(p.lower, p.upper * (1 - 1e-12));
+    }
+}
+
 TEST(SmoothPenetration, OfCoinsAndNeedlesIsAsNarrow) {
   const double slim = 0x1p-20;
   const PosedConvex crate(Box({2, 2, 2}));

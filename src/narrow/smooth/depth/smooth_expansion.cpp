@@ -10,6 +10,8 @@ namespace {
 
 /// Heights that differ by less are one, in a frame where the bodies are of size 1.
 constexpr double rounding = 0x1p-49;
+/// What the first four corners count as no width.
+constexpr double flat = 0x1p-40;
 constexpr int most_steps = 8;
 constexpr int most_starts = 4;
 /// When a cap is looked for: the parts of the lowest height that the surface may miss there (one cap; those of edges
@@ -80,7 +82,11 @@ bool SmoothExpansion::start() {
   place(second);
   if (!(upper_ > 0)) return false;
   const Vec3 axis = unit_or_zero(second.point - first.point);
-  const HighestPoint third(a_, b_, some_across(axis));
+  const Vec3 across = some_across(axis);
+  HighestPoint third(a_, b_, across);
+  // The first two may lie on a flat end, beyond which there is nothing on this side.
+  if (const double beside = dot(across, third.point - first.point); !(beside > flat))
+    if (const HighestPoint other(a_, b_, -across); dot(across, first.point - other.point) > beside) third = other;
   place(third);
   const Vec3 normal = unit_or_zero(cross(axis, third.point - first.point));
   if (normal == Vec3{}) return false;
