@@ -6,6 +6,7 @@
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
 #include "bounds/smallest_ball.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -56,7 +57,7 @@ Ball fit_ball_fast(std::span<const Vec3> points) {
 }
 
 double support_bound(const Ball& ball, const Vec3& direction, const Vec3& from) {
-  if (is_empty(ball)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(ball)) return -infinity;
   UpperSum sum;
   sum.add(direction, ball.centre - from);
   sum.add(ball.radius, length_bound(direction));
@@ -91,7 +92,7 @@ Ball posed(const Ball& ball, const Pose& pose) {
   if (is_empty(ball)) return {};
   const double slack = length_bound(posing_slack(pose, box_around(ball)));
   const Vec3 centre = transform(pose, ball.centre);
-  if (!is_finite(centre)) return {{}, std::numeric_limits<double>::infinity()};
+  if (!is_finite(centre)) return {{}, infinity};
   return {centre, rounded_up(stretch_bound(pose.linear) * ball.radius + slack)};
 }
 

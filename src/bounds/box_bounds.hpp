@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bounds/upper_sum.hpp"
+#include "math/constants.hpp"
 #include "toccata/bounds/aabb.hpp"
 
 // The bounds of volume.hpp for two boxes that may have no end, by a handful of operations. No coordinate is NaN.
@@ -25,7 +26,7 @@ inline double length_of(const Vec3& v) {
 
 /// No point of a, which is not empty, is nearer to one of b; +∞ when b is empty. It never shrinks with b.
 inline double box_gap(const Aabb& a, const Aabb& b) {
-  if (is_empty(b)) return std::numeric_limits<double>::infinity();
+  if (is_empty(b)) return infinity;
   const auto beside = [&](int axis) {
     return std::max({0.0, b.lower[axis] - a.upper[axis], a.lower[axis] - b.upper[axis]});
   };
@@ -35,7 +36,7 @@ inline double box_gap(const Aabb& a, const Aabb& b) {
 /// a, which is not empty, moved by t · motion, does not meet b before this t ≥ 0; +∞: not until it has gone all the
 /// way, t = 1. The motion is finite. It never shrinks with b.
 inline double box_entry(const Aabb& a, const Vec3& motion, const Aabb& b) {
-  constexpr double never = std::numeric_limits<double>::infinity();
+  constexpr double never = infinity;
   if (is_empty(b)) return never;
   double first = 0, last = 1;
   for (int axis = 0; axis < 3; ++axis) {

@@ -4,6 +4,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -14,7 +15,7 @@ double distance_bound(const Vec3& centre, const Vec3& point) { return rounded_up
 Cube around(const Aabb& box) {
   if (is_empty(box)) return {};
   const Vec3 centre = centre_of(box);
-  if (!is_finite(centre)) return {{}, std::numeric_limits<double>::infinity()};
+  if (!is_finite(centre)) return {{}, infinity};
   // Both corners, since rounding need not leave the centre in the middle.
   return {centre, std::max(distance_bound(centre, box.lower), distance_bound(centre, box.upper))};
 }
@@ -32,7 +33,7 @@ Cube fit<Cube>(std::span<const Triangle> triangles) {
 }
 
 double support_bound(const Cube& cube, const Vec3& direction, const Vec3& from) {
-  if (is_empty(cube)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(cube)) return -infinity;
   UpperSum sum;
   sum.add(direction, cube.centre - from);
   for (int axis = 0; axis < 3; ++axis) sum.add(std::fabs(direction[axis]), cube.half);

@@ -8,6 +8,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 #include "toccata/math/symmetric_eigen.hpp"
 
 namespace toccata {
@@ -20,7 +21,6 @@ constexpr double growth = 1 + 0x1p-18;   // far more than the bounds of a few pr
 constexpr double least_size = 0x1p-960;
 constexpr Vec3 least_half{0x1p-955, 0x1p-955, 0x1p-955};
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr EllipsoidBound everything{{}, {}, {infinity, infinity, infinity}};
 
 /// Half axes that are not shorter than the ratio allows, nor than the slack needs to be a small part of them.

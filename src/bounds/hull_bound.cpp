@@ -5,6 +5,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
@@ -65,7 +66,7 @@ HullBound fit<HullBound>(std::span<const Triangle> triangles) {
 }
 
 double support_bound(const HullBound& v, const Vec3& direction, const Vec3& from) {
-  double bound = -std::numeric_limits<double>::infinity();
+  double bound = -infinity;
   if (is_empty(v)) return bound;
   for (Index i = 0; i < v.hull->vertex_count(); ++i)
     bound = std::max(bound, support_bound(PointVolume{v.hull->vertex(i)}, direction, from));
@@ -105,7 +106,7 @@ bool overlap(const HullBound& a, const HullBound& b) {
 }
 
 double gap(const HullBound& a, const HullBound& b) {
-  if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
+  if (is_empty(a) || is_empty(b)) return infinity;
   return less_margins(distance(PosedConvex(*a.hull), PosedConvex(*b.hull)).lower, a.margin + b.margin);
 }
 
@@ -113,7 +114,7 @@ HullBound posed(const HullBound& v, const Pose& pose) {
   if (is_empty(v)) return {};
   const std::vector<Vec3> vertices = transform(pose, vertices_of(*v.hull));
   for (const Vec3& vertex : vertices)
-    if (!is_finite(vertex)) return {v.hull, std::numeric_limits<double>::infinity()};
+    if (!is_finite(vertex)) return {v.hull, infinity};
   const double slack = length_bound(posing_slack(pose, box_around(v)));
   return {ConvexHull(vertices), rounded_up(stretch_bound(pose.linear) * v.margin + slack)};
 }

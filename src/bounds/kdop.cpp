@@ -5,6 +5,7 @@
 #include "bounds/polytope_measure.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 
@@ -143,7 +144,6 @@ ScaledMeasure scaled_measure(const Kdop<k>& v) {
     planes.push_back({-normals[i], height - v.lower[i]});
     size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!is_finite(centre) || !(size < infinity)) return {{infinity, infinity}, 1};
   for (PlaneBound& plane : planes) plane.offset /= size;
   return {measure_within(planes), size};
@@ -186,7 +186,7 @@ Kdop<26> fit<Kdop<26>>(std::span<const Triangle> triangles) {
 
 template <std::size_t k>
 double support_bound(const Kdop<k>& v, const Vec3& direction, const Vec3& from) {
-  if (is_empty(v)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(v)) return -infinity;
   UpperSum sum;
   for (const Part& part : parts_of(v, direction)) {
     if (part.factor == 0) continue;
@@ -243,7 +243,7 @@ bool overlap(const Kdop<k>& a, const Kdop<k>& b) {
 
 template <std::size_t k>
 double gap(const Kdop<k>& a, const Kdop<k>& b) {
-  if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
+  if (is_empty(a) || is_empty(b)) return infinity;
   static constexpr auto normals = kdop_normals<k>();
   double best = 0;
   for (std::size_t i = 0; i < Kdop<k>::slabs; ++i) {

@@ -7,6 +7,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 #include "toccata/bounds/principal_axes.hpp"
 #include "toccata/math/symmetric_eigen.hpp"
 
@@ -30,7 +31,6 @@ Obb around(const Mat3& axes, const Vec3& near, const Support& support) {
   for (int axis = 0; axis < 3; ++axis)
     half[axis] = std::max({0.0, support(axes[axis], centre), support(-axes[axis], centre)});
   half = grown(half);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!is_finite(centre) || !is_finite(half)) return {{}, {}, {infinity, infinity, infinity}};
   return {centre, axes, half};
 }
@@ -89,7 +89,7 @@ Obb fit<Obb>(std::span<const Triangle> triangles) {
 }
 
 double support_bound(const Obb& box, const Vec3& direction, const Vec3& from) {
-  if (is_empty(box)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(box)) return -infinity;
   UpperSum sum;
   sum.add(direction, box.centre - from);
   for (int axis = 0; axis < 3; ++axis) {

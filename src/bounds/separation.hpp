@@ -6,6 +6,7 @@
 
 #include "bounds/normals.hpp"
 #include "bounds/upper_sum.hpp"
+#include "math/constants.hpp"
 #include "narrow/convex/gjk_simplex.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/cube.hpp"
@@ -150,7 +151,7 @@ bool overlap(const A& a, const B& b) {
 template <class A, class B>
 requires VolumePair<A, B>
 double gap(const A& a, const B& b) {
-  if (is_empty(a) || is_empty(b)) return std::numeric_limits<double>::infinity();
+  if (is_empty(a) || is_empty(b)) return infinity;
   double best = 0;
   const auto look = [&](const Vec3& direction) {
     best = std::max(best, gap_along(a, b, direction));
@@ -169,7 +170,7 @@ double gap(const A& a, const B& b) {
 /// The times at which a, moved, may meet b: those that no direction has ruled out.
 struct TimeSpan {
   double first = 0;
-  double last = std::numeric_limits<double>::infinity();
+  double last = infinity;
 
   [[nodiscard]] bool is_empty() const { return !(first <= last); }
 
@@ -190,7 +191,7 @@ struct TimeSpan {
 template <class A, class B>
 requires VolumePair<A, B>
 double sweep_entry(const A& a, const Vec3& motion, const B& b) {
-  constexpr double never = std::numeric_limits<double>::infinity();
+  constexpr double never = infinity;
   constexpr int rounds = 8;
   if (is_empty(a) || is_empty(b)) return never;
   TimeSpan times;

@@ -7,6 +7,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 #include "toccata/bounds/principal_axes.hpp"
 #include "toccata/math/symmetric_eigen.hpp"
 
@@ -68,7 +69,7 @@ SweptSphere<dimension> around(const Mat3& axes, const Vec3& near, std::span<cons
     if (thickness == 0) break;
   }
   // Where centres are not finite, neither is any distance to them.
-  if (!is_finite(best.centre)) best = {{}, {}, {}, std::numeric_limits<double>::infinity()};
+  if (!is_finite(best.centre)) best = {{}, {}, {}, infinity};
   return best;
 }
 
@@ -138,7 +139,7 @@ Rss fit<Rss>(std::span<const Triangle> triangles) {
 
 template <std::size_t dimension>
 double support_bound(const SweptSphere<dimension>& v, const Vec3& direction, const Vec3& from) {
-  if (is_empty(v)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(v)) return -infinity;
   UpperSum sum;
   sum.add(direction, v.centre - from);
   for (std::size_t i = 0; i < dimension; ++i) {
@@ -202,7 +203,6 @@ SweptSphere<dimension> posed(const SweptSphere<dimension>& v, const Pose& pose) 
   for (const Ball& ball : corner_balls(v)) balls.push_back({transform(pose, ball.centre), radius});
   SweptSphere<dimension> turned = around<dimension>(axes, transform(pose, v.centre), balls);
   turned.radius = rounded_up(turned.radius + slack_of(turned));
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(turned.radius < infinity) || !is_finite(turned.centre)) return {{}, {}, {}, infinity};
   return turned;
 }

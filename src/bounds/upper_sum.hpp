@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
@@ -44,7 +45,6 @@ class UpperSum {
   }
 
  private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double tiny = 0x1p-1060;
 
   /// Slack that overflowed may be no number.
@@ -71,7 +71,7 @@ inline double rounded_down(double x) {
 inline double length_bound(const Vec3& v) {
   const double size = largest_magnitude(v);
   if (size == 0) return 0;
-  if (!(size <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::infinity();
+  if (!(size <= std::numeric_limits<double>::max())) return infinity;
   const double x = v.x / size, y = v.y / size, z = v.z / size;
   return rounded_up(size * std::sqrt((x * x + y * y) + z * z));
 }

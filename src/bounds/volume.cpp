@@ -3,6 +3,7 @@
 #include "bounds/point_clouds.hpp"
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 
@@ -23,7 +24,7 @@ Aabb fit<Aabb>(std::span<const Triangle> triangles) {
 }
 
 double support_bound(const Aabb& box, const Vec3& direction, const Vec3& from) {
-  if (is_empty(box)) return -std::numeric_limits<double>::infinity();
+  if (is_empty(box)) return -infinity;
   UpperSum sum;
   sum.add(direction, farthest_point(box, direction) - from);
   return sum.bound();

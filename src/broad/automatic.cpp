@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 
 #include "broad/box_sample.hpp"
 #include "broad/finders.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -190,7 +190,7 @@ class Automatic final : public PairFinder {
   }
 
   static std::string words_of_sizes(const BoxSample& sample) {
-    double least = std::numeric_limits<double>::infinity(), most = 0;
+    double least = infinity, most = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (sample.sizes(axis).low > 0) least = std::min(least, sample.sizes(axis).low);
       most = std::max(most, sample.sizes(axis).most);

@@ -1,12 +1,12 @@
 #include "toccata/broad/bound_pairs.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "broad/own_bounds.hpp"
+#include "math/constants.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -15,7 +15,7 @@ namespace {
 /// No less than the exact sum.
 double end_of(double start, double length) {
   const double sum = start + length;
-  return length == 0 ? sum : std::nextafter(sum, std::numeric_limits<double>::infinity());
+  return length == 0 ? sum : std::nextafter(sum, infinity);
 }
 
 Aabb box_around(const LineInterval& interval) { return {{interval.lower, 0, 0}, {interval.upper, 0, 0}}; }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "broad/float_boxes.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -77,7 +78,7 @@ struct CellsAbout {
     const double larger = all > 1.5 * count ? std::cbrt(all / (1.5 * count)) : 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cells[axis] = std::max(cells[axis] / larger, 1.0);
-      size[axis] = cells[axis] > 1 ? range[axis] / cells[axis] : std::numeric_limits<double>::infinity();
+      size[axis] = cells[axis] > 1 ? range[axis] / cells[axis] : infinity;
     }
   }
   std::array<double, 3> size{}, range{}, cells{};

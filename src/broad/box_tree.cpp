@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bounds/box_bounds.hpp"
+#include "math/constants.hpp"
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/walk.hpp"
 #include "trees/best_first_walk.hpp"
@@ -12,8 +13,6 @@
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has_ends(const Aabb& box) { return is_finite(box.lower) && is_finite(box.upper); }
 

@@ -15,6 +15,7 @@
 
 #include "broad/own_bounds.hpp"
 #include "broad/pair_finder.hpp"
+#include "math/constants.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -57,9 +58,7 @@ PairList without(std::span<const IndexPair> a, std::span<const IndexPair> b) {
   return rest;
 }
 
-double moved_down(double value, double by) {
-  return by == 0 ? value : std::nextafter(value - by, -std::numeric_limits<double>::infinity());
-}
+double moved_down(double value, double by) { return by == 0 ? value : std::nextafter(value - by, -infinity); }
 double moved_up(double value, double by) { return -moved_down(-value, by); }
 
 void require_margin(double margin) {

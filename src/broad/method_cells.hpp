@@ -3,19 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 
 #include "broad/float_boxes.hpp"
+#include "math/constants.hpp"
 #include "toccata/broad/broad_phase_cells.hpp"
 
 namespace toccata {
 
-inline constexpr Aabb whole_space{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                                   -std::numeric_limits<double>::infinity()},
-                                  {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                                   std::numeric_limits<double>::infinity()}};
+inline constexpr Aabb whole_space{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 
 /// A new group behind the others.
 class CellsOfGroup {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
+
 namespace toccata {
 namespace {
 
@@ -11,7 +13,7 @@ namespace {
 std::array<double, 3> widths_of(std::span<const FlatBox> sample) {
   std::array<double, 3> widths{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = std::numeric_limits<double>::infinity(), high = -low, sizes = 0;
+    double low = infinity, high = -low, sizes = 0;
     for (const FlatBox& box : sample) {
       low = std::min(low, double{box.lower[axis]});
       high = std::max(high, double{box.lower[axis]});

@@ -12,6 +12,7 @@
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
+#include "math/constants.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -38,7 +39,6 @@ class CellAxis {
 
   /// Where a cell begins and ends; those at the rim do not end.
   [[nodiscard]] std::array<double, 2> ends_of(std::uint32_t cell) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto end = [&](std::uint32_t before) { return 4 * (origin_ + before / per_cell_); };
     return {cell == 0 ? -infinity : end(cell), cell + 1 == cells() ? infinity : end(cell + 1)};
   }

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "toccata/math/predicates.hpp"
 
 // Rounding of a number that is only known by comparisons.
@@ -25,7 +25,7 @@ inline double of_rank(std::int64_t rank) {
 /// (x + y) / 2, for finite x and y.
 template <class Compare>
 double greatest_double_below(const Compare& compare, double guess) {
-  const std::int64_t infinity = rank_of(std::numeric_limits<double>::infinity());
+  const std::int64_t infinity = rank_of(infinity);
   const auto twice = [&](std::int64_t step) { return step < infinity / 2 ? 2 * step : infinity; };
   const auto reaches = [&](std::int64_t rank) {
     if (rank <= -infinity || rank >= infinity) return rank < 0;

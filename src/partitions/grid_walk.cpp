@@ -1,10 +1,10 @@
 #include "toccata/partitions/grid_walk.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "math/constants.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/predicates.hpp"
 
@@ -63,7 +63,7 @@ class Walk {
   /// Where planes coincide, the cells between them hold nothing.
   [[nodiscard]] std::int32_t next_cell(std::size_t axis) const {
     const double plane = next_plane(axis);
-    return *cells_.index(axis, rises(axis) ? plane : std::nextafter(plane, -std::numeric_limits<double>::infinity()));
+    return *cells_.index(axis, rises(axis) ? plane : std::nextafter(plane, -infinity));
   }
 
   const GridCells<D>& cells_;

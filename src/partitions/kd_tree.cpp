@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "partitions/region_tree.hpp"
 
 namespace toccata {
@@ -29,7 +29,7 @@ double relative_area(const Aabb& part, const Aabb& whole) {
 struct Cut {
   int axis = 0;
   double at = 0;
-  double cost = std::numeric_limits<double>::infinity();
+  double cost = infinity;
 };
 
 std::pair<Aabb, Aabb> halves(const Aabb& box, int axis, double at) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <tuple>
+
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Sizes without end differ by what is no number: then nothing is known of which is better.
 double or_infinite(double cost) { return std::isnan(cost) ? infinity : cost; }

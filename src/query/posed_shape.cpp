@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "math/constants.hpp"
 #include "math/expansion.hpp"
 #include "math/world_vertex.hpp"
 #include "query/semantics.hpp"
@@ -18,7 +19,6 @@ namespace toccata {
 namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The least double that is not less than a + b; what overflows ends at the greatest, as all coordinates do.
 double sum_not_less(double a, double b) {

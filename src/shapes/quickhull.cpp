@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "math/filter.hpp"
 
 // A point is added by replacing all triangles that it sees by the triangles from it to their border, the horizon. To
@@ -132,7 +133,7 @@ class Hull {
     if (product.is_positive()) return {true, product.value};
     if (product.is_negative()) return {};
     const bool above = orient3d(points_[a], points_[b], points_[c], points_[point]) == Sign::positive;
-    return {above, std::isnan(product.value) ? std::numeric_limits<double>::infinity() : product.value};
+    return {above, std::isnan(product.value) ? infinity : product.value};
   }
 
   /// Equal points always wait above the same face, so the tie makes the first of them count.

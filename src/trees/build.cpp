@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
+
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -91,7 +92,7 @@ class Slabs {
 
 /// What a split would cost; of equal ones the more even is better, as where boxes on a line all have area 0.
 struct SplitCost {
-  double area = std::numeric_limits<double>::infinity();
+  double area = infinity;
   std::size_t larger_side = 0;
   friend constexpr auto operator<=>(const SplitCost&, const SplitCost&) = default;
 };

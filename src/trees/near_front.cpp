@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
@@ -76,7 +77,7 @@ void NearFront::clear() {
   pending_.clear();
   pending_items_.clear();
   nearest_item_ = 0;
-  nearest_gap_ = std::numeric_limits<double>::infinity();
+  nearest_gap_ = infinity;
   counts_ = {};
 }
 
@@ -110,7 +111,7 @@ bool NearFront::move(const NearWalk& walk, FrontQuestion& question) {
 /// First that which was nearest before and then those that seem to be nearest now, so that few others are within reach.
 void NearFront::show_items_again(Step& step) {
   first_shown_ = nearest_item_;
-  nearest_gap_ = std::numeric_limits<double>::infinity();
+  nearest_gap_ = infinity;
   show(step, std::array{first_shown_});
   if (step.is_over()) return;
   near_.clear();

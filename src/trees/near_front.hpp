@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "math/constants.hpp"
 #include "toccata/trees/walk.hpp"
 #include "trees/gap_planes.hpp"
 #include "trees/near_walk.hpp"
@@ -14,8 +14,8 @@ namespace toccata {
 
 /// How far apart two items are along a direction.
 struct FrontGap {
-  Vec3 direction;  ///< from the first to the second, in the first tree's frame, of length 1 but for rounding
-  double gap = -std::numeric_limits<double>::infinity();  ///< not above it, in the units of the limit
+  Vec3 direction;          ///< from the first to the second, in the first tree's frame, of length 1 but for rounding
+  double gap = -infinity;  ///< not above it, in the units of the limit
 };
 
 /// A question about what is nearest, for a front.
@@ -95,7 +95,7 @@ class NearFront {
   std::vector<FrontGap> gaps_;
 
   std::uint32_t nearest_item_ = 0;  ///< of the last question, as far as directions tell
-  double nearest_gap_ = std::numeric_limits<double>::infinity();
+  double nearest_gap_ = infinity;
   std::uint32_t first_shown_ = 0;
 
   std::size_t size_when_made_ = 0;

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "math/constants.hpp"
+
 namespace toccata {
 namespace {
 
@@ -111,7 +113,6 @@ OrientedBox fit(const Vec3& first, const Vec3& second, std::span<const Corners> 
   box.axis = {floats_of(first), floats_of(second)};
   const Axes axes{doubles_of(box.axis[0]), doubles_of(box.axis[1]),
                   cross(doubles_of(box.axis[0]), doubles_of(box.axis[1]))};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
   for (const Corners& corners : triangles)
     for (const Vec3& corner : corners)

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinity;
 constexpr std::uint32_t lanes = WideBlock::width;
 
 bool comes_later(const SweptFrontier::Entry& a, const SweptFrontier::Entry& b) {

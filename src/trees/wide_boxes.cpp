@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
+
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Each of the two steps outwards covers the rounding of the operation before it; scaling by a power of two is exact,
 // or loses less than the least double, which the second step covers too.

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "math/constants.hpp"
 #include "trees/wide_frame.hpp"
 
 namespace toccata {
@@ -16,7 +16,7 @@ namespace {
 
 /// A real number as a double and what that rounded away.
 struct Real2 {
-  double rounded = std::numeric_limits<double>::infinity();
+  double rounded = infinity;
   double rest = 0;
 
   // Of equal ones the larger may also be the less: where a number lies half way between two doubles.

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "math/constants.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
@@ -31,7 +31,6 @@ using FloatPoints = std::unique_ptr<Float4[]>;
 /// Grows with points; two coordinates at a time.
 struct GrowingBox {
   using Double2 [[gnu::vector_size(16)]] = double;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   Double2 least_xy{infinity, infinity};
   Double2 greatest_xy{-infinity, -infinity};
   Double2 least_z{infinity, infinity};  ///< of z and of −z

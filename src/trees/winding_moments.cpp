@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
@@ -139,7 +139,7 @@ WindingPart winding_part(const WindingMoments& m, const Vec3& point, double off)
   const double squared = dot(r, r), distance = std::sqrt(squared);
   // Of the sphere around the centre, with all that may be off.
   const double radius = upward * m.radius + 2 * off, gap = distance * (1 - 0x1p-44) - radius;
-  if (!(gap > 4 * off) || !(gap > 0x1p-10 * distance)) return {0, std::numeric_limits<double>::infinity()};
+  if (!(gap > 4 * off) || !(gap > 0x1p-10 * distance)) return {0, infinity};
 
   const double inverse = 1 / distance, x = r.x * inverse, y = r.y * inverse, z = r.z * inverse;
   const auto& [xx, yy, zz, xy, yz, zx] = m.second;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/posed_shape.hpp"
@@ -23,8 +23,8 @@ std::pair<double, double> range_along(const ConvexHull& hull, const Vec3& row, d
   const std::span<const double> x = hull.padded_coordinates(0), y = hull.padded_coordinates(1);
   const std::span<const double> z = hull.padded_coordinates(2);
   std::array<double, lanes> least, greatest;
-  least.fill(std::numeric_limits<double>::infinity());
-  greatest.fill(-std::numeric_limits<double>::infinity());
+  least.fill(infinity);
+  greatest.fill(-infinity);
   for (std::size_t first = 0; first < x.size(); first += lanes)
     for (std::size_t i = 0; i < lanes; ++i) {
       const double sum = (row.x * x[first + i] + row.y * y[first + i]) + row.z * z[first + i];

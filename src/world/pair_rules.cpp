@@ -1,6 +1,6 @@
 #include "world/pair_rules.hpp"
 
-#include <limits>
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -37,7 +37,7 @@ bool PairRules::has_any(Index body) const {
 }
 
 double PairRules::largest_margin(Index body) const {
-  const auto at = by_margin_.lower_bound({body, -std::numeric_limits<double>::infinity(), 0});
+  const auto at = by_margin_.lower_bound({body, -infinity, 0});
   return at != by_margin_.end() && std::get<0>(*at) == body ? -std::get<1>(*at) : 0;
 }
 

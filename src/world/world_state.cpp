@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "math/constants.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "world/body_box.hpp"
@@ -16,7 +17,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most = std::numeric_limits<double>::max();
 
 /// A number that no World has had. Counted for all of them: a World to which an earlier copy of it was assigned must

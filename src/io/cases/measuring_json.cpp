@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "math/constants.hpp"
 #include "toccata/core/suggestion.hpp"
 
 namespace toccata::io {
@@ -100,7 +101,7 @@ CostQuestion cost_question_of(const JsonValue& value) {
   if (!value.has("most_work")) return question;
   const JsonValue work = value.at("most_work");
   const bool is_all = work.is_string() && work.text() == "all";
-  options.most_work = is_all ? std::numeric_limits<double>::infinity() : work.number();
+  options.most_work = is_all ? infinity : work.number();
   return question;
 }
 

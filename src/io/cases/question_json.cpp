@@ -10,6 +10,7 @@
 #include "io/cases/measuring_json.hpp"
 #include "io/formats/number_rows.hpp"
 #include "io/scenes/solid_words.hpp"
+#include "math/constants.hpp"
 #include "toccata/core/suggestion.hpp"
 
 namespace toccata::io {
@@ -122,7 +123,7 @@ Word one_of(const JsonValue& value, const std::map<std::string, Word>& words) {
 }
 
 double length_of(const JsonValue& value) {
-  if (value.is_string() && value.text() == "all") return std::numeric_limits<double>::infinity();
+  if (value.is_string() && value.text() == "all") return infinity;
   const double length = value.number();
   if (!(length >= 0)) value.fail("a length is negative", "write 0 or more, or \"all\"");
   return length;

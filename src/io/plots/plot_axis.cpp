@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
+
 namespace toccata::io {
 namespace {
 
@@ -30,7 +32,7 @@ std::string grouped_digits(std::string digits) {
 }  // namespace
 
 PlotAxis::PlotAxis(std::span<const double> values, From from) {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least, least_positive = least;
+  double least = infinity, greatest = -least, least_positive = least;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
     least = std::min(least, value);

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "math/bounded_number.hpp"
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -117,7 +117,7 @@ std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const P
   const auto extents_b = extents(b);
   if (!extents_b) return {};
   Penetration result;
-  RoundedDifference least{std::numeric_limits<double>::infinity()};
+  RoundedDifference least{infinity};
   result.lower = least.rounded;
   for (int axis = 0; axis < 3; ++axis) {
     const Interval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/plain_topology.hpp"
 
@@ -79,7 +79,7 @@ bool BoxAxes::boxes_of_boxes_are_apart() const {
 }
 
 bool BoxAxes::is_of_plain_size() const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const BoxFrame* box : {&a_, &b_})
     for (const Vec3& half : box->half) least = std::min(least, sum_of_magnitudes(half));
   return least > 0x1p-200 && (a_.size + b_.size) + sum_of_magnitudes(way_) < 0x1p200;
@@ -151,7 +151,7 @@ bool BoxAxes::near_parallel_edges_do_not_matter(unsigned undecided) const {
 BoxAxis BoxAxes::least(double edge_share) const {
   const Halves &u = a_.half, &v = b_.half;
   BoxAxis best;
-  best.depth = std::numeric_limits<double>::infinity();
+  best.depth = infinity;
   const auto consider = [&](const Vec3& axis, double length, double share, int edge_a, int edge_b) {
     const double way = dot(axis, way_);
     const double depth = ((reach(u, axis) + reach(v, axis)) - std::fabs(way)) / length;

@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "narrow/boxes/aligned_boxes.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/gjk.hpp"
@@ -167,9 +168,7 @@ class PairQuestion {
     return answer;
   }
 
-  [[nodiscard]] double upper_reach() const {
-    return std::nextafter(reach_.value.high, std::numeric_limits<double>::infinity());
-  }
+  [[nodiscard]] double upper_reach() const { return std::nextafter(reach_.value.high, infinity); }
 
   std::optional<Distance> distance_by(const GjkEnd& end, Cores cores) {
     const VertexPairs& simplex = end.simplex.pairs;

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/boxes/box_manifold.hpp"
 #include "narrow/convex/canonical_order.hpp"
@@ -18,7 +18,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cosine_of_face_contact = 0.9995;
 
 /// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.

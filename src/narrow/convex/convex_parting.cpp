@@ -1,8 +1,8 @@
 #include "narrow/convex/convex_parting.hpp"
 
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "narrow/convex/core_parting.hpp"
 #include "narrow/convex/rounded_depth.hpp"
 
@@ -15,7 +15,7 @@ Penetration grown(const CoreParting& core, double radius_a, double radius_b) {
   // Two sums, each off by half a last place at most; the direction is a unit vector up to 2^-50.
   const double lower = (core.lower + radius_a) + radius_b, upper = (core.upper + radius_a) + radius_b;
   result.lower = lower - 0x1p-51 * lower;
-  result.upper = std::nextafter(upper + 0x1p-49 * upper, std::numeric_limits<double>::infinity());
+  result.upper = std::nextafter(upper + 0x1p-49 * upper, infinity);
   return result;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_containment.hpp"
@@ -62,8 +62,7 @@ std::optional<CoreParting> part_cores_by_edges(const PosedConvex& a, const Posed
   CoreParting parting;
   parting.kind = CoreParting::Kind::deep;
   parting.direction = least.direction;
-  parting.upper =
-      std::nextafter(body.unscaled(least.upper + 0x1p-49 * least.upper), std::numeric_limits<double>::infinity());
+  parting.upper = std::nextafter(body.unscaled(least.upper + 0x1p-49 * least.upper), infinity);
   parting.lower = std::nextafter(body.unscaled(least.lower), 0.0);
   if (least.edge_a != nullptr && find_points_of_edges(parting, a, b, axes, *least.edge_a, *least.edge_b))
     return parting;

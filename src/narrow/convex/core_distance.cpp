@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "narrow/exact/exact_nearest.hpp"
@@ -81,7 +82,7 @@ CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex&
   const GjkEnd end = search_nearest(search_a, search_b, start, {std::numeric_limits<double>::quiet_NaN()});
   const VertexPairs& simplex = end.simplex.pairs;
   if (const auto sign = certain_order(a, b, x, y, simplex)) return {*sign, false, simplex};
-  const double more = std::nextafter(x + y, std::numeric_limits<double>::infinity());
+  const double more = std::nextafter(x + y, infinity);
   if (!end.inside && certainly_farther(search_a, search_b, end.nearest, more)) return {Sign::positive, false, simplex};
   return exact_order(a, b, x, y, simplex);
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "narrow/convex/expanding_polytope.hpp"
 
 // Let D be the Minkowski difference and h(n) the greatest n · d over it, for a unit vector n. B moved by t n no longer
@@ -20,8 +20,6 @@
 // strictly outside of the polytope, which happens at most once for each pair of vertices.
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Roughly, for comparing.
 double squared_size(const CoreVertices& core) {

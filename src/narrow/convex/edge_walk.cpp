@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "shapes/hull_guide.hpp"
 
 // Let E bound what any rounded height is off by: with u = 2^-53, three products and two sums are off by 3.01u
@@ -12,8 +12,6 @@
 // at most 2E above that of x. Sums below are rounded themselves, by less than u times the reach, and so take another E.
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
 

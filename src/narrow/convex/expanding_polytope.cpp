@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
+
 // How far a rounded facet may be off. Let u = 2^-53 and V = extent(), the greatest magnitude of a coordinate of D. A
 // corner's coordinates are off by at most uV each, an edge's by 4uV, so an edge vector e, of length E ≤ 2√3 V, by 7uV.
 // The cross product n of two edges is off by 7uV(E1 + E2) for that (and a little more that is of second order), and by
@@ -15,8 +17,6 @@
 // by its last rounding only.
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// At least the length, at most √3 times that.
 double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }

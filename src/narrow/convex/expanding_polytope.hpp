@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory_resource>
 #include <vector>
 
+#include "math/constants.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "toccata/math/predicates.hpp"
 
@@ -118,7 +118,7 @@ class ExpandingPolytope {
   [[nodiscard]] bool horizon_is_a_loop() const;
 
   const DifferenceBody& body_;
-  double upper_ = std::numeric_limits<double>::infinity();
+  double upper_ = infinity;
   alignas(64) std::array<std::byte, 48 * 1024> buffer_;
   std::pmr::monotonic_buffer_resource memory_;
   std::pmr::vector<DifferencePoint> points_;

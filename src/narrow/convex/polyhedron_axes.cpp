@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 // Let D' be the difference of the polyhedra without rounding of world vertices; their topologies are those of the
@@ -24,7 +24,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double doubtful_angle = 0x1p-34;  ///< of faces; arcs are compared with 2^-30
 
 double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/double_search.hpp"
 
 namespace toccata {
@@ -42,7 +42,7 @@ double likely_distance(const ExactNearest& nearest) {
 double enough_along(const Vec3& direction, double depth) {
   const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   if (most == 1 && dot(direction, direction) == 1) return depth;
-  return std::nextafter(depth + 0x1p-50 * depth, std::numeric_limits<double>::infinity());
+  return std::nextafter(depth + 0x1p-50 * depth, infinity);
 }
 
 Vec3 rounded_point(const HomogeneousVector& p, int exponent) {
@@ -66,7 +66,7 @@ Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double r
   if (depth(0, 0) != Sign::positive) return result;
   result.lower = greatest_double_below(depth, (radius_a + radius_b) - likely_distance(nearest));
   const bool is_exact = depth(result.lower, result.lower) == Sign::zero;
-  result.upper = is_exact ? result.lower : std::nextafter(result.lower, std::numeric_limits<double>::infinity());
+  result.upper = is_exact ? result.lower : std::nextafter(result.lower, infinity);
   result.upper = enough_along(result.direction, result.upper);
   return result;
 }

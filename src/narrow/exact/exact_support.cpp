@@ -1,7 +1,8 @@
 #include "narrow/exact/exact_support.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -23,7 +24,7 @@ Height height_of(const Vec3& direction, const Vec3& vertex) {
 
 /// Those that may be the least. Nothing overflows, because the direction's coordinates are at most 1/4.
 std::vector<Index> candidates(const PosedConvex& shape, const Vec3& direction) {
-  double bound = std::numeric_limits<double>::infinity();
+  double bound = infinity;
   for (Index i = 0; i < shape.vertex_count(); ++i) {
     const Height height = height_of(direction, shape.vertex(i));
     bound = std::fmin(bound, height.value + height.error);

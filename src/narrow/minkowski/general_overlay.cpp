@@ -1,8 +1,9 @@
 #include "narrow/minkowski/general_overlay.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "math/constants.hpp"
 
 // The arc of an edge of A leads from the region of B's map in which one of its faces' normals lies to that of the
 // other. Regions are convex, so the arc leaves each through one border: where the normals of the faces beside it lie on
@@ -54,7 +55,7 @@ class GeneralOverlay {
                                                   Index vertex) {
     const double error = own.slope_error(face, other);
     while (true) {
-      double steepest = -std::numeric_limits<double>::infinity();
+      double steepest = -infinity;
       Index up = no_index;
       for (const Index h : other.leaving_all(vertex)) {
         const double slope = own.rounded_slope(face, other, h);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "math/constants.hpp"
 
 namespace toccata {
 namespace {
@@ -23,7 +24,7 @@ Vec3 difference(const Triangle& a, const Triangle& b, const TriangleGaps::Points
 }  // namespace
 
 GapDirection gap_direction(const Triangle& a, const Triangle& b, const TriangleGaps::Points& points) {
-  GapDirection found{{}, -std::numeric_limits<double>::infinity()};
+  GapDirection found{{}, -infinity};
   const Vec3 between = difference(a, b, points);
   const double length = std::sqrt(dot(between, between));
   if (!(length > 1e-150 && length < 1e150)) return found;

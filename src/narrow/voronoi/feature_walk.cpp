@@ -1,7 +1,6 @@
 #include "narrow/voronoi/feature_walk.hpp"
 
-#include <limits>
-
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
@@ -9,8 +8,6 @@ namespace {
 
 using Parts = VoronoiRegions::Parts;
 using Kind = ConvexFeature::Kind;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A face in the world.
 class WorldFace {

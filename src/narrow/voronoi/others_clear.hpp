@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/close_rise.hpp"
 #include "narrow/voronoi/feature_walk.hpp"
@@ -31,7 +31,7 @@ enum class Others : std::uint8_t {
 /// How much higher any other vertex is at least, and at most so much higher one is that was seen.
 struct Rise {
   double least = 0;
-  double seen = std::numeric_limits<double>::infinity();
+  double seen = infinity;
 };
 
 /// Heights along a direction in the shape's own frame. Inline, as a question to a tracked pair asks for two.
@@ -43,7 +43,7 @@ struct Along {
   [[nodiscard, gnu::always_inline]] double height(Index i) const { return dot(direction, parts.vertex(i)); }
 
   [[nodiscard, gnu::always_inline]] Rise rise_from_vertex(Index vertex) const {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const auto& spoke : parts.spokes_at(vertex)) least = std::min(least, height(spoke.vertex));
     const double rise = least - height(vertex);
     return {rise, rise};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/plain_topology.hpp"
 #include "narrow/voronoi/region_parts.hpp"
@@ -29,7 +30,7 @@ struct FaceNormal {
 
 /// Given the directions of all half-edges.
 FaceNormal face_normal(const HullTopology& t, Index face, std::span<const Vec3> directions) {
-  FaceNormal best{{}, std::numeric_limits<double>::infinity()};
+  FaceNormal best{{}, infinity};
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h) {
     const Vec3 normal = cross(directions[h], directions[t.next(h)]);
     const double sine = plain_length(normal), error = 0x1p-49 / sine + 0x1p-50;
@@ -74,7 +75,7 @@ bool is_of_face(const HullTopology& t, Index vertex, Index face) {
 /// hang together by edges, so it is a neighbour of the face.
 double least_depth(const Parts& parts, Index face, const Vec3& normal) {
   const HullTopology& t = parts.topology;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h)
     for (const Parts::Spoke& spoke : parts.spokes_at(t.origin[h]))
       if (!is_of_face(t, spoke.vertex, face))

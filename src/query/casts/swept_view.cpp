@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "query/meshes/cull_bounds.hpp"
@@ -13,7 +13,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Numbers below this neither overflow nor are they the differences of such that did.
 constexpr double largest_size = 0x1p1000;
 

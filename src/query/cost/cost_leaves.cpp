@@ -5,6 +5,7 @@
 #include <ctime>
 #include <limits>
 
+#include "math/constants.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -13,7 +14,6 @@ namespace toccata {
 namespace {
 
 constexpr std::size_t most_samples = 512;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What takes less is repeated, so that the clock can tell.
 constexpr double shortest_timed = 20'000;

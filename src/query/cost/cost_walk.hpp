@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "math/constants.hpp"
 #include "query/cost/cost_leaves.hpp"
 #include "toccata/bounds/volume.hpp"
 #include "toccata/trees/builders.hpp"
@@ -161,7 +161,7 @@ class MeasuringQuestion {
  private:
   [[nodiscard]] double bound_of(const V& a, const V& b) const {
     if (by_distance_) return gap(a, b);
-    return overlap(a, b) ? 0 : std::numeric_limits<double>::infinity();
+    return overlap(a, b) ? 0 : infinity;
   }
 
   CostVolumes<V>& a_;

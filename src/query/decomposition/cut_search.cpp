@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "toccata/bounds/principal_axes.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -55,7 +55,7 @@ double hull_volume_in_front(const Sketch& sketch, const RoundedPlane& plane) {
 double score(const SolidPiece& piece, const Sketch& sketch, const RoundedPlane& plane, double excess) {
   const double front = volume_in_front(piece, plane), back = piece.volume - front;
   const double least = 1e-9 * std::fabs(piece.volume);
-  if (!(front > least && back > least)) return std::numeric_limits<double>::infinity();
+  if (!(front > least && back > least)) return infinity;
   const RoundedPlane other{-plane.normal, -plane.offset};
   const double over = std::max(0.0, hull_volume_in_front(sketch, plane) - front) +
                       std::max(0.0, hull_volume_in_front(sketch, other) - back);
@@ -102,8 +102,8 @@ PlaneChoice settled(const PlaneChoice& choice, const SolidPiece& piece, const So
 }
 
 struct Extent {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -std::numeric_limits<double>::infinity();
+  double least = infinity;
+  double greatest = -infinity;
 };
 
 }  // namespace

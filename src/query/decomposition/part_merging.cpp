@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "query/decomposition/solid_piece.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/parallel.hpp"
@@ -12,7 +12,7 @@
 namespace toccata {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinity;
 
 ConvexHull joined_hull(const ConvexHull& a, const ConvexHull& b) {
   std::vector<Vec3> points;

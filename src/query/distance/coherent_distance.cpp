@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <variant>
 
+#include "math/constants.hpp"
 #include "narrow/smooth/distance/smooth_coherent.hpp"
 #include "query/distance/relative_motion.hpp"
 #include "query/nearest/nearest_triangles.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::size_t short_life = 6;
 constexpr std::size_t longest_rest = 64;

@@ -1,7 +1,6 @@
 #include "toccata/query/distance.hpp"
 
-#include <limits>
-
+#include "math/constants.hpp"
 #include "query/ask.hpp"
 #include "query/distance/least_distance.hpp"
 #include "query/distance/mesh_distance.hpp"
@@ -39,7 +38,6 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query) {
 Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedModels models(a, b, query, workspace.scratch());
   LeastDistance least(workspace.scratch());
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   models.visit_near(infinity, [&](const PosedPart& part_a, const PosedPart& part_b) {
     if (!least.is_farther(part_a, part_b))
       least.keep(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b);

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <type_traits>
 
+#include "math/constants.hpp"
 #include "narrow/exact/within.hpp"
 #include "narrow/smooth/distance/smooth_beyond.hpp"
 #include "narrow/smooth/distance/smooth_within.hpp"
@@ -23,8 +23,6 @@
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 PosedConvex convex(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/posed_shape.hpp"
@@ -81,7 +82,7 @@ ConvexNearTree::ConvexNearTree(const Aabb& box) {
     lane.extent[static_cast<std::size_t>(axis)] = static_cast<float>(extent);
     frame.sizes[axis] = std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
   }
-  if (!is_plain) frame.sizes.x = std::numeric_limits<double>::infinity();  // no bound is known then
+  if (!is_plain) frame.sizes.x = infinity;  // no bound is known then
   block.count = 1;
   block.child[0] = ~0;
   for (std::size_t i = 0; i < OrientedBlock::width; ++i) set_lane(block, i, i == 0 ? lane : OrientedBox{});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/meshes/cull_bounds.hpp"
@@ -69,8 +69,7 @@ double size_seen(const Motion& other, const Aabb& other_box, const Aabb& own_box
 /// rounded is much less.
 double as_seen(const Pose& own_before, const Pose& own_after, const Aabb& own_box, const Pose& before,
                const Pose& after, const Aabb& box) {
-  if (!is_surely_rigid(own_before.linear) || !is_surely_rigid(own_after.linear))
-    return std::numeric_limits<double>::infinity();
+  if (!is_surely_rigid(own_before.linear) || !is_surely_rigid(own_after.linear)) return infinity;
   const Motion seen_before = seen_from(own_before, before), seen_after = seen_from(own_after, after);
   const double size = size_seen(seen_before, box, own_box) + size_seen(seen_after, box, own_box);
   return farthest(difference(seen_after, seen_before), box) + 0x1p-39 * size;
@@ -89,7 +88,7 @@ double relative_motion(const Model& a, const Model& b, const Pose& a_before, con
       (sum_of_magnitudes(world_sizes(a_before, box_a)) + sum_of_magnitudes(world_sizes(a_after, box_a))) +
       (sum_of_magnitudes(world_sizes(b_before, box_b)) + sum_of_magnitudes(world_sizes(b_after, box_b)));
   const double bound = motion * (1 + 0x1p-40) + (128 * unit_roundoff * sizes + 64 * smallest_double);
-  return std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
+  return std::isfinite(bound) ? bound : infinity;
 }
 
 }  // namespace toccata

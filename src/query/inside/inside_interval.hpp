@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/constants.hpp"
+
 namespace toccata {
 
 /// Closed interval of doubles that contains an exact value; every operation rounds outward, and what overflows becomes
@@ -20,7 +22,6 @@ namespace interval_rounding {
 inline double slack(double x) { return std::abs(x) * 0x1p-52 + std::numeric_limits<double>::denorm_min(); }
 
 inline Interval outward(double lower, double upper) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const Interval widened{lower - slack(lower), upper + slack(upper)};
   if (std::isfinite(widened.lower) && std::isfinite(widened.upper)) return widened;
   return {-infinity, infinity};
@@ -43,7 +44,6 @@ inline Interval operator*(const Interval& a, const Interval& b) {
 
 /// The whole line unless the divisor is certainly positive.
 inline Interval operator/(const Interval& a, const Interval& b) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(b.lower > 0)) return {-infinity, infinity};
   const double p = a.lower / b.lower, q = a.lower / b.upper, r = a.upper / b.lower, s = a.upper / b.upper;
   return interval_rounding::outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));

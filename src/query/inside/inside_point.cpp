@@ -1,9 +1,9 @@
 #include "query/inside/inside_point.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "math/exact.hpp"
 #include "query/inside/enclose.hpp"
 #include "query/meshes/posed_mesh.hpp"
@@ -57,7 +57,6 @@ bool projects_into(const ExactPoint& p, const Triangle& t, int axis) {
 }  // namespace
 
 Interval enclose(const Rational& value) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double nearest = nearest_double(value);
   if (std::isfinite(nearest) && to_rational(nearest) == value) return {nearest, nearest};
   return {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)};

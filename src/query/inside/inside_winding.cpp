@@ -1,7 +1,6 @@
 #include "query/inside/inside_winding.hpp"
 
-#include <limits>
-
+#include "math/constants.hpp"
 #include "query/meshes/world_search.hpp"
 
 namespace toccata {
@@ -36,7 +35,7 @@ bool are_coplanar(const Triangle& plane, const Triangle& t) {
 
 Aabb region_ahead(const ExactPoint& p, int axis) {
   Aabb region = p.box();
-  region.upper[axis] = std::numeric_limits<double>::infinity();
+  region.upper[axis] = infinity;
   return region;
 }
 

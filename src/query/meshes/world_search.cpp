@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/wide_cull.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_usable(const RegionDirection& d) {
   return is_finite(d.on_mesh) && std::isfinite(d.offset) && std::isfinite(d.region.low) &&

@@ -1,8 +1,8 @@
 #include "query/nearest/convex_boundary.hpp"
 
 #include <cmath>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "math/expansion.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/rounded_depth.hpp"
@@ -21,14 +21,14 @@ SurfacePoint surface_point(double upper, const Vec3& point, Status status) {
 /// among the least doubles.
 double sum_not_less(double a, double b) {
   const TwoPart sum = two_sum(a, b);
-  return sum.low <= 0 ? sum.high : std::nextafter(sum.high, std::numeric_limits<double>::infinity());
+  return sum.low <= 0 ? sum.high : std::nextafter(sum.high, infinity);
 }
 
 /// `lower` is the exact depth or the double before it; `upper` is more than the next where that is along a direction
 /// that was rounded.
 double upper_of(const Penetration& depth) {
   const bool is_exact = depth.upper == depth.lower;
-  return is_exact ? depth.upper : std::nextafter(depth.lower, std::numeric_limits<double>::infinity());
+  return is_exact ? depth.upper : std::nextafter(depth.lower, infinity);
 }
 
 Vec3 unit(const IntegerVector& v) {
@@ -86,7 +86,7 @@ SurfacePoint ConvexBoundary::nearest(const Vec3& point, SearchScratch& scratch) 
 
 /// Of a point of the hull of the world vertices.
 SurfacePoint ConvexBoundary::from_core(const Vec3& point, SearchScratch& scratch) const {
-  NearestElements nearest(1, std::numeric_limits<double>::infinity(), scratch.inner_points);
+  NearestElements nearest(1, infinity, scratch.inner_points);
   core().target.see_near(point, nearest, scratch);
   return nearest.in_order().front();
 }

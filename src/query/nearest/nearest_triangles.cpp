@@ -2,14 +2,13 @@
 
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "narrow/exact/within.hpp"
 #include "narrow/triangles/gap_direction.hpp"
 #include "query/nearest/nearest_elements.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What is kept of every pair is an interval around its distance, of at most this relative width or from one double to
 /// the next, that depends on the pair alone. The least of the upper ends is the distance of the meshes up to that

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/constants.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "query/meshes/posed_mesh.hpp"
@@ -146,8 +147,7 @@ class PairDistances {
 /// are not wanted.
 class NearestTriangles final : public NearQuestion, public FrontQuestion {
  public:
-  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
-                   double cutoff = std::numeric_limits<double>::infinity())
+  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, double cutoff = infinity)
       : pairs_(a, b, scratch), candidates_(scratch.candidates), limit_(limit_from(cutoff)) {
     candidates_.clear();
   }
@@ -181,7 +181,7 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
  private:
   /// The upper end of a pair's own interval, and the pair.
   struct Key {
-    double upper = std::numeric_limits<double>::infinity();
+    double upper = infinity;
     ItemPair pair{};
     bool operator<(const Key& other) const { return std::tie(upper, pair) < std::tie(other.upper, other.pair); }
   };

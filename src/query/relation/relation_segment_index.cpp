@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
+#include "math/constants.hpp"
 #include "toccata/trees/build.hpp"
 #include "toccata/trees/walk.hpp"
 
@@ -34,7 +34,7 @@ class InRegion {
  public:
   InRegion(std::span<const Aabb> boxes, const Aabb& region, const std::function<void(Index)>& see)
       : boxes_(boxes), region_(region), see_(see) {}
-  double bound(const Aabb& node) const { return overlap(node, region_) ? 0 : std::numeric_limits<double>::infinity(); }
+  double bound(const Aabb& node) const { return overlap(node, region_) ? 0 : infinity; }
   double limit() const { return 0; }
   void visit(std::span<const Index> segments) const {
     for (const Index i : segments)

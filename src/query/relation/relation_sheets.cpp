@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "query/meshes/posed_mesh.hpp"
 #include "shapes/union_find.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
@@ -53,9 +53,7 @@ template <class See>
 class BoxMeetings {
  public:
   BoxMeetings(std::span<const Aabb> boxes, const See& see) : boxes_(boxes), see_(see) {}
-  double bound(const Aabb& a, const Aabb& b) const {
-    return overlap(a, b) ? 0 : std::numeric_limits<double>::infinity();
-  }
+  double bound(const Aabb& a, const Aabb& b) const { return overlap(a, b) ? 0 : infinity; }
   double limit() const { return 0; }
   void visit(std::span<const ItemPair> pairs) {
     for (const ItemPair& pair : pairs)

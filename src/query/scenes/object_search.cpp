@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
+#include "math/constants.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
 #include "query/posed_shape.hpp"
@@ -34,7 +34,7 @@ double last_time(const std::optional<ObjectCast>& first) { return first ? first-
 /// The same of distances, whose intervals are as wide as 10⁻¹² of them, or as two doubles are apart.
 double last_distance(const std::optional<ObjectDistance>& nearest, double max_distance) {
   if (!nearest || nearest->upper == 0) return nearest ? 0 : max_distance;
-  const double next = std::nextafter(nearest->upper * (1 + 0x1p-38), std::numeric_limits<double>::infinity());
+  const double next = std::nextafter(nearest->upper * (1 + 0x1p-38), infinity);
   return std::min(next, max_distance);
 }
 

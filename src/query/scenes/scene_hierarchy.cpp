@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "query/posed_shape.hpp"
 #include "query/scenes/open_hierarchy.hpp"
 
@@ -76,18 +76,14 @@ class SceneOpener {
 /// Takes every pair of leaves whose boxes overlap.
 struct AllPairs {
   std::vector<ItemPair> found{};
-  double bound(const Aabb& a, const Aabb& b) const {
-    return overlap(a, b) ? 0 : std::numeric_limits<double>::infinity();
-  }
+  double bound(const Aabb& a, const Aabb& b) const { return overlap(a, b) ? 0 : infinity; }
   double limit() const { return 0; }
   void visit(std::span<const ItemPair> pairs) { found.insert(found.end(), pairs.begin(), pairs.end()); }
 };
 
 /// The same without keeping them.
 struct PairCount {
-  double bound(const Aabb& a, const Aabb& b) const {
-    return overlap(a, b) ? 0 : std::numeric_limits<double>::infinity();
-  }
+  double bound(const Aabb& a, const Aabb& b) const { return overlap(a, b) ? 0 : infinity; }
   double limit() const { return 0; }
   void visit(std::span<const ItemPair>) {}
 };

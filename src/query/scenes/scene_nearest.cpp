@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "math/constants.hpp"
 #include "query/ask_each.hpp"
 #include "query/inside/side_search.hpp"
 #include "query/nearest/nearest_search.hpp"
@@ -79,9 +80,9 @@ class SceneSearch {
 class SceneSides {
  public:
   SceneSides(std::span<const Posed> models, SignBy sign_by, std::size_t points)
-      : search_(models, std::numeric_limits<double>::infinity(), points),
-        sides_(made_of_each<SideSearch>(
-            models, [&](std::size_t i) { return std::make_unique<const SideSearch>(search_[i].posed(), sign_by); })) {}
+      : search_(models, infinity, points), sides_(made_of_each<SideSearch>(models, [&](std::size_t i) {
+          return std::make_unique<const SideSearch>(search_[i].posed(), sign_by);
+        })) {}
 
   [[nodiscard]] SceneSignedDistance from(const Vec3& point, SearchScratch& scratch) const {
     const ScenePoint found = search_.nearest(point, 1, scratch).front();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/seen_from_target.hpp"
 #include "narrow/smooth/casts/smooth_advance.hpp"
@@ -21,8 +22,6 @@ constexpr int most_steps = 64;
 /// A time after the end of the way.
 constexpr double never = 2;
 
-constexpr double u = 0x1p-53;
-
 /// A box in the pair's frame, that tells what certainly lies within; nothing does, of other shapes.
 class BoxWithin {
  public:
@@ -31,7 +30,7 @@ class BoxWithin {
       : linear_(shape.pose().linear),
         half_(frame.factor * shape.as_box().half_extents),
         centre_(frame.plainly_placed(shape.as_box().centre)),
-        off_(64 * u + 2 * frame.factor * shape.as_box().slack + 24 * shape.as_box().skew) {}
+        off_(64 * unit_roundoff + 2 * frame.factor * shape.as_box().slack + 24 * shape.as_box().skew) {}
 
   // Coordinates in the pair's frame are at most 4 here, so the difference of the point and the centre is off by 14 u,
   // and its product with a side by 21 u more, and 2 u of what is left. The sides are askew: that counts 3 times for the

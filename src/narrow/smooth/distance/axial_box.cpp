@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 #include "narrow/smooth/distance/axial_foot.hpp"
@@ -15,13 +16,12 @@
 namespace toccata {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr int most_steps = 16;
 /// What is left after a step that is smaller than this part of the shapes is about its square.
 constexpr double small_step = 0x1p-24;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: t (3 − t²) / 2
 /// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; of a cone, how wide it is by 3 u.
-constexpr double drawn_in = 13 * u;
+constexpr double drawn_in = 13 * unit_roundoff;
 /// As far as the guess goes, both poses are rotations.
 constexpr double largest_skew = 0x1p-42;
 
@@ -266,13 +266,13 @@ std::optional<QuickDistance> AxialBox::proved() const {
   const double along = (dot(z, d) - (beyond_axial(a_, p, n) + of_box)) / length_of_d;
 
   const double r = a_.half().x, h = a_.half().z, e = plain_length(half_) + b_.as_box().slack;
-  const double off = u * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
-  const double off_beyond = u * ((20.5 * r + 13.7 * h) + (on_b.is_corner ? 9.5 : 20) * e);
+  const double off = unit_roundoff * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
+  const double off_beyond = unit_roundoff * ((20.5 * r + 13.7 * h) + (on_b.is_corner ? 9.5 : 20) * e);
   QuickDistance found;
   // 2.5 u of the length, 2 u of the operations.
-  found.upper = (length + off) * (1 + 6 * u);
+  found.upper = (length + off) * (1 + 6 * unit_roundoff);
   // 3 u of the product, u of the difference, 3.5 u of the quotient, 2 u of the operations.
-  found.lower = (along - (off + off_beyond)) - 12 * u * length;
+  found.lower = (along - (off + off_beyond)) - 12 * unit_roundoff * length;
   found.on_a = turned + a_.pose().offset;
   found.on_b = on_b.corner + on_b.steps;
   if (is_narrow(found)) return found;
@@ -322,7 +322,8 @@ bool AxialBox::is_box_met_within() const {
   const Vec3 point = point_of_box();
   const double up = dot(axis_, point), out = plain_length(point - up * axis_);
   const double r = a_.half().x, h = a_.half().z;
-  const double off = 0x1p-40 * std::sqrt(r * r + h * h) + 8 * u * plain_length(half_) + 2 * b_.as_box().slack;
+  const double off =
+      0x1p-40 * std::sqrt(r * r + h * h) + 8 * unit_roundoff * plain_length(half_) + 2 * b_.as_box().slack;
   return shape_.depth_of(out, up) > off;
 }
 

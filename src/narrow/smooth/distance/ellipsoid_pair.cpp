@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 
@@ -13,7 +14,6 @@
 namespace toccata {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr int most_steps = 10;
 constexpr int most_blind_steps = 3;
 /// Of what an ellipsoid reaches.
@@ -23,7 +23,7 @@ constexpr double small_turn_squared = 0x1p-46;
 /// Of half axes: that the squares of S do not hide the shorter ones.
 constexpr double most_slim = 64;
 /// The points are drawn in by this part, as in quick_proof.cpp.
-constexpr double drawn_in = 10 * u;
+constexpr double drawn_in = 10 * unit_roundoff;
 
 /// By its upper half.
 struct Symmetric {
@@ -138,13 +138,13 @@ std::optional<QuickDistance> proved(const PosedSmooth& a, const PosedSmooth& b, 
   const double length = plain_length(z), part = 1 / plain_length(d);
   if (!is_moderate(length)) return {};
   const double sizes = on_a.size + on_b.size;
-  const double off = u * (9.3 * sizes + 3.5 * length);
-  const double beyond = u * (6.8 * sizes + 22 * (on_a.height + on_b.height) * part);
+  const double off = unit_roundoff * (9.3 * sizes + 3.5 * length);
+  const double beyond = unit_roundoff * (6.8 * sizes + 22 * (on_a.height + on_b.height) * part);
   QuickDistance found;
   // 2.5 u of the length, 2 u of the operations.
-  found.upper = (length + off) * (1 + 6 * u);
+  found.upper = (length + off) * (1 + 6 * unit_roundoff);
   // 3 u of the product, 3.5 u of the quotient, 2 u of the operations.
-  found.lower = (dot(z, d) * part - (off + beyond)) - 10 * u * length;
+  found.lower = (dot(z, d) * part - (off + beyond)) - 10 * unit_roundoff * length;
   found.on_a = on_a.from_middle + a.pose().offset;
   found.on_b = on_b.from_middle + b.pose().offset;
   if (is_narrow(found)) return found;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 
 // Near each corner, which is rounded, lies a true point of A − B. When a ball around the origin with that radius lies
@@ -21,12 +22,11 @@
 namespace toccata {
 namespace {
 
-constexpr double u = 0x1p-53;
-constexpr double corner_off = 256 * u;
-constexpr double volume_off = 2048 * u;
+constexpr double corner_off = 256 * unit_roundoff;
+constexpr double volume_off = 2048 * unit_roundoff;
 
 /// Of a vector that is no longer than 1, but for rounding, which is 5 u: squares and sums round by 4 u.
-bool is_within_unit_ball(const Vec3& round) { return dot(round, round) <= 1 + 15 * u; }
+bool is_within_unit_ball(const Vec3& round) { return dot(round, round) <= 1 + 15 * unit_roundoff; }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
 #include "math/expansion.hpp"
 #include "math/vec3_measures.hpp"
 
@@ -21,11 +22,10 @@
 namespace toccata {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr double least_distance = 0x1p-400;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: their length by
 /// 2.5 u, the factor by 2 u, the point by u; of a cone, how wide it is there by 3 u.
-constexpr double drawn_in = 10 * u;
+constexpr double drawn_in = 10 * unit_roundoff;
 
 /// A sum with twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate sum and dot product", 2005).
 class LongSum {
@@ -43,7 +43,9 @@ class LongSum {
   }
   [[nodiscard]] double value() const { return sum_ + rest_; }
   /// Of up to 24 terms: u of the value, and 24² u² of the magnitudes.
-  [[nodiscard]] double error() const { return 2 * u * std::fabs(value()) + 2000 * u * u * size_; }
+  [[nodiscard]] double error() const {
+    return 2 * unit_roundoff * std::fabs(value()) + 2000 * unit_roundoff * unit_roundoff * size_;
+  }
 
  private:
   double sum_ = 0;
@@ -64,7 +66,7 @@ Products along_columns(const Mat3& m, const Vec3& d) {
   for (int j = 0; j < 3; ++j) {
     const Vec3 column = m.column(j);
     p.value[j] = dot(column, d);
-    p.error[j] = 4 * u * dot(magnitudes(column), magnitudes(d));  // 3 u
+    p.error[j] = 4 * unit_roundoff * dot(magnitudes(column), magnitudes(d));  // 3 u
   }
   return p;
 }
@@ -78,14 +80,14 @@ double length_of(const Vec3& error) { return 1.01 * plain_length(error); }
 double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
   const double off = length_of(error), length = plain_length(m), part = plain_length(p);
   // 2.5 u of the length, 3 u of the product, 2 u of p, 2 u each of the difference and of the sum.
-  const double plain = (length - dot(m, p)) + (2.1 * off + 13 * u * length);
+  const double plain = (length - dot(m, p)) + (2.1 * off + 13 * unit_roundoff * length);
   // 3 u of the product, 2 u of p, u of the difference.
-  const double along = dot(m, p) - (1.1 * off + 8 * u * length);
+  const double along = dot(m, p) - (1.1 * off + 8 * unit_roundoff * length);
   if (!(along > 0)) return plain;
   // 3.5 u of the product, 2 u of p, 2.5 u of its length, u of the sum.
-  const double beside = plain_length(cross(m, p)) + (1.1 * off + 12 * u * length);
+  const double beside = plain_length(cross(m, p)) + (1.1 * off + 12 * unit_roundoff * length);
   // 2.5 u of the length, 3 u of the operations; 4.5 u of the part.
-  const double fine = (length * (1 + 8 * u) + 1.1 * off) * std::max(0.0, (1 + 6 * u) - part) +
+  const double fine = (length * (1 + 8 * unit_roundoff) + 1.1 * off) * std::max(0.0, (1 + 6 * unit_roundoff) - part) +
                       (0.5 + 0x1p-20) * beside * beside / along;
   return std::min(plain, fine);
 }
@@ -145,8 +147,8 @@ class LocalPoint {
   /// 2 u of a product, u of the sum.
   [[nodiscard]] double beyond_ends(double nz, double error) const {
     const double up = half_.z - point_.z, down = half_.z + point_.z;
-    return std::max(nz * up + 2 * (error * up) + 4 * u * std::fabs(nz * up),
-                    -(nz * down) + 2 * (error * down) + 4 * u * std::fabs(nz * down));
+    return std::max(nz * up + 2 * (error * up) + 4 * unit_roundoff * std::fabs(nz * up),
+                    -(nz * down) + 2 * (error * down) + 4 * unit_roundoff * std::fabs(nz * down));
   }
 
   // Of the terms that nearly cancel, each difference rounds no more than the next term and what is left.
@@ -156,7 +158,8 @@ class LocalPoint {
     const double up = half_.z + point_.z, rise = n.value.z * up;
     if (up == 0) return beyond_round(across, error, p);
     const double off = length_of(error), length = plain_length(across), left = (length - dot(across, p)) - rise;
-    return left + (2.1 * off + 1.1 * (n.error.z * up) + u * (8 * length + 4 * std::fabs(rise) + 4 * std::fabs(left)));
+    return left + (2.1 * off + 1.1 * (n.error.z * up) +
+                   unit_roundoff * (8 * length + 4 * std::fabs(rise) + 4 * std::fabs(left)));
   }
 
   /// 3 u of the product, u of p; 2 u of the fall; 2 u of what is left.
@@ -164,7 +167,8 @@ class LocalPoint {
     const double down = half_.z - point_.z, fall = n.value.z * down;
     if (down == 0) return 0;
     const double off = length_of(error), length = plain_length(across), left = fall - dot(across, p);
-    return left + (1.1 * off + 1.1 * (n.error.z * down) + u * (6 * length + 4 * std::fabs(fall) + 4 * std::fabs(left)));
+    return left + (1.1 * off + 1.1 * (n.error.z * down) +
+                   unit_roundoff * (6 * length + 4 * std::fabs(fall) + 4 * std::fabs(left)));
   }
 
   const PosedSmooth& shape_;
@@ -182,7 +186,7 @@ class HullPoint {
       weight_[i] = std::max(side.weight[i], 0.0);
       total += weight_[i];
     }
-    const double less = total > 1 - 8 * u ? (1 - 8 * u) / total : 1;
+    const double less = total > 1 - 8 * unit_roundoff ? (1 - 8 * unit_roundoff) / total : 1;
     for (std::size_t i = 1; i < side.size; ++i) {
       weight_[i] *= less;
       other_[i] = shape.vertex(side.atom[i]);
@@ -211,11 +215,11 @@ class HullPoint {
     double most = 0;
     const Vec3 d = magnitudes(direction);
     // Each is rounded by 2 u, and once more when they are added.
-    const double rounded_steps = size_ > 1 ? 4 * u * dot(d, sum_of_step_sizes()) : 0;
+    const double rounded_steps = size_ > 1 ? 4 * unit_roundoff * dot(d, sum_of_step_sizes()) : 0;
     const auto look_at = [&](Index i) {
       const Vec3 step = shape_.vertex(i) - first_, from = step - steps_;
       // u of each difference, 3 u of the product, u of the sum.
-      const double off = 8 * u * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
+      const double off = 8 * unit_roundoff * (dot(d, magnitudes(step)) + dot(d, magnitudes(steps_)));
       if (size_ == 1 && step == Vec3{}) return;
       const double height = dot(direction, from) + (off + rounded_steps);
       if (!(height <= most)) most = height;  // NaN stays, and is no proof
@@ -231,7 +235,7 @@ class HullPoint {
     }
     const double radius = shape_.radius();
     if (!(radius > 0)) return most;
-    return most + beyond_round(radius * direction, 2 * u * radius * d, (1 / radius) * round_);
+    return most + beyond_round(radius * direction, 2 * unit_roundoff * radius * d, (1 / radius) * round_);
   }
 
  private:
@@ -263,12 +267,12 @@ QuickDistance interval_of(const PointA& x, const PointB& y, const Vec3& directio
   const double distance = plain_length(z);
   QuickDistance found;
   // 2.5 u of the length, 2 u of the operations.
-  found.upper = (distance + off) * (1 + 8 * u);
+  found.upper = (distance + off) * (1 + 8 * unit_roundoff);
   // 3 u of the product, 2 u of the differences.
-  const double along = (dot(z, direction) - off) - 8 * u * distance;
+  const double along = (dot(z, direction) - off) - 8 * unit_roundoff * distance;
   const double beyond = x.beyond(-direction) + y.beyond(direction);
   // 3 u of the sums of parts, u of the difference, 3.5 u of the quotient.
-  const double lower = (along - beyond * (1 + 8 * u)) / plain_length(direction) * (1 - 8 * u);
+  const double lower = (along - beyond * (1 + 8 * unit_roundoff)) / plain_length(direction) * (1 - 8 * unit_roundoff);
   // Asked so that NaN is no proof.
   found.lower = lower > least_distance ? lower : 0;
   found.on_a = x.in_world();
