@@ -5,6 +5,10 @@ foreach(check IN ITEMS format layering ledger)
   add_test(NAME repository/${check} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${check}.py)
 endforeach()
 
+# The longest of these, and one compilation.
+add_test(NAME repository/names COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_names.py --compiler ${CMAKE_CXX_COMPILER})
+set_tests_properties(repository/names PROPERTIES COST 900)
+
 add_subdirectory(package)
 add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py --compiler ${CMAKE_CXX_COMPILER}
                                       --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
@@ -20,7 +24,7 @@ endforeach()
 file(GLOB_RECURSE HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp ${PROJECT_SOURCE_DIR}/src/*.hpp)
 foreach(header IN LISTS HEADERS)
   string(REGEX REPLACE "^${PROJECT_SOURCE_DIR}/(include|src)/" "" name ${header})
-  if("#include \"${name}\"" IN_LIST INCLUDED_FIRST AND NOT TOCCATA_UNITE_LIBRARY)
+  if("#include \"${name}\"" IN_LIST INCLUDED_FIRST AND NOT TOCCATA_UNITE)
     continue()
   endif()
   string(MAKE_C_IDENTIFIER ${name} unit)

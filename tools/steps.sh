@@ -3,6 +3,22 @@
 
 say() { printf 'toccata: %s\n' "$*" >&2; }
 
+# show_progress SECONDS: what it reads are lines that tell how far a step is. On a terminal the newest stands alone and is
+# overwritten; elsewhere one is printed every SECONDS, so that a log stays short and is never silent.
+show_progress() {
+  local line started=$SECONDS next=$((SECONDS + $1)) on_terminal=no
+  if [[ -t 2 ]]; then on_terminal=yes; fi
+  while IFS= read -r line; do
+    if [[ $on_terminal == yes ]]; then
+      printf '\r\e[K%.*s' "${COLUMNS:-100}" "toccata: $line ($((SECONDS - started)) s)" >&2
+    elif ((SECONDS >= next)); then
+      say "$line ($((SECONDS - started)) s)"
+      next=$((SECONDS + $1))
+    fi
+  done
+  if [[ $on_terminal == yes ]]; then printf '\r\e[K' >&2; fi
+}
+
 # install_packages LIST…: installs what the lists tools/LIST.txt name and dpkg does not have.
 install_packages() {
   command -v dpkg-query >/dev/null || return 0  # not Debian: CMake will tell what it cannot find
@@ -19,12 +35,19 @@ install_packages() {
     fi
     as_root=(sudo)
   fi
-  say "installing $missing"
+  say "installing $(wc -w <<<"$missing") packages and what they need: $missing"
+  local log
+  log=$(mktemp)
   # shellcheck disable=SC2086
-  if ! { "${as_root[@]}" apt-get update -qq && "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $missing; } </dev/null >/dev/null; then
+  if ! {
+    "${as_root[@]}" apt-get update &&
+      "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+  } </dev/null 2>&1 | tee "$log" | sed -un 's/^\(Get:[0-9]*\) [^ ]* [^ ]* [^ ]* \([^ ]*\).*/installing: fetching \2/p; s/^\(Unpacking\|Setting up\) \([^ :]*\).*/installing: \1 \2/p' | show_progress 15; then
+    tail -n 20 "$log" >&2
     say "could not install the packages; please install them yourself: apt-get install $missing"
     return 2
   fi
+  rm -- "$log"
 }
 
 # One build at a time in one source folder; a second waits. Held until this process ends.
@@ -58,17 +81,16 @@ configure() {
   printf '%s\n' "${wanted[@]}" >"$folder/.configured-with"
 }
 
-# build PRESET TARGET…: one status line on a terminal; elsewhere nothing but what went wrong.
+# build PRESET TARGET…: says how far it is, and of a failure what the compiler said.
 build() {
-  local folder=$source_folder/build/$1 output
+  local folder=$source_folder/build/$1 log
   shift
-  [[ -f $folder/.ninja_log ]] || say "building; the first time takes a few minutes"
-  if [[ -t 2 ]]; then
-    ninja -C "$folder" "$@" >&2 9>&-
-  elif ! output=$(ninja --quiet -C "$folder" "$@" 2>&1 9>&-); then
-    printf '%s\n' "$output" >&2
+  log=$(mktemp)
+  if ! NINJA_STATUS='[%f/%t] ' ninja -C "$folder" "$@" 2>&1 9>&- | tee "$log" | sed -un 's/^\[\([0-9]*\)\/\([0-9]*\)\] .*/building: \1 of \2 steps/p' | show_progress 15; then
+    grep -v '^\[[0-9]*/[0-9]*\] ' "$log" >&2 || true
     return 2
   fi
+  rm -- "$log"
 }
 
 # run_tests [--all]: everything that judges a commit. The last thing printed is the summary of the tests, or of the
@@ -85,19 +107,11 @@ run_tests() {
   install_packages packages packages-test
   lock_build_folder
   say "the tests under the address and undefined-behaviour sanitizers"
-  # The preset says what this pass leaves to --all. Precompiled headers and united files are for machines that begin from
-  # nothing; the library is compiled once without them, so that its missing includes are told, and the builds of --all
-  # have neither.
-  local tests=() all=()
-  if ! command -v ccache >/dev/null; then
-    tests=(-DTOCCATA_UNITE_TESTS=ON)
-    all=("${tests[@]}" -DTOCCATA_UNITE_LIBRARY=ON)
-  fi
-  configure asan-ubsan "${all[@]}"
+  configure asan-ubsan
   build asan-ubsan
   run_ctest asan-ubsan -E '^oracle/'  # the oracles' own tests need no sanitizer; the next step runs them
   say "all tests, optimised"
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF "${tests[@]}"
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF
   build release
   run_ctest release
 }

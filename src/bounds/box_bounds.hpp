@@ -13,7 +13,7 @@ namespace toccata {
 
 /// Of a vector of non-negative lengths, +∞ among them: what arithmetic without least and greatest numbers makes of it,
 /// so that it never shrinks where one of them grows. At most the greatest double.
-inline double length_of(const Vec3& v) {
+inline double monotone_length(const Vec3& v) {
   constexpr double most = std::numeric_limits<double>::max();
   const auto root = [](const Vec3& w) { return std::sqrt((w.x * w.x + w.y * w.y) + w.z * w.z); };
   const double size = largest_magnitude(v);
@@ -30,7 +30,7 @@ inline double box_gap(const Aabb& a, const Aabb& b) {
   const auto beside = [&](int axis) {
     return std::max({0.0, b.lower[axis] - a.upper[axis], a.lower[axis] - b.upper[axis]});
   };
-  return rounded_down(length_of({beside(0), beside(1), beside(2)}));
+  return rounded_down(monotone_length({beside(0), beside(1), beside(2)}));
 }
 
 /// a, which is not empty, moved by t · motion, does not meet b before this t ≥ 0; +∞: not until it has gone all the

@@ -18,7 +18,7 @@ constexpr double least_ratio = 0x1p-20;  // of the half axes
 constexpr double growth = 1 + 0x1p-18;   // far more than the bounds of a few products of such ratios are off by
 
 // What is smaller gets half axes far larger than itself: ratios of numbers near the least double tell nothing.
-constexpr double least_size = 0x1p-960;
+constexpr double least_trusted_size = 0x1p-960;
 constexpr Vec3 least_half{0x1p-955, 0x1p-955, 0x1p-955};
 
 constexpr EllipsoidBound everything{{}, {}, {infinity, infinity, infinity}};
@@ -95,7 +95,7 @@ EllipsoidBound grown_around(EllipsoidBound v, std::span<const Vec3> points) {
   Vec3 reach;
   for (const Vec3& p : points) reach = larger(reach, coordinate_bounds(v.axes, v.centre, p));
   if (reach == Vec3{}) return {v.centre, v.axes, {}};
-  if (largest_magnitude(reach) < least_size) return {v.centre, v.axes, least_half};
+  if (largest_magnitude(reach) < least_trusted_size) return {v.centre, v.axes, least_half};
   v.half = with_least(largest_magnitude(v.half) > 0 ? v.half : reach, largest_magnitude(reach) * 0x1p-44);
   double factor = 0;
   for (const Vec3& p : points) factor = std::max(factor, ratio_bound(v, p));
@@ -109,7 +109,7 @@ struct Image {
   std::array<Vec3, 3> column;
 };
 
-Image scaled(const Image& image, double factor) {
+Image scaled_image(const Image& image, double factor) {
   return {factor * image.offset, {factor * image.column[0], factor * image.column[1], factor * image.column[2]}};
 }
 
@@ -155,11 +155,11 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   double size = slack;
   for (const Image& image : images) size = std::max(size, size_of(image));
   if (size == 0) return {near, {}, {}};
-  if (size < least_size) return {near, {}, least_half};
+  if (size < least_trusted_size) return {near, {}, least_half};
   if (!is_finite(near) || !(size <= std::numeric_limits<double>::max())) return everything;
   const double unit = std::clamp(size, 0x1p-1000, 0x1p1000);
   std::vector<Image> small;
-  for (const Image& image : images) small.push_back(scaled(image, 1 / unit));
+  for (const Image& image : images) small.push_back(scaled_image(image, 1 / unit));
   const SymmetricEigen moments = moments_of(small);
   const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
   const Vec3 half = with_least({root(moments.values.x), root(moments.values.y), root(moments.values.z)}, slack / unit);

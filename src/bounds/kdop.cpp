@@ -41,19 +41,19 @@ Kdop<k> fit_kdop(std::span<const Vec3> points) {
 }
 
 /// A non-negative multiple of a normal that points outwards, and the offset of its plane.
-struct Part {
+struct NormalPart {
   double factor = 0;
   Vec3 normal;
   double offset = 0;
 };
 
 /// The direction as a sum of three such.
-using Parts = std::array<Part, 3>;
+using NormalParts = std::array<NormalPart, 3>;
 
 /// The same for a direction with x ≥ y ≥ z ≥ 0, without offsets. The normals of every k cut the sphere of directions
 /// into triangles; each case is one of them.
 template <std::size_t k>
-Parts sorted_parts(const Vec3& d) {
+NormalParts sorted_parts(const Vec3& d) {
   if constexpr (k == 6) return {{{d.x, {1, 0, 0}}, {d.y, {0, 1, 0}}, {d.z, {0, 0, 1}}}};
   if constexpr (k == 14)
     return {{{d.x - d.y, {1, 0, 0}}, {0.5 * (d.y + d.z), {1, 1, 1}}, {0.5 * (d.y - d.z), {1, 1, -1}}}};
@@ -99,11 +99,11 @@ double offset_of(const Kdop<k>& v, const Vec3& normal) {
 }
 
 template <std::size_t k>
-Parts parts_of(const Kdop<k>& v, const Vec3& direction) {
+NormalParts parts_of(const Kdop<k>& v, const Vec3& direction) {
   const std::array<int, 3> axes = descending_axes(direction);
-  Parts parts =
+  NormalParts parts =
       sorted_parts<k>({std::fabs(direction[axes[0]]), std::fabs(direction[axes[1]]), std::fabs(direction[axes[2]])});
-  for (Part& part : parts) {
+  for (NormalPart& part : parts) {
     const Vec3 sorted = part.normal;
     for (int i = 0; i < 3; ++i) {
       const int axis = axes[static_cast<std::size_t>(i)];
@@ -188,7 +188,7 @@ template <std::size_t k>
 double support_bound(const Kdop<k>& v, const Vec3& direction, const Vec3& from) {
   if (is_empty(v)) return -infinity;
   UpperSum sum;
-  for (const Part& part : parts_of(v, direction)) {
+  for (const NormalPart& part : parts_of(v, direction)) {
     if (part.factor == 0) continue;
     sum.add(part.factor, part.offset);
     for (int axis = 0; axis < 3; ++axis) sum.add(-part.factor * part.normal[axis], from[axis]);
@@ -200,9 +200,9 @@ double support_bound(const Kdop<k>& v, const Vec3& direction, const Vec3& from) 
 
 template <std::size_t k>
 Vec3 farthest_point(const Kdop<k>& v, const Vec3& direction) {
-  const Parts p = parts_of(v, direction);
+  const NormalParts p = parts_of(v, direction);
   const Vec3 from = middle(v);
-  const auto height = [&](const Part& part) { return part.offset - dot(part.normal, from); };
+  const auto height = [&](const NormalPart& part) { return part.offset - dot(part.normal, from); };
   const Vec3 across = cross(p[1].normal, p[2].normal);
   const Vec3 sum = (height(p[0]) * across + height(p[1]) * cross(p[2].normal, p[0].normal)) +
                    height(p[2]) * cross(p[0].normal, p[1].normal);

@@ -23,7 +23,7 @@ struct Guess {
 };
 
 /// Up to four points that the ball has to have on its boundary.
-struct Boundary {
+struct BallBoundary {
   std::array<Vec3, 4> point{};
   std::size_t count = 0;
 };
@@ -49,7 +49,7 @@ std::optional<std::array<double, 3>> solved(std::array<std::array<double, 4>, 3>
 
 /// The smallest ball with all these on its boundary: its centre is p0 + Σ λ_i q_i with q_i = p_i − p0, and from each
 /// p_i as far as from p0: Σ_j 2 q_i · q_j λ_j = q_i · q_i.
-std::optional<Guess> ball_through(const Boundary& boundary) {
+std::optional<Guess> ball_through(const BallBoundary& boundary) {
   if (boundary.count == 0) return Guess{};
   const Vec3& first = boundary.point[0];
   const std::size_t size = boundary.count - 1;
@@ -68,12 +68,12 @@ std::optional<Guess> ball_through(const Boundary& boundary) {
 
 /// Welzl's: a point outside the ball around those before it is on the boundary of the ball around all of them. Such
 /// points are moved to the front. No deeper than four calls.
-Guess ball_of(std::vector<Vec3>& points, std::size_t count, const Boundary& boundary) {
+Guess ball_of(std::vector<Vec3>& points, std::size_t count, const BallBoundary& boundary) {
   Guess ball = ball_through(boundary).value_or(Guess{});
   if (boundary.count == 4) return ball;
   for (std::size_t i = 0; i < count; ++i) {
     if (ball.holds(points[i])) continue;
-    Boundary larger = boundary;
+    BallBoundary larger = boundary;
     larger.point[larger.count++] = points[i];
     // A point in the plane, or on the line, of the others adds nothing that doubles could tell.
     if (!ball_through(larger)) continue;

@@ -17,14 +17,14 @@
 namespace toccata {
 namespace {
 
-using Normal = std::array<int, 3>;
+using PlaneNormal = std::array<int, 3>;
 
-constexpr int dot(const Normal& u, const Normal& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+constexpr int dot(const PlaneNormal& u, const PlaneNormal& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// Plane 2i is the lower one of slab i, plane 2i + 1 the upper.
 template <std::size_t k>
-constexpr std::array<Normal, k> plane_normals() {
-  std::array<Normal, k> planes{};
+constexpr std::array<PlaneNormal, k> plane_normals() {
+  std::array<PlaneNormal, k> planes{};
   constexpr auto normals = kdop_normals<k>();
   for (std::size_t i = 0; i < normals.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,7 +70,7 @@ struct Adjugate {
   int determinant = 1;
 };
 
-Adjugate adjugate_of(const std::array<Normal, 3>& n, std::size_t count) {
+Adjugate adjugate_of(const std::array<PlaneNormal, 3>& n, std::size_t count) {
   const auto g = [&](std::size_t i, std::size_t j) { return dot(n[i], n[j]); };
   if (count == 1) return {{{{1, 0, 0}, {}, {}}}, g(0, 0)};
   if (count == 2)
@@ -89,7 +89,7 @@ Adjugate adjugate_of(const std::array<Normal, 3>& n, std::size_t count) {
 template <class Arithmetic, std::size_t k, class Number = typename Arithmetic::Number>
 bool solve(const Arithmetic& arithmetic, const std::array<Number, k>& h, ActivePlanes<Number>& s) {
   static constexpr auto normals = plane_normals<k>();
-  std::array<Normal, 3> n{};
+  std::array<PlaneNormal, 3> n{};
   for (std::size_t i = 0; i < s.count; ++i) n[i] = normals[s.plane[i]];
   const Adjugate adjugate = adjugate_of(n, s.count);
   s.determinant = adjugate.determinant;

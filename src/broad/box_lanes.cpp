@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "math/lanes.hpp"
+
 #ifndef TOCCATA_BROAD_BOX_LANES_ONCE
 #define TOCCATA_BROAD_BOX_LANES_ONCE
 namespace toccata {
@@ -54,71 +56,63 @@ HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using BoxFloats = hn::CappedTag<float, 16>;
+using BoxWords = hn::Rebind<std::uint32_t, BoxFloats>;
+using BoxFloat = hn::Vec<BoxFloats>;
+using BoxMask = hn::Mask<BoxFloats>;
 
-using Floats = hn::CappedTag<float, 16>;
-using Words = hn::Rebind<std::uint32_t, Floats>;
-using Number = hn::Vec<Floats>;
-using Yes = hn::Mask<Floats>;
-
-HWY_INLINE std::size_t lanes() { return hn::Lanes(Floats()); }
+HWY_INLINE std::size_t boxes_at_once() { return hn::Lanes(BoxFloats()); }
 
 /// One box in every lane, or a box in each.
 struct Boxes {
-  Number lower_x, lower_y, lower_z, upper_x, upper_y, upper_z;
+  BoxFloat lower_x, lower_y, lower_z, upper_x, upper_y, upper_z;
 };
 
 HWY_INLINE Boxes everywhere(const FlatBox& box) {
-  const Floats d;
+  const BoxFloats d;
   return {hn::Set(d, box.lower[0]), hn::Set(d, box.lower[1]), hn::Set(d, box.lower[2]),
           hn::Set(d, box.upper[0]), hn::Set(d, box.upper[1]), hn::Set(d, box.upper[2])};
 }
 HWY_INLINE Boxes everywhere(const BoxColumns& c, std::size_t i) {
-  const Floats d;
+  const BoxFloats d;
   return {hn::Set(d, c.lower[0][i]), hn::Set(d, c.lower[1][i]), hn::Set(d, c.lower[2][i]),
           hn::Set(d, c.upper[0][i]), hn::Set(d, c.upper[1][i]), hn::Set(d, c.upper[2][i])};
 }
 HWY_INLINE Boxes boxes_at(const BoxColumns& c, std::size_t i) {
-  const Floats d;
+  const BoxFloats d;
   return {hn::LoadU(d, c.lower[0] + i), hn::LoadU(d, c.lower[1] + i), hn::LoadU(d, c.lower[2] + i),
           hn::LoadU(d, c.upper[0] + i), hn::LoadU(d, c.upper[1] + i), hn::LoadU(d, c.upper[2] + i)};
 }
 
 /// How far the boxes can move before they are apart along some axis; negative where they are. 0 exactly where an end
 /// is equal to one of the other's.
-HWY_INLINE Number room_between(const Boxes& a, const Boxes& b) {
-  const Number x = hn::Min(hn::Sub(a.upper_x, b.lower_x), hn::Sub(b.upper_x, a.lower_x));
-  const Number y = hn::Min(hn::Sub(a.upper_y, b.lower_y), hn::Sub(b.upper_y, a.lower_y));
-  const Number z = hn::Min(hn::Sub(a.upper_z, b.lower_z), hn::Sub(b.upper_z, a.lower_z));
+HWY_INLINE BoxFloat room_between(const Boxes& a, const Boxes& b) {
+  const BoxFloat x = hn::Min(hn::Sub(a.upper_x, b.lower_x), hn::Sub(b.upper_x, a.lower_x));
+  const BoxFloat y = hn::Min(hn::Sub(a.upper_y, b.lower_y), hn::Sub(b.upper_y, a.lower_y));
+  const BoxFloat z = hn::Min(hn::Sub(a.upper_z, b.lower_z), hn::Sub(b.upper_z, a.lower_z));
   return hn::Min(hn::Min(x, y), z);
 }
 
-HWY_INLINE Yes first_lanes(std::size_t count) { return hn::FirstN(Floats(), count); }
+HWY_INLINE BoxMask first_lanes(std::size_t count) { return hn::FirstN(BoxFloats(), count); }
 
-HWY_INLINE std::uint32_t bits_of(Yes yes) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Floats(), yes, bytes);
-  std::uint32_t bits;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-HWY_INLINE Yes lanes_of(std::uint32_t bits) {
+HWY_INLINE BoxMask mask_of_bits(std::uint32_t bits) {
   std::uint8_t bytes[8] = {};
   std::memcpy(bytes, &bits, sizeof bits);
-  return hn::LoadMaskBits(Floats(), bytes);
+  return hn::LoadMaskBits(BoxFloats(), bytes);
 }
 
 /// Writes the pairs of box `number` with those among `numbers` that have room left, of the lanes asked about.
-HWY_INLINE void put(const LaidOut& laid, Index number, const Index* numbers, Number room, Yes asked, PairWriter& out) {
-  const Floats d;
-  const Words words;
-  Yes found = hn::And(hn::Ge(room, hn::Zero(d)), asked);
-  const Yes equal = hn::And(hn::Eq(room, hn::Zero(d)), asked);
+HWY_INLINE void put(const LaidOut& laid, Index number, const Index* numbers, BoxFloat room, BoxMask asked,
+                    PairWriter& out) {
+  const BoxFloats d;
+  const BoxWords words;
+  BoxMask found = hn::And(hn::Ge(room, hn::Zero(d)), asked);
+  const BoxMask equal = hn::And(hn::Eq(room, hn::Zero(d)), asked);
   if (HWY_UNLIKELY(!hn::AllFalse(d, equal))) {
-    const std::uint32_t unsure = bits_of(equal);
-    found = lanes_of((bits_of(found) & ~unsure) | overlapping_lanes(laid, number, numbers, unsure));
+    const std::uint32_t unsure = bits_of(BoxFloats(), equal);
+    found = mask_of_bits((bits_of(BoxFloats(), found) & ~unsure) | overlapping_lanes(laid, number, numbers, unsure));
   }
-  if (HWY_UNLIKELY(out.count + lanes() > out.room)) out.refill(lanes());
+  if (HWY_UNLIKELY(out.count + boxes_at_once() > out.room)) out.refill(boxes_at_once());
   hn::StoreU(hn::Set(words, number), words, out.ones + out.count);
   hn::StoreU(hn::Compress(hn::LoadU(words, numbers), hn::RebindMask(words, found)), words, out.others + out.count);
   out.count += hn::CountTrue(d, found);
@@ -126,7 +120,7 @@ HWY_INLINE void put(const LaidOut& laid, Index number, const Index* numbers, Num
 
 HWY_INLINE void put_run(const LaidOut& laid, const Boxes& box, Index number, std::size_t begin, std::size_t end,
                         PairWriter& out) {
-  for (std::size_t j = begin; j < end; j += lanes())
+  for (std::size_t j = begin; j < end; j += boxes_at_once())
     put(laid, number, laid.columns.number + j, room_between(box, boxes_at(laid.columns, j)), first_lanes(end - j), out);
 }
 
@@ -139,14 +133,14 @@ void behind(const LaidOut& laid, std::size_t begin, std::size_t end, const std::
 
 void in_tile(const LaidOut& laid, const std::uint32_t* sides, std::size_t begin, std::size_t end,
              const std::uint32_t* ends, PairBuffer& pairs) {
-  const Words words;
+  const BoxWords words;
   PairWriter out{pairs};
   for (std::size_t i = begin; i < end; ++i) {
     const Boxes box = everywhere(laid.columns, i);
     const auto own = hn::Set(words, sides[i]);
-    for (std::size_t j = i + 1; j < ends[i - begin]; j += lanes()) {
+    for (std::size_t j = i + 1; j < ends[i - begin]; j += boxes_at_once()) {
       const auto shared = hn::And(own, hn::LoadU(words, sides + j));
-      const Yes ours = hn::RebindMask(Floats(), hn::Eq(shared, hn::Zero(words)));
+      const BoxMask ours = hn::RebindMask(BoxFloats(), hn::Eq(shared, hn::Zero(words)));
       put(laid, laid.columns.number[i], laid.columns.number + j, room_between(box, boxes_at(laid.columns, j)),
           hn::And(ours, first_lanes(ends[i - begin] - j)), out);
     }
@@ -163,9 +157,9 @@ void with_one(const LaidOut& laid, const FlatBox& box, std::size_t begin, std::s
 /// All boxes of a cell with all in a row of cells.
 HWY_INLINE void put_rows(const LaidOut& laid, std::size_t cell_begin, std::size_t cell_end, std::size_t begin,
                          std::size_t end, PairWriter& out) {
-  for (std::size_t j = begin; j < end; j += lanes()) {
+  for (std::size_t j = begin; j < end; j += boxes_at_once()) {
     const Boxes row = boxes_at(laid.columns, j);
-    const Yes asked = first_lanes(end - j);
+    const BoxMask asked = first_lanes(end - j);
     for (std::size_t i = cell_begin; i < cell_end; ++i)
       put(laid, laid.columns.number[i], laid.columns.number + j, room_between(everywhere(laid.columns, i), row), asked,
           out);
@@ -211,15 +205,16 @@ HWY_INLINE void put_from_tree(const TreeColumns& tree, const LaidOut& items, con
   for (std::size_t level = 0, place = behind; level < tree.depth; ++level, place /= width) reach[level] = place;
   while (waiting > 0) {
     const Node node = stack[--waiting];
-    for (std::size_t first = node.first; first < node.first + width; first += lanes()) {
+    for (std::size_t first = node.first; first < node.first + width; first += boxes_at_once()) {
       if (node.level == 0) {
-        if (first + lanes() <= behind) continue;
-        const Yes asked = first < behind ? hn::Not(first_lanes(behind - first)) : first_lanes(lanes());
+        if (first + boxes_at_once() <= behind) continue;
+        const BoxMask asked = first < behind ? hn::Not(first_lanes(behind - first)) : first_lanes(boxes_at_once());
         put(items, number, items.columns.number + first, room_between(box, boxes_at(items.columns, first)), asked, out);
         continue;
       }
-      const Number room = room_between(box, boxes_at(tree.levels[node.level], first));
-      for (std::uint32_t rest = bits_of(hn::Ge(room, hn::Zero(Floats()))); rest != 0; rest &= rest - 1) {
+      const BoxFloat room = room_between(box, boxes_at(tree.levels[node.level], first));
+      for (std::uint32_t rest = bits_of(BoxFloats(), hn::Ge(room, hn::Zero(BoxFloats()))); rest != 0;
+           rest &= rest - 1) {
         const std::size_t child = first + static_cast<std::size_t>(__builtin_ctz(rest));
         if (child >= reach[node.level]) stack[waiting++] = {node.level - 1, child * width};
       }

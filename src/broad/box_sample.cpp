@@ -7,11 +7,10 @@
 
 #include "broad/float_boxes.hpp"
 #include "math/constants.hpp"
+#include "math/vec3_coordinates.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 BoxSample::Spread spread_of(std::vector<double>& values, double high) {
   if (values.empty()) return {};
@@ -43,7 +42,7 @@ BoxSample::BoxSample(std::span<const Aabb> boxes) {
     places.clear();
     sizes.clear();
     for (const Aabb& box : sample) {
-      const double lower = 0.25 * box.lower.*coordinates[axis], upper = 0.25 * box.upper.*coordinates[axis];
+      const double lower = 0.25 * box.lower.*vec3_coordinates[axis], upper = 0.25 * box.upper.*vec3_coordinates[axis];
       if (std::fabs(lower) <= most) places.push_back(lower);
       if (upper - lower <= most) sizes.push_back(upper - lower);
     }
@@ -111,7 +110,7 @@ BoxDensity::BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes) {
   for (std::size_t i = 0; i < few.size(); ++i) {
     std::fill(near_along.begin(), near_along.end(), 0U);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      meets[axis] += meetings_behind(few, i, coordinates[axis], 1.5 * about.size[axis], near_along);
+      meets[axis] += meetings_behind(few, i, vec3_coordinates[axis], 1.5 * about.size[axis], near_along);
     nears += static_cast<double>(std::count(near_along.begin(), near_along.end(), 3U));
   }
   const auto size = static_cast<double>(few.size());
@@ -126,7 +125,7 @@ BoxDensity::BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes) {
   for (const Aabb& box : few) {
     double rows = 1, most = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double reach = 0.25 * box.upper.*coordinates[axis] - 0.25 * box.lower.*coordinates[axis];
+      const double reach = 0.25 * box.upper.*vec3_coordinates[axis] - 0.25 * box.lower.*vec3_coordinates[axis];
       const double over = std::min(reach / about.size[axis], about.cells[axis]);
       most = std::max(most, over);
       if (axis < 2) rows *= over + 2;

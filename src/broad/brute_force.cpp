@@ -16,7 +16,7 @@ class BruteForce final : public PairFinder {
     const std::size_t count = lay_out(now.boxes);
     const LaidOut laid{store_.columns(), now.boxes.data()};
     ends_.assign(count, static_cast<std::uint32_t>(count));
-    const Chunks chunks(count, parts);
+    const EvenParts chunks(count, parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       const std::size_t begin = chunks.begin(part);
@@ -39,7 +39,7 @@ class BruteForce final : public PairFinder {
     store_.resize(boxes.size());
     std::size_t count = 0;
     for (Index number = 0; number < boxes.size(); ++number)
-      if (!is_empty(boxes[number])) store_.put(count++, flat(frame, boxes[number], number));
+      if (!is_empty(boxes[number])) store_.put(count++, flat_box(frame, boxes[number], number));
     return count;
   }
 

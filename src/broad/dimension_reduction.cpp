@@ -6,12 +6,11 @@
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
 #include "broad/pair_buffer.hpp"
+#include "math/vec3_coordinates.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 /// An end of a box along an axis: its number twice, and one more for the upper end.
 struct End {
@@ -24,8 +23,8 @@ std::vector<End> sorted_ends(std::span<const Aabb> boxes, std::size_t axis) {
   std::vector<End> ends;
   for (Index number = 0; number < boxes.size(); ++number) {
     if (is_empty(boxes[number])) continue;
-    ends.push_back({boxes[number].lower.*coordinates[axis], 2 * number});
-    ends.push_back({boxes[number].upper.*coordinates[axis], 2 * number + 1});
+    ends.push_back({boxes[number].lower.*vec3_coordinates[axis], 2 * number});
+    ends.push_back({boxes[number].upper.*vec3_coordinates[axis], 2 * number + 1});
   }
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
     if (a.value != b.value) return a.value < b.value;
@@ -197,7 +196,7 @@ class DimensionReduction final : public PairFinder {
   /// Of a plane: the sweep goes along its first axis, and the second is compared. The planes are xy and yz.
   [[nodiscard]] bool is_found(std::span<const Aabb> boxes, std::size_t axis, Index one, Index other) const {
     if (to_ == To::intervals) return true;
-    const double Vec3::*second = coordinates[axis + 1];
+    const double Vec3::*second = vec3_coordinates[axis + 1];
     const Aabb &a = boxes[one], &b = boxes[other];
     return a.lower.*second <= b.upper.*second && b.lower.*second <= a.upper.*second;
   }

@@ -9,11 +9,10 @@
 #include "broad/finders.hpp"
 #include "broad/kept_tree.hpp"
 #include "broad/method_cells.hpp"
+#include "core/no_index.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr Index none = std::numeric_limits<Index>::max();
 
 /// The box with a tenth of its longest side around it, so that small motions stay inside.
 Aabb enlarged(const Aabb& box) {
@@ -25,24 +24,24 @@ Aabb enlarged(const Aabb& box) {
 /// A binary tree of boxes that is never made anew as a whole while few of them leave their enlarged ones: what does is
 /// taken out, and put in again where the boxes above grow least. (After E. Catto, "Dynamic bounding volume
 /// hierarchies", 2019.)
-class BoxTree {
+class EnlargedBoxTree {
  public:
   void build(std::span<const Aabb> boxes) {
     nodes_.clear();
     free_.clear();
-    leaves_.assign(boxes.size(), none);
+    leaves_.assign(boxes.size(), no_index);
     inserted_ = 0;
     std::vector<Index> numbers;
     for (Index number = 0; number < boxes.size(); ++number)
       if (!is_empty(boxes[number])) numbers.push_back(number);
-    root_ = numbers.empty() ? none : build_over(boxes, numbers, none);
+    root_ = numbers.empty() ? no_index : build_over(boxes, numbers, no_index);
   }
 
   void move(Index number, const Aabb& box) {
-    if (leaves_.size() <= number) leaves_.resize(number + std::size_t{1}, none);
+    if (leaves_.size() <= number) leaves_.resize(number + std::size_t{1}, no_index);
     const Index leaf = leaves_[number];
-    if (leaf != none && !is_empty(box) && contains(nodes_[leaf].box, box)) return;
-    if (leaf != none) take_out(leaf);
+    if (leaf != no_index && !is_empty(box) && contains(nodes_[leaf].box, box)) return;
+    if (leaf != no_index) take_out(leaf);
     if (!is_empty(box)) put_in(number, enlarged(box));
   }
   /// How many have been put in since all was built.
@@ -52,12 +51,12 @@ class BoxTree {
   template <class Found>
   void each_overlap(const Aabb& box, std::vector<Index>& waiting, const Found& found) const {
     waiting.clear();
-    if (root_ != none) waiting.push_back(root_);
+    if (root_ != no_index) waiting.push_back(root_);
     while (!waiting.empty()) {
       const Node& node = nodes_[waiting.back()];
       waiting.pop_back();
       if (!overlap(node.box, box)) continue;
-      if (node.right == none) {
+      if (node.right == no_index) {
         found(node.left);
         continue;
       }
@@ -69,13 +68,13 @@ class BoxTree {
   /// The nodes of each depth, and the enlarged boxes by themselves.
   void add_cells(BroadPhaseCells& cells) const {
     std::vector<Index> level, below, leaves;
-    if (root_ != none) level.push_back(root_);
+    if (root_ != no_index) level.push_back(root_);
     for (int depth = 0; !level.empty(); ++depth, std::swap(level, below)) {
       below.clear();
       std::vector<Aabb> boxes;
       for (const Index at : level) {
         const Node& node = nodes_[at];
-        if (node.right == none) {
+        if (node.right == no_index) {
           leaves.push_back(at);
           continue;
         }
@@ -99,7 +98,7 @@ class BoxTree {
   /// Of a leaf `right` is none and `left` the number of its box.
   struct Node {
     Aabb box;
-    Index parent = none, left = none, right = none;
+    Index parent = no_index, left = no_index, right = no_index;
   };
 
   Index new_node(const Node& node) {
@@ -116,7 +115,7 @@ class BoxTree {
   /// Halves along the axis on which the middles are spread most.
   Index build_over(std::span<const Aabb> boxes, std::span<Index> numbers, Index parent) {
     if (numbers.size() == 1) {
-      const Index leaf = new_node({enlarged(boxes[numbers[0]]), parent, numbers[0], none});
+      const Index leaf = new_node({enlarged(boxes[numbers[0]]), parent, numbers[0], no_index});
       leaves_[numbers[0]] = leaf;
       return leaf;
     }
@@ -132,7 +131,7 @@ class BoxTree {
       if (std::isnan(at_a) || std::isnan(at_b)) return std::isnan(at_a) != std::isnan(at_b) ? std::isnan(at_b) : a < b;
       return at_a != at_b ? at_a < at_b : a < b;
     });
-    const Index node = new_node({{}, parent, none, none});
+    const Index node = new_node({{}, parent, no_index, no_index});
     const Index left = build_over(boxes, numbers.first(numbers.size() / 2), node);
     const Index right = build_over(boxes, numbers.subspan(numbers.size() / 2), node);
     nodes_[node].left = left;
@@ -143,14 +142,14 @@ class BoxTree {
 
   void put_in(Index number, const Aabb& box) {
     ++inserted_;
-    const Index leaf = new_node({box, none, number, none});
+    const Index leaf = new_node({box, no_index, number, no_index});
     leaves_[number] = leaf;
-    if (root_ == none) {
+    if (root_ == no_index) {
       root_ = leaf;
       return;
     }
     Index beside = root_;
-    while (nodes_[beside].right != none) {
+    while (nodes_[beside].right != no_index) {
       const Node& node = nodes_[beside];
       const auto growth = [&](Index child) {
         return half_area(merge(nodes_[child].box, box)) - half_area(nodes_[child].box);
@@ -166,11 +165,11 @@ class BoxTree {
   }
 
   void take_out(Index leaf) {
-    leaves_[nodes_[leaf].left] = none;
+    leaves_[nodes_[leaf].left] = no_index;
     free_.push_back(leaf);
     const Index parent = nodes_[leaf].parent;
-    if (parent == none) {
-      root_ = none;
+    if (parent == no_index) {
+      root_ = no_index;
       return;
     }
     const Index other = nodes_[parent].left == leaf ? nodes_[parent].right : nodes_[parent].left;
@@ -182,14 +181,14 @@ class BoxTree {
   }
 
   void replace_child(Index parent, Index child, Index by) {
-    if (parent == none)
+    if (parent == no_index)
       root_ = by;
     else
       (nodes_[parent].left == child ? nodes_[parent].left : nodes_[parent].right) = by;
   }
   /// Upward until nothing changes.
   void refit_from(Index node) {
-    for (; node != none; node = nodes_[node].parent) {
+    for (; node != no_index; node = nodes_[node].parent) {
       const Aabb box = merge(nodes_[nodes_[node].left].box, nodes_[nodes_[node].right].box);
       if (box == nodes_[node].box) return;
       nodes_[node].box = box;
@@ -199,12 +198,12 @@ class BoxTree {
   std::vector<Node> nodes_;
   std::vector<Index> free_;
   std::vector<Index> leaves_;  ///< by number
-  Index root_ = none;
+  Index root_ = no_index;
   std::size_t inserted_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<KeptTree<BoxTree>>(); }
+std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<KeptTree<EnlargedBoxTree>>(); }
 
 }  // namespace toccata

@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.hpp"
+
 namespace toccata {
 namespace {
 
-constexpr double most = std::numeric_limits<double>::max();
-constexpr std::size_t slack = 16;  ///< the floats of the widest vector
+constexpr std::size_t vector_slack = 16;  ///< the floats of the widest vector
 
 /// Where nothing is finite there is nothing to take from the middle.
 void widen(double& lower, double& upper, double from, double to) {
-  if (std::fabs(from) <= most) {
+  if (std::fabs(from) <= greatest_double) {
     lower = std::min(lower, from);
     upper = std::max(upper, from);
   }
-  if (std::fabs(to) <= most) {
+  if (std::fabs(to) <= greatest_double) {
     lower = std::min(lower, to);
     upper = std::max(upper, to);
   }
@@ -51,8 +52,8 @@ Aabb finite_bounds(std::span<const Aabb> boxes) {
 }
 
 void ColumnStore::resize(std::size_t count) {
-  if (count + slack <= stride_) return;
-  stride_ = std::max(count, stride_ + stride_ / 4) + slack;
+  if (count + vector_slack <= stride_) return;
+  stride_ = std::max(count, stride_ + stride_ / 4) + vector_slack;
   floats_ = std::make_unique<float[]>(6 * stride_);
   numbers_ = std::make_unique<Index[]>(stride_);
 }

@@ -43,7 +43,7 @@ struct FlatBox {
   Index number;
 };
 
-[[nodiscard]] inline FlatBox flat(const FloatFrame& frame, const Aabb& box, Index number) {
+[[nodiscard]] inline FlatBox flat_box(const FloatFrame& frame, const Aabb& box, Index number) {
   return {{frame.map(box.lower.x, 0), frame.map(box.lower.y, 1), frame.map(box.lower.z, 2)},
           {frame.map(box.upper.x, 0), frame.map(box.upper.y, 1), frame.map(box.upper.z, 2)},
           number};

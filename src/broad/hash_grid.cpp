@@ -75,7 +75,7 @@ class HashGrid final : public PairFinder {
     choose_levels(now.boxes);
     enter_all(now.boxes);
     sort_by_key(entries_, sorted_);
-    const Chunks chunks(entries_.size(), parts);
+    const EvenParts chunks(entries_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       compare_equal_keys(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
@@ -158,7 +158,7 @@ class HashGrid final : public PairFinder {
     ordinary_.clear();
     for (Index number = 0; number < boxes.size(); ++number) {
       if (is_empty(boxes[number])) continue;
-      const FlatBox box = flat(frame, boxes[number], number);
+      const FlatBox box = flat_box(frame, boxes[number], number);
       (levels_[number] != large && enter(boxes[number], number) ? ordinary_ : large_).push_back(box);
     }
   }

@@ -4,21 +4,21 @@
 
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
+#include "math/vec3_coordinates.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr std::uint32_t no_rank = ~std::uint32_t{0};
 
 /// Lower ends before upper ones of the same value, so that touching counts.
-constexpr auto is_before = [](const auto& a, const auto& b) {
+constexpr auto end_comes_before = [](const auto& a, const auto& b) {
   if (a.value != b.value) return a.value < b.value;
   return (a.name & 1) != (b.name & 1) ? (a.name & 1) < (b.name & 1) : a.name < b.name;
 };
 
 /// Swaps, or tests of boxes that came, that are fewer steps than finding all pairs.
-std::size_t most_steps(std::size_t boxes) { return 64 + 16 * boxes; }
+std::size_t most_sweep_steps(std::size_t boxes) { return 64 + 16 * boxes; }
 
 /// Boxes that are open in a sweep.
 class OpenBoxes {
@@ -102,8 +102,8 @@ void IncrementalSweep::tell_changes(const BoxesNow& now) {
 }
 
 void IncrementalSweep::add_ends(std::vector<End>& ends, std::size_t axis, Index number, const Aabb& box) const {
-  ends.push_back({box.lower.*coordinates[axis], 2 * number});
-  ends.push_back({box.upper.*coordinates[axis], 2 * number + 1});
+  ends.push_back({box.lower.*vec3_coordinates[axis], 2 * number});
+  ends.push_back({box.upper.*vec3_coordinates[axis], 2 * number + 1});
 }
 
 void IncrementalSweep::rank(std::size_t axis) {
@@ -118,7 +118,7 @@ void IncrementalSweep::sort_anew(std::span<const Aabb> boxes) {
     ends_[axis].clear();
     for (Index number = 0; number < boxes.size(); ++number)
       if (!is_empty(boxes[number])) add_ends(ends_[axis], axis, number, boxes[number]);
-    std::sort(ends_[axis].begin(), ends_[axis].end(), is_before);
+    std::sort(ends_[axis].begin(), ends_[axis].end(), end_comes_before);
     ranks_[axis].assign(2 * boxes.size(), no_rank);
     rank(axis);
   }
@@ -143,12 +143,12 @@ bool IncrementalSweep::sort_again(const BoxesNow& now) {
     for (const Index number : now.changed) {
       const std::size_t lower = 2 * std::size_t{number};
       if (ranks_[axis][lower] == no_rank) continue;
-      ends_[axis][ranks_[axis][lower]].value = now.boxes[number].lower.*coordinates[axis];
-      ends_[axis][ranks_[axis][lower + 1]].value = now.boxes[number].upper.*coordinates[axis];
+      ends_[axis][ranks_[axis][lower]].value = now.boxes[number].lower.*vec3_coordinates[axis];
+      ends_[axis][ranks_[axis][lower + 1]].value = now.boxes[number].upper.*vec3_coordinates[axis];
     }
     for (std::size_t i = 1; i < ends_[axis].size(); ++i) {
       insert(axis, i);
-      if (work_.swaps > most_steps(now.boxes.size())) return false;
+      if (work_.swaps > most_sweep_steps(now.boxes.size())) return false;
     }
   }
   return true;
@@ -157,9 +157,9 @@ bool IncrementalSweep::sort_again(const BoxesNow& now) {
 void IncrementalSweep::insert(std::size_t axis, std::size_t at) {
   std::vector<End>& ends = ends_[axis];
   const End end = ends[at];
-  if (!is_before(end, ends[at - 1])) return;
+  if (!end_comes_before(end, ends[at - 1])) return;
   std::vector<std::uint32_t>& ranks = ranks_[axis];
-  for (; at > 0 && is_before(end, ends[at - 1]); --at) {
+  for (; at > 0 && end_comes_before(end, ends[at - 1]); --at) {
     const EndName passed = ends[at - 1].name;
     const bool ends_overlap = (end.name & 1) == 1 && (passed & 1) == 0;
     if (ends_overlap) note(end.name / 2, passed / 2, -1);
@@ -191,13 +191,13 @@ void IncrementalSweep::merge_in(std::span<const Aabb> boxes) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     batch.clear();
     for (const Index number : came_) add_ends(batch, axis, number, boxes[number]);
-    std::sort(batch.begin(), batch.end(), is_before);
+    std::sort(batch.begin(), batch.end(), end_comes_before);
     std::vector<End>& ends = ends_[axis];
     // From the back, where there is room.
     std::size_t next = ends.size(), to = ends.size() + batch.size();
     ends.resize(to);
     for (; !batch.empty(); --to) {
-      const bool is_old = next > 0 && is_before(batch.back(), ends[next - 1]);
+      const bool is_old = next > 0 && end_comes_before(batch.back(), ends[next - 1]);
       ends[to - 1] = is_old ? ends[next - 1] : batch.back();
       if (is_old)
         --next;
@@ -225,7 +225,7 @@ std::size_t IncrementalSweep::overlaps_of_new(std::size_t axis) const {
 bool IncrementalSweep::find_those_of_new(std::span<const Aabb> boxes) {
   const std::array<std::size_t, 3> counts{overlaps_of_new(0), overlaps_of_new(1), overlaps_of_new(2)};
   const auto least = std::min_element(counts.begin(), counts.end());
-  if (*least > most_steps(boxes.size())) return false;
+  if (*least > most_sweep_steps(boxes.size())) return false;
   sweep_new(static_cast<std::size_t>(least - counts.begin()), boxes);
   return true;
 }

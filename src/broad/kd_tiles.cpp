@@ -16,18 +16,18 @@
 namespace toccata {
 namespace {
 
-using Corner = std::array<float, 3>;
+using TileCorner = std::array<float, 3>;
 constexpr std::size_t tile_size = 200;
 
 /// Which part of space: of boxes that reach into it, those pairs are told whose greater lower corner lies in it.
-struct Part {
-  Corner from, to;
+struct TileRegion {
+  TileCorner from, to;
 };
 
 /// The boxes of one tile, sorted into slices along an axis and swept.
 class Tile {
  public:
-  void add_pairs(std::span<const FlatBox> boxes, const Corner& corner, const Aabb* all, PairBuffer& pairs) {
+  void add_pairs(std::span<const FlatBox> boxes, const TileCorner& corner, const Aabb* all, PairBuffer& pairs) {
     if (boxes.size() < 2) return;
     measure(boxes);
     count_.assign(slices_ + 1, 0);
@@ -53,7 +53,7 @@ class Tile {
 
   /// Slices of equal width along the axis where fewest boxes lie side by side.
   void measure(std::span<const FlatBox> boxes) {
-    Corner low = boxes.front().lower, high = low, size{};
+    TileCorner low = boxes.front().lower, high = low, size{};
     for (const FlatBox& box : boxes)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis] = std::min(low[axis], box.lower[axis]);
@@ -78,7 +78,7 @@ class Tile {
     // What is not above the first is in it, also what is no number: infinity times nothing.
     return static_cast<std::uint32_t>(slice > 0 ? std::min(slice, last) : 0);
   }
-  void put(const FlatBox& box, std::uint32_t place, const Corner& corner) {
+  void put(const FlatBox& box, std::uint32_t place, const TileCorner& corner) {
     store_.put(place, box);
     ends_[place] = slice_of(box.upper[axis_]);
     sides_[place] =
@@ -99,8 +99,8 @@ void take_sample(std::span<const FlatBox> boxes, std::vector<FlatBox>& sample) {
   for (std::size_t i = 0; i < boxes.size(); i += step) sample.push_back(boxes[i]);
 }
 
-Part part_of(const Part& whole, const TileSplit& split, std::size_t slab) {
-  Part part = whole;
+TileRegion part_of(const TileRegion& whole, const TileSplit& split, std::size_t slab) {
+  TileRegion part = whole;
   if (slab > 0) part.from[split.axis()] = split.begin_of(slab);
   if (slab + 1 < split.slabs()) part.to[split.axis()] = split.begin_of(slab + 1);
   return part;
@@ -110,15 +110,17 @@ Part part_of(const Part& whole, const TileSplit& split, std::size_t slab) {
 class TileWalker {
  public:
   /// The pairs of these boxes that have the greater of their lower corners in the part.
-  void add_pairs(std::span<const FlatBox> boxes, const Part& part, const Aabb* all) { descend(boxes, part, all, 0); }
+  void add_pairs(std::span<const FlatBox> boxes, const TileRegion& part, const Aabb* all) {
+    descend(boxes, part, all, 0);
+  }
   void clear(const PairFilter* wanted) {
     pairs_.clear(wanted);
     tiles_.clear();
   }
-  [[nodiscard]] std::span<const Part> tiles() const { return tiles_; }
+  [[nodiscard]] std::span<const TileRegion> tiles() const { return tiles_; }
   [[nodiscard]] PairBuffer& pairs() { return pairs_; }
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = pairs_.bytes() + tile_.bytes() + tiles_.capacity() * sizeof(Part) +
+    std::size_t sum = pairs_.bytes() + tile_.bytes() + tiles_.capacity() * sizeof(TileRegion) +
                       slabs_.capacity() * sizeof(std::array<std::uint8_t, 2>);
     for (const std::vector<FlatBox>& level : levels_) sum += level.capacity() * sizeof(FlatBox);
     return sum;
@@ -127,12 +129,12 @@ class TileWalker {
  private:
   static constexpr std::size_t most_levels = 12;
 
-  void sweep(std::span<const FlatBox> boxes, const Part& part, const Aabb* all) {
+  void sweep(std::span<const FlatBox> boxes, const TileRegion& part, const Aabb* all) {
     if (!boxes.empty()) tiles_.push_back(part);
     tile_.add_pairs(boxes, part.from, all, pairs_);
   }
 
-  void descend(std::span<const FlatBox> boxes, const Part& part, const Aabb* all, std::size_t level) {
+  void descend(std::span<const FlatBox> boxes, const TileRegion& part, const Aabb* all, std::size_t level) {
     if (boxes.size() <= tile_size || level == most_levels) return sweep(boxes, part, all);
     take_sample(boxes, sample_);
     const TileSplit split(sample_, boxes.size(), tile_size, part.from);
@@ -157,7 +159,7 @@ class TileWalker {
 
   Tile tile_;
   PairBuffer pairs_;
-  std::vector<Part> tiles_;
+  std::vector<TileRegion> tiles_;
   std::vector<FlatBox> sample_;
   std::vector<std::array<std::uint8_t, 2>> slabs_;
   std::array<std::vector<FlatBox>, most_levels> levels_;
@@ -221,12 +223,12 @@ class KdTiles final : public PairFinder {
   }
 
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> /*boxes*/) const override {
-    std::vector<Part> tiles;
+    std::vector<TileRegion> tiles;
     for (const auto& walker : pool_.all()) tiles.insert(tiles.end(), walker->tiles().begin(), walker->tiles().end());
-    std::sort(tiles.begin(), tiles.end(), [](const Part& a, const Part& b) { return a.from < b.from; });
+    std::sort(tiles.begin(), tiles.end(), [](const TileRegion& a, const TileRegion& b) { return a.from < b.from; });
     BroadPhaseCells cells;
     CellsOfGroup group(cells, "tiles");
-    for (const Part& tile : tiles) group.add(box_of_floats(frame_, tile.from, tile.to));
+    for (const TileRegion& tile : tiles) group.add(box_of_floats(frame_, tile.from, tile.to));
     return cells;
   }
 
@@ -238,8 +240,8 @@ class KdTiles final : public PairFinder {
 
  private:
   static constexpr float lowest = -std::numeric_limits<float>::infinity();
-  static constexpr Corner nowhere{lowest, lowest, lowest};  ///< before everything
-  static constexpr Part everywhere{nowhere, {-lowest, -lowest, -lowest}};
+  static constexpr TileCorner nowhere{lowest, lowest, lowest};  ///< before everything
+  static constexpr TileRegion everywhere{nowhere, {-lowest, -lowest, -lowest}};
   static constexpr std::size_t chunks_at_top = 16;
   static constexpr std::array<std::uint8_t, 2> no_slab{1, 0};
 
@@ -250,7 +252,7 @@ class KdTiles final : public PairFinder {
       if (!is_empty(now.boxes[i])) chosen.push_back(now.boxes[i]);
     frame_ = FloatFrame(finite_bounds(chosen));
     sample_.clear();
-    for (const Aabb& box : chosen) sample_.push_back(flat(frame_, box, 0));
+    for (const Aabb& box : chosen) sample_.push_back(flat_box(frame_, box, 0));
     top_ = TileSplit(sample_, count, tile_size, nowhere);
     slabs_.resize(count);
     std::size_t sum = find_slabs(now);
@@ -259,12 +261,12 @@ class KdTiles final : public PairFinder {
       sum = find_slabs(now);
     }
     if (parts_.size() < sum) resize_for_overwrite(parts_, sum);
-    const Chunks chunks(count, chunks_at_top);
+    const EvenParts chunks(count, chunks_at_top);
     parallel_for(chunks_at_top, now.threads, [&](std::size_t chunk) {
       auto& places = places_[chunk];
       for (std::size_t number = chunks.begin(chunk); number < chunks.end(chunk); ++number) {
         if (slabs_[number] == no_slab) continue;
-        const FlatBox box = flat(frame_, now.boxes[number], static_cast<Index>(number));
+        const FlatBox box = flat_box(frame_, now.boxes[number], static_cast<Index>(number));
         for (std::size_t slab = slabs_[number][0]; slab <= slabs_[number][1]; ++slab) parts_[places[slab]++] = box;
       }
     });
@@ -274,13 +276,13 @@ class KdTiles final : public PairFinder {
   /// And the place of each chunk in each slab. Gives how many boxes are in all slabs together.
   std::size_t find_slabs(const BoxesNow& now) {
     places_.assign(chunks_at_top, {});
-    const Chunks chunks(now.boxes.size(), chunks_at_top);
+    const EvenParts chunks(now.boxes.size(), chunks_at_top);
     parallel_for(chunks_at_top, now.threads, [&](std::size_t chunk) {
       auto& counts = places_[chunk];
       for (std::size_t number = chunks.begin(chunk); number < chunks.end(chunk); ++number) {
         slabs_[number] = no_slab;
         if (is_empty(now.boxes[number])) continue;
-        const FlatBox box = flat(frame_, now.boxes[number], 0);
+        const FlatBox box = flat_box(frame_, now.boxes[number], 0);
         slabs_[number] = {top_.first_slab(box), top_.last_slab(box)};
         for (std::size_t slab = slabs_[number][0]; slab <= slabs_[number][1]; ++slab) ++counts[slab];
       }

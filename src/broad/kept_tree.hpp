@@ -48,7 +48,7 @@ class KeptTree final : public PairFinder {
   static constexpr std::size_t parts = 16;
 
   void find_new(const BoxesNow& now) {
-    const Chunks chunks(now.changed.size(), parts);
+    const EvenParts chunks(now.changed.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       std::vector<Index> waiting;

@@ -121,7 +121,7 @@ class Layers final : public PairFinder {
       // They lie anywhere.
       if (i + ahead < movers_.size()) __builtin_prefetch(&now.boxes[movers_[i + ahead]]);
       const Aabb& box = now.boxes[movers_[i]];
-      if (!is_empty(box)) flat_movers_.push_back(flat(frame_, box, movers_[i]));
+      if (!is_empty(box)) flat_movers_.push_back(flat_box(frame_, box, movers_[i]));
     }
   }
 
@@ -146,7 +146,7 @@ class Layers final : public PairFinder {
       moving_.build(flat_movers_, PackingOrder::morton);
     else
       sweep_.lay_out(flat_movers_, sweep_axis(flat_movers_));
-    const Chunks chunks(flat_movers_.size(), parts);
+    const EvenParts chunks(flat_movers_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       if (has_moving_tree())

@@ -28,7 +28,7 @@ class LooseOctree final : public PairFinder {
  public:
   PairList find(const BoxesNow& now, PairList storage) override {
     place_all(now.boxes);
-    const Chunks chunks(entries_.size(), parts);
+    const EvenParts chunks(entries_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
@@ -111,10 +111,10 @@ class LooseOctree final : public PairFinder {
       const int level =
           longest <= std::numeric_limits<double>::max() ? std::ilogb(longest) + 1 - exponent_ : most_levels;
       if (level >= most_levels || std::ilogb(longest) > 1000) {
-        large_.push_back(flat(frame, box, number));
+        large_.push_back(flat_box(frame, box, number));
         continue;
       }
-      ordinary_.push_back(flat(frame, box, number));
+      ordinary_.push_back(flat_box(frame, box, number));
       depths_[number] = static_cast<std::uint8_t>(level);
       is_used_[static_cast<std::size_t>(level)] = true;
       entries_.push_back({key_of(place_of_middle(box, level), level), number});

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "math/vec3_coordinates.hpp"
+
 namespace toccata {
 namespace {
-
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 Aabb along(const Aabb& box, std::initializer_list<std::size_t> axes) {
   Aabb shadow = whole_space;
   for (const std::size_t axis : axes) {
-    shadow.lower.*coordinates[axis] = box.lower.*coordinates[axis];
-    shadow.upper.*coordinates[axis] = box.upper.*coordinates[axis];
+    shadow.lower.*vec3_coordinates[axis] = box.lower.*vec3_coordinates[axis];
+    shadow.upper.*vec3_coordinates[axis] = box.upper.*vec3_coordinates[axis];
   }
   return shadow;
 }

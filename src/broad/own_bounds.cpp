@@ -157,7 +157,7 @@ void OwnBounds::judge(std::size_t begin, std::size_t end, std::span<const IndexP
 PairList OwnBounds::cleaned(PairList box_pairs, std::span<const IndexPair> before, const Seen& seen, PairList storage) {
   storage_ = std::exchange(box_pairs_, std::move(box_pairs));
   stays_.resize(box_pairs_.size());
-  const Chunks chunks(box_pairs_.size(), 16);
+  const EvenParts chunks(box_pairs_.size(), 16);
   parallel_for(chunks.parts(), seen.threads,
                [&](std::size_t part) { judge(chunks.begin(part), chunks.end(part), before, seen); });
   storage.clear();

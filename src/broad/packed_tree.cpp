@@ -7,15 +7,16 @@
 #include <fmt/format.h>
 
 #include "broad/method_cells.hpp"
+#include "math/floats.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr std::size_t width = TreeColumns::width;
+constexpr std::size_t node_width = TreeColumns::width;
 
 /// Apart from every box, whose floats are finite.
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr FlatBox nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0};
+constexpr FlatBox nothing{
+    {infinite_float, infinite_float, infinite_float}, {-infinite_float, -infinite_float, -infinite_float}, 0};
 
 /// Two zeros before each of 21 bits.
 std::uint64_t spread(std::uint64_t bits) {
@@ -43,9 +44,9 @@ void sort_along(std::span<const FlatBox> boxes, Places places, std::size_t axis)
 
 /// S. T. Leutenegger, M. A. Lopez, J. Edgington, "STR: a simple and efficient algorithm for R-tree packing", 1997.
 void sort_and_tile(std::span<const FlatBox> boxes, Places places) {
-  const double leaves = std::ceil(static_cast<double>(boxes.size()) / width);
+  const double leaves = std::ceil(static_cast<double>(boxes.size()) / node_width);
   const auto slabs = static_cast<std::size_t>(std::ceil(std::cbrt(leaves)));
-  const std::size_t in_row = slabs * width, in_slab = slabs * in_row;
+  const std::size_t in_row = slabs * node_width, in_slab = slabs * in_row;
   sort_along(boxes, places, 0);
   for (std::size_t slab = 0; slab < places.size(); slab += in_slab) {
     const Places in = places.subspan(slab, std::min(in_slab, places.size() - slab));
@@ -56,14 +57,14 @@ void sort_and_tile(std::span<const FlatBox> boxes, Places places) {
 }
 
 void end_with_nothing(ColumnStore& store, std::size_t size) {
-  for (std::size_t i = size; i < size + width; ++i) store.put(i, nothing);
+  for (std::size_t i = size; i < size + node_width; ++i) store.put(i, nothing);
 }
 
 /// Around those from `first` on; behind the last there are such that count for nothing.
 FlatBox around_sixteen(const BoxColumns& columns, std::size_t first) {
   FlatBox around = nothing;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t i = first; i < first + width; ++i) {
+    for (std::size_t i = first; i < first + node_width; ++i) {
       around.lower[axis] = std::min(around.lower[axis], columns.lower[axis][i]);
       around.upper[axis] = std::max(around.upper[axis], columns.upper[axis][i]);
     }
@@ -106,20 +107,21 @@ void PackedTree::sort_equal(std::vector<Keyed<std::uint64_t>>& equal) {
 PackedTree::Level& PackedTree::first_level(std::size_t size) {
   if (levels_.empty()) levels_.emplace_back();
   levels_.front().size = size;
-  levels_.front().store.resize(size + width);
+  levels_.front().store.resize(size + node_width);
   return levels_.front();
 }
 
 void PackedTree::build_levels() {
   depth_ = 1;
   end_with_nothing(levels_.front().store, levels_.front().size);
-  while (levels_[depth_ - 1].size > width) {
+  while (levels_[depth_ - 1].size > node_width) {
     if (levels_.size() <= depth_) levels_.emplace_back();
     const Level& below = levels_[depth_ - 1];
     Level& level = levels_[depth_];
-    level.size = (below.size + width - 1) / width;
-    level.store.resize(level.size + width);
-    for (std::size_t i = 0; i < level.size; ++i) level.store.put(i, around_sixteen(below.store.columns(), i * width));
+    level.size = (below.size + node_width - 1) / node_width;
+    level.store.resize(level.size + node_width);
+    for (std::size_t i = 0; i < level.size; ++i)
+      level.store.put(i, around_sixteen(below.store.columns(), i * node_width));
     end_with_nothing(level.store, level.size);
     ++depth_;
   }

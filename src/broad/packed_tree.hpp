@@ -35,7 +35,7 @@ class PackedTree {
   void build(const FloatFrame& frame, std::span<const Aabb> boxes, const IsIn& is_in) {
     keyed_.clear();
     keyed_.reserve(boxes.size());
-    const auto box_at = [&](std::uint32_t number) { return flat(frame, boxes[number], number); };
+    const auto box_at = [&](std::uint32_t number) { return flat_box(frame, boxes[number], number); };
     for (std::uint32_t number = 0; number < boxes.size(); ++number)
       if (!is_empty(boxes[number]) && is_in(number)) keyed_.push_back({first_key(box_at(number)), number});
     sort_by_curve(box_at);

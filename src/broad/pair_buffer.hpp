@@ -136,11 +136,12 @@ template <class Stays>
 }
 
 /// Some of the numbers below `count`, split into parts that do not depend on how many threads there are.
-struct Chunks {
+struct EvenParts {
   std::size_t count;
   std::size_t size;
 
-  Chunks(std::size_t all, std::size_t parts) : count(all), size(std::max<std::size_t>(1, (all + parts - 1) / parts)) {}
+  EvenParts(std::size_t all, std::size_t parts)
+      : count(all), size(std::max<std::size_t>(1, (all + parts - 1) / parts)) {}
   [[nodiscard]] std::size_t parts() const { return (count + size - 1) / size; }
   [[nodiscard]] std::size_t begin(std::size_t part) const { return std::min(part * size, count); }
   [[nodiscard]] std::size_t end(std::size_t part) const { return std::min((part + 1) * size, count); }

@@ -13,34 +13,34 @@
 namespace toccata {
 namespace {
 
-struct Known {
+struct KnownMethod {
   BroadPhaseMethod method;
   std::string_view name;
 };
 
 constexpr std::array known_methods{
-    Known{BroadPhaseMethod::automatic, "auto"},
-    Known{BroadPhaseMethod::brute_force, "brute-force"},
-    Known{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
-    Known{BroadPhaseMethod::uniform_grid, "grid"},
-    Known{BroadPhaseMethod::kd_tiles, "kd-tiles"},
-    Known{BroadPhaseMethod::morton_tree, "morton-tree"},
-    Known{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
-    Known{BroadPhaseMethod::r_tree, "r-tree"},
-    Known{BroadPhaseMethod::layers, "layers"},
-    Known{BroadPhaseMethod::dynamic_tree, "dynamic-tree"},
-    Known{BroadPhaseMethod::loose_octree, "loose-octree"},
-    Known{BroadPhaseMethod::incremental_sweep, "incremental-sweep"},
-    Known{BroadPhaseMethod::spatial_hash, "spatial-hash"},
-    Known{BroadPhaseMethod::hierarchical_hash, "hierarchical-hash"},
-    Known{BroadPhaseMethod::interval_sweeps, "interval-sweeps"},
-    Known{BroadPhaseMethod::rectangle_sweeps, "rectangle-sweeps"},
+    KnownMethod{BroadPhaseMethod::automatic, "auto"},
+    KnownMethod{BroadPhaseMethod::brute_force, "brute-force"},
+    KnownMethod{BroadPhaseMethod::sort_and_sweep, "sort-and-sweep"},
+    KnownMethod{BroadPhaseMethod::uniform_grid, "grid"},
+    KnownMethod{BroadPhaseMethod::kd_tiles, "kd-tiles"},
+    KnownMethod{BroadPhaseMethod::morton_tree, "morton-tree"},
+    KnownMethod{BroadPhaseMethod::packed_r_tree, "packed-r-tree"},
+    KnownMethod{BroadPhaseMethod::r_tree, "r-tree"},
+    KnownMethod{BroadPhaseMethod::layers, "layers"},
+    KnownMethod{BroadPhaseMethod::dynamic_tree, "dynamic-tree"},
+    KnownMethod{BroadPhaseMethod::loose_octree, "loose-octree"},
+    KnownMethod{BroadPhaseMethod::incremental_sweep, "incremental-sweep"},
+    KnownMethod{BroadPhaseMethod::spatial_hash, "spatial-hash"},
+    KnownMethod{BroadPhaseMethod::hierarchical_hash, "hierarchical-hash"},
+    KnownMethod{BroadPhaseMethod::interval_sweeps, "interval-sweeps"},
+    KnownMethod{BroadPhaseMethod::rectangle_sweeps, "rectangle-sweeps"},
 };
 
 }  // namespace
 
 std::string_view name_of(BroadPhaseMethod method) {
-  for (const Known& known : known_methods)
+  for (const KnownMethod& known : known_methods)
     if (known.method == method) return known.name;
   return {};
 }
@@ -48,17 +48,18 @@ std::string_view name_of(BroadPhaseMethod method) {
 std::span<const BroadPhaseMethod> broad_phase_methods() {
   static const auto methods = [] {
     std::array<BroadPhaseMethod, known_methods.size()> all{};
-    std::transform(known_methods.begin(), known_methods.end(), all.begin(), [](const Known& k) { return k.method; });
+    std::transform(known_methods.begin(), known_methods.end(), all.begin(),
+                   [](const KnownMethod& k) { return k.method; });
     return all;
   }();
   return methods;
 }
 
 BroadPhaseMethod broad_phase_method(std::string_view name) {
-  for (const Known& known : known_methods)
+  for (const KnownMethod& known : known_methods)
     if (known.name == name) return known.method;
   std::vector<std::string> names;
-  for (const Known& known : known_methods) names.emplace_back(known.name);
+  for (const KnownMethod& known : known_methods) names.emplace_back(known.name);
   throw Error(fmt::format("there is no broad phase '{}'{}", name, suggestion(std::string(name), names)));
 }
 

@@ -19,7 +19,7 @@ class RebuiltTree final : public PairFinder {
       tree_.build(frame_, now.boxes, [](Index) { return true; });
     else
       build_tiles(now.boxes);
-    const Chunks chunks(tree_.size(), parts);
+    const EvenParts chunks(tree_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       tree_.add_pairs(now.boxes.data(), chunks.begin(part), chunks.end(part), found_[part]);
@@ -45,7 +45,7 @@ class RebuiltTree final : public PairFinder {
   void build_tiles(std::span<const Aabb> boxes) {
     flat_.clear();
     for (Index number = 0; number < boxes.size(); ++number)
-      if (!is_empty(boxes[number])) flat_.push_back(flat(frame_, boxes[number], number));
+      if (!is_empty(boxes[number])) flat_.push_back(flat_box(frame_, boxes[number], number));
     tree_.build(flat_, order_);
   }
 

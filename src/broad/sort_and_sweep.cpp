@@ -18,9 +18,9 @@ class SortAndSweep final : public PairFinder {
     flat_.clear();
     flat_.reserve(now.boxes.size());
     for (Index number = 0; number < now.boxes.size(); ++number)
-      if (!is_empty(now.boxes[number])) flat_.push_back(flat(frame, now.boxes[number], number));
+      if (!is_empty(now.boxes[number])) flat_.push_back(flat_box(frame, now.boxes[number], number));
     sweep_.lay_out(flat_, sweep_axis(flat_));
-    const Chunks chunks(sweep_.size(), parts);
+    const EvenParts chunks(sweep_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       found_[part].clear(now.wanted);
       sweep_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);

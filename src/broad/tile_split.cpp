@@ -25,13 +25,13 @@ std::array<double, 3> widths_of(std::span<const FlatBox> sample) {
   return widths;
 }
 
-struct Cut {
+struct TileCut {
   std::size_t axis;
   double slabs;
 };
 
 /// Along the axis that is to be cut into most slabs, when `tiles` in all are to be as wide along each.
-Cut best_cut(const std::array<double, 3>& widths, double tiles) {
+TileCut best_cut(const std::array<double, 3>& widths, double tiles) {
   std::array<bool, 3> used{true, true, true};
   for (int round = 0; round < 3; ++round) {
     double product = 1;
@@ -66,7 +66,7 @@ TileSplit::TileSplit(std::span<FlatBox> sample, std::size_t count, std::size_t t
   cuts_.fill(std::numeric_limits<float>::infinity());
   if (count <= tile_size || sample.empty()) return;
   const std::array<double, 3> widths = widths_of(sample);
-  const Cut cut = best_cut(widths, static_cast<double>(count) / static_cast<double>(tile_size));
+  const TileCut cut = best_cut(widths, static_cast<double>(count) / static_cast<double>(tile_size));
   axis_ = cut.axis;
   const double wanted = std::min(std::ceil(cut.slabs - 0.25), 1 + most_shared * widths[axis_]);
   const auto slabs = static_cast<std::size_t>(std::clamp(wanted, 1.0, double{most_slabs}));

@@ -49,7 +49,7 @@ class CellAxis {
   double last_ = 0;
 };
 
-struct Cell {
+struct CellNumbers {
   std::uint32_t x, y, z;
 };
 
@@ -80,7 +80,7 @@ class GridPlan {
 
   [[nodiscard]] double cell_count() const { return 1.0 * axes_[0].cells() * axes_[1].cells() * axes_[2].cells(); }
   [[nodiscard]] std::uint32_t cells(std::size_t axis) const { return axes_[axis].cells(); }
-  [[nodiscard]] Cell cell_of(const Vec3& point) const {
+  [[nodiscard]] CellNumbers cell_of(const Vec3& point) const {
     return {axes_[0].cell_of(point.x), axes_[1].cell_of(point.y), axes_[2].cell_of(point.z)};
   }
   [[nodiscard]] Aabb box_of(std::uint32_t key) const {
@@ -88,7 +88,7 @@ class GridPlan {
                z = axes_[2].ends_of(key % cells(2));
     return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
   }
-  [[nodiscard]] std::uint32_t key_of(const Cell& cell) const {
+  [[nodiscard]] std::uint32_t key_of(const CellNumbers& cell) const {
     return (cell.x * cells(1) + cell.y) * cells(2) + cell.z;
   }
 
@@ -97,13 +97,13 @@ class GridPlan {
 };
 
 /// Whether a box that begins in one cell and ends in another reaches no farther than the neighbours'.
-bool is_ordinary(const Cell& from, const Cell& to) {
+bool is_ordinary(const CellNumbers& from, const CellNumbers& to) {
   return (to.x - from.x) <= 1 && (to.y - from.y) <= 1 && (to.z - from.z) <= 1;
 }
 
 /// Every box lies in the cell of its lower corner, sorted by counting; boxes of neighbouring cells are compared. The
 /// few that are larger than cells are compared with all cells that they reach, and swept among themselves.
-class UniformGrid final : public PairFinder {
+class GridFinder final : public PairFinder {
  public:
   PairList find(const BoxesNow& now, PairList storage) override {
     const BoxSample sample(now.boxes);
@@ -151,7 +151,7 @@ class UniformGrid final : public PairFinder {
     buckets_ = (cells >> bucket_shift_) + 1;
     keys_.resize(now.boxes.size());
     places_.assign(parts * buckets_, 0);
-    const Chunks chunks(now.boxes.size(), parts);
+    const EvenParts chunks(now.boxes.size(), parts);
     parallel_for(parts, now.threads,
                  [&](std::size_t part) { find_keys(now.boxes, chunks.begin(part), chunks.end(part), part); });
     place_buckets();
@@ -168,7 +168,7 @@ class UniformGrid final : public PairFinder {
       const Aabb& box = boxes[number];
       keys_[number] = no_key;
       if (is_empty(box)) continue;
-      const Cell from = plan_.cell_of(box.lower), to = plan_.cell_of(box.upper);
+      const CellNumbers from = plan_.cell_of(box.lower), to = plan_.cell_of(box.upper);
       keys_[number] = large_key;
       if (!is_ordinary(from, to)) continue;
       const std::uint32_t key = plan_.key_of(from);
@@ -211,7 +211,7 @@ class UniformGrid final : public PairFinder {
       __builtin_prefetch(later);
       __builtin_prefetch(&later->upper.z);
       const Index number = entries_[i].number;
-      store_.put(place[entries_[i].key - first]++, flat(frame_, boxes[number], number));
+      store_.put(place[entries_[i].key - first]++, flat_box(frame_, boxes[number], number));
     }
   }
 
@@ -220,7 +220,7 @@ class UniformGrid final : public PairFinder {
         {store_.columns(), now.boxes.data()}, starts_.data(), plan_.cells(0), plan_.cells(1), plan_.cells(2)};
     const auto cells = static_cast<std::size_t>(plan_.cell_count());
     // The cells of every part hold as many boxes.
-    const Chunks chunks(entries_.size(), parts);
+    const EvenParts chunks(entries_.size(), parts);
     const auto cell_at = [&](std::size_t place) {
       return place == 0 ? 0
              : place >= entries_.size()
@@ -241,10 +241,10 @@ class UniformGrid final : public PairFinder {
     large_boxes_.clear();
     for (std::size_t number = 0; number < keys_.size(); ++number)
       if (keys_[number] == large_key)
-        large_boxes_.push_back(flat(frame_, now.boxes[number], static_cast<Index>(number)));
+        large_boxes_.push_back(flat_box(frame_, now.boxes[number], static_cast<Index>(number)));
     if (large_boxes_.empty()) return;
     large_.lay_out(large_boxes_, sweep_axis(large_boxes_));
-    const Chunks chunks(large_boxes_.size(), parts);
+    const EvenParts chunks(large_boxes_.size(), parts);
     parallel_for(parts, now.threads, [&](std::size_t part) {
       large_.add_pairs(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
       for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
@@ -256,8 +256,8 @@ class UniformGrid final : public PairFinder {
   void compare_with_cells(const BoxesNow& now, const FlatBox& box, PairBuffer& pairs) const {
     const LaidOut laid{store_.columns(), now.boxes.data()};
     const auto before = [](std::uint32_t cell) { return cell == 0 ? 0 : cell - 1; };
-    const Cell low = plan_.cell_of(now.boxes[box.number].lower), to = plan_.cell_of(now.boxes[box.number].upper);
-    const Cell from{before(low.x), before(low.y), before(low.z)};
+    const CellNumbers low = plan_.cell_of(now.boxes[box.number].lower), to = plan_.cell_of(now.boxes[box.number].upper);
+    const CellNumbers from{before(low.x), before(low.y), before(low.z)};
     const std::size_t rows = std::size_t{to.x - from.x + 1} * (to.y - from.y + 1);
     if (rows > entries_.size() / 16) return add_overlaps_with(laid, box, 0, entries_.size(), pairs);
     for (std::uint32_t x = from.x; x <= to.x; ++x)
@@ -284,6 +284,6 @@ class UniformGrid final : public PairFinder {
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_uniform_grid() { return std::make_unique<UniformGrid>(); }
+std::unique_ptr<PairFinder> make_uniform_grid() { return std::make_unique<GridFinder>(); }
 
 }  // namespace toccata

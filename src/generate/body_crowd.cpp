@@ -1,4 +1,5 @@
 #include "toccata/generate/body_crowd.hpp"
+#include "generate/random_vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,6 @@
 
 namespace toccata {
 namespace {
-
-Vec3 vector_between(Random& random, double low, double high) {
-  const double x = random.between(low, high), y = random.between(low, high), z = random.between(low, high);
-  return {x, y, z};
-}
 
 ConvexHull random_hull(Random& random) {
   std::vector<Vec3> points(20);

@@ -1,4 +1,5 @@
 #include "toccata/generate/crowds.hpp"
+#include "generate/random_vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,6 @@
 
 namespace toccata {
 namespace {
-
-Vec3 vector_between(Random& random, double low, double high) {
-  const double x = random.between(low, high), y = random.between(low, high), z = random.between(low, high);
-  return {x, y, z};
-}
 
 Vec3 times(const Vec3& a, const Vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 

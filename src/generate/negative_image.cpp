@@ -2,18 +2,15 @@
 #include <utility>
 
 #include "generate/mesh_building.hpp"
+#include "toccata/bounds/aabb.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 
 namespace toccata {
 namespace {
 
-struct Corners {
-  Vec3 lower, upper;
-};
-
-Corners box_around(const TriangleMesh& mesh) {
-  Corners box{mesh.vertices()[0], mesh.vertices()[0]};
+Aabb box_around(const TriangleMesh& mesh) {
+  Aabb box{mesh.vertices()[0], mesh.vertices()[0]};
   for (const Vec3& p : mesh.vertices())
     for (int axis = 0; axis < 3; ++axis) {
       box.lower[axis] = std::min(box.lower[axis], p[axis]);
@@ -26,7 +23,7 @@ Corners box_around(const TriangleMesh& mesh) {
 
 TriangleMesh negative_image(const TriangleMesh& mesh, double margin) {
   require_range("the margin", margin, 1e-300, 1e300);
-  const Corners box = box_around(mesh);
+  const Aabb box = box_around(mesh);
   const Vec3 half = 0.5 * (box.upper - box.lower) + Vec3{margin, margin, margin};
   const TriangleMesh outside = box_mesh(half, box.lower + 0.5 * (box.upper - box.lower));
   std::vector<Vec3> vertices(outside.vertices().begin(), outside.vertices().end());

@@ -15,12 +15,12 @@ namespace toccata {
 namespace {
 
 /// A kind of part: what people call it, and its mesh, about 1 in radius.
-struct Kind {
+struct PartKind {
   const char* name;
   SharedMesh mesh;
 };
 
-std::vector<Kind> kinds_of_parts() {
+std::vector<PartKind> kinds_of_parts() {
   return {{"block", shared(box_mesh({0.7, 0.5, 0.6}))},
           {"roller", shared(prism_mesh(0.6, 1.5, 20))},
           {"ball", shared(icosphere_mesh(0.9, 2))},
@@ -73,12 +73,12 @@ Pose shelved(const TriangleMesh& mesh, double size, double degrees, const Vec3& 
 Scene shelf_of_parts(std::uint64_t seed) {
   constexpr int crate_slot = 13, standing_slot = 26, clash_slot = 34;
   Random random(seed);
-  const std::vector<Kind> kinds = kinds_of_parts();
+  const std::vector<PartKind> kinds = kinds_of_parts();
   Scene scene;
   add_frame(scene);
   for (int i = 0; i < boards * parts_per_board; ++i) {
     const int board = i / parts_per_board;
-    const Kind& kind = kinds[random.below(kinds.size())];
+    const PartKind& kind = kinds[random.below(kinds.size())];
     const double size = random.between(0.05, 0.075), degrees = random.between(0, 360);
     Vec3 place{place_along(i % parts_per_board), 0, top_of(board)};
     if (i == standing_slot) {
@@ -103,13 +103,13 @@ Scene shelf_of_parts(std::uint64_t seed) {
 
 Scene many_parts(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  const std::vector<Kind> kinds = kinds_of_parts();
+  const std::vector<PartKind> kinds = kinds_of_parts();
   // About 16 units of room for each part; found by multiplying, as cube roots differ between platforms.
   double side = 4;
   while (side * side * side < 16 * static_cast<double>(count)) side *= 1.125;
   Scene scene;
   for (std::size_t i = 0; i < count; ++i) {
-    const Kind& kind = kinds[random.below(kinds.size())];
+    const PartKind& kind = kinds[random.below(kinds.size())];
     const Mat3 rotation = random_rotation(random);
     const double x = random.between(0, side), y = random.between(0, side), z = random.between(0, side);
     add(scene, fmt::format("{} {}", kind.name, i + 1), kind.mesh, {rotation, {x, y, z}});

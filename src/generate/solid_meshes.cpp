@@ -12,13 +12,14 @@
 namespace toccata {
 namespace {
 
-constexpr double least_length = std::numeric_limits<double>::denorm_min();
-constexpr double greatest_length = 1e300;
+constexpr double least_solid_length = std::numeric_limits<double>::denorm_min();
+constexpr double greatest_solid_length = 1e300;
 
 }  // namespace
 
 TriangleMesh box_mesh(const Vec3& half, const Vec3& centre) {
-  for (int axis = 0; axis < 3; ++axis) require_range("a half extent", half[axis], least_length, greatest_length);
+  for (int axis = 0; axis < 3; ++axis)
+    require_range("a half extent", half[axis], least_solid_length, greatest_solid_length);
   PolygonMesh mesh;
   for (int corner = 0; corner < 8; ++corner)
     mesh.vertices.push_back(
@@ -30,20 +31,20 @@ TriangleMesh box_mesh(const Vec3& half, const Vec3& centre) {
 }
 
 TriangleMesh tetrahedron_mesh(double half_edge) {
-  require_range("the half edge", half_edge, least_length, greatest_length);
+  require_range("the half edge", half_edge, least_solid_length, greatest_solid_length);
   const double h = half_edge;
   return {{{h, h, h}, {h, -h, -h}, {-h, h, -h}, {-h, -h, h}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
 }
 
 TriangleMesh icosphere_mesh(double radius, int subdivisions) {
-  require_range("the radius", radius, least_length, greatest_length);
+  require_range("the radius", radius, least_solid_length, greatest_solid_length);
   SubdividedSphere sphere = subdivided_sphere(subdivisions);
   for (Vec3& v : sphere.directions) v = radius * v;
   return {std::move(sphere.directions), std::move(sphere.triangles)};
 }
 
 TriangleMesh uv_sphere_mesh(double radius, int around, int along) {
-  require_range("the radius", radius, least_length, greatest_length);
+  require_range("the radius", radius, least_solid_length, greatest_solid_length);
   require_range("the number of meridians", around, 3, 10000);
   require_range("the number of steps from pole to pole", along, 2, 10000);
   PolygonMesh mesh;
@@ -68,7 +69,7 @@ TriangleMesh uv_sphere_mesh(double radius, int around, int along) {
 }
 
 TriangleMesh extruded_mesh(std::span<const Vec2> outline, double height) {
-  require_range("the height", height, least_length, greatest_length);
+  require_range("the height", height, least_solid_length, greatest_solid_length);
   const Index n = static_cast<Index>(outline.size());
   PolygonMesh mesh;
   std::vector<Index> floor, roof;
@@ -85,7 +86,7 @@ TriangleMesh extruded_mesh(std::span<const Vec2> outline, double height) {
 }
 
 TriangleMesh prism_mesh(double radius, double height, int sides) {
-  require_range("the radius", radius, least_length, greatest_length);
+  require_range("the radius", radius, least_solid_length, greatest_solid_length);
   require_range("the number of sides", sides, 3, 100000);
   std::vector<Vec2> outline;
   for (int i = 0; i < sides; ++i) {
@@ -97,8 +98,8 @@ TriangleMesh prism_mesh(double radius, double height, int sides) {
 
 TriangleMesh gear_mesh(const GearShape& shape) {
   require_range("the number of teeth", shape.teeth, 3, 10000);
-  require_range("the root radius", shape.root_radius, least_length, greatest_length);
-  require_range("the tip radius", shape.tip_radius, shape.root_radius, greatest_length);
+  require_range("the root radius", shape.root_radius, least_solid_length, greatest_solid_length);
+  require_range("the tip radius", shape.tip_radius, shape.root_radius, greatest_solid_length);
   require_range("the share of a tooth at its root", shape.tooth_root, 0.01, 0.99);
   require_range("the share of a tooth at its tip", shape.tooth_tip, 0.01, 0.99);
   std::vector<Vec2> outline;

@@ -7,11 +7,11 @@
 namespace toccata {
 namespace {
 
-constexpr double least_length = 1e-300;
-constexpr double greatest_length = 1e100;
+constexpr double least_tube_length = 1e-300;
+constexpr double greatest_tube_length = 1e100;
 
 void require_tube(double tube_radius, int steps, int sides) {
-  require_range("the tube radius", tube_radius, least_length, greatest_length);
+  require_range("the tube radius", tube_radius, least_tube_length, greatest_tube_length);
   require_range("the number of steps along the tube", steps, 3, 1e6);
   require_range("the number of sides of the tube", sides, 3, 10000);
 }
@@ -76,7 +76,7 @@ Rings helix_rings(const HelixShape& shape, const std::vector<SectionPoint>& sect
 
 TriangleMesh torus_mesh(const TorusShape& shape) {
   require_tube(shape.tube_radius, shape.around, shape.sides);
-  require_range("the radius", shape.radius, shape.tube_radius, greatest_length);
+  require_range("the radius", shape.radius, shape.tube_radius, greatest_tube_length);
   Rings rings;
   rings.per_ring = shape.sides;
   for (int k = 0; k < shape.around; ++k) {
@@ -95,8 +95,8 @@ TriangleMesh torus_knot_mesh(const TorusKnotShape& shape) {
   require_tube(shape.tube_radius, shape.around, shape.sides);
   require_range("p", shape.p, 1, 1000);
   require_range("q", shape.q, 1, 1000);
-  require_range("the second radius", shape.second_radius, least_length, greatest_length);
-  require_range("the radius", shape.radius, shape.second_radius, greatest_length);
+  require_range("the second radius", shape.second_radius, least_tube_length, greatest_tube_length);
+  require_range("the radius", shape.radius, shape.second_radius, greatest_tube_length);
   Rings rings;
   rings.per_ring = shape.sides;
   for (int k = 0; k < shape.around; ++k) {
@@ -112,8 +112,8 @@ TriangleMesh helix_mesh(const HelixShape& shape) {
   require_tube(shape.tube_radius, shape.steps_per_turn, shape.sides);
   require_range("the number of sides, in fours,", shape.sides % 4, 0, 0);
   require_range("the number of turns", shape.turns, 1, 1000);
-  require_range("the radius", shape.radius, 1.1 * shape.tube_radius, greatest_length);
-  require_range("the pitch", shape.pitch, 2 * shape.tube_radius, greatest_length);
+  require_range("the radius", shape.radius, 1.1 * shape.tube_radius, greatest_tube_length);
+  require_range("the pitch", shape.pitch, 2 * shape.tube_radius, greatest_tube_length);
   const std::vector<SectionPoint> section = helix_section(shape);
   Rings rings = helix_rings(shape, section);
   PolygonMesh mesh;

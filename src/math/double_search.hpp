@@ -25,26 +25,26 @@ inline double of_rank(std::int64_t rank) {
 /// (x + y) / 2, for finite x and y.
 template <class Compare>
 double greatest_double_below(const Compare& compare, double guess) {
-  const std::int64_t infinity = rank_of(infinity);
-  const auto twice = [&](std::int64_t step) { return step < infinity / 2 ? 2 * step : infinity; };
+  const std::int64_t end = rank_of(infinity);
+  const auto twice = [&](std::int64_t step) { return step < end / 2 ? 2 * step : end; };
   const auto reaches = [&](std::int64_t rank) {
-    if (rank <= -infinity || rank >= infinity) return rank < 0;
+    if (rank <= -end || rank >= end) return rank < 0;
     return compare(of_rank(rank), of_rank(rank)) != Sign::negative;
   };
   // Steps away from the guess are doubled until the number lies between two ranks, which are then halved.
   std::int64_t below = std::isnan(guess) ? 0 : rank_of(guess), step = 1;
   if (!reaches(below)) {
     do {
-      below = below < step - infinity ? -infinity : below - step;
+      below = below < step - end ? -end : below - step;
       step = twice(step);
     } while (!reaches(below));
     step /= 2;
   }
-  std::int64_t above = below > infinity - step ? infinity : below + step;
+  std::int64_t above = below > end - step ? end : below + step;
   while (reaches(above)) {
     below = above;
     step = twice(step);
-    above = below > infinity - step ? infinity : below + step;
+    above = below > end - step ? end : below + step;
   }
   while (above - below > 1) {
     const std::int64_t middle = below + (above - below) / 2;

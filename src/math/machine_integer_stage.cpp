@@ -47,11 +47,11 @@ class CommonScale {
 };
 
 /// a·d − b·c.
-Int128 determinant(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+Int128 determinant_of_integers(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
   return static_cast<Int128>(a) * d - static_cast<Int128>(b) * c;
 }
 
-Sign sign_of(Int128 value) { return static_cast<Sign>((value > 0) - (value < 0)); }
+Sign sign_of_machine_integer(Int128 value) { return static_cast<Sign>((value > 0) - (value < 0)); }
 
 /// A sum of at most three products of an integer up to 2^123 and one up to 2^61, in two parts: high · 2^64 + low. The
 /// low part of a factor is below 2^64, so `low` stays below 3 · 2^125.
@@ -63,7 +63,8 @@ class WideSum {
   }
 
   [[nodiscard]] Sign sign() const {
-    const Sign upper = sign_of(high_ + (low_ >> 64));  // rounded down, so what is left of `low` is not negative
+    const Sign upper =
+        sign_of_machine_integer(high_ + (low_ >> 64));  // rounded down, so what is left of `low` is not negative
     if (upper != Sign::zero) return upper;
     return static_cast<std::uint64_t>(low_) != 0 ? Sign::positive : Sign::zero;
   }
@@ -78,7 +79,8 @@ class WideSum {
 std::optional<Sign> orient2d_by_machine_integers(const Vec2& a, const Vec2& b, const Vec2& c) {
   const CommonScale<3> x({a.x, b.x, c.x}), y({a.y, b.y, c.y});
   if (!x.fits() || !y.fits()) return std::nullopt;
-  return sign_of(determinant(x.difference(1, 0), y.difference(1, 0), x.difference(2, 0), y.difference(2, 0)));
+  return sign_of_machine_integer(
+      determinant_of_integers(x.difference(1, 0), y.difference(1, 0), x.difference(2, 0), y.difference(2, 0)));
 }
 
 std::optional<Sign> triple_product_sign_by_machine_integers(const Difference& u, const Difference& v,
@@ -89,7 +91,7 @@ std::optional<Sign> triple_product_sign_by_machine_integers(const Difference& u,
   const CommonScale<6> x = along(&Vec3::x), y = along(&Vec3::y), z = along(&Vec3::z);
   if (!x.fits() || !y.fits() || !z.fits()) return std::nullopt;
   const auto minor = [](const CommonScale<6>& p, const CommonScale<6>& q) {
-    return determinant(p.difference(0, 1), q.difference(0, 1), p.difference(2, 3), q.difference(2, 3));
+    return determinant_of_integers(p.difference(0, 1), q.difference(0, 1), p.difference(2, 3), q.difference(2, 3));
   };
   WideSum sum;
   sum.add_product(minor(y, z), x.difference(4, 5));

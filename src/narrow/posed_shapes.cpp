@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/pose_checks.hpp"
 
@@ -16,8 +17,6 @@ void require_ball(const Pose& pose, std::string_view who) {
   require_finite(pose, who);
   require_undeformed(pose, who);
 }
-
-double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
 
 /// A corner is rounded once in its own frame, and in the world three times in each product and twice more: eight times
 /// 2^-53 of the magnitudes that meet in a coordinate. The formulas' centre and half axes are rounded as often. Summed

@@ -12,9 +12,9 @@ namespace toccata {
 namespace {
 
 template <std::size_t D>
-class Walk {
+class GridWalk {
  public:
-  Walk(const GridCells<D>& cells, const std::array<double, D>& from, const std::array<double, D>& to)
+  GridWalk(const GridCells<D>& cells, const std::array<double, D>& from, const std::array<double, D>& to)
       : cells_(cells), from_(from), to_(to), cell_(cell_of(from)), end_(cell_of(to)) {}
 
   void run(FunctionRef<bool(const GridCell<D>&)> found) {
@@ -41,7 +41,7 @@ class Walk {
   /// Whether the next plane of `a` is passed before that of `b`: negative. From the line's side on which the corner of
   /// the two planes lies.
   [[nodiscard]] Sign order(std::size_t a, std::size_t b) const {
-    const Sign side = orient2d({from_[a], from_[b]}, {to_[a], to_[b]}, {next_plane(a), next_plane(b)});
+    const Sign side = orient2d(Vec2{from_[a], from_[b]}, Vec2{to_[a], to_[b]}, Vec2{next_plane(a), next_plane(b)});
     return rises(a) == rises(b) ? -side : side;
   }
   /// A cell holds its lower planes: at the same moment, upward steps come before downward ones.
@@ -76,7 +76,7 @@ class Walk {
 template <std::size_t D>
 void walk_cells(const GridCells<D>& cells, const std::array<double, D>& from, const std::array<double, D>& to,
                 FunctionRef<bool(const GridCell<D>&)> found) {
-  Walk<D>(cells, from, to).run(found);
+  GridWalk<D>(cells, from, to).run(found);
 }
 
 template void walk_cells(const GridCells<2>&, const std::array<double, 2>&, const std::array<double, 2>&,

@@ -26,7 +26,7 @@ double relative_area(const Aabb& part, const Aabb& whole) {
   return all > 0 ? area(part) / all : 0.5;
 }
 
-struct Cut {
+struct AxisCut {
   int axis = 0;
   double at = 0;
   double cost = infinity;
@@ -50,8 +50,8 @@ class Cuts {
     count_ = items.size();
   }
 
-  [[nodiscard]] Cut best() const {
-    Cut best;
+  [[nodiscard]] AxisCut best() const {
+    AxisCut best;
     std::size_t below = 0, not_above = 0;
     for (std::size_t i = 1; i < intervals; ++i) {
       below += begins_[i - 1];
@@ -85,9 +85,9 @@ class Cuts {
 };
 
 std::vector<Aabb> cut_by_area(const Aabb& box, std::span<const Index> items, std::span<const Aabb> boxes) {
-  Cut best;
+  AxisCut best;
   for (int axis = 0; axis < 3; ++axis)
-    if (const Cut cut = Cuts(box, axis, items, boxes).best(); cut.cost < best.cost) best = cut;
+    if (const AxisCut cut = Cuts(box, axis, items, boxes).best(); cut.cost < best.cost) best = cut;
   if (!(best.cost < static_cast<double>(items.size()))) return {};
   const auto [low, high] = halves(box, best.axis, best.at);
   return {low, high};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bounds/point_clouds.hpp"
 #include "math/constants.hpp"
 
 namespace toccata {
@@ -69,13 +70,11 @@ std::array<Sharing, 2> sharings(std::span<const Aabb> boxes, int axis) {
   return {by(&Aabb::lower, &Aabb::upper), by(&Aabb::upper, &Aabb::lower)};
 }
 
-Vec3 middle_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
-
 /// Of the middles that are numbers.
 int widest_axis(std::span<const Aabb> boxes, std::span<const Index> numbers) {
   Aabb middles;
   for (const Index number : numbers)
-    if (const Vec3 middle = middle_of(boxes[number]); is_finite(middle)) middles = merge(middles, middle);
+    if (const Vec3 middle = centre_of(boxes[number]); is_finite(middle)) middles = merge(middles, middle);
   const Vec3 spread = 0.5 * middles.upper - 0.5 * middles.lower;
   if (spread.x >= spread.y) return spread.x >= spread.z ? 0 : 2;
   return spread.y >= spread.z ? 1 : 2;
@@ -87,7 +86,7 @@ void halve(std::span<const Aabb> boxes, std::span<Index> numbers, std::span<cons
   const std::span<Index> mine = numbers.subspan(tiles.front(), tiles.back() - tiles.front());
   const int axis = widest_axis(boxes, mine);
   const auto key = [&](Index number) {
-    const double at = middle_of(boxes[number])[axis];
+    const double at = centre_of(boxes[number])[axis];
     return std::pair(std::isnan(at) ? infinity : at, number);
   };
   std::nth_element(mine.begin(), mine.begin() + static_cast<std::ptrdiff_t>(tiles[half] - tiles.front()), mine.end(),

@@ -27,21 +27,21 @@ ContactCount count_of(std::span<const Contact> contacts, std::vector<std::pair<I
 
 // The questions, each of two models, a query about them and a workspace. Every one is asked in two forms.
 
-struct AskOverlap {
+struct AskOverlapOfModels {
   using Answer = char;  // and no bit, because the threads write neighbours
   char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return overlap(a, b, query, workspace) ? 1 : 0;
   }
 };
 
-struct AskRelation {
+struct AskRelationOfModels {
   using Answer = Relation;
   Relation operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return relation(a, b, query, workspace);
   }
 };
 
-struct AskContacts {
+struct AskContactsOfModels {
   using Answer = std::vector<Contact>;
   Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     const auto found = contacts(a, b, query, workspace);
@@ -49,28 +49,28 @@ struct AskContacts {
   }
 };
 
-struct AskContactCount {
+struct AskContactCountOfModels {
   using Answer = ContactCount;
   ContactCount operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return count_of(contacts(a, b, query, workspace), workspace.scratch().faces);
   }
 };
 
-struct AskContactRegions {
+struct AskContactRegionsOfModels {
   using Answer = std::vector<ContactRegion>;
   Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return contact_regions(a, b, query, workspace);
   }
 };
 
-struct AskDistance {
+struct AskDistanceOfModels {
   using Answer = Distance;
   Distance operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return distance(a, b, query, workspace);
   }
 };
 
-struct AskCloserThan {
+struct AskCloserThanOfModels {
   using Answer = char;
   char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return closer_than(a, b, tolerance, query, workspace) ? 1 : 0;
@@ -78,7 +78,7 @@ struct AskCloserThan {
   double tolerance;
 };
 
-struct AskDistanceWithin {
+struct AskDistanceWithinOfModels {
   using Answer = std::optional<Distance>;
   Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return distance_within(a, b, limit, query, workspace);
@@ -86,21 +86,21 @@ struct AskDistanceWithin {
   double limit;
 };
 
-struct AskPenetration {
+struct AskPenetrationOfModels {
   using Answer = Penetration;
   Penetration operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return penetration(a, b, query, workspace);
   }
 };
 
-struct AskManifold {
+struct AskManifoldOfModels {
   using Answer = Manifold;
   Manifold operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
     return manifold(a, b, query, workspace);
   }
 };
 
-struct AskCast {
+struct AskCastOfModels {
   using Answer = ShapeHit;
   ShapeHit operator()(const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) const {
     return cast_shape(a, query.motion, b, query.poses, workspace);
@@ -174,105 +174,105 @@ std::vector<bool> as_bits(const std::vector<char>& bytes) { return {bytes.begin(
 
 std::vector<bool> overlap_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                const BatchOptions& options) {
-  return as_bits(ask_at_poses<AskOverlap>(a, b, queries, options));
+  return as_bits(ask_at_poses<AskOverlapOfModels>(a, b, queries, options));
 }
 
 std::vector<bool> overlap_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return as_bits(ask_of_pairs<AskOverlap>(pairs, options));
+  return as_bits(ask_of_pairs<AskOverlapOfModels>(pairs, options));
 }
 
 std::vector<Relation> relation_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                     const BatchOptions& options) {
-  return ask_at_poses<AskRelation>(a, b, queries, options);
+  return ask_at_poses<AskRelationOfModels>(a, b, queries, options);
 }
 
 std::vector<Relation> relation_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskRelation>(pairs, options);
+  return ask_of_pairs<AskRelationOfModels>(pairs, options);
 }
 
 std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                                 const BatchOptions& options) {
-  return ask_at_poses<AskContacts>(a, b, queries, options);
+  return ask_at_poses<AskContactsOfModels>(a, b, queries, options);
 }
 
 std::vector<std::vector<Contact>> contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskContacts>(pairs, options);
+  return ask_of_pairs<AskContactsOfModels>(pairs, options);
 }
 
 std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                               const BatchOptions& options) {
-  return ask_at_poses<AskContactCount>(a, b, queries, options);
+  return ask_at_poses<AskContactCountOfModels>(a, b, queries, options);
 }
 
 std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskContactCount>(pairs, options);
+  return ask_of_pairs<AskContactCountOfModels>(pairs, options);
 }
 
 std::vector<std::vector<ContactRegion>> contact_regions_each(const Model& a, const Model& b,
                                                              std::span<const PairQuery> queries,
                                                              const BatchOptions& options) {
-  return ask_at_poses<AskContactRegions>(a, b, queries, options);
+  return ask_at_poses<AskContactRegionsOfModels>(a, b, queries, options);
 }
 
 std::vector<std::vector<ContactRegion>> contact_regions_each(std::span<const ModelPair> pairs,
                                                              const BatchOptions& options) {
-  return ask_of_pairs<AskContactRegions>(pairs, options);
+  return ask_of_pairs<AskContactRegionsOfModels>(pairs, options);
 }
 
 std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                     const BatchOptions& options) {
-  return ask_at_poses<AskDistance>(a, b, queries, options);
+  return ask_at_poses<AskDistanceOfModels>(a, b, queries, options);
 }
 
 std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskDistance>(pairs, options);
+  return ask_of_pairs<AskDistanceOfModels>(pairs, options);
 }
 
 std::vector<bool> closer_than_each(const Model& a, const Model& b, double tolerance, std::span<const PairQuery> queries,
                                    const BatchOptions& options) {
-  return as_bits(ask_at_poses(a, b, queries, options, AskCloserThan{tolerance}));
+  return as_bits(ask_at_poses(a, b, queries, options, AskCloserThanOfModels{tolerance}));
 }
 
 std::vector<bool> closer_than_each(std::span<const ModelPair> pairs, double tolerance, const BatchOptions& options) {
-  return as_bits(ask_of_pairs(pairs, options, AskCloserThan{tolerance}));
+  return as_bits(ask_of_pairs(pairs, options, AskCloserThanOfModels{tolerance}));
 }
 
 std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
                                                           std::span<const PairQuery> queries,
                                                           const BatchOptions& options) {
-  return ask_at_poses(a, b, queries, options, AskDistanceWithin{limit});
+  return ask_at_poses(a, b, queries, options, AskDistanceWithinOfModels{limit});
 }
 
 std::vector<std::optional<Distance>> distance_within_each(std::span<const ModelPair> pairs, double limit,
                                                           const BatchOptions& options) {
-  return ask_of_pairs(pairs, options, AskDistanceWithin{limit});
+  return ask_of_pairs(pairs, options, AskDistanceWithinOfModels{limit});
 }
 
 std::vector<Penetration> penetration_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                           const BatchOptions& options) {
-  return ask_at_poses<AskPenetration>(a, b, queries, options);
+  return ask_at_poses<AskPenetrationOfModels>(a, b, queries, options);
 }
 
 std::vector<Penetration> penetration_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskPenetration>(pairs, options);
+  return ask_of_pairs<AskPenetrationOfModels>(pairs, options);
 }
 
 std::vector<Manifold> manifold_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
                                     const BatchOptions& options) {
-  return ask_at_poses<AskManifold>(a, b, queries, options);
+  return ask_at_poses<AskManifoldOfModels>(a, b, queries, options);
 }
 
 std::vector<Manifold> manifold_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskManifold>(pairs, options);
+  return ask_of_pairs<AskManifoldOfModels>(pairs, options);
 }
 
 std::vector<ShapeHit> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
                                       const BatchOptions& options) {
-  return ask_at_poses<AskCast>(a, b, queries, options);
+  return ask_at_poses<AskCastOfModels>(a, b, queries, options);
 }
 
 std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskCast>(pairs, options);
+  return ask_of_pairs<AskCastOfModels>(pairs, options);
 }
 
 std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {

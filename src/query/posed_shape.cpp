@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -18,17 +17,16 @@
 namespace toccata {
 namespace {
 
-constexpr double most = std::numeric_limits<double>::max();
-
 /// The least double that is not less than a + b; what overflows ends at the greatest, as all coordinates do.
-double sum_not_less(double a, double b) {
+double clamped_sum_not_less(double a, double b) {
   const TwoPart sum = two_sum(a, b);
   const bool is_exact_or_above = sum.low <= 0;  // false also for what overflowed
-  return std::clamp(is_exact_or_above ? sum.high : std::nextafter(sum.high, infinity), -most, most);
+  return std::clamp(is_exact_or_above ? sum.high : std::nextafter(sum.high, infinity), -greatest_double,
+                    greatest_double);
 }
 
 /// Makes the posed shape in place; none is copied.
-struct Place {
+struct PosedShapeMaker {
   PosedShape operator()(const HalfSpace& shape) const {
     return PosedShape(std::in_place_type<PosedHalfSpace>, shape, pose);
   }
@@ -95,9 +93,9 @@ bool is_solid(const PosedShape& shape) {
 }
 
 PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
-  if (model.has_mesh()) return std::visit(Place{model, pose, solid, who}, model.shape());
+  if (model.has_mesh()) return std::visit(PosedShapeMaker{model, pose, solid, who}, model.shape());
   try {
-    PosedShape shape = std::visit(Place{model, pose, solid, who}, model.shape());
+    PosedShape shape = std::visit(PosedShapeMaker{model, pose, solid, who}, model.shape());
     require_taken(shape, model, solid, who);
     return shape;
   } catch (const Error& error) {
@@ -124,7 +122,7 @@ Aabb world_box(const PosedConvex& shape) {
     const Vec3 stored{x[i], y[i], z[i]};
     box = merge(box, shape.in_world() ? stored : world_vertex(shape.pose(), stored));
   }
-  return grown(box, shape.radius());
+  return widened(box, shape.radius());
 }
 
 Aabb world_box(const PosedSmooth& shape) {
@@ -139,8 +137,8 @@ Aabb world_box(const PosedSmooth& shape) {
                            : shape.kind() == PosedSmooth::Kind::cone   ? std::max(disc - z, z)
                                                                        : std::hypot(x, y, z);
     const double downwards = shape.kind() == PosedSmooth::Kind::cone ? std::max(disc + z, -z) : upwards;
-    box.lower[axis] = -sum_not_less(-offset, reach(downwards));
-    box.upper[axis] = sum_not_less(offset, reach(upwards));
+    box.lower[axis] = -clamped_sum_not_less(-offset, reach(downwards));
+    box.upper[axis] = clamped_sum_not_less(offset, reach(upwards));
   }
   return box;
 }
@@ -151,11 +149,11 @@ Aabb world_box(const PosedModel& model) {
   return box;
 }
 
-Aabb grown(Aabb box, double by) {
+Aabb widened(Aabb box, double by) {
   if (by == 0 || is_empty(box) || !is_finite(box.lower) || !is_finite(box.upper)) return box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = -sum_not_less(-box.lower[axis], by);
-    box.upper[axis] = sum_not_less(box.upper[axis], by);
+    box.lower[axis] = -clamped_sum_not_less(-box.lower[axis], by);
+    box.upper[axis] = clamped_sum_not_less(box.upper[axis], by);
   }
   return box;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <string_view>
 #include <variant>
@@ -59,7 +60,10 @@ struct PosedModel {
 
 /// The box with all that is as near to it along every axis, and a little more where that is no double; an empty box
 /// stays empty, and what has no end has none.
-[[nodiscard]] Aabb grown(Aabb box, double by);
+[[nodiscard]] Aabb widened(Aabb box, double by);
+
+/// Half of a length that is not negative, rounded up.
+[[nodiscard]] inline double half_rounded_up(double length) { return std::max(0.5 * length, length - 0.5 * length); }
 
 [[nodiscard]] bool is_solid(const PosedShape& shape);
 

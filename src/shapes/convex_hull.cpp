@@ -1,8 +1,8 @@
 #include "toccata/shapes/convex_hull.hpp"
+#include "core/no_index.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -40,8 +40,6 @@ struct ConvexHull::Parts {
 
 namespace {
 
-constexpr Index none = std::numeric_limits<Index>::max();
-
 void check(std::span<const Vec3> points) {
   if (points.empty()) throw Error("a convex hull needs at least one point");
   if (points.size() > most_hull_points)
@@ -65,7 +63,7 @@ std::vector<Index> distinct_corners(const HullFaces& faces, std::size_t point_co
 /// The same faces with vertices for points; every face begins at its least vertex, and they are sorted by their
 /// first two. (A directed edge belongs to one face alone.) So the faces do not depend on how they were found.
 HullFaces canonical(const HullFaces& faces, const std::vector<Index>& sources, std::size_t point_count) {
-  std::vector<Index> number(point_count, none);
+  std::vector<Index> number(point_count, no_index);
   for (Index v = 0; v < sources.size(); ++v) number[sources[v]] = v;
 
   struct Order {

@@ -30,7 +30,7 @@ void require_closed(const TriangleMesh& mesh) {
   }
 }
 
-std::vector<Index> used_vertices(const TriangleMesh& mesh) {
+std::vector<Index> numbers_of_used_vertices(const TriangleMesh& mesh) {
   std::vector<Index> used;
   for (const auto& t : mesh.triangles()) used.insert(used.end(), t.begin(), t.end());
   std::ranges::sort(used);
@@ -41,7 +41,7 @@ std::vector<Index> used_vertices(const TriangleMesh& mesh) {
 class ConvexMesh {
  public:
   explicit ConvexMesh(const TriangleMesh& mesh)
-      : mesh_(mesh), used_(used_vertices(mesh)), hull_(points_of(mesh, used_)) {}
+      : mesh_(mesh), used_(numbers_of_used_vertices(mesh)), hull_(points_of(mesh, used_)) {}
 
   [[nodiscard]] const ConvexHull& hull() const { return hull_; }
 

@@ -15,7 +15,7 @@ enum class Allowed {
   nothing_helps,  ///< stuck
 };
 
-struct Rectangle {
+struct PlanarBox {
   Vec2 lower, upper;
   [[nodiscard]] bool contains(const Vec2& p) const {
     return p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y;
@@ -84,7 +84,7 @@ class EarClipper {
 
   [[nodiscard]] bool blocks(Index p, Index ear) const {
     const Vec2 &a = polygon_[previous_[ear]], &b = polygon_[ear], &c = polygon_[next_[ear]], &point = polygon_[p];
-    const Rectangle box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+    const PlanarBox box{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                         {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
     // A corner at a corner of the triangle (a bridge to a hole) is not in the way; its neighbours may be.
     if (!box.contains(point) || point == a || point == b || point == c) return false;

@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-struct Grid {
+struct HeightGrid {
   Index columns;
   Index rows;
   double spacing_x;
@@ -24,7 +24,7 @@ struct Grid {
   [[nodiscard]] Index vertex(Index column, Index row) const { return row * columns + column; }
 };
 
-void require_size(const Grid& grid, std::size_t heights) {
+void require_size(const HeightGrid& grid, std::size_t heights) {
   if (grid.columns < 2 || grid.rows < 2)
     throw Error(fmt::format("a height field of {} columns and {} rows has no cell; give at least two of both",
                             grid.columns, grid.rows));
@@ -42,14 +42,14 @@ void require_spacing(double spacing, Index count, std::string_view what) {
     throw Error(fmt::format("{} is {}, which times {} is not finite; give a smaller one", what, spacing, count - 1));
 }
 
-void require_heights(const Grid& grid, std::span<const double> heights) {
+void require_heights(const HeightGrid& grid, std::span<const double> heights) {
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (!std::isfinite(heights[i]))
       throw Error(fmt::format("the height of column {}, row {} is {}; give a finite number", i % grid.columns,
                               i / grid.columns, heights[i]));
 }
 
-std::vector<Vec3> vertices_of(const Grid& grid, std::span<const double> heights) {
+std::vector<Vec3> vertices_of(const HeightGrid& grid, std::span<const double> heights) {
   std::vector<Vec3> vertices;
   vertices.reserve(heights.size());
   for (Index row = 0; row < grid.rows; ++row)
@@ -58,7 +58,7 @@ std::vector<Vec3> vertices_of(const Grid& grid, std::span<const double> heights)
   return vertices;
 }
 
-TriangleMesh mesh_of(const Grid& grid, std::span<const double> heights) {
+TriangleMesh mesh_of(const HeightGrid& grid, std::span<const double> heights) {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> cells;
   for (Index row = 0; row + 1 < grid.rows; ++row)
@@ -71,7 +71,7 @@ TriangleMesh mesh_of(const Grid& grid, std::span<const double> heights) {
   return {vertices_of(grid, heights), std::move(triangles), std::move(cells)};
 }
 
-std::shared_ptr<const TriangleMesh> checked_mesh(const Grid& grid, std::span<const double> heights) {
+std::shared_ptr<const TriangleMesh> checked_mesh(const HeightGrid& grid, std::span<const double> heights) {
   require_size(grid, heights.size());
   require_spacing(grid.spacing_x, grid.columns, "the spacing of a height field along x");
   require_spacing(grid.spacing_y, grid.rows, "the spacing of a height field along y");

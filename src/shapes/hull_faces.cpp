@@ -10,7 +10,7 @@
 namespace toccata {
 namespace {
 
-double greatest_coordinate(std::span<const Vec3> points) {
+double greatest_coordinate_of(std::span<const Vec3> points) {
   double greatest = 0;
   for (const Vec3& p : points)
     for (int axis = 0; axis < 3; ++axis) greatest = std::max(greatest, std::fabs(p[axis]));
@@ -20,7 +20,7 @@ double greatest_coordinate(std::span<const Vec3> points) {
 /// The points times a power of two, so that differences and products stay far from overflow and underflow; empty when
 /// that is needless, or would lose a bit. The exact signs need no such thing, but are slow out there.
 std::vector<Vec3> scaled_to_middle(std::span<const Vec3> points) {
-  const double greatest = greatest_coordinate(points);
+  const double greatest = greatest_coordinate_of(points);
   if (greatest == 0 || (greatest < 0x1p200 && greatest > 0x1p-200)) return {};
   const int exponent = -std::ilogb(greatest);
   std::vector<Vec3> result;

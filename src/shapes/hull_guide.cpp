@@ -6,7 +6,7 @@
 namespace toccata {
 namespace {
 
-constexpr Index least_vertices = 512;
+constexpr Index least_guided_vertices = 512;
 
 /// The six sides of the cube have as many rows of as many cells each.
 Index rows_of(std::size_t size) { return static_cast<Index>(std::sqrt(static_cast<double>(size / 6)) + 0.5); }
@@ -45,7 +45,7 @@ Index walk_to_farthest(const ConvexHull& hull, const HullTopology& topology, con
 }  // namespace
 
 Index guide_size(Index vertices) {
-  if (vertices < least_vertices) return 0;
+  if (vertices < least_guided_vertices) return 0;
   const auto rows = static_cast<Index>(std::sqrt(vertices / 6.0));
   return 6 * rows * rows;
 }

@@ -1,24 +1,20 @@
 #include "shapes/hull_links.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/no_index.hpp"
+
 namespace toccata {
-namespace {
-
-constexpr Index none = std::numeric_limits<Index>::max();
-
-}  // namespace
 
 // The half-edge before one that leaves v ends at v, so the twins of all that end there are found by noting, for every
 // vertex around, which half-edge goes there from v.
 void link_faces(const HullFaces& faces, const HullLinks& links) {
   const std::size_t vertices = links.leaving.size();
-  std::vector<Index> previous(faces.corners.size()), next_leaving(faces.corners.size()), towards(vertices, none);
+  std::vector<Index> previous(faces.corners.size()), next_leaving(faces.corners.size()), towards(vertices, no_index);
   std::ranges::fill(links.leaving, 0);
-  std::vector<Index> first_leaving(vertices, none);
+  std::vector<Index> first_leaving(vertices, no_index);
   for (std::size_t f = faces.first.size() - 1; f-- > 0;)
     for (Index h = faces.first[f + 1]; h-- > faces.first[f];) {
       links.face[h] = static_cast<Index>(f);
@@ -30,9 +26,9 @@ void link_faces(const HullFaces& faces, const HullLinks& links) {
     return faces.corners[h + 1 == faces.first[f + 1] ? faces.first[f] : h + 1];
   };
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (first_leaving[v] != none) links.leaving[v] = first_leaving[v];
-    for (Index h = first_leaving[v]; h != none; h = next_leaving[h]) towards[target(h)] = h;
-    for (Index h = first_leaving[v]; h != none; h = next_leaving[h])
+    if (first_leaving[v] != no_index) links.leaving[v] = first_leaving[v];
+    for (Index h = first_leaving[v]; h != no_index; h = next_leaving[h]) towards[target(h)] = h;
+    for (Index h = first_leaving[v]; h != no_index; h = next_leaving[h])
       links.twin[previous[h]] = towards[faces.corners[previous[h]]];
   }
 }

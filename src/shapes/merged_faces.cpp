@@ -1,19 +1,17 @@
-#include <limits>
 
+#include "core/no_index.hpp"
 #include "shapes/hull_faces.hpp"
 #include "toccata/math/predicates.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr Index none = std::numeric_limits<Index>::max();
-
-class Merging {
+class FaceMerging {
  public:
-  Merging(std::span<const Vec3> points, std::span<const HullTriangle> triangles)
-      : points_(points), triangles_(triangles), face_of_(triangles.size(), none) {
+  FaceMerging(std::span<const Vec3> points, std::span<const HullTriangle> triangles)
+      : points_(points), triangles_(triangles), face_of_(triangles.size(), no_index) {
     for (Index t = 0; t < triangles.size(); ++t)
-      if (face_of_[t] == none) spread(t);
+      if (face_of_[t] == no_index) spread(t);
   }
 
   [[nodiscard]] HullFaces faces() const {
@@ -51,7 +49,7 @@ class Merging {
       open.pop_back();
       for (std::size_t e = 0; e < 3; ++e) {
         const Index neighbour = triangles_[t].neighbours[e];
-        if (face_of_[neighbour] != none || !coplanar(t, e)) continue;
+        if (face_of_[neighbour] != no_index || !coplanar(t, e)) continue;
         face_of_[neighbour] = count_;
         open.push_back(neighbour);
       }
@@ -105,7 +103,7 @@ class Merging {
 }  // namespace
 
 HullFaces merged_faces(std::span<const Vec3> points, std::span<const HullTriangle> triangles) {
-  return Merging(points, triangles).faces();
+  return FaceMerging(points, triangles).faces();
 }
 
 }  // namespace toccata

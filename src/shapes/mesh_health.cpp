@@ -37,7 +37,7 @@ void count_edges(const WeldedTriangles& welded, MeshHealth& health) {
   }
 }
 
-std::vector<char> used_vertices(const TriangleMesh& mesh) {
+std::vector<char> marks_of_used_vertices(const TriangleMesh& mesh) {
   std::vector<char> used(mesh.vertices().size(), 0);
   for (const auto& triangle : mesh.triangles())
     for (const Index v : triangle) used[v] = 1;
@@ -45,7 +45,7 @@ std::vector<char> used_vertices(const TriangleMesh& mesh) {
 }
 
 void measure_vertices(const TriangleMesh& mesh, MeshHealth& health) {
-  const std::vector<char> used = used_vertices(mesh);
+  const std::vector<char> used = marks_of_used_vertices(mesh);
   health.lower = health.upper = mesh.vertices()[mesh.triangles()[0][0]];
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i] == 0) {

@@ -1,8 +1,8 @@
 #include "shapes/quickhull.hpp"
 
-#include <limits>
 #include <utility>
 
+#include "core/no_index.hpp"
 #include "math/constants.hpp"
 #include "math/filter.hpp"
 
@@ -25,15 +25,13 @@
 namespace toccata {
 namespace {
 
-constexpr Index none = std::numeric_limits<Index>::max();
-
 constexpr std::size_t refinement = 8;
 
-struct Face {
+struct HullFace {
   HullTriangle triangle;
   FilteredCross normal;
-  Index first_above = none;  // of the points that wait above this face, linked by Hull::next_above_
-  Index farthest = none;     // of them
+  Index first_above = no_index;  // of the points that wait above this face, linked by Hull::next_above_
+  Index farthest = no_index;     // of them
   Index count_above = 0;
   double height = 0;  // of the farthest, in units that belong to the face
   Index round = 0;    // in which `seen` was determined
@@ -54,7 +52,7 @@ int corner_of(const HullTriangle& triangle, Index vertex) {
 class Hull {
  public:
   Hull(std::span<const Vec3> points, const std::array<Index, 4>& simplex)
-      : points_(points), next_above_(points.size(), none), face_starting_at_(points.size(), none) {
+      : points_(points), next_above_(points.size(), no_index), face_starting_at_(points.size(), no_index) {
     build_simplex(simplex);
     for (Index p = 0; p < points.size(); ++p) wait_above_one_of(p, fresh_);
     hold_waiting();
@@ -65,13 +63,13 @@ class Hull {
   }
 
   [[nodiscard]] std::vector<HullTriangle> triangles() const {
-    std::vector<Index> number(faces_.size(), none);
+    std::vector<Index> number(faces_.size(), no_index);
     Index count = 0;
     for (Index f = 0; f < faces_.size(); ++f)
       if (faces_[f].alive) number[f] = count++;
     std::vector<HullTriangle> result;
     result.reserve(count);
-    for (const Face& face : faces_) {
+    for (const HullFace& face : faces_) {
       if (!face.alive) continue;
       result.push_back(face.triangle);
       for (Index& neighbour : result.back().neighbours) neighbour = number[neighbour];
@@ -112,7 +110,7 @@ class Hull {
     while (!waiting_.empty()) {
       const Index index = waiting_.back();
       waiting_.pop_back();
-      const Face& face = faces_[index];
+      const HullFace& face = faces_[index];
       if (!face.alive || face.count_above == 0) continue;
       if (face.count_above > crowd)
         add(face.farthest, index);
@@ -127,7 +125,7 @@ class Hull {
     double value = 0;  // rounded; only a preference is made of it
   };
 
-  [[nodiscard]] Height height(const Face& face, Index point) const {
+  [[nodiscard]] Height height(const HullFace& face, Index point) const {
     const auto& [a, b, c] = face.triangle.vertices;
     const Filtered product = filtered_triple_product(face.normal, points_[point] - points_[a]);
     if (product.is_positive()) return {true, product.value};
@@ -139,10 +137,10 @@ class Hull {
   /// Equal points always wait above the same face, so the tie makes the first of them count.
   void wait_above_one_of(Index point, const std::vector<Index>& candidates) {
     for (const Index index : candidates) {
-      Face& face = faces_[index];
+      HullFace& face = faces_[index];
       const Height h = height(face, point);
       if (!h.above) continue;
-      if (face.first_above == none || h.value > face.height || (h.value == face.height && point < face.farthest)) {
+      if (face.first_above == no_index || h.value > face.height || (h.value == face.height && point < face.farthest)) {
         face.farthest = point;
         face.height = h.value;
       }
@@ -154,7 +152,7 @@ class Hull {
 
   void hold_waiting() {
     for (const Index face : fresh_)
-      if (faces_[face].first_above != none) waiting_.push_back(face);
+      if (faces_[face].first_above != no_index) waiting_.push_back(face);
   }
 
   void add(Index point, Index face_below) {
@@ -163,7 +161,7 @@ class Hull {
     for (const HorizonEdge& edge : horizon_) join(edge, point);
     for (const Index f : fresh_) link_around(f);
     for (const Index f : seen_) {
-      for (Index p = faces_[f].first_above; p != none;) {
+      for (Index p = faces_[f].first_above; p != no_index;) {
         const Index next = next_above_[p];
         if (p != point) wait_above_one_of(p, fresh_);
         p = next;
@@ -175,7 +173,7 @@ class Hull {
   }
 
   bool is_seen(Index f, Index point) {
-    Face& face = faces_[f];
+    HullFace& face = faces_[f];
     if (face.round != round_) {
       face.round = round_;
       face.seen = height(face, point).above;
@@ -199,7 +197,7 @@ class Hull {
 
   /// The triangle from a horizon edge to the point; its other two neighbours come later.
   void join(const HorizonEdge& edge, Index point) {
-    const Index face = new_face({{edge.from, edge.to, point}, {edge.beyond, none, none}});
+    const Index face = new_face({{edge.from, edge.to, point}, {edge.beyond, no_index, no_index}});
     HullTriangle& beyond = faces_[edge.beyond].triangle;
     beyond.neighbours[static_cast<std::size_t>(corner_of(beyond, edge.to))] = face;
     face_starting_at_[edge.from] = face;
@@ -213,7 +211,7 @@ class Hull {
   }
 
   std::span<const Vec3> points_;
-  std::vector<Face> faces_;
+  std::vector<HullFace> faces_;
   std::vector<Index> free_;
   std::vector<Index> next_above_;
   std::vector<Index> face_starting_at_;  // of the vertices of the present horizon

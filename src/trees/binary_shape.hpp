@@ -1,15 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "core/no_index.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/trees/builders.hpp"
 
 namespace toccata {
-
-inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 /// A node with two children, or the leaf of one item.
 struct Fork {

@@ -7,12 +7,11 @@
 #define TOCCATA_TREES_BOX_LANES_HPP
 #endif
 
-#include <hwy/highway.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "math/lanes.hpp"
 #include "trees/near_walk.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,61 +19,30 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+static_assert(OrientedBlock::width == most_lanes);
 
-constexpr std::size_t width = OrientedBlock::width;
-using Tag = hn::CappedTag<double, width>;
-using Number = hn::Vec<Tag>;
-using Bounds = std::array<double, width>;
+using BlockBounds = std::array<double, most_lanes>;
 
-struct Vector {
-  Number x, y, z;
-};
-
-HWY_INLINE Number all(double value) { return hn::Set(Tag(), value); }
-HWY_INLINE Vector in_all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE Number loaded(const std::array<float, width>& values, std::size_t lane) {
-  return hn::PromoteTo(Tag(), hn::LoadU(hn::Rebind<float, Tag>(), values.data() + lane));
+HWY_INLINE Number loaded(const std::array<float, most_lanes>& values, std::size_t lane) {
+  return hn::PromoteTo(tag, hn::LoadU(hn::Rebind<float, Tag>(), values.data() + lane));
 }
-HWY_INLINE Vector loaded(const std::array<std::array<float, width>, 3>& values, std::size_t lane) {
+HWY_INLINE Vector loaded(const std::array<std::array<float, most_lanes>, 3>& values, std::size_t lane) {
   return {loaded(values[0], lane), loaded(values[1], lane), loaded(values[2], lane)};
 }
-HWY_INLINE Vector plus(const Vector& u, const Vector& v) {
-  return {hn::Add(u.x, v.x), hn::Add(u.y, v.y), hn::Add(u.z, v.z)};
-}
-HWY_INLINE Vector times(const Number& s, const Vector& v) {
-  return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)};
-}
-HWY_INLINE Vector minus(const Vector& u, const Vector& v) {
-  return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
-}
-HWY_INLINE Number dot(const Vector& u, const Vector& v) {
-  return hn::Add(hn::Add(hn::Mul(u.x, v.x), hn::Mul(u.y, v.y)), hn::Mul(u.z, v.z));
-}
-HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
-  return {hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)), hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
-          hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
-}
-/// Second where the first is not a number.
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::Max(a, b); }  // one instruction
-#else
-HWY_INLINE Number greater(const Number& a, const Number& b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
-#endif
 HWY_INLINE Number sum_of_products(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
   return hn::Add(hn::Add(hn::Mul(u[0], v[0]), hn::Mul(u[1], v[1])), hn::Mul(u[2], v[2]));
 }
 
-HWY_INLINE Vec3 vector_of(const std::array<std::array<float, width>, 3>& values, std::size_t lane) {
+HWY_INLINE Vec3 vector_of(const std::array<std::array<float, most_lanes>, 3>& values, std::size_t lane) {
   return {values[0][lane], values[1][lane], values[2][lane]};
 }
-HWY_INLINE Vec3 times(const Mat3& m, const Vec3& v) {
+HWY_INLINE Vec3 turned(const Mat3& m, const Vec3& v) {
   return {toccata::dot(m[0], v), toccata::dot(m[1], v), toccata::dot(m[2], v)};
 }
 
 /// The boxes of a block of the other tree in the own frame.
 struct alignas(64) SeenBlock {
-  using Lanes = std::array<double, width>;
+  using Lanes = std::array<double, most_lanes>;
   std::array<Lanes, 3> centre, extent;
   std::array<std::array<Lanes, 3>, 3> axis;
 };
@@ -83,15 +51,15 @@ HWY_INLINE Vector turned(const Mat3& m, const Vector& v) {
   return {dot(in_all(m[0]), v), dot(in_all(m[1]), v), dot(in_all(m[2]), v)};
 }
 HWY_INLINE void store(const Vector& v, std::array<SeenBlock::Lanes, 3>& to, std::size_t lane) {
-  hn::StoreU(v.x, Tag(), to[0].data() + lane);
-  hn::StoreU(v.y, Tag(), to[1].data() + lane);
-  hn::StoreU(v.z, Tag(), to[2].data() + lane);
+  hn::StoreU(v.x, tag, to[0].data() + lane);
+  hn::StoreU(v.y, tag, to[1].data() + lane);
+  hn::StoreU(v.z, tag, to[2].data() + lane);
 }
 
 HWY_INLINE void see(const NearView& view, const OrientedBlock& block, SeenBlock& seen) {
   const Mat3& turn = view.rigid ? view.rotation : view.other;
   const Number ratio = all(view.rigid ? view.ratio : 1);
-  for (std::size_t lane = 0; lane < width; lane += hn::Lanes(Tag())) {
+  for (std::size_t lane = 0; lane < most_lanes; lane += hn::Lanes(tag)) {
     const Vector first = loaded(block.axis[0], lane), second = loaded(block.axis[1], lane);
     const Vector one = turned(turn, first), other = turned(turn, second);
     store(plus(in_all(view.offset), times(ratio, turned(turn, loaded(block.centre, lane)))), seen.centre, lane);
@@ -127,7 +95,7 @@ HWY_INLINE Seen seen_in(const SeenBlock& block, std::size_t lane) {
 HWY_INLINE Number squared_gap(const Number& along, const Number& extent, const std::array<Number, 3>& other_extent,
                               const std::array<Number, 3>& cosine) {
   const Number gap = hn::Sub(hn::Sub(along, extent), sum_of_products(other_extent, cosine));
-  const Number part = greater(gap, hn::Zero(Tag()));
+  const Number part = greater(gap, hn::Zero(tag));
   return hn::Mul(part, part);
 }
 
@@ -138,7 +106,7 @@ HWY_INLINE std::array<Number, 3> magnitudes_along(const std::array<Vector, 3>& a
 /// Never above the distance of two boxes (docs/methods/mesh-distance.md): the gaps along the own axes, those along the
 /// other's, and the gap along the line of the centres, whichever is largest. Without loops, which would keep what is
 /// found in memory.
-HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
+HWY_INLINE Number bound_of_rigid(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
   using Three = std::array<Number, 3>;
   const Vector first = loaded(block.axis[0], lane), second = loaded(block.axis[1], lane);
   const std::array<Vector, 3> own{first, second, cross(first, second)};
@@ -156,7 +124,7 @@ HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, 
   const Number by_other = hn::Add(hn::Add(squared_gap(along_other[0], other_extent[0], extent, {c0[0], c1[0], c2[0]}),
                                           squared_gap(along_other[1], other_extent[1], extent, {c0[1], c1[1], c2[1]})),
                                   squared_gap(along_other[2], other_extent[2], extent, {c0[2], c1[2], c2[2]}));
-  const Number zero = hn::Zero(Tag());
+  const Number zero = hn::Zero(tag);
   const Number by_sides = hn::Mul(greater(by_own, by_other), all(1 - 0x1p-18));
   const Number squared = dot(between, between);
   const Number reach = hn::Add(sum_of_products(extent, along_own), sum_of_products(other_extent, along_other));
@@ -167,26 +135,26 @@ HWY_INLINE Number rigid_bound(const NearView& view, const OrientedBlock& block, 
 }
 
 /// The same under any poses: along the line of the centres alone.
-HWY_INLINE double general_bound(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
-  const Vec3 between = box.centre - times(view.own, vector_of(block.centre, lane));
+HWY_INLINE double bound_of_any(const NearView& view, const OrientedBlock& block, std::size_t lane, const Seen& box) {
+  const Vec3 between = box.centre - turned(view.own, vector_of(block.centre, lane));
   const Vec3 first = vector_of(block.axis[0], lane), second = vector_of(block.axis[1], lane);
   const std::array<Vec3, 3> axis{first, second, toccata::cross(first, second)};
   double reach = 0;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    reach += block.extent[at][lane] * std::fabs(toccata::dot(between, times(view.own, axis[at])));
+    reach += block.extent[at][lane] * std::fabs(toccata::dot(between, turned(view.own, axis[at])));
     reach += box.extent[i] * std::fabs(toccata::dot(between, box.axis[at]));
   }
   const double squared = toccata::dot(between, between), left = squared - reach;
   return left > 0 ? (left / std::sqrt(squared) - view.pad) * view.scale : 0 * view.scale;
 }
 
-HWY_INLINE void bounds_of(const NearView& view, const OrientedBlock& block, const Seen& box, Bounds& bounds) {
+HWY_INLINE void bounds_of(const NearView& view, const OrientedBlock& block, const Seen& box, BlockBounds& bounds) {
   if (view.rigid)
-    for (std::size_t lane = 0; lane < width; lane += hn::Lanes(Tag()))
-      hn::StoreU(rigid_bound(view, block, lane, box), Tag(), bounds.data() + lane);
+    for (std::size_t lane = 0; lane < most_lanes; lane += hn::Lanes(tag))
+      hn::StoreU(bound_of_rigid(view, block, lane, box), tag, bounds.data() + lane);
   else
-    for (std::size_t lane = 0; lane < width; ++lane) bounds[lane] = general_bound(view, block, lane, box);
+    for (std::size_t lane = 0; lane < most_lanes; ++lane) bounds[lane] = bound_of_any(view, block, lane, box);
 }
 
 }  // namespace

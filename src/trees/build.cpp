@@ -1,4 +1,5 @@
 #include "toccata/trees/build.hpp"
+#include "bounds/point_clouds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,6 @@ struct Item {
   Aabb box;
   Index number;
 };
-
-Vec3 centre_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
 /// What is known of some items together: what their node needs, and where to split them.
 struct Extent {
@@ -51,7 +50,7 @@ Extent extent_of(std::span<const Item> items) {
 }
 
 /// A node that is to be split: its items, and their extent.
-struct Task {
+struct SplitTask {
   Index node;
   int depth;
   std::size_t first;
@@ -65,9 +64,9 @@ struct Split {
 };
 
 /// Tells the slab of a centre.
-class Slabs {
+class CentreSlabs {
  public:
-  Slabs(const Aabb& centres, std::size_t count) : count_(count) {
+  CentreSlabs(const Aabb& centres, std::size_t count) : count_(count) {
     const Vec3 size = centres.upper - centres.lower;
     axis_ = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     origin_ = centres.lower[axis_];
@@ -121,7 +120,7 @@ std::size_t best_border(std::span<const Extent> bins) {
 }
 
 /// The slab of the least centre is the first, and that of the greatest the last, so no side is empty.
-Split split_by_heuristic(std::span<Item> items, const Slabs& slabs) {
+Split split_by_heuristic(std::span<Item> items, const CentreSlabs& slabs) {
   std::array<Extent, greatest_bin_count> all_bins;
   const auto bins = std::span(all_bins).first(slabs.count());
   for (const Item& item : items) bins[slabs.of(centre_of(item.box))].add(item.box);
@@ -149,7 +148,7 @@ class Builder {
     tree_.nodes.reserve(items_.size());
     add_node(0, extent_of(items_), 0);
     while (!tasks_.empty()) {
-      const Task task = tasks_.back();
+      const SplitTask task = tasks_.back();
       tasks_.pop_back();
       expand(task);
     }
@@ -167,9 +166,9 @@ class Builder {
     if (!leaf) tasks_.push_back({number, depth, first, extent});
   }
 
-  void expand(const Task& task) {
+  void expand(const SplitTask& task) {
     const auto items = std::span(items_).subspan(task.first, task.extent.count);
-    const Slabs slabs(task.extent.centres, bin_count_for(task.extent.count));
+    const CentreSlabs slabs(task.extent.centres, bin_count_for(task.extent.count));
     const bool by_heuristic = slabs.usable() && task.depth < greatest_heuristic_depth;
     const Split split = by_heuristic ? split_by_heuristic(items, slabs) : split_in_halves(items);
     TreeNode<Aabb>& node = tree_.nodes[task.node];
@@ -181,7 +180,7 @@ class Builder {
 
   Index leaf_size_;
   std::vector<Item> items_;
-  std::vector<Task> tasks_;
+  std::vector<SplitTask> tasks_;
   Tree<Aabb> tree_;
 };
 

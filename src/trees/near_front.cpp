@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "math/floats.hpp"
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
@@ -26,14 +27,6 @@ Index item_of(const NearTree& tree, std::uint32_t box) {
   return tree.items[static_cast<std::uint32_t>(~child_of(tree, box))];
 }
 
-Vec3 vector_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-std::array<float, 3> as_floats(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-float up_to_float(double value) {
-  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
-}
-
 /// Of two items that are `found.gap` apart as they are now. What is rounded here is below 2⁻²¹ of the sizes: the
 /// direction and how it is seen change by 2⁻²³ of their lengths.
 GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& found) {
@@ -44,10 +37,10 @@ GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& fo
   for (std::size_t i = 0; i < 3; ++i) plane.centre[i] = block.centre[i][lane];
   plane.radius = up_to_float(size_of(block, lane));
   plane.normal = as_floats(found.direction);
-  const Vec3 normal = vector_of(plane.normal);
+  const Vec3 normal = as_doubles(plane.normal);
   plane.turned = as_floats(view.ratio * Vec3{dot(view.rotation.column(0), normal), dot(view.rotation.column(1), normal),
                                              dot(view.rotation.column(2), normal)});
-  const double middle = dot(normal, view.offset) + dot(vector_of(plane.turned), vector_of(plane.centre));
+  const double middle = dot(normal, view.offset) + dot(as_doubles(plane.turned), as_doubles(plane.centre));
   const double pad = view.pad + 0x1p-21 * (4 + (4 * view.ratio + sum_of_magnitudes(view.offset)));
   const double reach = middle - (found.gap / view.scale - pad);
   plane.reach = up_to_float(std::min(reach, 1e30));

@@ -45,9 +45,9 @@ struct BoxNumber {
   std::uint32_t lane = 0;
 };
 
-class Run {
+class NearRun {
  public:
-  Run(const NearWalk& walk, NearFrontier& frontier, NearQuestion& question)
+  NearRun(const NearWalk& walk, NearFrontier& frontier, NearQuestion& question)
       : walk_(walk), f_(frontier), question_(question) {}
 
   void run() {
@@ -210,12 +210,10 @@ class Run {
   /// Makes the bounds parts of the first limit, and tells by bits which of the first lanes are not beyond that of now.
   HWY_INLINE std::uint32_t lanes_in_reach(std::uint32_t count) {
     std::uint32_t near = 0;
-    for (std::size_t lane = 0; lane < width; lane += hn::Lanes(Tag())) {
-      const Number parts = hn::Mul(hn::LoadU(Tag(), bounds_.data() + lane), all(inverse_));
-      hn::StoreU(parts, Tag(), bounds_.data() + lane);
-      std::array<std::uint8_t, 8> bits{};
-      hn::StoreMaskBits(Tag(), hn::Not(hn::Gt(parts, all(limit_part_))), bits.data());
-      near |= std::uint32_t{bits[0]} << lane;
+    for (std::size_t lane = 0; lane < most_lanes; lane += hn::Lanes(tag)) {
+      const Number parts = hn::Mul(hn::LoadU(tag, bounds_.data() + lane), all(inverse_));
+      hn::StoreU(parts, tag, bounds_.data() + lane);
+      near |= bits_of(tag, hn::Not(hn::Gt(parts, all(limit_part_)))) << lane;
     }
     return near & ((1U << count) - 1);
   }
@@ -269,7 +267,7 @@ class Run {
   NearFrontier& f_;
   NearQuestion& question_;
   std::array<SeenBlocks, 2> seen_;
-  Bounds bounds_{};
+  BlockBounds bounds_{};
   bool opens_own_ = false;
   std::size_t bucket_ = 0;
   double inverse_ = 1;
@@ -278,8 +276,8 @@ class Run {
   std::size_t steady_batches_ = 0;  ///< how many have not lowered the limit by more than a little
 };
 
-void run_near(const NearWalk& walk, NearFrontier& frontier, NearQuestion& question) {
-  Run(walk, frontier, question).run();
+void run_near_walk(const NearWalk& walk, NearFrontier& frontier, NearQuestion& question) {
+  NearRun(walk, frontier, question).run();
 }
 
 NearBounds bounds_of_block(const NearWalk& walk, std::size_t side, std::uint32_t number, std::uint32_t other) {
@@ -299,7 +297,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace toccata {
 
-HWY_EXPORT(run_near);
+HWY_EXPORT(run_near_walk);
 HWY_EXPORT(bounds_of_block);
 
 void NearFrontier::clear() {
@@ -341,7 +339,7 @@ NearFrontier::Entry NearFrontier::pop(Bucket& bucket) {
 }
 
 void NearWalk::run(NearFrontier& frontier, NearQuestion& question) const {
-  HWY_DYNAMIC_DISPATCH(run_near)(*this, frontier, question);
+  HWY_DYNAMIC_DISPATCH(run_near_walk)(*this, frontier, question);
 }
 
 NearBounds NearWalk::bounds(std::size_t side, std::uint32_t number, std::uint32_t other) const {

@@ -7,20 +7,21 @@
 #include <utility>
 
 #include "math/constants.hpp"
+#include "math/floats.hpp"
 
 namespace toccata {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using TriangleCorners = std::array<Vec3, 3>;
 using Axes = std::array<Vec3, 3>;
 
 /// Of a surface, its area, and its first and second moments.
-struct Moments {
+struct SurfaceMoments {
   double area = 0;
   Vec3 first;
   std::array<double, 6> second{};  ///< xx, yy, zz, xy, yz, zx
 
-  Moments& operator+=(const Moments& other) {
+  SurfaceMoments& operator+=(const SurfaceMoments& other) {
     area += other.area;
     first = first + other.first;
     for (std::size_t i = 0; i < 6; ++i) second[i] += other.second[i];
@@ -32,23 +33,23 @@ std::array<double, 6> products(const Vec3& v) {
   return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.y * v.z, v.z * v.x};
 }
 
-Moments moments_of(const Corners& t) {
+SurfaceMoments moments_of(const TriangleCorners& t) {
   // Triangles without area count a little, so that a mesh of such has principal axes too.
   constexpr double of_a_point = 1e-30;
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
   const double area = 0.5 * std::sqrt(dot(normal, normal)) + of_a_point;
   const Vec3 middle = (1.0 / 3) * ((t[0] + t[1]) + t[2]);
-  Moments m{area, area * middle};
+  SurfaceMoments m{area, area * middle};
   const auto of_middle = products(middle), p = products(t[0]), q = products(t[1]), r = products(t[2]);
   for (std::size_t i = 0; i < 6; ++i) m.second[i] = area / 12 * (9 * of_middle[i] + ((p[i] + q[i]) + r[i]));
   return m;
 }
 
-struct Symmetric {
+struct SymmetricMatrix {
   std::array<std::array<double, 3>, 3> value;
 };
 
-Symmetric covariance(const Moments& m) {
+SymmetricMatrix covariance(const SurfaceMoments& m) {
   const Vec3 mean = (1 / m.area) * m.first;
   const auto of_mean = products(mean);
   std::array<double, 6> c;
@@ -57,7 +58,7 @@ Symmetric covariance(const Moments& m) {
 }
 
 /// Makes the element (p, q) zero by turning these two axes.
-void turn(Symmetric& m, Axes& axes, std::size_t p, std::size_t q) {
+void turn(SymmetricMatrix& m, Axes& axes, std::size_t p, std::size_t q) {
   auto& a = m.value;
   if (a[p][q] == 0) return;
   const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
@@ -76,7 +77,7 @@ void turn(Symmetric& m, Axes& axes, std::size_t p, std::size_t q) {
 }
 
 /// The eigenvectors, that of the greatest eigenvalue first (C. Jacobi, "Über ein leichtes Verfahren …", 1846).
-Axes principal_axes(Symmetric m) {
+Axes jacobi_axes(SymmetricMatrix m) {
   Axes axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   constexpr int sweeps = 6;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -99,22 +100,14 @@ Vec3 unit_or_across(const Vec3& v, const Vec3& other) {
   return size > 0 ? (1 / size) * across : Vec3{1, 0, 0};
 }
 
-std::array<float, 3> floats_of(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-Vec3 doubles_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-/// The float above what is not negative.
-float above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity()); }
-
 /// The box along two directions, orthonormal up to rounding of doubles, around the corners of some triangles.
-OrientedBox fit(const Vec3& first, const Vec3& second, std::span<const Corners> triangles) {
+OrientedBox fit(const Vec3& first, const Vec3& second, std::span<const TriangleCorners> triangles) {
   OrientedBox box;
-  box.axis = {floats_of(first), floats_of(second)};
-  const Axes axes{doubles_of(box.axis[0]), doubles_of(box.axis[1]),
-                  cross(doubles_of(box.axis[0]), doubles_of(box.axis[1]))};
+  box.axis = {as_floats(first), as_floats(second)};
+  const Axes axes{as_doubles(box.axis[0]), as_doubles(box.axis[1]),
+                  cross(as_doubles(box.axis[0]), as_doubles(box.axis[1]))};
   std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-  for (const Corners& corners : triangles)
+  for (const TriangleCorners& corners : triangles)
     for (const Vec3& corner : corners)
       for (std::size_t k = 0; k < 3; ++k) {
         const double at = dot(axes[k], corner);
@@ -123,8 +116,8 @@ OrientedBox fit(const Vec3& first, const Vec3& second, std::span<const Corners> 
       }
   Vec3 centre;
   for (std::size_t k = 0; k < 3; ++k) centre = centre + (0.5 * (low[k] + high[k])) * axes[k];
-  box.centre = floats_of(centre);
-  centre = doubles_of(box.centre);
+  box.centre = as_floats(centre);
+  centre = as_doubles(box.centre);
   double largest = 0;
   std::array<double, 3> reach{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -134,18 +127,18 @@ OrientedBox fit(const Vec3& first, const Vec3& second, std::span<const Corners> 
   }
   // That the axes are not quite orthonormal: docs/methods/mesh-distance.md. Coordinates are at most 2, so what doubles
   // round is far below the last term.
-  for (std::size_t k = 0; k < 3; ++k) box.extent[k] = above(reach[k] + 0x1p-19 * largest + 0x1p-48);
+  for (std::size_t k = 0; k < 3; ++k) box.extent[k] = up_to_float(reach[k] + 0x1p-19 * largest + 0x1p-48);
   return box;
 }
 
-OrientedBox fit(const Moments& moments, std::span<const Corners> triangles) {
-  const Axes axes = principal_axes(covariance(moments));
+OrientedBox fit(const SurfaceMoments& moments, std::span<const TriangleCorners> triangles) {
+  const Axes axes = jacobi_axes(covariance(moments));
   const Vec3 first = unit_or_across(axes[0], {0, 0, 1});
   return fit(first, unit_or_across(axes[1] - dot(axes[1], first) * first, first), triangles);
 }
 
 /// Along the longest edge, and across it in the triangle's plane.
-OrientedBox fit(const Corners& t) {
+OrientedBox fit(const TriangleCorners& t) {
   const std::array<Vec3, 3> edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3 longest =
       *std::max_element(edges.begin(), edges.end(), [](const Vec3& u, const Vec3& v) { return dot(u, u) < dot(v, v); });
@@ -158,7 +151,7 @@ OrientedBox fit(const Corners& t) {
 struct Run {
   std::size_t first = std::numeric_limits<std::size_t>::max();
   std::size_t end = 0;
-  Moments moments;
+  SurfaceMoments moments;
 
   void add(const Run& other) {
     first = std::min(first, other.first);
@@ -167,8 +160,8 @@ struct Run {
   }
 };
 
-std::vector<Corners> corners_in_order(const WideTree& tree, const TriangleMesh& mesh) {
-  std::vector<Corners> corners;
+std::vector<TriangleCorners> corners_in_order(const WideTree& tree, const TriangleMesh& mesh) {
+  std::vector<TriangleCorners> corners;
   corners.reserve(tree.items.size());
   const double inverse = 1 / tree.unit;
   const Vec3 origin = inverse * tree.origin;
@@ -214,7 +207,7 @@ class Maker {
   }
 
   const WideTree& tree_;
-  std::vector<Corners> corners_;
+  std::vector<TriangleCorners> corners_;
   std::vector<Run> runs_;
   std::vector<OrientedBlock> boxes_;
 };

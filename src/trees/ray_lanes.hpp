@@ -7,8 +7,6 @@
 #define TOCCATA_TREES_RAY_LANES_HPP
 #endif
 
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "trees/block_lanes.hpp"
 #include "trees/wide_ray.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,21 +22,9 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, WideBlock::width>;
-using Lanes = hn::Vec<Floats>;
-using LaneMask = hn::Mask<Floats>;
 using LaneFloats = std::array<float, WideBlock::width>;
 
-HWY_INLINE Lanes all(float x) { return hn::Set(Floats(), x); }
-HWY_INLINE Lanes lanes_from(const LaneFloats& of, std::size_t first) { return hn::Load(Floats(), of.data() + first); }
-
-HWY_INLINE unsigned bits_of(const LaneMask& mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Floats(), mask, bits);
-  return bits[0];
-}
+HWY_INLINE Float lanes_from(const LaneFloats& of, std::size_t first) { return hn::Load(Floats(), of.data() + first); }
 
 /// Times are products with a reciprocal, off by less than that, relatively.
 constexpr float of_times = 1 + 0x1p-20F;
@@ -64,20 +51,22 @@ class RaySlabs {
   /// Which lanes are met no later than `limit`, and when. What is not a number keeps the lane.
   HWY_INLINE unsigned meet(const WideBlock& block, std::size_t first, float limit, LaneFloats& when) const {
     const Span x = within(block, 0, first), y = within(block, 1, first), z = within(block, 2, first);
-    const Lanes enter = hn::Max(hn::Max(x.enter, y.enter), hn::Max(z.enter, hn::Zero(Floats())));
-    const Lanes leave = hn::Min(hn::Min(x.leave, y.leave), hn::Min(z.leave, all(limit)));
+    const Float enter = hn::Max(hn::Max(x.enter, y.enter), hn::Max(z.enter, hn::Zero(Floats())));
+    const Float leave = hn::Min(hn::Min(x.leave, y.leave), hn::Min(z.leave, all<Float>(limit)));
     hn::Store(enter, Floats(), when.data() + first);
-    return ~bits_of(hn::Gt(enter, hn::Mul(leave, all(of_times))));
+    return ~bits_of(Floats(), hn::Gt(enter, hn::Mul(leave, all<Float>(of_times))));
   }
 
  private:
   struct Span {
-    Lanes enter, leave;
+    Float enter, leave;
   };
 
   HWY_INLINE Span within(const WideBlock& block, std::size_t axis, std::size_t first) const {
-    const Lanes middle = hn::MulSub(lanes_from(block.centre[axis], first), all(inverse_[axis]), all(start_[axis]));
-    const Lanes reach = hn::MulAdd(lanes_from(block.extent[axis], first), all(steep_[axis]), all(around_[axis]));
+    const Float middle =
+        hn::MulSub(lanes_from(block.centre[axis], first), all<Float>(inverse_[axis]), all<Float>(start_[axis]));
+    const Float reach =
+        hn::MulAdd(lanes_from(block.extent[axis], first), all<Float>(steep_[axis]), all<Float>(around_[axis]));
     return {hn::Sub(middle, reach), hn::Add(middle, reach)};
   }
 
@@ -108,56 +97,57 @@ class RayLine {
 
   /// A corner, from the ray's origin: where it is seen, and how far away along the last axis.
   struct Corner {
-    Lanes x, y, depth;
+    Float x, y, depth;
   };
 
   HWY_INLINE Corner corner(const TriangleLanes& triangles, std::size_t number, std::size_t first) const {
     const auto from = [&](std::size_t i) HWY_ATTR {
-      return hn::Sub(lanes_from(triangles.corner[number][axis_[i]], first), all(origin_[i]));
+      return hn::Sub(lanes_from(triangles.corner[number][axis_[i]], first), all<Float>(origin_[i]));
     };
-    const Lanes depth = from(2);
-    return {hn::NegMulAdd(all(lean_[0]), depth, from(0)), hn::NegMulAdd(all(lean_[1]), depth, from(1)), depth};
+    const Float depth = from(2);
+    return {hn::NegMulAdd(all<Float>(lean_[0]), depth, from(0)), hn::NegMulAdd(all<Float>(lean_[1]), depth, from(1)),
+            depth};
   }
 
   /// Twice the areas that the line sees of a triangle opposite to its corners, and what they are off by at most.
   struct Areas {
-    Lanes a, b, c, off, size;
+    Float a, b, c, off, size;
   };
 
   HWY_INLINE Areas areas(const WideBlock& block, const Corner& a, const Corner& b, const Corner& c,
                          std::size_t first) const {
-    const Lanes extents = hn::Add(hn::Add(lanes_from(block.extent[0], first), lanes_from(block.extent[1], first)),
+    const Float extents = hn::Add(hn::Add(lanes_from(block.extent[0], first), lanes_from(block.extent[1], first)),
                                   lanes_from(block.extent[2], first));
     const float factor = 7 * off_;
-    const Lanes size = hn::MulAdd(all(2), extents, all(spare_));
-    return {area(b, c), area(c, a), area(a, b), hn::MulAdd(all(factor), size, all(factor * off_)), size};
+    const Float size = hn::MulAdd(all<Float>(2), extents, all<Float>(spare_));
+    return {area(b, c), area(c, a), area(a, b), hn::MulAdd(all<Float>(factor), size, all<Float>(factor * off_)), size};
   }
 
-  HWY_INLINE LaneMask missed(const Areas& of) const {
-    const Lanes least = hn::Min(hn::Min(of.a, of.b), of.c), most = hn::Max(hn::Max(of.a, of.b), of.c);
+  HWY_INLINE FloatMask missed(const Areas& of) const {
+    const Float least = hn::Min(hn::Min(of.a, of.b), of.c), most = hn::Max(hn::Max(of.a, of.b), of.c);
     return hn::And(hn::Lt(least, hn::Neg(of.off)), hn::Gt(most, of.off));
   }
 
   /// Of lanes that are not missed.
   struct Times {
-    LaneMask agree;  ///< the line certainly passes through the triangle, within these times
-    Lanes lower, upper;
+    FloatMask agree;  ///< the line certainly passes through the triangle, within these times
+    Float lower, upper;
   };
 
   HWY_INLINE Times times(const Areas& of, const Corner& a, const Corner& b, const Corner& c) const {
-    const Lanes whole = hn::Add(hn::Add(of.a, of.b), of.c), off = hn::Mul(all(6), of.off);
-    const Lanes least = hn::Min(hn::Min(of.a, of.b), of.c), most = hn::Max(hn::Max(of.a, of.b), of.c);
-    const Lanes inverse = hn::Div(all(1), whole);
-    const Lanes depth = hn::MulAdd(of.a, a.depth, hn::MulAdd(of.b, b.depth, hn::Mul(of.c, c.depth)));
-    const Lanes time = hn::Mul(hn::Mul(depth, inverse), all(per_depth_));
-    const Lanes share = hn::Mul(hn::Mul(off, of.size), hn::Abs(inverse));
-    const Lanes wide = hn::Mul(hn::Add(share, all(4 * off_)), all(std::fabs(per_depth_)));
-    const LaneMask one_sign = hn::Or(hn::Gt(least, of.off), hn::Lt(most, hn::Neg(of.off)));
+    const Float whole = hn::Add(hn::Add(of.a, of.b), of.c), off = hn::Mul(all<Float>(6), of.off);
+    const Float least = hn::Min(hn::Min(of.a, of.b), of.c), most = hn::Max(hn::Max(of.a, of.b), of.c);
+    const Float inverse = hn::Div(all<Float>(1), whole);
+    const Float depth = hn::MulAdd(of.a, a.depth, hn::MulAdd(of.b, b.depth, hn::Mul(of.c, c.depth)));
+    const Float time = hn::Mul(hn::Mul(depth, inverse), all<Float>(per_depth_));
+    const Float share = hn::Mul(hn::Mul(off, of.size), hn::Abs(inverse));
+    const Float wide = hn::Mul(hn::Add(share, all<Float>(4 * off_)), all<Float>(std::fabs(per_depth_)));
+    const FloatMask one_sign = hn::Or(hn::Gt(least, of.off), hn::Lt(most, hn::Neg(of.off)));
     return {hn::And(one_sign, hn::Ge(hn::Abs(whole), off)), hn::Sub(time, wide), hn::Add(time, wide)};
   }
 
  private:
-  HWY_INLINE static Lanes area(const Corner& p, const Corner& q) { return hn::MulSub(p.x, q.y, hn::Mul(p.y, q.x)); }
+  HWY_INLINE static Float area(const Corner& p, const Corner& q) { return hn::MulSub(p.x, q.y, hn::Mul(p.y, q.x)); }
 
   std::array<std::size_t, 3> axis_;
   std::array<float, 3> origin_;

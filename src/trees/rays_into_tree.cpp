@@ -12,114 +12,104 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+// Products may be fused here.
 
-using Doubles = hn::CappedTag<double, 8>;
-using Numbers = hn::Vec<Doubles>;
-constexpr std::size_t most_lanes = 8;
-
-HWY_INLINE Numbers all(double x) { return hn::Set(Doubles(), x); }
-
-struct Vector {
-  Numbers x, y, z;
-};
-
-HWY_INLINE Vector minus(const Vector& a, const Vector& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+HWY_INLINE Number greatest_coordinate_of(const Vector& v) {
+  return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
 }
-HWY_INLINE Vector all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE Numbers greatest_of(const Vector& v) { return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)); }
-HWY_INLINE Numbers dot(const Vec3& row, const Vector& v) {
+HWY_INLINE Number row_times(const Vec3& row, const Vector& v) {
   return hn::MulAdd(all(row.x), v.x, hn::MulAdd(all(row.y), v.y, hn::Mul(all(row.z), v.z)));
 }
-HWY_INLINE Vector product(const Mat3& m, const Vector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+HWY_INLINE Vector product(const Mat3& m, const Vector& v) {
+  return {row_times(m[0], v), row_times(m[1], v), row_times(m[2], v)};
+}
 
 /// A few rays, number by number.
-using Row = std::array<double, most_lanes>;
+using LaneDoubles = std::array<double, most_lanes>;
 struct RayRows {
-  alignas(64) std::array<Row, 3> origin, motion;
-  alignas(64) Row largest;
+  alignas(64) std::array<LaneDoubles, 3> origin, motion;
+  alignas(64) LaneDoubles largest;
 };
 struct ResultRows {
-  alignas(64) std::array<Row, 3> origin, motion;
-  alignas(64) Row pad, lean, late, from, to, known;
+  alignas(64) std::array<LaneDoubles, 3> origin, motion;
+  alignas(64) LaneDoubles pad, lean, late, from, to, known;
 };
 
-HWY_INLINE Vector load(const std::array<Row, 3>& rows) {
-  const Doubles d;
-  return {hn::Load(d, rows[0].data()), hn::Load(d, rows[1].data()), hn::Load(d, rows[2].data())};
+HWY_INLINE Vector load(const std::array<LaneDoubles, 3>& rows) {
+  return {hn::Load(tag, rows[0].data()), hn::Load(tag, rows[1].data()), hn::Load(tag, rows[2].data())};
 }
 
 struct PartOfWay {
-  Numbers from, to;
+  Number from, to;
 };
 
 /// Less, where rounding may have made it too much along one axis.
-HWY_INLINE void cut(PartOfWay& part, double lower, double upper, const Numbers& around, const Numbers& origin,
-                    const Numbers& motion) {
+HWY_INLINE void cut(PartOfWay& part, double lower, double upper, const Number& around, const Number& origin,
+                    const Number& motion) {
   // What moves less far than `least` is told by where it is; `around` allows for it.
   constexpr double slack = 0x1p-50, least = 0x1p-900;
-  const Numbers zero = hn::Zero(Doubles());
-  const Numbers low = hn::Sub(hn::Sub(all(lower), around), origin), high = hn::Sub(hn::Add(all(upper), around), origin);
-  const Numbers inverse = hn::Div(all(1), motion), s = hn::Mul(low, inverse), t = hn::Mul(high, inverse);
-  const Numbers enter = hn::Min(s, t), leave = hn::Max(s, t);
+  const Number zero = hn::Zero(tag);
+  const Number low = hn::Sub(hn::Sub(all(lower), around), origin), high = hn::Sub(hn::Add(all(upper), around), origin);
+  const Number inverse = hn::Div(all(1), motion), s = hn::Mul(low, inverse), t = hn::Mul(high, inverse);
+  const Number enter = hn::Min(s, t), leave = hn::Max(s, t);
   // A ray that stands still along the axis, or nearly so, is within for ever, or never.
   const auto still = hn::Lt(hn::Abs(motion), all(least));
-  const Numbers never = hn::IfThenElseZero(hn::Or(hn::Gt(low, zero), hn::Lt(high, zero)), all(2));
-  const Numbers from = hn::Sub(enter, hn::Mul(all(slack), hn::Abs(enter)));
-  const Numbers to = hn::Add(leave, hn::Mul(all(slack), hn::Abs(leave)));
+  const Number never = hn::IfThenElseZero(hn::Or(hn::Gt(low, zero), hn::Lt(high, zero)), all(2));
+  const Number from = hn::Sub(enter, hn::Mul(all(slack), hn::Abs(enter)));
+  const Number to = hn::Add(leave, hn::Mul(all(slack), hn::Abs(leave)));
   part.from = hn::Max(hn::IfThenElse(still, never, from), part.from);
   part.to = hn::Min(hn::IfThenElse(still, all(1), to), part.to);
 }
 
-HWY_INLINE void store(const Vector& v, std::array<Row, 3>& rows) {
-  const Doubles d;
-  hn::Store(v.x, d, rows[0].data());
-  hn::Store(v.y, d, rows[1].data());
-  hn::Store(v.z, d, rows[2].data());
+HWY_INLINE void store(const Vector& v, std::array<LaneDoubles, 3>& rows) {
+  hn::Store(v.x, tag, rows[0].data());
+  hn::Store(v.y, tag, rows[1].data());
+  hn::Store(v.z, tag, rows[2].data());
 }
 
 /// As many rays as there are lanes.
 void bring(const RayFrame& frame, const RayRows& rows, ResultRows& result) {
   constexpr double longest = 0x1p46, most_off = 1, most_off_for_triangles = 0x1p-5;
-  const Doubles d;
   const Vector from = load(rows.origin), along = load(rows.motion);
-  const Numbers largest = hn::Load(d, rows.largest.data());
+  const Number largest = hn::Load(tag, rows.largest.data());
   const Vector motion = product(frame.back, along);
-  const Vector apart = minus(from, all(frame.offset));
-  const Vector origin = minus(product(frame.back, apart), all(frame.origin));
-  const Numbers size = hn::Add(greatest_of(from), largest), speed = greatest_of(motion);
-  const Numbers off = hn::MulAdd(all(frame.off_by_size), size, all(frame.off));
+  const Vector apart = minus(from, in_all(frame.offset));
+  const Vector origin = minus(product(frame.back, apart), in_all(frame.origin));
+  const Number size = hn::Add(greatest_coordinate_of(from), largest), speed = greatest_coordinate_of(motion);
+  const Number off = hn::MulAdd(all(frame.off_by_size), size, all(frame.off));
 
-  PartOfWay part{hn::Zero(d), all(1)};
-  const Numbers around = hn::Add(off, all(0x1p-40));
+  PartOfWay part{hn::Zero(tag), all(1)};
+  const Number around = hn::Add(off, all(0x1p-40));
   cut(part, frame.box.lower.x, frame.box.upper.x, around, origin.x, motion.x);
   cut(part, frame.box.lower.y, frame.box.upper.y, around, origin.y, motion.y);
   cut(part, frame.box.lower.z, frame.box.upper.z, around, origin.z, motion.z);
 
-  const Numbers length = hn::Sub(part.to, part.from), far = all(HUGE_VAL);
-  const auto known =
-      hn::And(hn::And(hn::Lt(speed, all(longest)), hn::Lt(off, all(most_off))), hn::Lt(greatest_of(apart), far));
+  const Number length = hn::Sub(part.to, part.from), far = all(HUGE_VAL);
+  const auto known = hn::And(hn::And(hn::Lt(speed, all(longest)), hn::Lt(off, all(most_off))),
+                             hn::Lt(greatest_coordinate_of(apart), far));
   const auto near = hn::Lt(off, all(frame.has_units ? most_off_for_triangles : -1));
-  const Numbers lean = hn::Div(hn::Mul(all(frame.off_by_size * (1 + 0x1p-20)), largest), speed);
+  const Number lean = hn::Div(hn::Mul(all(frame.off_by_size * (1 + 0x1p-20)), largest), speed);
   // As wide as a time may be told to be.
-  const Numbers late = hn::IfThenElse(hn::Gt(length, all(0x1p-60)), hn::Div(all(0x1p-40), length), far);
+  const Number late = hn::IfThenElse(hn::Gt(length, all(0x1p-60)), hn::Div(all(0x1p-40), length), far);
   // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
-  const Numbers pad = hn::Add(hn::Add(off, all(0x1p-20)), hn::Mul(all(0x1p-50), hn::Add(greatest_of(origin), speed)));
+  const Number pad =
+      hn::Add(hn::Add(off, all(0x1p-20)), hn::Mul(all(0x1p-50), hn::Add(greatest_coordinate_of(origin), speed)));
   store({hn::MulAdd(part.from, motion.x, origin.x), hn::MulAdd(part.from, motion.y, origin.y),
          hn::MulAdd(part.from, motion.z, origin.z)},
         result.origin);
   store({hn::Mul(length, motion.x), hn::Mul(length, motion.y), hn::Mul(length, motion.z)}, result.motion);
-  hn::Store(pad, d, result.pad.data());
-  hn::Store(hn::IfThenElse(near, hn::Add(lean, all(0x1p-40)), far), d, result.lean.data());
-  hn::Store(late, d, result.late.data());
-  hn::Store(part.from, d, result.from.data());
-  hn::Store(part.to, d, result.to.data());
-  hn::Store(hn::IfThenElseZero(known, all(1)), d, result.known.data());
+  hn::Store(pad, tag, result.pad.data());
+  hn::Store(hn::IfThenElse(near, hn::Add(lean, all(0x1p-40)), far), tag, result.lean.data());
+  hn::Store(late, tag, result.late.data());
+  hn::Store(part.from, tag, result.from.data());
+  hn::Store(part.to, tag, result.to.data());
+  hn::Store(hn::IfThenElseZero(known, all(1)), tag, result.known.data());
 }
 
 void put(const PreparedRay& ray, RayRows& rows, std::size_t lane) {
@@ -144,7 +134,7 @@ void take(const ResultRows& rows, std::size_t lane, RayInTree& one) {
 }
 
 void run_rays_into_tree(const RayFrame& frame, std::span<const PreparedRay> rays, std::span<RayInTree> result) {
-  const std::size_t lanes = hn::Lanes(Doubles());
+  const std::size_t lanes = hn::Lanes(tag);
   RayRows rows;
   ResultRows found;
   for (std::size_t first = 0; first < rays.size(); first += lanes) {

@@ -6,7 +6,7 @@ namespace toccata {
 namespace {
 
 /// How far along the curve a neighbour is looked for, to each side.
-constexpr std::size_t reach = 8;
+constexpr std::size_t search_reach = 8;
 
 // The last rounds have few clusters, for which waking threads would take longer.
 constexpr std::size_t fewest_for_threads = 4096;
@@ -25,7 +25,7 @@ std::vector<std::size_t> nearest_of(std::span<const Cluster> clusters, int threa
     return half_area(merge(clusters[i].box, clusters[j].box));
   };
   parallel_for(clusters.size(), clusters.size() < fewest_for_threads ? 1 : threads, [&](std::size_t i) {
-    const std::size_t first = i - std::min(i, reach), last = std::min(i + reach, clusters.size() - 1);
+    const std::size_t first = i - std::min(i, search_reach), last = std::min(i + search_reach, clusters.size() - 1);
     nearest[i] = (i ^ 1) < clusters.size() ? (i ^ 1) : i - 1;
     double best = area_with(i, nearest[i]);
     for (std::size_t j = first; j <= last; ++j) {

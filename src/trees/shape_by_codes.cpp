@@ -30,7 +30,7 @@ std::uint64_t code_of(const Vec3& place, const Aabb& box) {
 }
 
 /// A run of codes that becomes a fork.
-struct Task {
+struct CodeRun {
   std::size_t first;
   std::size_t count;
   Index fork;
@@ -64,9 +64,9 @@ BinaryShape shape_by_codes(const ShapeItems& items, int threads) {
   const std::vector<CodedItem> coded = along_curve(items, threads);
   BinaryShape shape;
   shape.root = shape.add_leaf(coded.front().item);
-  std::vector<Task> tasks{{0, coded.size(), shape.root}};
+  std::vector<CodeRun> tasks{{0, coded.size(), shape.root}};
   while (!tasks.empty()) {
-    const Task task = tasks.back();
+    const CodeRun task = tasks.back();
     tasks.pop_back();
     if (task.count == 1) continue;
     const std::size_t border = first_part(std::span(coded).subspan(task.first, task.count));

@@ -15,7 +15,7 @@ constexpr int greatest_split_depth = 64;
 constexpr std::size_t most_of_a_task = 4096;
 
 /// A run of items that is to be split, and the fork it becomes. The forks below it have the numbers after it.
-struct Task {
+struct SplitRun {
   std::size_t first;
   std::size_t count;
   Index fork;
@@ -32,7 +32,7 @@ class TopDown {
   BinaryShape build(TreeDriver driver, int threads) {
     shape_.forks.resize(2 * order_.size() - 1);
     shape_.root = 0;
-    std::vector<Task> tasks{{0, order_.size(), 0, 0}};
+    std::vector<SplitRun> tasks{{0, order_.size(), 0, 0}};
     while (!tasks.empty()) {
       std::vector<Halves> halves(tasks.size());
       parallel_for(tasks.size(), threads, [&](std::size_t i) {
@@ -51,17 +51,17 @@ class TopDown {
   }
 
  private:
-  void build_recursively(const Task& task) {
+  void build_recursively(const SplitRun& task) {
     if (is_leaf(task)) return;
     const auto [left, right] = split(task);
     build_recursively(left);
     build_recursively(right);
   }
 
-  void build_iteratively(const Task& all) {
-    std::vector<Task> tasks{all};
+  void build_iteratively(const SplitRun& all) {
+    std::vector<SplitRun> tasks{all};
     while (!tasks.empty()) {
-      const Task task = tasks.back();
+      const SplitRun task = tasks.back();
       tasks.pop_back();
       if (is_leaf(task)) continue;
       const auto [left, right] = split(task);
@@ -71,18 +71,18 @@ class TopDown {
   }
 
   struct Halves {
-    Task left{};
-    Task right{};
+    SplitRun left{};
+    SplitRun right{};
   };
 
   /// If it is one, takes note of its item.
-  bool is_leaf(const Task& task) {
+  bool is_leaf(const SplitRun& task) {
     if (task.count == 1) shape_.forks[task.fork].item = order_[task.first];
     return task.count == 1;
   }
 
   /// So many items have one fork less than twice as many, in which a part's come right after its parent's.
-  Halves split(const Task& task) {
+  Halves split(const SplitRun& task) {
     const auto run = std::span(order_).subspan(task.first, task.count);
     std::size_t border = 0;
     if (task.depth < greatest_split_depth)

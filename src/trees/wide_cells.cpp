@@ -15,9 +15,9 @@ constexpr std::size_t cells_per_task = 1024;
 constexpr std::size_t fewest_items_per_task = 16384;
 
 /// Tells the cell of an item's box.
-class Grid {
+class CellSorter {
  public:
-  Grid(const WideFrame& frame, const Aabb& around, std::size_t item_count) : frame_(frame) {
+  CellSorter(const WideFrame& frame, const Aabb& around, std::size_t item_count) : frame_(frame) {
     lower_ = in_frame(around.lower);
     const auto upper = in_frame(around.upper);
     float longest = 0;
@@ -90,7 +90,7 @@ std::vector<Cell> cells_that_hold_items(std::span<const std::uint32_t> starts) {
 }  // namespace
 
 CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const WideFrame& frame, int threads) {
-  const Grid grid(frame, around, boxes.size());
+  const CellSorter grid(frame, around, boxes.size());
   // The chunks' numbers of items in cells take no more space than a part of the items'.
   const Chunks chunks{boxes.size(), std::max(fewest_items_per_task, grid.cell_count())};
   std::vector<std::vector<std::uint32_t>> places(chunks.size());

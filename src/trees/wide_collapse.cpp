@@ -8,19 +8,19 @@
 namespace toccata {
 namespace {
 
-constexpr std::uint32_t width = WideBlock::width;
+constexpr std::uint32_t block_width = WideBlock::width;
 
 bool is_made_elsewhere(const BinaryNode& node) { return node.count == BinaryNode::made_elsewhere; }
 
 void set_bottom_cost(BinaryNode& node) {
   const float cost = visit_cost(node.box);
-  for (std::uint32_t lanes = 1; lanes <= width; ++lanes) node.cost[lanes - 1] = lanes >= node.count ? 0 : cost;
+  for (std::uint32_t lanes = 1; lanes <= block_width; ++lanes) node.cost[lanes - 1] = lanes >= node.count ? 0 : cost;
 }
 
 void set_inner_cost(BinaryNode& node, std::span<const BinaryNode> nodes) {
   const auto& left = nodes[node.children].cost;
   const auto& right = nodes[node.children + 1].cost;
-  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+  for (std::uint32_t lanes = 2; lanes <= block_width; ++lanes) {
     float best = FloatBox::infinity;
     for (std::uint32_t to_left = 1; to_left < lanes; ++to_left) {
       const float both = left[to_left - 1] + right[lanes - to_left - 1];
@@ -31,9 +31,9 @@ void set_inner_cost(BinaryNode& node, std::span<const BinaryNode> nodes) {
     node.cost[lanes - 1] = best;
   }
   // The node's own block is spread over eight lanes.
-  node.left_lanes[0] = node.left_lanes[width - 1];
-  node.cost[0] = visit_cost(node.box) + node.cost[width - 1];
-  for (std::uint32_t lanes = 2; lanes <= width; ++lanes) {
+  node.left_lanes[0] = node.left_lanes[block_width - 1];
+  node.cost[0] = visit_cost(node.box) + node.cost[block_width - 1];
+  for (std::uint32_t lanes = 2; lanes <= block_width; ++lanes) {
     if (node.cost[lanes - 1] < node.cost[0]) continue;
     node.cost[lanes - 1] = node.cost[0];
     node.left_lanes[lanes - 1] = 0;
@@ -47,7 +47,7 @@ struct Lane {
 };
 
 struct Lanes {
-  std::array<Lane, width> lane;
+  std::array<Lane, block_width> lane;
   std::uint32_t count = 0;
 
   void add_items(const BinaryNode& node) {
@@ -65,7 +65,7 @@ struct Spread {
 Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
   Lanes lanes;
   // Every entry stands for at least one lane.
-  std::array<Spread, width + 1> stack;
+  std::array<Spread, block_width + 1> stack;
   std::size_t size = 0;
   const auto open = [&](const BinaryNode& node, std::uint32_t among, std::uint32_t left) {
     stack[size++] = {node.children + 1, among - left};
@@ -74,7 +74,7 @@ Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
   if (nodes[root].is_bottom()) {
     lanes.add_items(nodes[root]);
   } else {
-    open(nodes[root], width, nodes[root].left_lanes[0]);
+    open(nodes[root], block_width, nodes[root].left_lanes[0]);
   }
   while (size > 0) {
     const Spread spread = stack[--size];
@@ -93,7 +93,7 @@ Lanes lanes_of(std::span<const BinaryNode> nodes, std::uint32_t root) {
 void fill(WideBlock& block, const BlockPlan& plan, std::span<const BinaryNode> nodes,
           std::span<const FloatItem> items) {
   const Lanes lanes = lanes_of(nodes, plan.node);
-  std::array<FloatBox, width> boxes;
+  std::array<FloatBox, block_width> boxes;
   boxes.fill(FloatBox{Float4{}, Float4{}});
   auto next_child = static_cast<std::int32_t>(plan.first_child);
   for (std::uint32_t i = 0; i < lanes.count; ++i) {

@@ -15,17 +15,14 @@
 #include <cmath>
 #include <optional>
 
+#include "math/floats.hpp"
+#include "math/vec3_measures.hpp"
+#include "trees/block_lanes.hpp"
 #include "trees/point_lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, WideBlock::width>;
-constexpr std::size_t lanes = hn::MaxLanes(Floats()), parts = WideBlock::width / lanes;
-constexpr unsigned part_mask = (1U << lanes) - 1U;
 
 using Integers = hn::CappedTag<std::int32_t, WideBlock::width>;
 alignas(64) constexpr std::array<std::int32_t, WideBlock::width> lane_bit{1, 2, 4, 8, 16, 32, 64, 128};
@@ -64,10 +61,6 @@ class VisitedLeaves {
   FunctionRef<double(std::span<const Index>)> visit_;
 };
 
-std::array<float, 3> as_floats(const Vec3& at) { return {as_float(at.x), as_float(at.y), as_float(at.z)}; }
-
-double sum_of_magnitudes(const Vec3& at) { return (std::fabs(at.x) + std::fabs(at.y)) + std::fabs(at.z); }
-
 /// Bounds the distances of all triangles of a block at once.
 class BoundedLeaves {
  public:
@@ -77,8 +70,8 @@ class BoundedLeaves {
   double see(std::size_t number, unsigned items) {
     alignas(64) std::array<float, WideBlock::width> lower, upper;
     const TriangleLanes& triangles = leaves_.of_block[number];
-    for (std::size_t first = 0; first < WideBlock::width; first += lanes) {
-      const lane_floats::LaneBounds bounds = lane_floats::bounds_of(triangles, first, at_, pad_);
+    for (std::size_t first = 0; first < WideBlock::width; first += part_lanes) {
+      const FloatBounds bounds = bounds_of(triangles, first, at_, pad_);
       hn::Store(bounds.lower, Floats(), lower.data() + first);
       hn::Store(bounds.upper, Floats(), upper.data() + first);
     }
@@ -104,7 +97,7 @@ class BoundedLeaves {
     return as_float((point.pad + off) * (1 + 0x1p-20) + 0x1p-30);
   }
 
-  static HWY_INLINE hn::Mask<Floats> lanes_from(std::size_t first, unsigned bits) {
+  static HWY_INLINE hn::Mask<Floats> mask_from(std::size_t first, unsigned bits) {
     const std::uint8_t some[8] = {static_cast<std::uint8_t>(bits >> first)};
     return hn::LoadMaskBits(Floats(), some);
   }
@@ -112,8 +105,8 @@ class BoundedLeaves {
   static HWY_INLINE float least_of(const std::array<float, WideBlock::width>& upper, unsigned items) {
     const Floats d;
     auto least = hn::Inf(d);
-    for (std::size_t first = 0; first < WideBlock::width; first += lanes)
-      least = hn::Min(least, hn::IfThenElse(lanes_from(first, items), hn::Load(d, upper.data() + first), hn::Inf(d)));
+    for (std::size_t first = 0; first < WideBlock::width; first += part_lanes)
+      least = hn::Min(least, hn::IfThenElse(mask_from(first, items), hn::Load(d, upper.data() + first), hn::Inf(d)));
     return hn::GetLane(hn::MinOfLanes(d, least));
   }
 
@@ -123,9 +116,9 @@ class BoundedLeaves {
     const Floats d;
     const hn::RebindToUnsigned<Floats> of_numbers;
     near_.make_room();
-    for (std::size_t first = 0; first < WideBlock::width; first += lanes) {
+    for (std::size_t first = 0; first < WideBlock::width; first += part_lanes) {
       const auto bound = hn::Load(d, lower.data() + first);
-      const auto kept = hn::AndNot(hn::Gt(bound, hn::Set(d, near_.limit())), lanes_from(first, items));
+      const auto kept = hn::AndNot(hn::Gt(bound, hn::Set(d, near_.limit())), mask_from(first, items));
       const auto number = hn::Load(of_numbers, triangles.number.data() + first);
       hn::StoreU(hn::Compress(bound, kept), d, near_.lowers_place());
       hn::StoreU(hn::Compress(number, hn::RebindMask(of_numbers, kept)), of_numbers, near_.numbers_place());
@@ -179,9 +172,9 @@ class PointWalk {
     const WideBlock& block = tree_.blocks[number];
     alignas(64) std::array<float, WideBlock::width> squared;
     unsigned near = 0, items = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-      near |= measure(block, part * lanes, squared) << part * lanes;
-      items |= items_of(block, part * lanes) << part * lanes;
+    for (std::size_t part = 0; part < block_parts; ++part) {
+      near |= measure(block, part * part_lanes, squared) << part * part_lanes;
+      items |= items_of(block, part * part_lanes) << part * part_lanes;
     }
     near &= (1U << block.count) - 1U;
     boxes_ += block.count;
@@ -191,9 +184,7 @@ class PointWalk {
 
   static HWY_INLINE unsigned items_of(const WideBlock& block, std::size_t first) {
     const Integers d;
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Lt(hn::Load(d, block.child.data() + first), hn::Zero(d)), bits);
-    return static_cast<unsigned>(bits[0]) & part_mask;
+    return bits_of(d, hn::Lt(hn::Load(d, block.child.data() + first), hn::Zero(d)));
   }
 
   /// The nearest comes next. Sorted without branches, which could not be foreseen: each is put where the number of
@@ -248,9 +239,7 @@ class PointWalk {
     };
     const auto sum = hn::Add(hn::Add(gap(0), gap(1)), gap(2));
     hn::Store(sum, d, squared.data() + first);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Gt(sum, hn::Set(d, limit_squared_)), bits);
-    return ~static_cast<unsigned>(bits[0]) & part_mask;
+    return ~bits_of(d, hn::Gt(sum, hn::Set(d, limit_squared_))) & part_mask;
   }
 
   const WideTree& tree_;
@@ -270,22 +259,22 @@ std::size_t run_point(const WideTree& tree, const WidePoint& point, double limit
   return walk.boxes();
 }
 
-using NearWalk = PointWalk<BoundedLeaves>;
+using NearPointWalk = PointWalk<BoundedLeaves>;
 
-PointCounts counts_of(const NearWalk& walk) { return {walk.boxes(), walk.leaves().count()}; }
+PointCounts counts_of(const NearPointWalk& walk) { return {walk.boxes(), walk.leaves().count()}; }
 
-PointCounts run_near(const WideTree& tree, const LeafTriangles& triangles, const WidePoint& point,
-                     NearTriangles& near) {
-  NearWalk walk(tree, point, static_cast<double>(near.limit()), BoundedLeaves(triangles, point, near));
+PointCounts run_near_point(const WideTree& tree, const LeafTriangles& triangles, const WidePoint& point,
+                           NearTriangles& near) {
+  NearPointWalk walk(tree, point, static_cast<double>(near.limit()), BoundedLeaves(triangles, point, near));
   walk.run();
   return counts_of(walk);
 }
 
 /// Points that walk side by side, the next one in the place of one that is done.
-class NearWalks {
+class NearPointWalks {
  public:
-  NearWalks(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
-            std::array<NearTriangles::Memory, points_abreast>& memory)
+  NearPointWalks(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+                 std::array<NearTriangles::Memory, points_abreast>& memory)
       : tree_(tree), leaves_(leaves), starts_(starts), memory_(memory) {}
 
   PointCounts run(FunctionRef<void(std::size_t, NearTriangles&)> done) {
@@ -304,7 +293,7 @@ class NearWalks {
  private:
   struct Place {
     std::optional<NearTriangles> near;
-    std::optional<NearWalk> walk;
+    std::optional<NearPointWalk> walk;
     std::size_t number = 0;
   };
 
@@ -339,10 +328,10 @@ class NearWalks {
   std::array<Place, points_abreast> places_;
 };
 
-PointCounts run_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
-                          std::array<NearTriangles::Memory, points_abreast>& memory,
-                          FunctionRef<void(std::size_t, NearTriangles&)> done) {
-  return NearWalks(tree, leaves, starts, memory).run(done);
+PointCounts run_near_points(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+                            std::array<NearTriangles::Memory, points_abreast>& memory,
+                            FunctionRef<void(std::size_t, NearTriangles&)> done) {
+  return NearPointWalks(tree, leaves, starts, memory).run(done);
 }
 
 }  // namespace
@@ -354,8 +343,8 @@ namespace toccata {
 namespace {
 
 HWY_EXPORT(run_point);
-HWY_EXPORT(run_near);
-HWY_EXPORT(run_near_each);
+HWY_EXPORT(run_near_point);
+HWY_EXPORT(run_near_points);
 
 }  // namespace
 
@@ -367,14 +356,14 @@ std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limi
 
 PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near) {
   if (tree.blocks.empty()) return {};
-  return HWY_DYNAMIC_DISPATCH(run_near)(tree, leaves, point, near);
+  return HWY_DYNAMIC_DISPATCH(run_near_point)(tree, leaves, point, near);
 }
 
 PointCounts find_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
                            std::array<NearTriangles::Memory, points_abreast>& memory,
                            FunctionRef<void(std::size_t, NearTriangles&)> done) {
   if (tree.blocks.empty()) return {};
-  return HWY_DYNAMIC_DISPATCH(run_near_each)(tree, leaves, starts, memory, done);
+  return HWY_DYNAMIC_DISPATCH(run_near_points)(tree, leaves, starts, memory, done);
 }
 
 }  // namespace toccata

@@ -15,23 +15,21 @@
 #include <cstddef>
 #include <span>
 
+#include "trees/block_lanes.hpp"
 #include "trees/ray_lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
 
-constexpr std::size_t lane_count = hn::MaxLanes(Floats()), parts = WideBlock::width / lane_count;
-constexpr unsigned part_mask = (1U << lane_count) - 1U;
-
 /// The places of the lanes that are items, as bits.
 HWY_INLINE unsigned items_of(const WideBlock& block) {
   const hn::CappedTag<std::int32_t, WideBlock::width> d;
   const hn::RebindToFloat<decltype(d)> f;
   unsigned items = 0;
-  for (std::size_t part = 0; part < parts; ++part) {
-    const auto child = hn::Load(d, block.child.data() + part * lane_count);
-    items |= bits_of(hn::MaskFromVec(hn::BitCast(f, hn::BroadcastSignBit(child)))) << part * lane_count;
+  for (std::size_t part = 0; part < block_parts; ++part) {
+    const auto child = hn::Load(d, block.child.data() + part * part_lanes);
+    items |= bits_of(f, hn::MaskFromVec(hn::BitCast(f, hn::BroadcastSignBit(child)))) << part * part_lanes;
   }
   return items;
 }
@@ -39,17 +37,19 @@ HWY_INLINE unsigned items_of(const WideBlock& block) {
 /// What a line that can tell anything tells of the lanes of a block that it meets the boxes of.
 RayLanes lanes_told(const RayLine& line, const WideBlock& block, const TriangleLanes& triangles, unsigned among) {
   RayLanes told;
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t first = part * lane_count;
+  for (std::size_t part = 0; part < block_parts; ++part) {
+    const std::size_t first = part * part_lanes;
     const auto a = line.corner(triangles, 0, first), b = line.corner(triangles, 1, first),
                c = line.corner(triangles, 2, first);
     const auto areas = line.areas(block, a, b, c, first);
-    const unsigned kept = ~bits_of(line.missed(areas)) & (among >> first) & part_mask;
+    const unsigned kept = ~bits_of(Floats(), line.missed(areas)) & (among >> first) & part_mask;
     if (kept == 0) continue;
     const auto times = line.times(areas, a, b, c);
-    const unsigned agree = bits_of(times.agree) & kept;
-    const unsigned beside = bits_of(hn::Or(hn::Gt(times.lower, all(1)), hn::Lt(times.upper, all(0)))) & agree;
-    const unsigned on_the_way = bits_of(hn::And(hn::Gt(times.lower, all(0)), hn::Lt(times.upper, all(1)))) & agree;
+    const unsigned agree = bits_of(Floats(), times.agree) & kept;
+    const unsigned beside =
+        bits_of(Floats(), hn::Or(hn::Gt(times.lower, all<Float>(1)), hn::Lt(times.upper, all<Float>(0)))) & agree;
+    const unsigned on_the_way =
+        bits_of(Floats(), hn::And(hn::Gt(times.lower, all<Float>(0)), hn::Lt(times.upper, all<Float>(1)))) & agree;
     told.possible |= (kept & ~beside) << first;
     told.certain |= on_the_way << first;
     hn::StoreU(hn::IfThenElseZero(times.agree, times.lower), Floats(), told.lower.data() + first);
@@ -93,8 +93,8 @@ class RayWalk {
   /// that is.
   HWY_INLINE bool open(const WideBlock& block) {
     unsigned met = 0;
-    for (std::size_t part = 0; part < parts; ++part)
-      met |= (slabs_.meet(block, part * lane_count, limit_, when_) & part_mask) << part * lane_count;
+    for (std::size_t part = 0; part < block_parts; ++part)
+      met |= (slabs_.meet(block, part * part_lanes, limit_, when_) & part_mask) << part * part_lanes;
     met &= (1U << block.count) - 1U;
     items_ = items_of(block) & met;
     const unsigned inner = met & ~items_;
@@ -212,7 +212,7 @@ class RayWalk {
 };
 
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
-constexpr std::size_t abreast = 12;
+constexpr std::size_t rays_abreast = 12;
 
 void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& ray, const VisitCandidates& visit) {
   RayWalk walk;
@@ -224,10 +224,10 @@ void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& r
 /// Rays that walk side by side, the next one in the place of one that is done.
 void run_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
   if (rays.size() == 1) return run_ray(tree, leaves, rays[0], visit);
-  std::array<RayWalk, abreast> walks;
-  std::array<RayWalk*, abreast> walking;
+  std::array<RayWalk, rays_abreast> walks;
+  std::array<RayWalk*, rays_abreast> walking;
   std::size_t next = 0, count = 0;
-  for (; count < abreast && next < rays.size(); ++next, ++count) {
+  for (; count < rays_abreast && next < rays.size(); ++next, ++count) {
     walking[count] = &walks[count];
     walks[count].start(tree, leaves, rays[next], next);
   }

@@ -13,6 +13,8 @@
 #include <memory_resource>
 #include <utility>
 
+#include "trees/block_lanes.hpp"
+
 #ifndef TOCCATA_WIDE_WALK_TABLE
 #define TOCCATA_WIDE_WALK_TABLE
 namespace toccata {
@@ -35,52 +37,44 @@ HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, WideBlock::width>;
-using Words = hn::CappedTag<std::uint32_t, WideBlock::width>;
-constexpr std::size_t lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(float));
-constexpr std::size_t parts = WideBlock::width / lanes;
-constexpr unsigned part_mask = (1U << lanes) - 1U;
-
-using Doubles = hn::CappedTag<double, WideBlock::width>;
-constexpr std::size_t double_lanes = std::min<std::size_t>(WideBlock::width, HWY_LANES(double));
+using Words = hn::Rebind<std::uint32_t, Floats>;
+constexpr std::size_t double_lanes = hn::MaxLanes(tag);
 
 /// One box of a block, each of its numbers in all lanes.
-struct Box {
-  Box(const WideBlock& block, std::size_t lane)
+struct BoxInAllLanes {
+  BoxInAllLanes(const WideBlock& block, std::size_t lane)
       : cx(in_all(block.centre[0][lane])),
         cy(in_all(block.centre[1][lane])),
         cz(in_all(block.centre[2][lane])),
         ex(in_all(block.extent[0][lane])),
         ey(in_all(block.extent[1][lane])),
         ez(in_all(block.extent[2][lane])) {}
-  static HWY_INLINE hn::Vec<Floats> in_all(float x) { return hn::Set(Floats(), x); }
-  hn::Vec<Floats> cx, cy, cz, ex, ey, ez;
+  static HWY_INLINE Float in_all(float x) { return hn::Set(Floats(), x); }
+  Float cx, cy, cz, ex, ey, ez;
 };
 
 /// A box of the other tree, seen along the axes of the own one: it lies within at ± reach.
-struct Seen {
+struct SeenBox {
   alignas(64) std::array<float, WideAxes::most> at;
   alignas(64) std::array<float, WideAxes::most> reach;
   float size;  ///< in the own tree's units, roughly
 };
 
 // The walk's own rounding, docs/design/fast-core.md: 2^-24 is the unit roundoff of floats.
-constexpr float slack = 0x1p-20F;
+constexpr float walk_slack = 0x1p-20F;
 
 /// What every step needs, by tree: its blocks, and its axes.
-struct Sides {
-  explicit Sides(const WideWalk& walk)
+struct WalkSides {
+  explicit WalkSides(const WideWalk& walk)
       : blocks{walk.tree(0).blocks.data(), walk.tree(1).blocks.data()}, axes{&walk.axes(0), &walk.axes(1)} {}
   const WideBlock* blocks[2];
   const WideAxes* axes[2];
 };
 
 /// A block of one tree and a box of the other, that are to be compared.
-struct Entry {
-  Entry() = default;
-  HWY_INLINE Entry(const Sides& sides, std::uint32_t block_of_side, std::uint32_t lane_of_other)
+struct WalkEntry {
+  WalkEntry() = default;
+  HWY_INLINE WalkEntry(const WalkSides& sides, std::uint32_t block_of_side, std::uint32_t lane_of_other)
       : side(block_of_side & 1U),
         block_number(block_of_side >> 1),
         box_number(lane_of_other),
@@ -104,18 +98,18 @@ constexpr std::size_t alike_count = WideAxes::straight;
 constexpr std::size_t any_count = WideAxes::most;
 
 /// The first lanes, as many as doubles fit into a vector.
-HWY_INLINE hn::Vec<Doubles> as_doubles(hn::Vec<Floats> values) {
+HWY_INLINE Number as_doubles(Float values) {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_AVX3
-  return hn::PromoteTo(Doubles(), values);
+  return hn::PromoteTo(tag, values);
 #else
-  return hn::PromoteTo(Doubles(), hn::LowerHalf(values));
+  return hn::PromoteTo(tag, hn::LowerHalf(values));
 #endif
 }
 
 /// The middle of the box along the axes first, first + 1 …, as many as doubles fit into a vector.
-HWY_INLINE auto some_middles(const WideAxes& axes, const Box& box, std::size_t first) {
-  const Doubles d;
-  const auto product = [&](std::size_t i, hn::Vec<Floats> centre)
+HWY_INLINE auto some_middles(const WideAxes& axes, const BoxInAllLanes& box, std::size_t first) {
+  constexpr Tag d;
+  const auto product = [&](std::size_t i, Float centre)
                            HWY_ATTR { return hn::Mul(hn::Load(d, axes.other[i].data() + first), as_doubles(centre)); };
   const auto at = hn::Add(hn::Add(hn::Add(product(0, box.cx), product(1, box.cy)), product(2, box.cz)),
                           hn::Load(d, axes.offset.data() + first));
@@ -123,7 +117,7 @@ HWY_INLINE auto some_middles(const WideAxes& axes, const Box& box, std::size_t f
 }
 
 /// As many as floats fit. Joined in registers: reading two stores as one would wait until both have reached the cache.
-HWY_INLINE hn::Vec<Floats> middles(const WideAxes& axes, const Box& box, std::size_t first) {
+HWY_INLINE Float middles(const WideAxes& axes, const BoxInAllLanes& box, std::size_t first) {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_AVX3
   return some_middles(axes, box, first);
 #else
@@ -132,14 +126,14 @@ HWY_INLINE hn::Vec<Floats> middles(const WideAxes& axes, const Box& box, std::si
 }
 
 /// How far from its middle the box reaches along them.
-HWY_INLINE hn::Vec<Floats> reaches(const WideAxes& axes, const Box& box, std::size_t first, hn::Vec<Floats> middle) {
+HWY_INLINE Float reaches(const WideAxes& axes, const BoxInAllLanes& box, std::size_t first, Float middle) {
   const Floats d;
-  const auto product = [&](std::size_t i, hn::Vec<Floats> extent)
+  const auto product = [&](std::size_t i, Float extent)
                            HWY_ATTR { return hn::Mul(hn::Load(d, axes.other_size[i].data() + first), extent); };
   const auto reach = hn::Add(hn::Add(product(0, box.ex), product(1, box.ey)), product(2, box.ez));
   const auto magnitude = hn::Add(hn::Add(hn::Load(d, axes.own_size.data() + first), hn::Abs(middle)), reach);
   const auto padded = hn::Add(reach, hn::Load(d, axes.pad.data() + first));
-  return hn::Add(padded, hn::Mul(hn::Set(d, slack), magnitude));
+  return hn::Add(padded, hn::Mul(hn::Set(d, walk_slack), magnitude));
 }
 
 template <std::size_t axis_count>
@@ -149,10 +143,10 @@ HWY_INLINE std::size_t count_of(const WideAxes& axes) {
 
 /// Writes how an entry's box is seen.
 template <std::size_t axis_count>
-HWY_INLINE void look(const Entry& entry, Seen& seen) {
+HWY_INLINE void look(const WalkEntry& entry, SeenBox& seen) {
   const WideAxes& axes = *entry.axes;
-  const Box box(*entry.other, entry.lane());
-  for (std::size_t first = 0; first < count_of<axis_count>(axes); first += lanes) {
+  const BoxInAllLanes box(*entry.other, entry.lane());
+  for (std::size_t first = 0; first < count_of<axis_count>(axes); first += part_lanes) {
     const auto middle = middles(axes, box, first);
     hn::Store(middle, Floats(), seen.at.data() + first);
     hn::Store(reaches(axes, box, first, middle), Floats(), seen.reach.data() + first);
@@ -168,12 +162,6 @@ HWY_INLINE V along(const std::array<float, 3>& form, V x, V y, V z) {
                  hn::Mul(hn::Set(d, form[2]), z));
 }
 
-HWY_INLINE unsigned bits_of(hn::Mask<Floats> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Floats(), mask, bits);
-  return bits[0] & part_mask;
-}
-
 struct Compared {
   unsigned apart;   ///< lanes that do not meet the box
   unsigned larger;  ///< lanes that are at least as large as it
@@ -181,36 +169,36 @@ struct Compared {
 };
 
 /// The lanes first, first + 1 … of a block, as vectors.
-struct Lanes {
-  explicit Lanes(const WideBlock& block, std::size_t first)
+struct BlockLanes {
+  explicit BlockLanes(const WideBlock& block, std::size_t first)
       : cx(hn::Load(Floats(), block.centre[0].data() + first)),
         cy(hn::Load(Floats(), block.centre[1].data() + first)),
         cz(hn::Load(Floats(), block.centre[2].data() + first)),
         ex(hn::Load(Floats(), block.extent[0].data() + first)),
         ey(hn::Load(Floats(), block.extent[1].data() + first)),
         ez(hn::Load(Floats(), block.extent[2].data() + first)) {}
-  hn::Vec<Floats> cx, cy, cz, ex, ey, ez;
+  Float cx, cy, cz, ex, ey, ez;
 };
 
 /// Every comparison is written so that what is not a number keeps the lane.
-HWY_INLINE hn::Mask<Floats> is_beyond(hn::Vec<Floats> centre, hn::Vec<Floats> extent, float at, float reach) {
+HWY_INLINE FloatMask is_beyond(Float centre, Float extent, float at, float reach) {
   const Floats d;
   return hn::Gt(hn::Abs(hn::Sub(centre, hn::Set(d, at))), hn::Add(extent, hn::Set(d, reach)));
 }
 
-HWY_INLINE hn::Mask<Floats> is_beyond_along(const SlantedForm& form, const Lanes& l, float at, float reach) {
+HWY_INLINE FloatMask is_beyond_along(const SlantedForm& form, const BlockLanes& l, float at, float reach) {
   return is_beyond(along(form.own, l.cx, l.cy, l.cz), along(form.size, l.ex, l.ey, l.ez), at, reach);
 }
 
 /// One box against the eight of a block.
 template <std::size_t axis_count>
-HWY_INLINE Compared compare(const Entry& entry, const Seen& box) {
+HWY_INLINE Compared compare(const WalkEntry& entry, const SeenBox& box) {
   const WideBlock& block = *entry.block;
   const WideAxes& axes = *entry.axes;
   Compared result{0, 0, 0};
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t first = part * lanes;
-    const Lanes l(block, first);
+  for (std::size_t part = 0; part < block_parts; ++part) {
+    const std::size_t first = part * part_lanes;
+    const BlockLanes l(block, first);
     auto apart =
         hn::Or(hn::Or(is_beyond(l.cx, l.ex, box.at[0], box.reach[0]), is_beyond(l.cy, l.ey, box.at[1], box.reach[1])),
                is_beyond(l.cz, l.ez, box.at[2], box.reach[2]));
@@ -221,11 +209,12 @@ HWY_INLINE Compared compare(const Entry& entry, const Seen& box) {
     } else if constexpr (axis_count == any_count) {
       for (std::size_t i = WideAxes::straight; i < axes.count; ++i) apart = hn::Or(apart, beyond(i));
     }
-    result.apart |= bits_of(apart) << first;
+    result.apart |= bits_of(Floats(), apart) << first;
     const hn::RebindToSigned<Words> whole;
     const auto children = hn::Load(whole, block.child.data() + first);
-    result.items |= bits_of(hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
-    result.larger |= bits_of(hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), box.size))) << first;
+    result.items |= bits_of(Floats(), hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
+    result.larger |= bits_of(Floats(), hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), box.size)))
+                     << first;
   }
   return result;
 }
@@ -234,7 +223,7 @@ HWY_INLINE Compared compare(const Entry& entry, const Seen& box) {
 /// its table to the stack at every call when g++ compiles it; the instruction of AVX-512 is not faster than this.
 HWY_INLINE hn::Vec<Words> compressed(hn::Vec<Words> values, unsigned chosen) {
   const Words d;
-  const hn::CappedTag<std::uint8_t, lanes> bytes;
+  const hn::CappedTag<std::uint8_t, part_lanes> bytes;
   const auto order = hn::PromoteTo(d, hn::LoadU(bytes, lane_orders[chosen].data()));
   return hn::TableLookupLanes(values, hn::IndicesFromVec(d, order));
 }
@@ -243,20 +232,20 @@ HWY_INLINE hn::Vec<Words> compressed(hn::Vec<Words> values, unsigned chosen) {
 /// are chosen cannot be foreseen. `values(first)` are those of the lanes first, first + 1 …
 template <class Values>
 HWY_INLINE void append(const Values& values, unsigned chosen, std::uint32_t* HWY_RESTRICT to) {
-  for (std::size_t part = 0; part < parts; ++part) {
-    const unsigned here = chosen >> part * lanes & part_mask;
-    hn::StoreU(compressed(values(part * lanes), here), Words(), to);
+  for (std::size_t part = 0; part < block_parts; ++part) {
+    const unsigned here = chosen >> part * part_lanes & part_mask;
+    hn::StoreU(compressed(values(part * part_lanes), here), Words(), to);
     to += std::popcount(here);
   }
 }
 
 HWY_INLINE void append_same(std::uint32_t value, std::uint32_t* HWY_RESTRICT to) {
   const Words d;
-  for (std::size_t part = 0; part < parts; ++part) hn::StoreU(hn::Set(d, value), d, to + part * lanes);
+  for (std::size_t part = 0; part < block_parts; ++part) hn::StoreU(hn::Set(d, value), d, to + part * part_lanes);
 }
 
 /// Where a frontier grows. Kept apart from it so that the compiler need not store every change.
-struct Ends {
+struct FrontierEnds {
   std::uint32_t* blocks;
   std::uint32_t* boxes;
   std::array<Index*, 2> places;
@@ -266,7 +255,7 @@ struct Ends {
 };
 
 /// Files what meets, of the lanes that `wanted` names: a pair of items, or a pair of which the larger is to be opened.
-HWY_INLINE void file(const Entry& entry, const Compared& compared, unsigned wanted, Ends& f) {
+HWY_INLINE void file(const WalkEntry& entry, const Compared& compared, unsigned wanted, FrontierEnds& f) {
   const WideBlock& block = *entry.block;
   const std::uint32_t side = entry.side, other_side = side ^ 1U;
   const auto other_child = static_cast<std::uint32_t>(entry.other->child[entry.lane()]);
@@ -300,17 +289,17 @@ HWY_INLINE void file(const Entry& entry, const Compared& compared, unsigned want
 }
 
 template <std::size_t axis_count>
-HWY_INLINE void step(const Entry& entry, unsigned wanted, Ends& f) {
-  Seen seen;
+HWY_INLINE void step(const WalkEntry& entry, unsigned wanted, FrontierEnds& f) {
+  SeenBox seen;
   look<axis_count>(entry, seen);
   file(entry, compare<axis_count>(entry, seen), wanted, f);
 }
 
 /// So many entries are taken off the frontier's end at once.
-constexpr std::size_t block_size = 8;
+constexpr std::size_t entries_at_once = 8;
 
 /// Room for what so many steps may add, and for the words that `append` writes beyond.
-Ends room_for(WideFrontier& f, std::size_t steps) {
+FrontierEnds room_for(WideFrontier& f, std::size_t steps) {
   const std::size_t entries = f.size + 8 * steps + 16, pairs = f.pair_count + 8 * steps + 16;
   // Each is looked at on its own: where memory ran out between two, a later call must not trust the first.
   for (auto* words : {&f.blocks, &f.boxes})
@@ -320,7 +309,7 @@ Ends room_for(WideFrontier& f, std::size_t steps) {
   return {f.blocks.data(), f.boxes.data(), {f.places[0].data(), f.places[1].data()}, f.size, f.pair_count, 0};
 }
 
-void take_over(const Ends& ends, WideFrontier& f) {
+void take_over(const FrontierEnds& ends, WideFrontier& f) {
   f.size = ends.size;
   f.pair_count = ends.pair_count;
   f.counts.volume_tests += ends.tests;
@@ -353,10 +342,10 @@ HWY_INLINE void prefetch(const WideBlock* block) {
 template <std::size_t axis_count>
 class Stages {
  public:
-  HWY_INLINE void run(const Sides& sides, const std::uint32_t* blocks, const std::uint32_t* boxes, std::size_t count,
-                      Ends& ends) {
+  HWY_INLINE void run(const WalkSides& sides, const std::uint32_t* blocks, const std::uint32_t* boxes,
+                      std::size_t count, FrontierEnds& ends) {
     for (std::size_t i = 0; i < count; ++i) {
-      entries_[i] = Entry(sides, blocks[i], boxes[i]);
+      entries_[i] = WalkEntry(sides, blocks[i], boxes[i]);
       prefetch(entries_[i].block);
       look<axis_count>(entries_[i], seen_[i]);
     }
@@ -365,20 +354,20 @@ class Stages {
   }
 
  private:
-  std::array<Entry, block_size> entries_;
-  std::array<Seen, block_size> seen_;
-  std::array<Compared, block_size> compared_;
+  std::array<WalkEntry, entries_at_once> entries_;
+  std::array<SeenBox, entries_at_once> seen_;
+  std::array<Compared, entries_at_once> compared_;
 };
 
 /// Walks until the frontier is empty; a last batch that is not full stays.
 template <std::size_t axis_count>
 void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
-  const Sides sides(walk);
+  const WalkSides sides(walk);
   Stages<axis_count> stages;
   while (f.size > 0 && !f.ended) {
-    const std::size_t count = std::min(f.size, block_size);
+    const std::size_t count = std::min(f.size, entries_at_once);
     f.size -= count;
-    Ends ends = room_for(f, block_size);
+    FrontierEnds ends = room_for(f, entries_at_once);
     stages.run(sides, ends.blocks + f.size, ends.boxes + f.size, count, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
@@ -403,8 +392,8 @@ void run_all(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
 void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   const std::size_t count = f.size;
   for (std::size_t i = 0; i < count && !f.ended; ++i) {
-    Ends ends = room_for(f, 1);
-    step<any_count>(Entry(Sides(walk), f.blocks[i], f.boxes[i]), 0xFF, ends);
+    FrontierEnds ends = room_for(f, 1);
+    step<any_count>(WalkEntry(WalkSides(walk), f.blocks[i], f.boxes[i]), 0xFF, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
   }
@@ -418,12 +407,12 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
 void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   const std::vector<WideBlock>& blocks = walk.tree(0).blocks;
   for (std::uint32_t block = 0; block < blocks.size() && !f.ended; ++block) {
-    Ends ends = room_for(f, WideBlock::width);
+    FrontierEnds ends = room_for(f, WideBlock::width);
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
-      step<any_count>(Entry(Sides(walk), block << 1, (block << 3) + lane), 0xFFU << (lane + 1) & 0xFFU, ends);
+      step<any_count>(WalkEntry(WalkSides(walk), block << 1, (block << 3) + lane), 0xFFU << (lane + 1) & 0xFFU, ends);
     take_over(ends, f);
     hand_on(walk, f, visitor, f.batch);
-    if (f.size >= block_size && !f.ended) drain(walk, f, visitor);
+    if (f.size >= entries_at_once && !f.ended) drain(walk, f, visitor);
   }
   run_all(walk, f, visitor);
 }
@@ -439,10 +428,11 @@ void run_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(In
     const WideBlock& block = tree.blocks[static_cast<std::size_t>(pending.back())];
     pending.pop_back();
     unsigned apart = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const Lanes l(block, part * lanes);
+    for (std::size_t part = 0; part < block_parts; ++part) {
+      const BlockLanes l(block, part * part_lanes);
       for (std::size_t i = 0; i < probe.count; ++i)
-        apart |= bits_of(is_beyond_along(probe.axes[i].form, l, probe.axes[i].at, probe.axes[i].reach)) << part * lanes;
+        apart |= bits_of(Floats(), is_beyond_along(probe.axes[i].form, l, probe.axes[i].at, probe.axes[i].reach))
+                 << part * part_lanes;
     }
     for (unsigned hits = ~apart & ((1U << block.count) - 1U); hits != 0; hits &= hits - 1) {
       const std::int32_t child = block.child[static_cast<std::size_t>(std::countr_zero(hits))];

@@ -23,7 +23,7 @@ std::array<double, 3> components(const Vec3& v) { return {v.x, v.y, v.z}; }
 constexpr double upward = 1 + 0x1p-44;
 
 /// Of a triangle, around its middle.
-WindingMoments moments_of(const std::array<Vec3, 3>& t) {
+WindingMoments moments_of_triangle(const std::array<Vec3, 3>& t) {
   WindingMoments m;
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[2] - t[1];
   const Vec3 area = 0.5 * cross(u, v);
@@ -122,9 +122,10 @@ std::vector<WindingMoments> winding_moments(const WideTree& tree, const Triangle
     const WideBlock& block = tree.blocks[number];
     std::array<WindingMoments, WideBlock::width> lanes;
     for (std::size_t lane = 0; lane < block.count; ++lane)
-      lanes[lane] = block.is_item(lane)
-                        ? moments_of(corners_of(tree, mesh, tree.items[static_cast<std::size_t>(~block.child[lane])]))
-                        : all[static_cast<std::size_t>(block.child[lane])];
+      lanes[lane] =
+          block.is_item(lane)
+              ? moments_of_triangle(corners_of(tree, mesh, tree.items[static_cast<std::size_t>(~block.child[lane])]))
+              : all[static_cast<std::size_t>(block.child[lane])];
     const std::span<const WindingMoments> parts(lanes.data(), block.count);
     all[number].centre = common_centre(parts);
     for (const WindingMoments& part : parts) add(all[number], part);

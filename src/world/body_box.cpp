@@ -42,14 +42,14 @@ struct QuickBox {
   std::optional<Aabb> operator()(const Sphere& sphere) const {
     if (!is_surely_finite(sphere.centre()) || !(sphere.radius() < 0x1p1000)) return {};
     const Vec3 centre = world_vertex(pose, sphere.centre());
-    return grown(Aabb{centre, centre}, sphere.radius());
+    return widened(Aabb{centre, centre}, sphere.radius());
   }
 
   std::optional<Aabb> operator()(const Capsule& capsule) const {
     if (!is_surely_finite(capsule.start()) || !is_surely_finite(capsule.end()) || !(capsule.radius() < 0x1p1000))
       return {};
     const Vec3 start = world_vertex(pose, capsule.start());
-    return grown(merge({start, start}, world_vertex(pose, capsule.end())), capsule.radius());
+    return widened(merge({start, start}, world_vertex(pose, capsule.end())), capsule.radius());
   }
 
   /// The least of all sums is the sum of the least, as rounding keeps the order.

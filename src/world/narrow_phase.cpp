@@ -59,22 +59,22 @@ struct PlaceConvex {
   std::optional<PosedConvex>& placed;
 };
 
-Nearness nearness_of(const PosedConvex& a, const PosedConvex& b, double margin, ConvexWorkspace& workspace) {
-  if (margin > 0 && !std::isinf(margin) && !is_within(a, b, margin, &workspace)) return Nearness::apart;
-  if (overlap(a, b, &workspace)) return Nearness::contact;
-  return margin > 0 ? Nearness::near : Nearness::apart;
+BodyNearness nearness_of(const PosedConvex& a, const PosedConvex& b, double margin, ConvexWorkspace& workspace) {
+  if (margin > 0 && !std::isinf(margin) && !is_within(a, b, margin, &workspace)) return BodyNearness::apart;
+  if (overlap(a, b, &workspace)) return BodyNearness::contact;
+  return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }
 
 /// What `closer_than` and `overlap` answer.
-Nearness nearness_of(const Body& a, const Body& b, double margin, Workspace& workspace) {
+BodyNearness nearness_of(const Body& a, const Body& b, double margin, Workspace& workspace) {
   std::optional<PosedConvex> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
   if (placed_b) return nearness_of(*placed_a, *placed_b, margin, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
-  if (margin > 0 && !closer_than(a.model, b.model, margin, query, cleared(workspace))) return Nearness::apart;
-  if (overlap(a.model, b.model, query, cleared(workspace))) return Nearness::contact;
-  return margin > 0 ? Nearness::near : Nearness::apart;
+  if (margin > 0 && !closer_than(a.model, b.model, margin, query, cleared(workspace))) return BodyNearness::apart;
+  if (overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
+  return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }
 
 }  // namespace
@@ -98,9 +98,9 @@ void NarrowPhase::decide(const Body& a, const Body& b, double margin, DecidedPai
   pair.nearness = nearness_of(a, b, margin, workspace);
   const bool is_asked =
       options_.relation || options_.distance || options_.contacts || options_.manifold || options_.penetration;
-  if (is_asked && pair.nearness != Nearness::apart)
-    pair.details =
-        std::make_shared<const PairDetails>(details_of(a, b, pair.nearness == Nearness::contact, cleared(workspace)));
+  if (is_asked && pair.nearness != BodyNearness::apart)
+    pair.details = std::make_shared<const PairDetails>(
+        details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace)));
 }
 
 PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const {

@@ -10,12 +10,12 @@
 
 namespace toccata {
 
-enum class Nearness : std::uint8_t { apart, near, contact };
+enum class BodyNearness : std::uint8_t { apart, near, contact };
 
 /// Two bodies whose boxes overlap, and what was found out about them.
 struct DecidedPair {
   IndexPair pair;
-  Nearness nearness = Nearness::apart;
+  BodyNearness nearness = BodyNearness::apart;
   std::shared_ptr<const PairDetails> details{};
 };
 

@@ -10,14 +10,13 @@
 #include <fmt/format.h>
 
 #include "math/constants.hpp"
+#include "query/posed_shape.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "world/body_box.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr double most = std::numeric_limits<double>::max();
 
 /// A number that no World has had. Counted for all of them: a World to which an earlier copy of it was assigned must
 /// not come by the same number with other bodies.
@@ -26,7 +25,7 @@ std::uint64_t next_revision() {
   return ++last;
 }
 
-std::string quoted(const std::string& name) { return name.empty() ? "" : fmt::format(" (\"{}\")", name); }
+std::string name_in_brackets(const std::string& name) { return name.empty() ? "" : fmt::format(" (\"{}\")", name); }
 
 std::string name_of_id(const BodyId& id) { return fmt::format("body {} (generation {})", id.index, id.generation); }
 
@@ -42,12 +41,9 @@ void require_as_many(std::size_t ids, std::size_t others, const char* noun) {
 
 /// Two boxes grown by this each overlap wherever the bodies are as near as the sum of two such margins, rounded.
 double reach_of_margin(double margin) {
-  if (margin >= 0.5 * most) return infinity;  // with another as large the sum is
+  if (margin >= 0.5 * greatest_double) return infinity;  // with another as large the sum is
   return margin > 0 ? std::nextafter(margin, infinity) : 0;
 }
-
-/// Rounded up.
-double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
 
 /// Calls `work(i)` for each i, rows of them on several threads.
 template <class Work>
@@ -69,7 +65,7 @@ void make_boxes(std::size_t count, int threads, std::vector<Aabb>& boxes, const 
 }  // namespace
 
 std::string World::State::name_of_body(Index index) const {
-  return name_of_id(id_of(index)) + quoted(bodies_[index].name);
+  return name_of_id(id_of(index)) + name_in_brackets(bodies_[index].name);
 }
 
 Index World::State::require(BodyId id) const {
@@ -89,7 +85,7 @@ std::vector<Index> World::State::required(std::span<const BodyId> ids) const {
 
 double World::State::reach(Index index, double margin) const {
   const double own = reach_of_margin(margin);
-  return std::max(own, half_of(slots_[index].rule_margin));
+  return std::max(own, half_rounded_up(slots_[index].rule_margin));
 }
 
 void World::State::place(std::span<const Index> indices) {
@@ -120,7 +116,7 @@ void World::State::put(Index index, Body&& body, const Aabb& box) {
 std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
   make_boxes(bodies.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     const auto who = [&] {
-      return fmt::format("body {} of the {} to add{}", i, bodies.size(), quoted(bodies[i].name));
+      return fmt::format("body {} of the {} to add{}", i, bodies.size(), name_in_brackets(bodies[i].name));
     };
     require_length(bodies[i].margin, who);
     return body_box(bodies[i], bodies[i].pose, who);
@@ -199,7 +195,7 @@ void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bo
   require_as_many(ids.size(), bodies.size(), "bodies");
   const std::vector<Index> indices = required(ids);
   make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
-    const auto who = [&] { return name_of_id(ids[i]) + quoted(bodies[i].name); };
+    const auto who = [&] { return name_of_id(ids[i]) + name_in_brackets(bodies[i].name); };
     require_length(bodies[i].margin, who);
     return body_box(bodies[i], bodies[i].pose, who);
   });

@@ -7,7 +7,7 @@
 namespace toccata {
 namespace {
 
-bool is_before(const DecidedPair& decided, const IndexPair& pair) { return decided.pair < pair; }
+bool comes_before_pair(const DecidedPair& decided, const IndexPair& pair) { return decided.pair < pair; }
 
 std::pair<BodyId, BodyId> key_of(const PairReport& report) { return {report.a, report.b}; }
 
@@ -43,7 +43,7 @@ std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& un
     // Other pairs of the two may have larger margins.
     const Aabb &a = boxes_[pair.first], &b = boxes_[pair.second];
     if (!overlap(a, b) && (*margin == 0 || !overlap(grown(a, *margin), b))) continue;
-    while (known != decided_.end() && is_before(*known, pair)) ++known;
+    while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
     const bool is_known = known != decided_.end() && known->pair == pair && !slots_[pair.first].has_changed &&
                           !slots_[pair.second].has_changed;
     if (!is_known) undecided.push_back({found.size(), *margin});
@@ -55,8 +55,8 @@ std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& un
 std::vector<PairReport> World::State::reports() const {
   std::vector<PairReport> now;
   for (const DecidedPair& decided : decided_)
-    if (decided.nearness != Nearness::apart)
-      now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == Nearness::contact,
+    if (decided.nearness != BodyNearness::apart)
+      now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == BodyNearness::contact,
                      decided.details});
   return now;
 }

@@ -26,7 +26,7 @@ const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_tree().bo
 double error_ratio(const CullDirection& d, const PosedMesh& a, Index vertex_a, const PosedMesh& b, Index vertex_b) {
   const Vec3 x = a.model().mesh().vertices()[vertex_a], y = b.model().mesh().vertices()[vertex_b];
   const Rational truth = oracle::dot(exact(d.world), exact(a.vertices()[vertex_a]) - exact(b.vertices()[vertex_b]));
-  const Range on_a = range_of(d.on_a, point_box(x)), on_b = range_of(d.on_b, point_box(y));
+  const FormRange on_a = range_of(d.on_a, point_box(x)), on_b = range_of(d.on_b, point_box(y));
   const Rational ahead = abs(exact((on_a.low + d.offset) - on_b.high) - truth);
   const Rational behind = abs(exact((on_b.low - d.offset) - on_a.high) + truth);
   return static_cast<double>(Rational((ahead > behind ? ahead : behind) / exact(d.pad)));

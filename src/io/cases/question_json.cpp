@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 #include "io/cases/measuring_json.hpp"
 #include "io/formats/number_rows.hpp"
+#include "io/reports/report_parts.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "math/constants.hpp"
 #include "toccata/core/suggestion.hpp"
@@ -144,7 +144,7 @@ Pose pose_at(const std::vector<double>& numbers, std::size_t first) {
   return Pose::from_numbers(twelve);
 }
 
-std::vector<PairQuery> queries_of(const JsonValue& value) {
+std::vector<PairQuery> queries_read_from(const JsonValue& value) {
   Solid solids[] = {Solid::automatic, Solid::automatic};
   if (value.has("solid")) {
     const std::vector<JsonValue> words = value.at("solid").elements();
@@ -176,7 +176,7 @@ SceneQuestion check_of(const JsonValue& value) {
 
 SceneQuestion check_poses_of(const JsonValue& value) {
   value.expect_keys({"question", "touching", "faces", "penetration", "poses", "solid"});
-  return CheckPosesQuestion{queries_of(value), touching_of(value), value.flag_or("faces", false),
+  return CheckPosesQuestion{queries_read_from(value), touching_of(value), value.flag_or("faces", false),
                             value.flag_or("penetration", false)};
 }
 
@@ -192,7 +192,7 @@ SceneQuestion distance_of(const JsonValue& value) {
 
 SceneQuestion distance_poses_of(const JsonValue& value) {
   value.expect_keys({"question", "poses", "solid"});
-  return DistancePosesQuestion{queries_of(value)};
+  return DistancePosesQuestion{queries_read_from(value)};
 }
 
 SceneQuestion ray_of(const JsonValue& value) {
@@ -234,7 +234,7 @@ SceneQuestion hierarchy_of(const JsonValue& value) {
 
 SceneQuestion cost_of(const JsonValue& value) {
   CostQuestion question = cost_question_of(value);
-  question.queries = queries_of(value);
+  question.queries = queries_read_from(value);
   return question;
 }
 
@@ -260,8 +260,6 @@ SceneQuestion minkowski_of(const JsonValue& value) {
 }
 
 }  // namespace
-
-Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
 
 Json json_of(const SceneQuestion& question) {
   Json json = {{"question", name_of(question)}};

@@ -11,7 +11,4 @@ namespace toccata::io {
 [[nodiscard]] nlohmann::ordered_json json_of(const SceneQuestion& question);
 [[nodiscard]] SceneQuestion question_of(const JsonValue& value);
 
-/// A length, or "all" for +∞.
-[[nodiscard]] nlohmann::ordered_json json_of_length(double length);
-
 }  // namespace toccata::io

@@ -18,7 +18,7 @@ void fail_at_byte(std::string_view name, std::size_t byte, const FileProblem& pr
   throw Error(fmt::format("{}: at byte {}: {}; {}", name, byte, problem.what, problem.advice));
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "\"";
   for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';

@@ -18,6 +18,6 @@ struct FileProblem {
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t byte, const FileProblem& problem);
 
 /// The text in quotes, cut when it is long, and with everything unprintable replaced: fit for a message.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace toccata::io

@@ -54,7 +54,7 @@ fs::path file_of_uri(const JsonValue& place, std::string_view uri, const fs::pat
   const fs::path start = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, code);
   fs::path file = strange ? fs::path() : fs::weakly_canonical(start / name, code);
   if (strange || code || leads_out(name) || leads_out(file.lexically_relative(start)))
-    place.fail(fmt::format("{} is not a file within the folder of this one", io::quoted(uri)),
+    place.fail(fmt::format("{} is not a file within the folder of this one", in_quotes(uri)),
                "put the buffer beside it and name it without a folder");
   return file;
 }

@@ -50,7 +50,7 @@ void refuse_repeated_keys(std::span<const char> text, std::string_view file) {
   json::sax_parse(text.data(), text.data() + text.size(), &watch);
   if (watch.found())
     fail_in_file(file,
-                 {fmt::format("the key {} appears twice in one object", io::quoted(*watch.found())), "remove one"});
+                 {fmt::format("the key {} appears twice in one object", in_quotes(*watch.found())), "remove one"});
 }
 
 std::size_t line_of_byte(std::span<const char> text, std::size_t byte) {
@@ -84,10 +84,10 @@ void refuse_deep_nesting(std::span<const char> text, std::string_view file) {
 
 [[noreturn]] void refuse_overflow(std::span<const char> text, std::string_view file) {
   const JsonOverflow found = overflow_of(text);
-  const std::string who = found.name.empty() ? "" : " of " + io::quoted(found.name);
+  const std::string who = found.name.empty() ? "" : " of " + in_quotes(found.name);
   fail_at_line(
       file, line_of_byte(text, found.byte),
-      {fmt::format("at {}{}: the number {} is too large for a double", found.path, who, io::quoted(found.number)),
+      {fmt::format("at {}{}: the number {} is too large for a double", found.path, who, in_quotes(found.number)),
        "write numbers below 1.8e308"});
 }
 
@@ -123,7 +123,7 @@ void JsonValue::expect_keys(const std::vector<std::string>& known) const {
   for (const std::string& key : keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string hint = suggestion(key, known);
-    fail(fmt::format("the key {} is not known", io::quoted(key)), hint.substr(2));
+    fail(fmt::format("the key {} is not known", in_quotes(key)), hint.substr(2));
   }
 }
 
@@ -136,7 +136,7 @@ std::vector<std::string> JsonValue::keys() const {
 JsonValue JsonValue::at(const std::string& key) const {
   if (!is_object()) fail("this is not an object", "write {…} here");
   const auto found = value_->find(key);
-  if (found == value_->end()) fail(fmt::format("the key {} is missing", io::quoted(key)), "add it");
+  if (found == value_->end()) fail(fmt::format("the key {} is missing", in_quotes(key)), "add it");
   return {*found, file_, path_ + "/" + escaped_key(key)};
 }
 

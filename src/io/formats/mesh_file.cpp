@@ -35,7 +35,7 @@ TriangleMesh parse_mesh(std::span<const char> bytes, std::string_view name, std:
   if (extension.empty()) fail_in_file(name, {"the format cannot be told without an extension", formats_advice});
   if (extension == ".gltf" || extension == ".glb" || extension == ".json")
     fail_in_file(name, {"this is a scene of posed objects, not one mesh", "read it with read_scene"});
-  fail_in_file(name, {"the format " + quoted(extension) + " is not read as a mesh", formats_advice});
+  fail_in_file(name, {"the format " + in_quotes(extension) + " is not read as a mesh", formats_advice});
 }
 
 }  // namespace io

@@ -7,8 +7,6 @@
 namespace toccata::io {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// fast_float reads "nan" and "inf" and no leading plus: here it is the other way round.
 bool starts_a_decimal(const char* digits, const char* last) {
   return digits != last && (is_digit(*digits) || *digits == '.');

@@ -14,6 +14,8 @@ struct ParsedNumber {
   NumberFault fault = NumberFault::none;
 };
 
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// The double nearest to the decimal number at the start of [first, last): an optional sign, digits with or without a
 /// point, an optional exponent. Ties go to even, what is too small becomes zero of its sign, the locale is ignored.
 [[nodiscard]] ParsedNumber parse_number(const char* first, const char* last) noexcept;

@@ -64,7 +64,7 @@ class ObjReader {
     const std::size_t slash = std::min(word.find('/'), word.size());
     const ParsedInteger vertex = parse_integer(word.substr(0, slash));
     if (!vertex.valid || !is_texture_and_normal(word.substr(slash)))
-      cursor_.fail("the face corner " + quoted(word) + " is not an index",
+      cursor_.fail("the face corner " + in_quotes(word) + " is not an index",
                    "write vertex, vertex/texture, vertex//normal or vertex/texture/normal");
     return resolve(vertex.value, vertices_in_file);
   }

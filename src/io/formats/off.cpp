@@ -3,13 +3,12 @@
 #include <utility>
 
 #include "io/formats/file_error.hpp"
+#include "io/formats/number.hpp"
 #include "io/formats/parse.hpp"
 #include "io/formats/text_cursor.hpp"
 
 namespace toccata::io {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// What the letters before "OFF" announce behind the three coordinates of a vertex can stay unread: only a fourth
 /// coordinate or another dimension changes what the first three mean.

@@ -13,24 +13,24 @@ namespace toccata::io {
 namespace {
 
 /// What a property of an element is to this reader.
-enum class Role { x, y, z, corners, strips, other };
+enum class PlyRole { x, y, z, corners, strips, other };
 
 bool is_vertex_list(const PlyProperty& property) {
   return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-Role role_in_vertex(const PlyProperty& property) {
-  if (property.count_type) return Role::other;
-  if (property.name == "x") return Role::x;
-  if (property.name == "y") return Role::y;
-  return property.name == "z" ? Role::z : Role::other;
+PlyRole role_in_vertex(const PlyProperty& property) {
+  if (property.count_type) return PlyRole::other;
+  if (property.name == "x") return PlyRole::x;
+  if (property.name == "y") return PlyRole::y;
+  return property.name == "z" ? PlyRole::z : PlyRole::other;
 }
 
-Role role_of(const PlyProperty& property, const PlyElement& element) {
+PlyRole role_of(const PlyProperty& property, const PlyElement& element) {
   if (element.name == "vertex") return role_in_vertex(property);
-  if (element.name == "face" && is_vertex_list(property)) return Role::corners;
-  if (element.name == "tristrips" && is_vertex_list(property)) return Role::strips;
-  return Role::other;
+  if (element.name == "face" && is_vertex_list(property)) return PlyRole::corners;
+  if (element.name == "tristrips" && is_vertex_list(property)) return PlyRole::strips;
+  return PlyRole::other;
 }
 
 /// Reads the values of all elements, in the order of the header.
@@ -56,7 +56,7 @@ class PlyBodyReader {
     if (std::ranges::count_if(header_.elements, is_vertex) != 1)
       fail_in_file(name_, {"there must be exactly one element called vertex", "export the mesh again"});
     const PlyElement& vertex = *std::ranges::find_if(header_.elements, is_vertex);
-    for (const Role role : {Role::x, Role::y, Role::z})
+    for (const PlyRole role : {PlyRole::x, PlyRole::y, PlyRole::z})
       if (std::ranges::count(vertex.properties, role, role_in_vertex) != 1)
         fail_at_line(name_, vertex.line,
                      {"vertices must have each of the properties x, y and z once", "export the mesh again"});
@@ -66,7 +66,7 @@ class PlyBodyReader {
   void read_elements(const PlyElement& element) {
     if (element.properties.empty() || element.count == 0) return;
     require_room(element);
-    std::vector<Role> roles;
+    std::vector<PlyRole> roles;
     for (const PlyProperty& property : element.properties) roles.push_back(role_of(property, element));
     require_corner_list(element, roles);
     if (element.name == "vertex") mesh_.vertices.reserve(element.count);
@@ -79,44 +79,45 @@ class PlyBodyReader {
     for (const PlyProperty& property : element.properties)
       bytes += size_of(property.count_type.value_or(property.type));
     if (element.count > values_.most_elements_left(element.properties.size(), bytes))
-      fail_at_line(name_, element.line,
-                   {"the file is too short for " + std::to_string(element.count) + " elements " + quoted(element.name),
-                    "correct the count or export the mesh again"});
+      fail_at_line(
+          name_, element.line,
+          {"the file is too short for " + std::to_string(element.count) + " elements " + in_quotes(element.name),
+           "correct the count or export the mesh again"});
   }
 
-  void require_corner_list(const PlyElement& element, const std::vector<Role>& roles) const {
+  void require_corner_list(const PlyElement& element, const std::vector<PlyRole>& roles) const {
     if (element.name != "face" && element.name != "tristrips") return;
-    const auto is_list = [](Role role) { return role == Role::corners || role == Role::strips; };
+    const auto is_list = [](PlyRole role) { return role == PlyRole::corners || role == PlyRole::strips; };
     if (std::ranges::count_if(roles, is_list) != 1)
       fail_at_line(name_, element.line,
-                   {quoted(element.name) + " must have one list called vertex_indices", "export the mesh again"});
+                   {in_quotes(element.name) + " must have one list called vertex_indices", "export the mesh again"});
     const auto list = std::ranges::find_if(roles, is_list) - roles.begin();
     if (!is_integer(element.properties[static_cast<std::size_t>(list)].type))
       fail_at_line(name_, element.line, {"the corners of faces are floats", "use an integer type"});
   }
 
-  void read_element(const PlyElement& element, const std::vector<Role>& roles) {
+  void read_element(const PlyElement& element, const std::vector<PlyRole>& roles) {
     values_.begin_element();
     Vec3 vertex;
     for (std::size_t i = 0; i < roles.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       switch (roles[i]) {
-        case Role::x:
+        case PlyRole::x:
           vertex.x = values_.number(property.type, "the x coordinate");
           break;
-        case Role::y:
+        case PlyRole::y:
           vertex.y = values_.number(property.type, "the y coordinate");
           break;
-        case Role::z:
+        case PlyRole::z:
           vertex.z = values_.number(property.type, "the z coordinate");
           break;
-        case Role::corners:
+        case PlyRole::corners:
           read_face(property);
           break;
-        case Role::strips:
+        case PlyRole::strips:
           read_strips(property);
           break;
-        case Role::other:
+        case PlyRole::other:
           values_.skip(property.type, property.count_type ? read_count(property) : 1);
       }
     }

@@ -70,7 +70,7 @@ class PlyHeaderReader {
     } else if (keyword == "property") {
       read_property();
     } else if (!is_remark(keyword) && keyword != "end_header") {
-      cursor_.fail(quoted(keyword) + " is no word of a PLY header", "export the mesh again");
+      cursor_.fail(in_quotes(keyword) + " is no word of a PLY header", "export the mesh again");
     }
   }
 
@@ -88,11 +88,11 @@ class PlyHeaderReader {
     } else if (encoding == "binary_big_endian") {
       header_.encoding = PlyEncoding::binary_big_endian;
     } else {
-      cursor_.fail("the format " + quoted(encoding) + " is not known",
+      cursor_.fail("the format " + in_quotes(encoding) + " is not known",
                    "use ascii, binary_little_endian or binary_big_endian");
     }
     if (const std::string_view version = cursor_.word(); version != "1.0")
-      cursor_.fail("version " + quoted(version) + " of PLY is not known", "export the mesh as version 1.0");
+      cursor_.fail("version " + in_quotes(version) + " of PLY is not known", "export the mesh as version 1.0");
     has_format_ = true;
   }
 
@@ -102,7 +102,7 @@ class PlyHeaderReader {
     element.name = cursor_.word();
     const std::int64_t count = cursor_.integer("the number of elements");
     if (count < 0 || count > std::numeric_limits<std::uint32_t>::max())
-      cursor_.fail("the number of " + quoted(element.name) + " is " + std::to_string(count),
+      cursor_.fail("the number of " + in_quotes(element.name) + " is " + std::to_string(count),
                    "correct the count or split the file");
     element.count = static_cast<std::size_t>(count);
     header_.elements.push_back(std::move(element));
@@ -126,7 +126,7 @@ class PlyHeaderReader {
     const auto* const known = std::ranges::find_if(
         type_names, [&](const PlyTypeName& type) { return word == type.name || word == type.older_name; });
     if (known == type_names.end())
-      cursor_.fail("the type " + quoted(word) + " is not known",
+      cursor_.fail("the type " + in_quotes(word) + " is not known",
                    "use char, uchar, short, ushort, int, uint, float or double");
     return known->type;
   }

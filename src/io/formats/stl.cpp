@@ -15,7 +15,7 @@ namespace toccata::io {
 namespace {
 
 // The binary form: 80 bytes of anything, the number of facets, then for each its normal, three vertices and two bytes.
-constexpr std::size_t header_size = 84, facet_size = 50, normal_size = 12, float_size = 4;
+constexpr std::size_t stl_header_size = 84, facet_size = 50, normal_size = 12, float_size = 4;
 
 TriangleMesh mesh_of_soup(std::vector<Vec3> vertices) {
   std::vector<std::array<Index, 3>> triangles(vertices.size() / 3);
@@ -24,12 +24,12 @@ TriangleMesh mesh_of_soup(std::vector<Vec3> vertices) {
 }
 
 std::size_t announced_facets(std::span<const char> bytes) {
-  return stored_value<std::uint32_t>(bytes.subspan(header_size - sizeof(std::uint32_t)), std::endian::little);
+  return stored_value<std::uint32_t>(bytes.subspan(stl_header_size - sizeof(std::uint32_t)), std::endian::little);
 }
 
 /// No text comes near it: four printable characters as a count announce more than 26 gigabytes.
 bool has_exactly_the_size_of_a_binary(std::span<const char> bytes) {
-  return bytes.size() > header_size && bytes.size() == header_size + facet_size * announced_facets(bytes);
+  return bytes.size() > stl_header_size && bytes.size() == stl_header_size + facet_size * announced_facets(bytes);
 }
 
 bool is_letter(char c, char lower) { return c == lower || c == lower - 'a' + 'A'; }
@@ -56,7 +56,7 @@ class BinaryStlReader {
   BinaryStlReader(std::span<const char> bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
   TriangleMesh read() {
-    if (bytes_.size() < header_size)
+    if (bytes_.size() < stl_header_size)
       fail_in_file(name_, {"this is no STL file: it does not begin with \"solid\" and is shorter than a binary header",
                            "check that the extension is that of the format"});
     const std::size_t facets = announced_facets(bytes_);
@@ -71,9 +71,9 @@ class BinaryStlReader {
  private:
   /// A little padding may follow the last facet, but nothing in which another would have room.
   void require_size(std::size_t facets) const {
-    const std::size_t room = (bytes_.size() - header_size) / facet_size;
+    const std::size_t room = (bytes_.size() - stl_header_size) / facet_size;
     if (facets != room)
-      fail_at_byte(name_, header_size - sizeof(std::uint32_t),
+      fail_at_byte(name_, stl_header_size - sizeof(std::uint32_t),
                    {"a binary STL file with " + std::to_string(facets) +
                         " facets is announced, but the file has the size of " + std::to_string(room),
                     "export the mesh again, or rename the file if it is not STL"});
@@ -82,7 +82,7 @@ class BinaryStlReader {
   }
 
   Vec3 read_vertex(std::size_t facet, std::size_t corner) const {
-    const std::size_t byte = header_size + facet * facet_size + normal_size + corner * 3 * float_size;
+    const std::size_t byte = stl_header_size + facet * facet_size + normal_size + corner * 3 * float_size;
     const auto coordinate = [&](std::size_t axis) {
       return static_cast<double>(stored_value<float>(bytes_.subspan(byte + axis * float_size), std::endian::little));
     };
@@ -154,7 +154,7 @@ class AsciiStlReader {
   void expect(std::string_view keyword) {
     const std::string_view found = next_word();
     if (!same_word(found, keyword))
-      cursor_.fail("\"" + std::string(keyword) + "\" was expected, not " + quoted(found), "export the mesh again");
+      cursor_.fail("\"" + std::string(keyword) + "\" was expected, not " + in_quotes(found), "export the mesh again");
     cursor_.skip(found.size());
   }
 

@@ -94,7 +94,7 @@ double TextCursor::number(std::string_view what) {
   if (at_line_end()) fail(std::string(what) + " is missing", "write a number there");
   const ParsedNumber parsed = parse_number(position_, end_);
   const char* last = word_end();
-  const auto text = [&] { return quoted({position_, last}); };
+  const auto text = [&] { return in_quotes({position_, last}); };
   if (parsed.fault == NumberFault::not_a_number || parsed.end != last)
     fail(std::string(what) + " " + text() + " is not a finite decimal number", "write it like -1.5 or 2e-3");
   if (parsed.fault == NumberFault::too_large)
@@ -107,13 +107,13 @@ std::int64_t TextCursor::integer(std::string_view what) {
   const std::string_view text = word();
   if (text.empty()) fail(std::string(what) + " is missing", "write an integer there");
   const ParsedInteger parsed = parse_integer(text);
-  if (!parsed.valid) fail(std::string(what) + " " + quoted(text) + " is not an integer", "write digits only");
+  if (!parsed.valid) fail(std::string(what) + " " + in_quotes(text) + " is not an integer", "write digits only");
   return parsed.value;
 }
 
 void TextCursor::expect_line_end(std::string_view after_what) {
   if (!at_line_end())
-    fail(quoted(peek_word()) + " does not belong after " + std::string(after_what),
+    fail(in_quotes(peek_word()) + " does not belong after " + std::string(after_what),
          "start a new line there or delete it");
   next_line();
 }

@@ -15,9 +15,9 @@ namespace {
 
 // A byte above 127 and both kinds of line ends, as PNG has them: a transfer as text damages these first.
 constexpr std::string_view magic{"\x89TCT\r\n\x1a\n", 8};
-constexpr std::uint64_t format_version = 1;
+constexpr std::uint64_t tree_format_version = 1;
 
-constexpr std::size_t header_size = 136;
+constexpr std::size_t tree_header_size = 136;
 constexpr std::size_t words_of_block = 6 * WideBlock::width + WideBlock::width + 1;
 constexpr std::size_t block_size = 4 * words_of_block;
 
@@ -105,18 +105,18 @@ Header next_header(ByteReader& reader) {
 void require_known(std::span<const char> bytes, std::string_view name) {
   if (!begins_as_tree({bytes.data(), bytes.size()}))
     fail_in_file(name, {"this is no tree file", "write one with save_tree or `toccata tree MESH --save FILE`"});
-  if (bytes.size() < header_size) fail_in_file(name, {"the tree file is cut short", "write it again"});
+  if (bytes.size() < tree_header_size) fail_in_file(name, {"the tree file is cut short", "write it again"});
 }
 
 void require_whole(std::span<const char> bytes, const Header& header, std::string_view name) {
-  if (header.version != format_version)
-    fail_in_file(
-        name, {fmt::format("this is a tree file of version {}, and version {} is read", header.version, format_version),
-               "write it again with this version of Toccata"});
+  if (header.version != tree_format_version)
+    fail_in_file(name, {fmt::format("this is a tree file of version {}, and version {} is read", header.version,
+                                    tree_format_version),
+                        "write it again with this version of Toccata"});
   // Also keeps the product in range.
   const bool countable = header.triangles <= WideBuildOptions::greatest_item_count &&
                          header.blocks <= 2 * std::uint64_t{WideBuildOptions::greatest_item_count};
-  const std::uint64_t size = header_size + header.blocks * block_size + header.triangles * sizeof(Index);
+  const std::uint64_t size = tree_header_size + header.blocks * block_size + header.triangles * sizeof(Index);
   if (!countable || size != bytes.size())
     fail_in_file(
         name, {fmt::format("the tree file is cut short or damaged: it has {} bytes", bytes.size()), "write it again"});
@@ -159,9 +159,9 @@ std::uint64_t digest_of(const TriangleMesh& mesh) {
 
 std::string tree_bytes(const WideTree& tree, const TriangleMesh& mesh) {
   std::string bytes;
-  bytes.reserve(header_size + tree.blocks.size() * block_size + tree.items.size() * sizeof(Index));
+  bytes.reserve(tree_header_size + tree.blocks.size() * block_size + tree.items.size() * sizeof(Index));
   bytes += magic;
-  append(bytes, format_version);
+  append(bytes, tree_format_version);
   append(bytes, std::uint64_t{0});  // the checksum's place
   append(bytes, digest_of(mesh));
   append(bytes, std::uint64_t{tree.items.size()});

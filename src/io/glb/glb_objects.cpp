@@ -13,28 +13,28 @@ namespace {
 
 using Json = GlbWriter::Json;
 
-enum class Role { alone, first, second, part };
+enum class ObjectRole { alone, first, second, part };
 
 /// Parts differ from those beside them.
-GlbPaint paint_of(Role role, std::size_t object) {
+GlbPaint paint_of(ObjectRole role, std::size_t object) {
   constexpr double seen_through = 0.5;
   const std::size_t colour = object % colours_in_turn.size();
-  if (role == Role::part) return {fmt::format("parts in colour {}", colour), colours_in_turn[colour], 1};
-  if (role == Role::alone) return {"object", 0xa9b2bb, 1};
-  return role == Role::first ? GlbPaint{"first of a pair", 0x56b4e9, seen_through}
-                             : GlbPaint{"second of a pair", 0xe69f00, seen_through};
+  if (role == ObjectRole::part) return {fmt::format("parts in colour {}", colour), colours_in_turn[colour], 1};
+  if (role == ObjectRole::alone) return {"object", 0xa9b2bb, 1};
+  return role == ObjectRole::first ? GlbPaint{"first of a pair", 0x56b4e9, seen_through}
+                                   : GlbPaint{"second of a pair", 0xe69f00, seen_through};
 }
 
 /// Which objects the findings name, first and second.
 struct Named {
-  std::vector<std::optional<Role>>& roles;
+  std::vector<std::optional<ObjectRole>>& roles;
 
   void name(Index first) const {
-    if (!roles[first]) roles[first] = Role::first;
+    if (!roles[first]) roles[first] = ObjectRole::first;
   }
   void name(Index first, Index second) const {
     name(first);
-    if (!roles[second]) roles[second] = Role::second;
+    if (!roles[second]) roles[second] = ObjectRole::second;
   }
 
   void operator()(const CheckReport& report) const {
@@ -55,12 +55,12 @@ struct Named {
 };
 
 /// As it is in the first of the findings that name it.
-std::vector<Role> roles_of(std::size_t objects, const SceneAnswer& answer) {
-  if (std::holds_alternative<DecomposeReport>(answer)) return std::vector<Role>(objects, Role::part);
-  std::vector<std::optional<Role>> roles(objects);
+std::vector<ObjectRole> roles_of(std::size_t objects, const SceneAnswer& answer) {
+  if (std::holds_alternative<DecomposeReport>(answer)) return std::vector<ObjectRole>(objects, ObjectRole::part);
+  std::vector<std::optional<ObjectRole>> roles(objects);
   std::visit(Named{roles}, answer);
-  std::vector<Role> known;
-  for (const auto& role : roles) known.push_back(role.value_or(Role::alone));
+  std::vector<ObjectRole> known;
+  for (const auto& role : roles) known.push_back(role.value_or(ObjectRole::alone));
   return known;
 }
 
@@ -75,7 +75,7 @@ class ObjectMeshes {
  public:
   explicit ObjectMeshes(GlbScene& glb) : glb_(glb) {}
 
-  void add(std::size_t object, Role role) {
+  void add(std::size_t object, ObjectRole role) {
     const GlbPlace place = GlbPlace::of(glb_.pose_of(object));
     const GlbFrame frame = frame_of(glb_.meshes().drawn()[object].mesh, place);
     nodes_.push_back(
@@ -83,7 +83,7 @@ class ObjectMeshes {
   }
 
   /// The same of an object that moves through the keys; models of such objects are at their own places.
-  void add_moving(std::size_t object, Role role, std::span<const GlbKey> keys) {
+  void add_moving(std::size_t object, ObjectRole role, std::span<const GlbKey> keys) {
     const GlbPlace place = GlbPlace::of(glb_.pose_of(object));
     const GlbFrame frame = frame_of(glb_.meshes().drawn()[object].mesh, place);
     const std::string name = glb_.name_of(object);
@@ -103,7 +103,7 @@ class ObjectMeshes {
     return frame->second;
   }
 
-  std::size_t mesh_number(std::size_t object, Role role, const GlbPlace& place, const GlbFrame& frame) {
+  std::size_t mesh_number(std::size_t object, ObjectRole role, const GlbPlace& place, const GlbFrame& frame) {
     if (!place.is_plain()) return new_mesh(object, role, new_part(object, role, place, frame));
     const std::size_t drawn = glb_.meshes().drawn()[object].mesh;
     const auto [mesh, is_new] = meshes_.try_emplace({drawn, role});
@@ -113,11 +113,11 @@ class ObjectMeshes {
     return mesh->second = new_mesh(object, role, part->second);
   }
 
-  std::size_t new_mesh(std::size_t object, Role role, Json part) {
+  std::size_t new_mesh(std::size_t object, ObjectRole role, Json part) {
     return glb_.add_mesh(glb_.name_of(object), Json::array({glb_.painted(std::move(part), paint_of(role, object))}));
   }
 
-  Json new_part(std::size_t object, Role role, const GlbPlace& place, const GlbFrame& frame) {
+  Json new_part(std::size_t object, ObjectRole role, const GlbPlace& place, const GlbFrame& frame) {
     const DisplayMesh& drawn = glb_.meshes().meshes()[glb_.meshes().drawn()[object].mesh];
     GlbPart part;
     part.points.reserve(drawn.vertices.size());
@@ -129,7 +129,7 @@ class ObjectMeshes {
   }
 
   GlbScene& glb_;
-  std::map<std::pair<std::size_t, Role>, std::size_t> meshes_;
+  std::map<std::pair<std::size_t, ObjectRole>, std::size_t> meshes_;
   std::map<std::size_t, Json> parts_;  ///< of the drawn meshes
   std::map<std::size_t, GlbFrame> frames_;
   std::vector<std::size_t> nodes_;
@@ -145,13 +145,13 @@ std::vector<GlbKey> keys_of_queries(std::span<const PairQuery> queries, std::siz
 
 void add_objects(GlbScene& glb, const SceneAnswer& answer) {
   ObjectMeshes meshes(glb);
-  const std::vector<Role> roles = roles_of(glb.models().size(), answer);
+  const std::vector<ObjectRole> roles = roles_of(glb.models().size(), answer);
   const std::span<const PairQuery> queries = queries_of(answer);
   for (std::size_t object = 0; object < roles.size(); ++object)
     if (queries.empty())
       meshes.add(object, roles[object]);
     else
-      meshes.add_moving(object, object == 0 ? Role::first : Role::second, keys_of_queries(queries, object));
+      meshes.add_moving(object, object == 0 ? ObjectRole::first : ObjectRole::second, keys_of_queries(queries, object));
   glb.add_group("objects", meshes.nodes());
 }
 
@@ -161,7 +161,7 @@ void add_moving_objects(GlbScene& glb, const std::vector<std::vector<GlbKey>>& k
   const auto has_pose = [](const GlbKey& key) { return key.pose.has_value(); };
   for (std::size_t object = 0; object < keys.size(); ++object)
     if (std::any_of(keys[object].begin(), keys[object].end(), has_pose))
-      meshes.add_moving(object, is_named[object] ? Role::first : Role::alone, keys[object]);
+      meshes.add_moving(object, is_named[object] ? ObjectRole::first : ObjectRole::alone, keys[object]);
   glb.add_group("objects", meshes.nodes());
 }
 

@@ -15,7 +15,7 @@ using io::PlotAxis;
 using io::PlotCanvas;
 using io::TextAnchor;
 
-constexpr double height = 300, size = 11;
+constexpr double plot_height = 300, text_size = 11;
 
 std::vector<double> numbers_of(const LinePlot& plot, double PlotPoint::*part) {
   std::vector<double> numbers;
@@ -40,12 +40,12 @@ class LineDrawing {
     top_ = canvas_.legend(top, names) + 8;
     draw_axes();
     for (std::size_t i = 0; i < plot_.lines.size(); ++i) draw_line(plot_.lines[i], io::series_look(i));
-    return top_ + height + 48;
+    return top_ + plot_height + 48;
   }
 
  private:
   [[nodiscard]] double across(double x) const { return left_ + (right_ - left_) * x_.place_of(x); }
-  [[nodiscard]] double down(double y) const { return top_ + height * (1 - y_.place_of(y)); }
+  [[nodiscard]] double down(double y) const { return top_ + plot_height * (1 - y_.place_of(y)); }
 
   /// What has no place on a logarithmic axis is left out.
   [[nodiscard]] bool is_shown(const PlotPoint& point) const {
@@ -55,34 +55,37 @@ class LineDrawing {
 
   void draw_axes() {
     for (const double tick : x_.ticks()) {
-      canvas_.line(across(tick), top_, across(tick), top_ + height, "grid");
-      canvas_.text(
-          {.x = across(tick), .y = top_ + height + 16, .size = size, .anchor = TextAnchor::middle, .look = "soft"},
-          io::plot_number(tick));
+      canvas_.line(across(tick), top_, across(tick), top_ + plot_height, "grid");
+      canvas_.text({.x = across(tick),
+                    .y = top_ + plot_height + 16,
+                    .size = text_size,
+                    .anchor = TextAnchor::middle,
+                    .look = "soft"},
+                   io::plot_number(tick));
     }
     for (const double tick : y_.ticks()) {
       canvas_.line(left_, down(tick), right_, down(tick), "grid");
-      canvas_.text({.x = left_ - 6, .y = down(tick) + 4, .size = size, .anchor = TextAnchor::end, .look = "soft"},
+      canvas_.text({.x = left_ - 6, .y = down(tick) + 4, .size = text_size, .anchor = TextAnchor::end, .look = "soft"},
                    io::plot_number(tick));
     }
-    canvas_.line(left_, top_, left_, top_ + height, "frame");
-    canvas_.line(left_, top_ + height, right_, top_ + height, "frame");
+    canvas_.line(left_, top_, left_, top_ + plot_height, "frame");
+    canvas_.line(left_, top_ + plot_height, right_, top_ + plot_height, "frame");
     const auto told = [](const PlotAxis& axis, const std::string& quantity) {
       return quantity + (axis.is_logarithmic() ? " (logarithmic)" : "");
     };
     canvas_.text({.x = (left_ + right_) / 2,
-                  .y = top_ + height + 36,
+                  .y = top_ + plot_height + 36,
                   .size = 12,
                   .anchor = TextAnchor::middle,
                   .look = "soft",
                   .room = right_ - left_},
                  told(x_, plot_.x_quantity));
     canvas_.text({.x = 24,
-                  .y = top_ + height / 2,
+                  .y = top_ + plot_height / 2,
                   .size = 12,
                   .anchor = TextAnchor::middle,
                   .look = "soft",
-                  .room = height,
+                  .room = plot_height,
                   .upright = true},
                  told(y_, plot_.y_quantity));
   }

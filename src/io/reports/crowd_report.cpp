@@ -24,7 +24,7 @@ namespace {
 using io::Json;
 
 /// Around the box: its corners are as far from its middle, but for rounding.
-Ball ball_of(const Aabb& box, Index) {
+Ball ball_around_box(const Aabb& box, Index) {
   const std::array<Vec3, 2> corners{box.lower, box.upper};
   return fit_ball_fast(corners);
 }
@@ -73,7 +73,7 @@ class BoundedCrowd {
       for (const Index number : numbers) bounds.push_back(bound_of(crowd_.boxes()[number], number));
       take(bounds);
     };
-    if (bounds_ == CrowdBounds::balls) return made(ball_of);
+    if (bounds_ == CrowdBounds::balls) return made(ball_around_box);
     if (bounds_ == CrowdBounds::oriented) return made(turned_box);
     made([](const Aabb& box, Index) { return box; });
   }

@@ -115,11 +115,11 @@ Json json_of_shape(const Shape& shape) {
   return json;
 }
 
-bool is_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
+bool is_empty_or_bounded(const Aabb& box) { return is_empty(box) || (is_finite(box.lower) && is_finite(box.upper)); }
 
-std::optional<Aabb> box_of(const PosedModel& posed) {
+std::optional<Aabb> finite_box_of(const PosedModel& posed) {
   const Aabb box = world_box(posed);
-  return is_bounded(box) ? std::optional(box) : std::nullopt;
+  return is_empty_or_bounded(box) ? std::optional(box) : std::nullopt;
 }
 
 void add_mesh(const TriangleMesh& mesh, InspectedObject& result) {
@@ -138,7 +138,7 @@ void add_shape(InspectedObject& result) {
   try {
     const PosedModel posed = pose_model(model, result.object.pose, result.object.solid, "this object");
     result.solid = posed.solid;
-    result.world_box = box_of(posed);
+    result.world_box = finite_box_of(posed);
   } catch (const Error& error) {
     result.refusal = error.what();
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include "io/formats/utf8.hpp"
@@ -18,11 +17,10 @@ using io::csv_field;
 using io::document;
 using io::Json;
 using io::json_of;
+using io::json_of_length;
 
 constexpr std::array<std::string_view, 11> distance_fields = {
     "lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"};
-
-Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
 
 Json json_of(const PairClearance& pair, const Scene& scene) {
   const auto [first, second] = std::minmax(pair.a, pair.b);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -20,14 +21,14 @@ ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& 
   return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
 }
 
-Json json_of(const ConvexFeature& feature) {
+Json json_of_feature(const ConvexFeature& feature) {
   constexpr std::array<const char*, 3> names = {"vertex", "edge", "face"};
   return {{"kind", names[static_cast<std::size_t>(feature.kind)]}, {"index", feature.index}};
 }
 
 }  // namespace
 
-Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
 
 Json json_of(const SceneObject& object, const Posed& posed) {
   const auto mesh = object.mesh();
@@ -88,8 +89,8 @@ Json json_of(const Manifold& manifold) {
     const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
     points.push_back({{"position", json_of(point.position)},
                       {"depth", point.depth},
-                      {"on_a", json_of(point.on_a)},
-                      {"on_b", json_of(point.on_b)}});
+                      {"on_a", json_of_feature(point.on_a)},
+                      {"on_b", json_of_feature(point.on_b)}});
   }
   return {{"normal", json_of(manifold.normal)}, {"points", std::move(points)}};
 }

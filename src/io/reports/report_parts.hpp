@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/scenes/scene_shape.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -17,7 +18,8 @@ namespace toccata::io {
 
 using Json = nlohmann::ordered_json;
 
-[[nodiscard]] Json json_of(const Vec3& v);
+/// A length, or "all" for +∞.
+[[nodiscard]] Json json_of_length(double length);
 
 /// An object as it was checked.
 [[nodiscard]] Json json_of(const SceneObject& object, const Posed& posed);

@@ -22,7 +22,7 @@ namespace toccata::io {
 namespace {
 
 constexpr const char* format_name = "toccata-scene";
-constexpr std::size_t format_version = 1;
+constexpr std::size_t scene_format_version = 1;
 
 /// "unit" is what a scene is in whose files do not say.
 double unit_of(const JsonValue& value) {
@@ -179,7 +179,7 @@ class ShapeSource {
   const Scene& from_scene(const JsonValue& mesh) {
     const std::string name = mesh.text();
     if (!top_.has("meshes") || !top_.at("meshes").has(name.c_str()))
-      mesh.fail(fmt::format("there is no mesh named {}", io::quoted(name)), "name one of the \"meshes\" of this file");
+      mesh.fail(fmt::format("there is no mesh named {}", in_quotes(name)), "name one of the \"meshes\" of this file");
     const auto [found, is_new] = in_scene_.try_emplace(name);
     if (!is_new) return found->second;
     SceneObject object;
@@ -261,7 +261,8 @@ void put(SceneObject& object, const SceneObject& part, const Place& place, const
   object.pose = is_left_out(part.pose) ? pose : compose(pose, part.pose);  // which would take the sign from a zero
 }
 
-void add_objects(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common, const Place& place) {
+void add_objects_of_entry(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common,
+                          const Place& place) {
   for (const SceneObject& part : shapes.objects) {
     SceneObject object = common;
     object.name = shapes.objects.size() == 1 ? entry.name : entry.name + "/" + part.name;
@@ -285,9 +286,9 @@ void check_format(const JsonValue& top) {
   top.expect_keys({"format", "version", "unit", "frames", "nodes", "meshes", "objects", "query", "answer", "comment"});
   if (top.at("format").text() != format_name)
     top.at("format").fail("this is not a scene of Toccata", fmt::format("write \"{}\"", format_name));
-  if (top.at("version").whole(1000000) != format_version)
+  if (top.at("version").whole(1000000) != scene_format_version)
     top.at("version").fail("this version is not known",
-                           fmt::format("write {}, or use a newer Toccata", format_version));
+                           fmt::format("write {}, or use a newer Toccata", scene_format_version));
 }
 
 std::string unit_name(const JsonValue& top) {
@@ -351,7 +352,7 @@ Scene scene_of(const JsonValue& top, const std::filesystem::path& folder) {
     common.solid = value.has("solid") ? solid_of(value.at("solid")) : Solid::automatic;
     common.group = value.text_or("group", "");
     common.node = has_nodes ? node_of(value, scene.nodes.size()) : std::optional(tree.node_of(i));
-    add_objects(scene, entries[i], shapes, common, {tree.world_of(i), unit_factor(value, shapes, metres)});
+    add_objects_of_entry(scene, entries[i], shapes, common, {tree.world_of(i), unit_factor(value, shapes, metres)});
   }
   if (scene.objects.empty() && !is_about_no_scene(top)) top.fail("the scene has no objects", "add one to \"objects\"");
   return scene;

@@ -178,8 +178,6 @@ class ShapeReader {
   int depth_;
 };
 
-Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
 /// Writes a shape, and the shapes in it.
 class ShapeWriter {
  public:
@@ -283,6 +281,8 @@ ScaledPose pose_of(const JsonValue& value) {
 }
 
 Shape shape_of(const JsonValue& value, const MeshReading& read_mesh) { return ShapeReader(read_mesh, 0).read(value); }
+
+Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh) {
   return std::visit(ShapeWriter(write_mesh), shape);

@@ -45,6 +45,8 @@ struct ScaledPose {
 /// The "shape" of an object or of a part of a compound.
 [[nodiscard]] Shape shape_of(const JsonValue& value, const MeshReading& read_mesh);
 
+[[nodiscard]] nlohmann::ordered_json json_of(const Vec3& v);
+
 /// What `shape_of` reads as the same shape; of a mesh what `write_mesh` gives, which has no "type".
 [[nodiscard]] nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh);
 

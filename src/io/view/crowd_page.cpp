@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using Frame = CrowdRecording::Frame;
 
 /// Which items of a layer are of each moment: the first and how many.
-class Moments {
+class LayerMoments {
  public:
   void add(std::size_t end) {
     moments_.push_back({first_, end - first_});
@@ -59,7 +59,7 @@ class CrowdLayers {
  private:
   Json bodies() {
     io::QuantisedBoxes boxes(scene_);
-    Moments moments;
+    LayerMoments moments;
     std::vector<bool> is_in_pair;
     for (const Frame& frame : recording_.frames()) {
       is_in_pair.assign(frame.boxes.size(), false);
@@ -80,7 +80,7 @@ class CrowdLayers {
     std::size_t most_boxes = 0;
     for (const Frame& frame : recording_.frames()) most_boxes = std::max(most_boxes, frame.boxes.size());
     std::vector<std::uint32_t> numbers;
-    Moments moments;
+    LayerMoments moments;
     for (const Frame& frame : recording_.frames()) {
       for (const IndexPair& pair : frame.pairs) numbers.insert(numbers.end(), {pair.first, pair.second});
       moments.add(numbers.size() / 2);
@@ -115,7 +115,7 @@ class CrowdLayers {
       for (const Aabb& cell : drawn.back()) io::widen(around, cell);
     }
     io::QuantisedBoxes boxes(around);
-    Moments moments;
+    LayerMoments moments;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       const BroadPhaseCells& space = recording_.frames()[i].space;
       std::vector<std::size_t> class_of;

@@ -8,24 +8,25 @@
 #include <span>
 #include <utility>
 
+#include "math/vec3_coordinates.hpp"
+
 namespace toccata::io {
 namespace {
 
-constexpr double Vec3::*coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
 double length_of(const Aabb& box, std::size_t axis) {
-  return box.upper.*coordinates[axis] - box.lower.*coordinates[axis];
+  return box.upper.*vec3_coordinates[axis] - box.lower.*vec3_coordinates[axis];
 }
 
 /// Whether any of them is; boxes themselves may be infinite.
 bool are_bounded(std::span<const BroadPhaseCell> cells, std::size_t axis) {
   return std::any_of(cells.begin(), cells.end(), [axis](const BroadPhaseCell& cell) {
-    return std::isfinite(cell.box.lower.*coordinates[axis]) || std::isfinite(cell.box.upper.*coordinates[axis]);
+    return std::isfinite(cell.box.lower.*vec3_coordinates[axis]) ||
+           std::isfinite(cell.box.upper.*vec3_coordinates[axis]);
   });
 }
 
 Aabb ended(Aabb cell, const Aabb& scene) {
-  for (const auto coordinate : coordinates) {
+  for (const auto coordinate : vec3_coordinates) {
     if (!std::isfinite(cell.lower.*coordinate))
       cell.lower.*coordinate = std::min(scene.lower.*coordinate, cell.upper.*coordinate);
     if (!std::isfinite(cell.upper.*coordinate))
@@ -36,7 +37,7 @@ Aabb ended(Aabb cell, const Aabb& scene) {
 
 /// For each interval along the axis the least lane in which nothing is open there; and how many lanes there are.
 std::pair<std::vector<std::size_t>, std::size_t> lanes_of(std::span<const BroadPhaseCell> cells, std::size_t axis) {
-  const auto lower = [&](std::size_t i) { return cells[i].box.lower.*coordinates[axis]; };
+  const auto lower = [&](std::size_t i) { return cells[i].box.lower.*vec3_coordinates[axis]; };
   std::vector<std::size_t> order(cells.size()), lanes(cells.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
@@ -50,7 +51,7 @@ std::pair<std::vector<std::size_t>, std::size_t> lanes_of(std::span<const BroadP
     if (free.empty()) free.push(count++);
     lanes[i] = free.top();
     free.pop();
-    open.emplace(cells[i].box.upper.*coordinates[axis], lanes[i]);
+    open.emplace(cells[i].box.upper.*vec3_coordinates[axis], lanes[i]);
   }
   return {std::move(lanes), count};
 }
@@ -65,11 +66,11 @@ void add_intervals(std::span<const BroadPhaseCell> cells, const Aabb& scene, dou
   const double spacing = 0.3 * size / static_cast<double>(std::max<std::size_t>(count, 12));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Aabb box = ended(cells[i].box, scene);
-    const double at = scene.lower.*coordinates[out] - 0.05 * size - spacing * static_cast<double>(lanes[i]);
-    box.lower.*coordinates[out] = at - 0.6 * spacing;
-    box.upper.*coordinates[out] = at;
-    const double foot = axis == 2 ? scene.upper.*coordinates[flat] : scene.lower.*coordinates[flat];
-    box.lower.*coordinates[flat] = box.upper.*coordinates[flat] = foot;
+    const double at = scene.lower.*vec3_coordinates[out] - 0.05 * size - spacing * static_cast<double>(lanes[i]);
+    box.lower.*vec3_coordinates[out] = at - 0.6 * spacing;
+    box.upper.*vec3_coordinates[out] = at;
+    const double foot = axis == 2 ? scene.upper.*vec3_coordinates[flat] : scene.lower.*vec3_coordinates[flat];
+    box.lower.*vec3_coordinates[flat] = box.upper.*vec3_coordinates[flat] = foot;
     drawn.push_back(box);
   }
 }
@@ -77,10 +78,10 @@ void add_intervals(std::span<const BroadPhaseCell> cells, const Aabb& scene, dou
 void add_rectangles(std::span<const BroadPhaseCell> cells, const Aabb& scene, double size, std::vector<Aabb>& drawn) {
   std::size_t across = 0;
   while (across < 2 && are_bounded(cells, across)) ++across;
-  const double wall = scene.lower.*coordinates[across] - 0.15 * size;
+  const double wall = scene.lower.*vec3_coordinates[across] - 0.15 * size;
   for (const BroadPhaseCell& cell : cells) {
     Aabb box = ended(cell.box, scene);
-    box.lower.*coordinates[across] = box.upper.*coordinates[across] = wall;
+    box.lower.*vec3_coordinates[across] = box.upper.*vec3_coordinates[across] = wall;
     drawn.push_back(box);
   }
 }

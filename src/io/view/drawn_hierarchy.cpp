@@ -60,7 +60,7 @@ TreeShape binary_shape(const std::vector<Triangle>& triangles) {
 }
 
 /// The production tree as a hierarchy of up to eight children a node, with an item in each leaf.
-TreeShape shape_of(const WideTree& tree) {
+TreeShape tree_shape_of(const WideTree& tree) {
   TreeShape shape{{{}}, tree.items};
   std::vector<std::int32_t> child_of{0};  // of each node, as the blocks tell it: a block, or the place of an item
   for (std::size_t number = 0; number < shape.nodes.size(); ++number) {
@@ -243,7 +243,7 @@ DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
     case CostVolume::hull:
       return drawn<HullBound>(triangles);
     case CostVolume::wide:
-      return Drawing<Aabb>(triangles, shape_of(model.wide_tree())).all_levels();
+      return Drawing<Aabb>(triangles, tree_shape_of(model.wide_tree())).all_levels();
   }
   return {};
 }

@@ -51,7 +51,7 @@ std::string note_of(const Cells& cells, std::size_t triangles) {
                      counted(cells.size(), "cell", "cells"), share(cells.size()), most, share(triangles));
 }
 
-Aabb bounds_of(const std::vector<PartitionLevel>& levels) {
+Aabb bounds_of_levels(const std::vector<PartitionLevel>& levels) {
   Aabb around;
   for (const PartitionLevel& level : levels)
     for (const PartitionCell& cell : level.cells) around = merge(around, cell.box);
@@ -60,7 +60,7 @@ Aabb bounds_of(const std::vector<PartitionLevel>& levels) {
 
 Json layer_of(const TriangleMesh& mesh, PartitionKind kind, ViewData& data) {
   const std::vector<PartitionLevel> levels = partition_levels(kind, PartitionItems(mesh));
-  QuantisedBoxes boxes(bounds_of(levels));
+  QuantisedBoxes boxes(bounds_of_levels(levels));
   Json steps = Json::array();
   for (const PartitionLevel& level : levels) {
     const std::size_t first = boxes.size();

@@ -5,19 +5,20 @@
 #include <cmath>
 #include <span>
 
+#include "math/vec3_coordinates.hpp"
+
 namespace toccata::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double Vec3::*box_coordinates[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr double most_steps = 65535;
 
 }  // namespace
 
 void QuantisedBoxes::add(const Aabb& box, std::size_t its_class) {
-  for (const auto coordinate : box_coordinates) numbers_.push_back(step_of(box.lower.*coordinate, coordinate));
-  for (const auto coordinate : box_coordinates) numbers_.push_back(step_of(box.upper.*coordinate, coordinate));
+  for (const auto coordinate : vec3_coordinates) numbers_.push_back(step_of(box.lower.*coordinate, coordinate));
+  for (const auto coordinate : vec3_coordinates) numbers_.push_back(step_of(box.upper.*coordinate, coordinate));
   numbers_.push_back(static_cast<std::uint16_t>(its_class));
 }
 
@@ -42,7 +43,7 @@ Json QuantisedBoxes::written(ViewData& data) const {
   Json array = data.add(std::span<const std::uint16_t>(numbers_));
   array["bytes"] = 2;
   Json lower = Json::array(), step = Json::array();
-  for (const auto coordinate : box_coordinates) {
+  for (const auto coordinate : vec3_coordinates) {
     const double from = around_.lower.*coordinate, to = around_.upper.*coordinate;
     lower.push_back(from);
     step.push_back(to > from ? to / most_steps - from / most_steps : 0.0);

@@ -71,7 +71,7 @@ bool are_near(const Rows& a, const Rows& b) {
 }
 
 /// From the first pose to another one.
-Quaternion turn_of(const Body& body, Index object, const Pose& pose) {
+Quaternion turn_of_body(const Body& body, Index object, const Pose& pose) {
   if (body.pose.linear == pose.linear) return {};
   if (const auto turn = turn_between(rows_of(body.pose), rows_of(pose))) {
     const Quaternion q = quaternion_of(*turn);
@@ -112,7 +112,7 @@ Json motion_of(const WorldRecording& recording, const DisplayFrame& frame, ViewD
     const std::size_t first = written.objects.size();
     for (const WorldRecording::Place& place : one.placed)
       written.add(place.object, frame.shown(place.pose.offset),
-                  of_length_one(turn_of(recording.objects()[place.object], place.object, place.pose)));
+                  of_length_one(turn_of_body(recording.objects()[place.object], place.object, place.pose)));
     for (const Index object : one.gone) written.add(object, {}, {});
     moments.push_back({first, written.objects.size() - first});
   }

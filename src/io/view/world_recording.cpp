@@ -9,7 +9,7 @@
 namespace toccata {
 namespace {
 
-Vec3 middle_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
+Vec3 centre_of_box(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
 std::size_t bytes_of(const WorldRecording::Frame& frame) {
   return 24 * (frame.placed.size() + frame.gone.size()) + 150 * frame.pairs.size();
@@ -34,7 +34,7 @@ void WorldRecording::add_bodies(const World& world, Next& next) const {
     const Index object = is_new ? static_cast<Index>(objects_.size() + next.objects.size()) : before->second.object;
     if (is_new) next.objects.push_back(body);
     if (is_new || before->second.pose != body.pose) next.frame.placed.push_back({object, body.pose});
-    next.seen.push_back({object, body.pose, middle_of(world.box(id))});
+    next.seen.push_back({object, body.pose, centre_of_box(world.box(id))});
   }
   for (const BodyId id : there_)
     if (!world.contains(id)) next.frame.gone.push_back(seen_.at(id).object);

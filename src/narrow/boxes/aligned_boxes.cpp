@@ -11,16 +11,16 @@
 namespace toccata {
 namespace {
 
-struct Interval {
+struct AxisInterval {
   double lower = 0;
   double upper = 0;
 };
 
-using Extents = std::array<Interval, 3>;
+using Extents = std::array<AxisInterval, 3>;
 
 /// A coordinate that depends on one bit of a corner's number only; the bit is 0 where there is none.
 struct AlignedCoordinate {
-  Interval interval;
+  AxisInterval interval;
   int bit = 0;
 };
 
@@ -52,7 +52,7 @@ struct NearestOnAxis {
   double on_b = 0;
 };
 
-NearestOnAxis nearest(const Interval& a, const Interval& b) {
+NearestOnAxis nearest(const AxisInterval& a, const AxisInterval& b) {
   if (a.upper < b.lower) return {a.upper, b.lower};
   if (b.upper < a.lower) return {a.lower, b.upper};
   const double common = std::max(a.lower, b.lower);
@@ -120,8 +120,8 @@ std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const P
   RoundedDifference least{infinity};
   result.lower = least.rounded;
   for (int axis = 0; axis < 3; ++axis) {
-    const Interval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
-                   &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
+    const AxisInterval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
+                       &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
     const RoundedDifference forwards = rounded_difference(of_a.upper, of_b.lower),
                             backwards = rounded_difference(of_b.upper, of_a.lower);
     result.lower = std::min({result.lower, forwards.lower(), backwards.lower()});
@@ -138,8 +138,8 @@ std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const P
   result.upper = least.upper();
   for (int axis = 0; axis < 3; ++axis) {
     if (result.direction[axis] == 0) continue;
-    const Interval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
-                   &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
+    const AxisInterval &of_a = (*extents_a)[static_cast<std::size_t>(axis)],
+                       &of_b = (*extents_b)[static_cast<std::size_t>(axis)];
     result.on_a[axis] = result.direction[axis] > 0 ? of_a.upper : of_a.lower;
     result.on_b[axis] = result.direction[axis] > 0 ? of_b.lower : of_b.upper;
   }

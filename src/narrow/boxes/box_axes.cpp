@@ -5,6 +5,7 @@
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
+#include "narrow/boxes/next_axis.hpp"
 #include "narrow/convex/plain_topology.hpp"
 
 // Let A' and B' be the parallelepipeds of the two frames, u_i and v_j their half edges, and D' their Minkowski
@@ -34,8 +35,6 @@ using Halves = std::array<Vec3, 3>;
 double reach(const Halves& half, const Vec3& axis) {
   return (std::fabs(dot(axis, half[0])) + std::fabs(dot(axis, half[1]))) + std::fabs(dot(axis, half[2]));
 }
-
-std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
 Halves face_normals(const Halves& half) {
   return {cross(half[1], half[2]), cross(half[2], half[0]), cross(half[0], half[1])};
@@ -115,7 +114,7 @@ std::optional<bool> BoxAxes::meet() const {
     const Vec3 beside = cross(way_, u[i]);
     const double size = sum_of_magnitudes(u[i]);
     for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
+      const std::size_t k = next_axis(i), l = next_axis(k), m = next_axis(j), n = next_axis(m);
       sure = true;
       if (apart(dot(beside, v[j]), (p[k][j] + p[l][j]) + (q[m][i] + q[n][i]), size * sum_of_magnitudes(v[j])))
         return false;
@@ -136,7 +135,7 @@ bool BoxAxes::near_parallel_edges_do_not_matter(unsigned undecided) const {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       if ((undecided >> (3 * i + j) & 1U) == 0) continue;
-      const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
+      const std::size_t k = next_axis(i), l = next_axis(k), m = next_axis(j), n = next_axis(m);
       if ((undecided >> (3 * i + m) & 1U) != 0 || (undecided >> (3 * i + n) & 1U) != 0) return false;
       const double least = std::min({spare(normal_a[k], scale_a[k].x), spare(normal_a[l], scale_a[l].x),
                                      spare(cross(u[i], v[m]), sum_of_magnitudes(u[i]) * sum_of_magnitudes(v[m])),

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow/boxes/next_axis.hpp"
+#include "narrow/convex/contact_choices.hpp"
+
 namespace toccata {
 namespace {
 
-constexpr double cosine_of_face_contact = 0.9995;
-
 // Which face it is cannot be guessed: it is looked up and not asked for.
-constexpr std::array<std::size_t, 3> next_of = {1, 2, 0};
-constexpr std::array<double, 2> sign_of = {1, -1};  // of what is not low, or turned; of what is
+constexpr std::array<double, 2> sign_of_low = {1, -1};  // of what is not low, or turned; of what is
 
-std::size_t next(std::size_t i) { return next_of[i]; }
-double sign(bool is_negative) { return sign_of[is_negative ? 1 : 0]; }
+double sign(bool is_negative) { return sign_of_low[is_negative ? 1 : 0]; }
 
 /// What the table of axes says, seen from the box of the reference face.
 struct SeenAxes {
@@ -42,7 +41,7 @@ FacingFace facing_face(const BoxView& box, const Vec3& direction) {
 
 /// The cosines of an edge pair's axis with the normals of faces are those of the edges over the sine of their angle.
 bool turns_to_a_face(const RigidBoxAxes& axes, std::size_t i, std::size_t j) {
-  const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
+  const std::size_t k = next_axis(i), l = next_axis(k), m = next_axis(j), n = next_axis(m);
   const double of_a = std::max(std::fabs(axes.cosines[k][j]), std::fabs(axes.cosines[l][j]));
   const double of_b = std::max(std::fabs(axes.cosines[i][m]), std::fabs(axes.cosines[i][n]));
   const double greatest = std::max(of_a, of_b);
@@ -74,24 +73,24 @@ BoxFacePair facing_of_face(const RigidBoxAxes& axes, const ChosenBoxAxis& along)
 /// In the frame of the reference face: x and y along its edges, z outwards.
 SeenFace seen_from_reference(const BoxView& reference, const BoxView& incident, const RigidBoxAxes& axes,
                              const BoxFacePair& faces) {
-  const std::size_t z = faces.reference.axis, x = next(z), y = next(x);
+  const std::size_t z = faces.reference.axis, x = next_axis(z), y = next_axis(x);
   const double up = sign(faces.reference.low), turn = sign(faces.b_is_reference);
   const SeenAxes seen = seen_axes(axes, faces.b_is_reference);
   const auto half_edge = [&](std::size_t j) {
     return incident.half_extent(j) * Vec3{seen.cosines[x][j], seen.cosines[y][j], up * seen.cosines[z][j]};
   };
-  const std::size_t across = faces.incident.axis, first = next(across);
+  const std::size_t across = faces.incident.axis, first = next_axis(across);
   const Vec3 middle{turn * seen.way[x], turn * seen.way[y], turn * up * seen.way[z]};
-  return {middle + sign(faces.incident.low) * half_edge(across), half_edge(first), half_edge(next(first)),
+  return {middle + sign(faces.incident.low) * half_edge(across), half_edge(first), half_edge(next_axis(first)),
           reference.half_extent(x), reference.half_extent(y)};
 }
 
 /// Moves everything along the normal into the plane of the reference face: z becomes the way to go.
 void lean(SeenFace& seen, const BoxView& reference, const BoxFace& face, const Vec3& outwards) {
-  const std::size_t x = next(face.axis);
+  const std::size_t x = next_axis(face.axis);
   const double up = sign(face.low);
   const double steepness = 1 / (up * dot(reference.axis(face.axis), outwards));
-  const double lean_x = dot(reference.axis(x), outwards), lean_y = dot(reference.axis(next(x)), outwards);
+  const double lean_x = dot(reference.axis(x), outwards), lean_y = dot(reference.axis(next_axis(x)), outwards);
   for (Vec3* v : {&seen.centre, &seen.along_x, &seen.along_y}) {
     const double gap = v->z * steepness;
     *v = {v->x - gap * lean_x, v->y - gap * lean_y, gap};
@@ -101,8 +100,8 @@ void lean(SeenFace& seen, const BoxView& reference, const BoxFace& face, const V
 }  // namespace
 
 BoxFacePlane::BoxFacePlane(const BoxView& box, const BoxFace& face)
-    : along_x_(box.axis(next(face.axis))),
-      along_y_(box.axis(next(next(face.axis)))),
+    : along_x_(box.axis(next_axis(face.axis))),
+      along_y_(box.axis(next_axis(next_axis(face.axis)))),
       middle_(box.box->centre + (sign(face.low) * box.half_extent(face.axis)) * box.axis(face.axis)) {}
 
 BoxContact contact_of_faces(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& along) {

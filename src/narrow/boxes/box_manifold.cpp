@@ -3,21 +3,18 @@
 #include <array>
 #include <utility>
 
+#include "narrow/convex/contact_choices.hpp"
+
 namespace toccata {
 namespace {
 
-/// An edge pair has to be this much less deep than the best face: faces give more points.
-constexpr double edge_share = 0.98;
-
-using Kind = ConvexFeature::Kind;
-
-constexpr std::array<std::array<Index, 4>, 6> corners_of_face = {
+constexpr std::array<std::array<Index, 4>, 6> corners_of_box_face = {
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
 /// The lesser of the two half-edges between two corners, four to a face, as box_topology() has them.
 constexpr Index edge_between(Index p, Index q) {
   for (Index h = 0; h < 24; ++h) {
-    const auto& corners = corners_of_face[h / 4];
+    const auto& corners = corners_of_box_face[h / 4];
     const Index from = corners[h % 4], to = corners[(h + 1) % 4];
     if ((from == p && to == q) || (from == q && to == p)) return h;
   }
@@ -34,10 +31,11 @@ constexpr FaceFeatures features_of(Index face) {
   const Index z = face / 2, x = (z + 1) % 3, y = (z + 2) % 3, base = face % 2 << z;
   const std::array<Index, 4> corners = {base, base | 1U << x, base | 1U << x | 1U << y, base | 1U << y};
   FaceFeatures features{};
-  features.feature[0] = {Kind::face, face};
+  features.feature[0] = {ConvexFeature::Kind::face, face};
   for (std::size_t k = 0; k < 4; ++k) {
-    features.feature[FaceFeatures::corner + k] = {Kind::vertex, corners[k]};
-    features.feature[FaceFeatures::side + k] = {Kind::edge, edge_between(corners[k], corners[(k + 1) % 4])};
+    features.feature[FaceFeatures::corner + k] = {ConvexFeature::Kind::vertex, corners[k]};
+    features.feature[FaceFeatures::side + k] = {ConvexFeature::Kind::edge,
+                                                edge_between(corners[k], corners[(k + 1) % 4])};
   }
   return features;
 }
@@ -74,7 +72,7 @@ constexpr std::array<EdgesOfCorner, 8> edges_of_corners = [] {
 
 /// The edge that lies farthest along a direction, of those along an axis.
 ConvexFeature farthest_edge(const BoxView& box, std::size_t axis, const Vec3& direction) {
-  return {Kind::edge, edges_of_corners[farthest_corner(box, direction)][axis]};
+  return {ConvexFeature::Kind::edge, edges_of_corners[farthest_corner(box, direction)][axis]};
 }
 
 }  // namespace

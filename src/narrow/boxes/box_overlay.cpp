@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
-constexpr double gap_of_resting = 0x1p-10;
+constexpr double gap_of_resting_boxes = 0x1p-10;
 
 alignas(32) constexpr double sign_x[4] = {-1, 1, 1, -1};
 alignas(32) constexpr double sign_y[4] = {-1, -1, 1, 1};
@@ -27,16 +27,16 @@ alignas(32) constexpr double way_x[4] = {2, 0, -2, 0};
 alignas(32) constexpr double way_y[4] = {0, 2, 0, -2};
 
 /// Of the sides along one axis: the shares of their length within which they are between its two lines.
-struct Shares {
+struct SideShares {
   Row enter, leave;
   RowMask starts_within, goes_up;
 };
 
-HWY_INLINE Shares shares_of(const Row& start, const Row& way, double limit, double parallel) {
+HWY_INLINE SideShares shares_of(const Row& start, const Row& way, double limit, double parallel) {
   const Row lines = row_of(limit), length = magnitude(way), zero = row_of(0);
   const RowMask within = magnitude(start) <= lines, goes_up = zero < way, is_parallel = length <= row_of(parallel);
   const Row towards = select(goes_up, start, zero - start);
-  Shares shares;
+  SideShares shares;
   shares.enter = select(is_parallel, select(within, row_of(-1), row_of(3)), (zero - lines - towards) / length);
   shares.leave = select(is_parallel, row_of(2), (lines - towards) / length);
   shares.starts_within = within;
@@ -90,29 +90,29 @@ HWY_INLINE unsigned each_bits(const Function& function) {
   return bits_of(function(0)) | bits_of(function(1)) << 4 | bits_of(function(2)) << 8 | bits_of(function(3)) << 12;
 }
 
-HWY_INLINE RowMask mask_of(unsigned bits) {
+HWY_INLINE RowMask row_mask_of(unsigned bits) {
   return each_mask([&](std::size_t k) {
-    const std::uint8_t few[8] = {static_cast<std::uint8_t>(bits >> (k * lanes) & ((1U << lanes) - 1))};
-    return hn::LoadMaskBits(tag, few);
+    const std::uint8_t few[8] = {static_cast<std::uint8_t>(bits >> (k * row_lanes) & ((1U << row_lanes) - 1))};
+    return hn::LoadMaskBits(row_tag, few);
   });
 }
 
 /// The least of all, in every lane.
 HWY_INLINE Row least_of(const Sixteen& values) {
   const Row least = lesser(lesser(values.row[0], values.row[1]), lesser(values.row[2], values.row[3]));
-  Number here = least.part[0];
-  for (std::size_t k = 1; k < parts; ++k) here = hn::Min(here, least.part[k]);
-  here = hn::MinOfLanes(tag, here);
+  hn::Vec<RowTag> here = least.part[0];
+  for (std::size_t k = 1; k < row_parts; ++k) here = hn::Min(here, least.part[k]);
+  here = hn::MinOfLanes(row_tag, here);
   return each([&](std::size_t) { return here; });
 }
 
-struct Found {
+struct FoundPlace {
   unsigned place;
   double value;
 };
 
 /// Of equals the first.
-HWY_INLINE Found found_least(const Sixteen& values) {
+HWY_INLINE FoundPlace found_least(const Sixteen& values) {
   const Row least = least_of(values);
   const unsigned bits = each_bits([&](std::size_t k) { return values.row[k] == least; });
   return {static_cast<unsigned>(std::countr_zero(bits | 1U << 15)), hn::GetLane(least.part[0])};
@@ -127,7 +127,7 @@ unsigned resting_candidates(const BoxOverlay& overlay) {
     const double x = overlay.x[i] - overlay.x[first], y = overlay.y[i] - overlay.y[first], squared = x * x + y * y;
     span = squared > span ? squared : span;
   }
-  const Row limit = row_of(gap_of_resting * std::sqrt(span));
+  const Row limit = row_of(gap_of_resting_boxes * std::sqrt(span));
   return overlay.points & each_bits([&](std::size_t k) { return load(overlay.gap.data() + 4 * k) <= limit; });
 }
 
@@ -158,8 +158,8 @@ HWY_INLINE ChosenPlaces all_of(unsigned candidates) {
 ChosenPlaces four_of(const BoxOverlay& overlay, unsigned candidates) {
   ChosenPlaces chosen{};
   const auto take = [&](unsigned place) { chosen.place[chosen.count++] = static_cast<std::uint8_t>(place); };
-  const RowMask taken[4] = {mask_of(candidates), mask_of(candidates >> 4), mask_of(candidates >> 8),
-                            mask_of(candidates >> 12)};
+  const RowMask taken[4] = {row_mask_of(candidates), row_mask_of(candidates >> 4), row_mask_of(candidates >> 8),
+                            row_mask_of(candidates >> 12)};
   const Sixteen x = sixteen(overlay.x), y = sixteen(overlay.y), gap = sixteen(overlay.gap);
   const unsigned deepest =
       found_least(each_row([&](std::size_t k) { return select(taken[k], gap.row[k], row_of(0x1p1000)); })).place;
@@ -175,15 +175,15 @@ ChosenPlaces four_of(const BoxOverlay& overlay, unsigned candidates) {
   const double far_x = overlay.x[farthest] - overlay.x[deepest], far_y = overlay.y[farthest] - overlay.y[deepest];
   const Sixteen aside =
       each_row([&](std::size_t k) { return select(taken[k], far_x * from_y.row[k] - far_y * from_x.row[k], zero); });
-  const Found left = found_least(each_row([&](std::size_t k) { return zero - aside.row[k]; }));
-  const Found right = found_least(aside);
+  const FoundPlace left = found_least(each_row([&](std::size_t k) { return zero - aside.row[k]; }));
+  const FoundPlace right = found_least(aside);
   if (left.value < 0) take(left.place);
   if (right.value < 0) take(right.place);
   if (chosen.count != 3) return chosen;
   const unsigned third = chosen.place[2];
   const double turn = left.value < 0 ? -1 : 1;
-  const Found fourth = found_least(
-      each_row([&](std::size_t k) { return select(mask_of((1U << third) >> (4 * k)), zero, turn * aside.row[k]); }));
+  const FoundPlace fourth = found_least(each_row(
+      [&](std::size_t k) { return select(row_mask_of((1U << third) >> (4 * k)), zero, turn * aside.row[k]); }));
   if (fourth.value < 0) take(fourth.place);
   return chosen;
 }
@@ -201,7 +201,8 @@ BoxOverlay overlay_at_level(const SeenFace& face) {
   };
   const Row x = corners(c.x, p.x, q.x), y = corners(c.y, p.y, q.y), gap = corners(c.z, p.z, q.z);
   const Row side_x = p.x * along_x + q.x * along_y, side_y = p.y * along_x + q.y * along_y;
-  const Shares in_x = shares_of(x, side_x, face.width, parallel), in_y = shares_of(y, side_y, face.height, parallel);
+  const SideShares in_x = shares_of(x, side_x, face.width, parallel),
+                   in_y = shares_of(y, side_y, face.height, parallel);
   put(overlay, 0, x, y, gap, in_x.starts_within & in_y.starts_within);
   overlay.may_have_doubles = false;
   if (overlay.points == 0xF) {
@@ -229,7 +230,7 @@ BoxOverlay overlay_at_level(const SeenFace& face) {
 
 ChosenPlaces chosen_at_level(const BoxOverlay& overlay) {
   if (overlay.points == 0) return {{}, 0};
-  const Row zero = row_of(0), resting = row_of(2 * gap_of_resting * overlay.size);
+  const Row zero = row_of(0), resting = row_of(2 * gap_of_resting_boxes * overlay.size);
   const auto gap = [&](std::size_t k) { return load(overlay.gap.data() + 4 * k); };
   unsigned candidates = overlay.points & each_bits([&](std::size_t k) { return gap(k) <= zero; });
   const unsigned at_most = overlay.points & each_bits([&](std::size_t k) { return gap(k) <= resting; });

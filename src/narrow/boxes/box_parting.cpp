@@ -6,6 +6,7 @@
 
 #include "narrow/boxes/aligned_boxes.hpp"
 #include "narrow/boxes/box_contact.hpp"
+#include "narrow/boxes/next_axis.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_parting.hpp"
 
@@ -14,16 +15,11 @@ namespace {
 
 double sum(const Vec3& v) { return (v.x + v.y) + v.z; }
 
-std::size_t next(std::size_t i) {
-  constexpr std::array<std::size_t, 3> next_of = {1, 2, 0};
-  return next_of[i];
-}
-
 /// Where |v|² = 1 + ε, 1 / |v| is 1 − ε / 2 but for less than ε², which is below 2^-70 under a pose as rigid as here.
 Vec3 unit_of_nearly_unit(const Vec3& v) { return (1.5 - 0.5 * dot(v, v)) * v; }
 
 Vec3 face_normal(const BoxView& box, std::size_t i) {
-  return unit_of_nearly_unit(cross(box.axis(next(i)), box.axis(next(next(i)))));
+  return unit_of_nearly_unit(cross(box.axis(next_axis(i)), box.axis(next_axis(next_axis(i)))));
 }
 
 /// From A to B, as the way along the edge across the face goes.
@@ -77,7 +73,7 @@ class LowerBound {
     const double direct = (axes_.edge_overlap[i][j] - axes_.error) / angle;
     if (angle > least_sine_of_edges) return direct;
     // As in rigid_box_axes.cpp: nearly parallel edges.
-    const std::size_t k = next(i), l = next(k), m = next(j), n = next(m);
+    const std::size_t k = next_axis(i), l = next_axis(k), m = next_axis(j), n = next_axis(m);
     const double four =
         std::min({axes_.overlap_a[k], axes_.overlap_a[l], axes_.edge_overlap[i][m], axes_.edge_overlap[i][n]});
     return std::max(direct, (four - axes_.error) - half_extents_b_[static_cast<int>(j)] * angle);

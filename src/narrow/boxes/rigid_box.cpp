@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
+
 namespace toccata {
 namespace {
 
 /// Up to here a pose passes for rigid.
-constexpr double largest_skew = 0x1p-20;
-
-double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
+constexpr double largest_rigid_skew = 0x1p-20;
 
 /// All entries in and beside the diagonal are added: more than the greatest, without choices. An entry is a sum of
 /// three products that add up to 1.01 at most in magnitude where it is of use, off by 3 · 2^-53; to add them loses
@@ -38,7 +38,7 @@ RigidBox rigid_box(const Box& box, const Pose& pose) {
   RigidBox result{transform(pose, box.centre()), box.half_extents()};
   result.skew = skew_of(pose.linear);
   const double slack = slack_of(box, pose);
-  if (result.skew <= largest_skew && slack < 0x1p940) result.slack = slack;
+  if (result.skew <= largest_rigid_skew && slack < 0x1p940) result.slack = slack;
   return result;
 }
 

@@ -40,11 +40,12 @@ struct ThreeRows {
 
 #if HWY_TARGET <= HWY_AVX2
 HWY_INLINE ThreeRows transposed(const Row (&rows)[3]) {
-  const Number first = rows[0].part[0], second = rows[1].part[0], third = rows[2].part[0];
-  const Number even = hn::InterleaveLower(tag, first, second), odd = hn::InterleaveUpper(tag, first, second);
-  return {{{{hn::ConcatLowerLower(tag, third, even)}},
-           {{hn::ConcatLowerLower(tag, hn::InterleaveUpper(tag, third, third), odd)}},
-           {{hn::ConcatUpperUpper(tag, third, even)}}}};
+  const hn::Vec<RowTag> first = rows[0].part[0], second = rows[1].part[0], third = rows[2].part[0];
+  const hn::Vec<RowTag> even = hn::InterleaveLower(row_tag, first, second),
+                        odd = hn::InterleaveUpper(row_tag, first, second);
+  return {{{{hn::ConcatLowerLower(row_tag, third, even)}},
+           {{hn::ConcatLowerLower(row_tag, hn::InterleaveUpper(row_tag, third, third), odd)}},
+           {{hn::ConcatUpperUpper(row_tag, third, even)}}}};
 }
 #endif
 
@@ -60,7 +61,7 @@ struct TwoBoxes {
   Row row_a, row_b, way;
 };
 
-struct Axes {
+struct AxesInRows {
   Row way_a, way_b, overlap_a, overlap_b;
   Row cosines[3], turned[3], edge_overlap[3];
 };
@@ -78,7 +79,7 @@ HWY_INLINE Row combined(const Vec3& weights, const Row& first, const Row& second
 HWY_INLINE Vec3 column(const Mat3& m, int j) { return {m[0][j], m[1][j], m[2][j]}; }
 
 // Nothing here is a loop, which compilers might keep.
-HWY_INLINE void look_along_faces(const TwoBoxes& boxes, Axes& axes) {
+HWY_INLINE void look_along_faces(const TwoBoxes& boxes, AxesInRows& axes) {
   const Mat3 &r = boxes.axes_a, &s = boxes.axes_b;
   const Row r0 = load(&r[0].x), r1 = load(&r[1].x), r2 = load(&r[2].x);
   const Row s0 = load(&s[0].x), s1 = load(&s[1].x), s2 = load(&s[2].x);
@@ -106,7 +107,7 @@ HWY_INLINE void look_along_faces(const TwoBoxes& boxes, Axes& axes) {
 }
 
 /// What the edge pairs of all three rows have in common.
-struct EdgeSides {
+struct EdgeRows {
   FourDoubles way;           ///< along the edges of A
   Row size[3];               ///< of the cosines
   Row next_half, last_half;  ///< the half extents of B that are not those of the edge
@@ -114,7 +115,7 @@ struct EdgeSides {
 
 /// Along the edge of A that is followed by two of the half extents `h_k` and `h_l`.
 template <std::size_t i, std::size_t k, std::size_t l>
-HWY_INLINE Row overlap_of_edges(const Axes& axes, const EdgeSides& sides, double h_k, double h_l) {
+HWY_INLINE Row overlap_of_edges(const AxesInRows& axes, const EdgeRows& sides, double h_k, double h_l) {
   const Row way = sides.way[l] * axes.cosines[k] - sides.way[k] * axes.cosines[l];
   const Row next_size = next(sides.size[i]), last_size = next(next_size);
   const Row reach_a = h_k * sides.size[l] + h_l * sides.size[k];
@@ -122,9 +123,9 @@ HWY_INLINE Row overlap_of_edges(const Axes& axes, const EdgeSides& sides, double
   return (reach_a + reach_b) - magnitude(way);
 }
 
-HWY_INLINE void look_along_edges(const TwoBoxes& boxes, Axes& axes) {
+HWY_INLINE void look_along_edges(const TwoBoxes& boxes, AxesInRows& axes) {
   const Vec3& h = boxes.half_a;
-  EdgeSides sides;
+  EdgeRows sides;
   store(axes.way_a, sides.way.data());
   sides.size[0] = magnitude(axes.cosines[0]);
   sides.size[1] = magnitude(axes.cosines[1]);
@@ -148,7 +149,7 @@ HWY_INLINE unsigned places_of(const Row& least, const Row& row, unsigned first) 
 
 HWY_INLINE Index first_of(unsigned bits) { return static_cast<Index>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)); }
 
-HWY_INLINE Index place_of_least_face(const Axes& axes) {
+HWY_INLINE Index place_of_least_face(const AxesInRows& axes) {
   const Row least = least_of_three(lesser(axes.overlap_a, axes.overlap_b));
   return first_of(places_of(least, axes.overlap_a, 0) | places_of(least, axes.overlap_b, 3) | 1U << 5);
 }
@@ -160,7 +161,7 @@ HWY_INLINE Row squared_depth(const Row& overlap, const Row& cosine, const Row& o
   return select(makes_axis, overlap * magnitude(overlap) / sine, row_of(0x1p1000));
 }
 
-HWY_INLINE Index place_of_least_edges(const Axes& axes) {
+HWY_INLINE Index place_of_least_edges(const AxesInRows& axes) {
   const Row first = squared_depth(axes.edge_overlap[0], axes.cosines[1], axes.cosines[2]);
   const Row second = squared_depth(axes.edge_overlap[1], axes.cosines[2], axes.cosines[0]);
   const Row third = squared_depth(axes.edge_overlap[2], axes.cosines[0], axes.cosines[1]);
@@ -168,7 +169,7 @@ HWY_INLINE Index place_of_least_edges(const Axes& axes) {
   return first_of(places_of(least, first, 0) | places_of(least, second, 3) | places_of(least, third, 6) | 1U << 8);
 }
 
-HWY_INLINE void store_all(const Axes& axes, double error, RigidBoxAxes& stored) {
+HWY_INLINE void store_all(const AxesInRows& axes, double error, RigidBoxAxes& stored) {
   stored.error = error;
   store(axes.way_a, stored.way_a.data());
   store(axes.way_b, stored.way_b.data());
@@ -186,7 +187,7 @@ HWY_INLINE void store_all(const Axes& axes, double error, RigidBoxAxes& stored) 
 }
 
 /// Fills in the axes, but for those of edges where faces part the boxes by far.
-HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& error, Axes& axes) {
+HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& error, AxesInRows& axes) {
   const auto is_any = [](const RowMask& mask) { return (bits_of(mask) & 7U) != 0; };
   look_along_faces(boxes, axes);
   const Row faces = lesser(axes.overlap_a, axes.overlap_b);
@@ -242,7 +243,7 @@ Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes
                        load(&q.half_extents.x),
                        load(&q.centre.x) - load(&p.centre.x)};
   const AxesError error = error_of(a, b, boxes);
-  Axes axes;
+  AxesInRows axes;
   const Nearness nearness = look_along_axes(boxes, error, axes);
   if (nearness == Nearness::apart) return nearness;
   if (storing == Storing::always || nearness == Nearness::unknown) store_all(axes, error.error, stored);
@@ -272,7 +273,7 @@ Nearness boxes_along_axes(const Box& a, const Pose& pose_a, const Box& b, const 
                        load_three(a.half_extents()),
                        load_three(b.half_extents()),
                        load_three(*centre_b) - load_three(*centre_a)};
-  Axes axes;
+  AxesInRows axes;
   return look_along_axes(boxes, error_of(pose_a, pose_b, boxes, places), axes);
 }
 

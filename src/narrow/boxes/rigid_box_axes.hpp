@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "math/vec3_coordinates.hpp"
 #include "narrow/primitives/nearness.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
@@ -14,7 +15,6 @@
 namespace toccata {
 
 /// By number, found without branches.
-inline constexpr std::array<double Vec3::*, 3> coordinate = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 /// A box as the axes see it. Four doubles can be read from the start of each vector and of each row.
 struct BoxView {
@@ -22,10 +22,10 @@ struct BoxView {
   const RigidBox* box;
 
   [[nodiscard]] Vec3 axis(std::size_t i) const {
-    const double Vec3::*const along = coordinate[i];
+    const double Vec3::*const along = vec3_coordinates[i];
     return {axes->row[0].*along, axes->row[1].*along, axes->row[2].*along};
   }
-  [[nodiscard]] double half_extent(std::size_t i) const { return box->half_extents.*coordinate[i]; }
+  [[nodiscard]] double half_extent(std::size_t i) const { return box->half_extents.*vec3_coordinates[i]; }
 };
 
 [[nodiscard]] inline BoxView view_of(const PosedConvex& box) { return {&box.pose().linear, &box.as_box()}; }

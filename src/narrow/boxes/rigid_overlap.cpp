@@ -2,7 +2,6 @@
 // Compiled once for every SIMD level; Highway includes this file into itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "narrow/boxes/rigid_overlap.cpp"
-#define TOCCATA_MOST_LANES 1
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -30,96 +29,95 @@ namespace {
 constexpr double frame_error = 0x1p-40, offset_error = 0x1p-48;  // the first is twice what is needed
 
 #if HWY_TARGET <= HWY_AVX2
-constexpr Coordinates tag;
-using Four = hn::Vec<Coordinates>;
+constexpr Coordinates four;
+using FourCoordinates = hn::Vec<Coordinates>;
 
-HWY_INLINE Four load(const Vec3& v) { return lanes_of(v).xyz; }
-HWY_INLINE Four next(const Four& v) { return next(Vector{v}).xyz; }
+HWY_INLINE FourCoordinates load(const Vec3& v) { return in_one(v).xyz; }
+HWY_INLINE FourCoordinates next(const FourCoordinates& v) { return next(OneVector{v}).xyz; }
 
 /// Rᵀ v, of which the last number is 0.
-HWY_INLINE Four turned_back(const Rows& r, const Vec3& v) {
-  return hn::MulAdd(r.x.xyz, hn::Set(tag, v.x),
-                    hn::MulAdd(r.y.xyz, hn::Set(tag, v.y), hn::Mul(r.z.xyz, hn::Set(tag, v.z))));
+HWY_INLINE FourCoordinates turned_back(const PoseRows& r, const Vec3& v) {
+  return hn::MulAdd(r.x.xyz, hn::Set(four, v.x),
+                    hn::MulAdd(r.y.xyz, hn::Set(four, v.y), hn::Mul(r.z.xyz, hn::Set(four, v.z))));
 }
 
 /// How far, squared, a point is beyond the box, given from the offset of its pose.
 HWY_INLINE double squared_beyond(const Box& box, const Pose& pose, const Vec3& from_offset) {
-  const Four local = hn::Sub(turned_back(rows_of(pose), from_offset), load(box.centre()));
-  const Four beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
-  return hn::GetLane(hn::SumOfLanes(tag, hn::Mul(beyond, beyond)));
+  const FourCoordinates local = hn::Sub(turned_back(rows_of(pose), from_offset), load(box.centre()));
+  const FourCoordinates beyond = hn::ZeroIfNegative(hn::Sub(hn::Abs(local), load(box.half_extents())));
+  return hn::GetLane(hn::SumOfLanes(four, hn::Mul(beyond, beyond)));
 }
 
 /// A coordinate each of the three corners of a triangle, seen from the sphere's centre.
-struct Corners {
-  Four x, y, z;
+struct CornerRows {
+  FourCoordinates x, y, z;
 };
 
-HWY_INLINE Corners transposed(const Four& a, const Four& b, const Four& c) {
-  const Four even = hn::InterleaveLower(tag, a, b), odd = hn::InterleaveUpper(tag, a, b);
-  return {hn::ConcatLowerLower(tag, c, even), hn::ConcatLowerLower(tag, hn::InterleaveUpper(tag, c, c), odd),
-          hn::ConcatUpperUpper(tag, c, even)};
+HWY_INLINE CornerRows transposed(const FourCoordinates& a, const FourCoordinates& b, const FourCoordinates& c) {
+  const FourCoordinates even = hn::InterleaveLower(four, a, b), odd = hn::InterleaveUpper(four, a, b);
+  return {hn::ConcatLowerLower(four, c, even), hn::ConcatLowerLower(four, hn::InterleaveUpper(four, c, c), odd),
+          hn::ConcatUpperUpper(four, c, even)};
 }
-HWY_INLINE Corners next(const Corners& v) { return {next(v.x), next(v.y), next(v.z)}; }
-HWY_INLINE Corners minus(const Corners& u, const Corners& v) {
+HWY_INLINE CornerRows next(const CornerRows& v) { return {next(v.x), next(v.y), next(v.z)}; }
+HWY_INLINE CornerRows minus(const CornerRows& u, const CornerRows& v) {
   return {hn::Sub(u.x, v.x), hn::Sub(u.y, v.y), hn::Sub(u.z, v.z)};
 }
-HWY_INLINE Four dot(const Corners& u, const Corners& v) {
+HWY_INLINE FourCoordinates dot(const CornerRows& u, const CornerRows& v) {
   return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
 }
-HWY_INLINE Corners cross(const Corners& u, const Corners& v) {
+HWY_INLINE CornerRows cross(const CornerRows& u, const CornerRows& v) {
   return {hn::MulSub(u.y, v.z, hn::Mul(u.z, v.y)), hn::MulSub(u.z, v.x, hn::Mul(u.x, v.z)),
           hn::MulSub(u.x, v.y, hn::Mul(u.y, v.x))};
 }
-HWY_INLINE Four first_everywhere(const Four& v) { return hn::Set(tag, hn::GetLane(v)); }
+HWY_INLINE FourCoordinates first_everywhere(const FourCoordinates& v) { return hn::Set(four, hn::GetLane(v)); }
 
-HWY_INLINE std::uint64_t bits_of(const hn::Mask<Coordinates>& mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0] & 7U;
-}
+HWY_INLINE unsigned bits_of_three(const hn::Mask<Coordinates>& mask) { return bits_of(four, mask) & 7U; }
 
 /// The point of each edge that is nearest to the origin, and the normal: whichever of them proves something does, and
 /// nothing has to be chosen. Only a foot within the face is not looked at.
-HWY_INLINE Nearness nearness_of_corners(const Four& a, const Four& b, const Four& c, double reach, double error) {
+HWY_INLINE Nearness nearness_of_corners(const FourCoordinates& a, const FourCoordinates& b, const FourCoordinates& c,
+                                        double reach, double error) {
   const double inner = reach - error, outer = reach + error;
-  const Four near_squared = hn::Set(tag, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
-  const Four far_squared = hn::Set(tag, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(tag);
+  const FourCoordinates near_squared = hn::Set(four, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
+  const FourCoordinates far_squared = hn::Set(four, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(four);
 
-  const Corners v = transposed(a, b, c), w = next(v), edge = minus(w, v);
-  const Four share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
-  const Four within = hn::Min(hn::Max(share, zero), hn::Set(tag, 1));  // NaN becomes 0
-  const Corners foot{hn::MulAdd(within, edge.x, v.x), hn::MulAdd(within, edge.y, v.y), hn::MulAdd(within, edge.z, v.z)};
-  const Four squared = dot(foot, foot);
-  const Four gap = hn::Min(hn::Min(dot(v, foot), dot(w, foot)), dot(next(w), foot));
+  const CornerRows v = transposed(a, b, c), w = next(v), edge = minus(w, v);
+  const FourCoordinates share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
+  const FourCoordinates within = hn::Min(hn::Max(share, zero), hn::Set(four, 1));  // NaN becomes 0
+  const CornerRows foot{hn::MulAdd(within, edge.x, v.x), hn::MulAdd(within, edge.y, v.y),
+                        hn::MulAdd(within, edge.z, v.z)};
+  const FourCoordinates squared = dot(foot, foot);
+  const FourCoordinates gap = hn::Min(hn::Min(dot(v, foot), dot(w, foot)), dot(next(w), foot));
   const auto apart = hn::And(hn::Gt(gap, zero), hn::Gt(hn::Mul(gap, gap), hn::Mul(far_squared, squared)));
 
-  const Corners normals = cross(edge, next(edge));
-  const Corners normal{first_everywhere(normals.x), first_everywhere(normals.y), first_everywhere(normals.z)};
-  const Four height = dot(v, normal), needed = hn::Mul(far_squared, dot(normal, normal));
-  const std::uint64_t high = bits_of(hn::Gt(hn::Mul(height, height), needed)), above = bits_of(hn::Gt(height, zero));
+  const CornerRows normals = cross(edge, next(edge));
+  const CornerRows normal{first_everywhere(normals.x), first_everywhere(normals.y), first_everywhere(normals.z)};
+  const FourCoordinates height = dot(v, normal), needed = hn::Mul(far_squared, dot(normal, normal));
+  const unsigned high = bits_of_three(hn::Gt(hn::Mul(height, height), needed)),
+                 above = bits_of_three(hn::Gt(height, zero));
 
-  if (bits_of(apart) != 0 || (high == 7 && (above == 7 || above == 0))) return Nearness::apart;
-  return bits_of(hn::Lt(squared, near_squared)) != 0 ? Nearness::meet : Nearness::unknown;
+  if (bits_of_three(apart) != 0 || (high == 7 && (above == 7 || above == 0))) return Nearness::apart;
+  return bits_of_three(hn::Lt(squared, near_squared)) != 0 ? Nearness::meet : Nearness::unknown;
 }
 
 /// A sphere around `centre` and a triangle, in one frame, when all is off by `error` at most, what `judge` adds
 /// included. The formula for feet within the face has many branches.
-HWY_INLINE Nearness nearness_of_triangle(const Four& centre, const Triangle& b, double reach, double error) {
+HWY_INLINE Nearness nearness_of_triangle(const FourCoordinates& centre, const Triangle& b, double reach, double error) {
   const Nearness found = nearness_of_corners(hn::Sub(load(b[0]), centre), hn::Sub(load(b[1]), centre),
                                              hn::Sub(load(b[2]), centre), reach, error);
   if (found != Nearness::unknown) return found;
   alignas(32) double p[4];
-  hn::Store(centre, tag, p);
+  hn::Store(centre, four, p);
   return nearness_of_point_triangle({p[0], p[1], p[2]}, b, reach, error);
 }
 
-HWY_INLINE Four local_point(const Pose& pose, const Vec3& from_offset) {
+HWY_INLINE FourCoordinates local_point(const Pose& pose, const Vec3& from_offset) {
   return turned_back(rows_of(pose), from_offset);
 }
 
-HWY_INLINE double sizes_of(const Four& centre, const Triangle& b) {
-  const Four corners = hn::Add(hn::Abs(load(b[0])), hn::Add(hn::Abs(load(b[1])), hn::Abs(load(b[2]))));
-  return hn::GetLane(hn::SumOfLanes(tag, hn::Add(hn::Abs(centre), corners)));
+HWY_INLINE double sizes_of(const FourCoordinates& centre, const Triangle& b) {
+  const FourCoordinates corners = hn::Add(hn::Abs(load(b[0])), hn::Add(hn::Abs(load(b[1])), hn::Abs(load(b[2]))));
+  return hn::GetLane(hn::SumOfLanes(four, hn::Add(hn::Abs(centre), corners)));
 }
 #else
 HWY_INLINE Vec3 turned_back(const Pose& pose, const Vec3& v) {
@@ -151,14 +149,14 @@ HWY_INLINE double size_of(const Box& box) {
 
 }  // namespace
 
-Nearness sphere_sphere(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
+Nearness sphere_sphere_nearness(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   return nearness_of_points(placed(pose_a, a.centre()), placed(pose_b, b.centre()), a.radius() + b.radius());
 }
 
 /// Compared with squares of radii that are larger or smaller by the error: the few roundings of these and of the sum
 /// are less than what `frame_error` has to spare.
-Nearness sphere_box(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+Nearness sphere_box_nearness(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   const Vec3 from_offset = placed(pose_a, a.centre()) - pose_b.offset;
   const double squared = squared_beyond(b, pose_b, from_offset);
@@ -171,7 +169,7 @@ Nearness sphere_box(const Sphere& a, const Pose& pose_a, const Box& b, const Pos
   return meets ? Nearness::meet : Nearness::apart;
 }
 
-Nearness sphere_triangle(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
+Nearness sphere_triangle_nearness(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   const auto local = local_point(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
   // What the formulas add, 2^-46 of the corners seen from the centre, is less than what `frame_error` has to spare.
@@ -180,13 +178,13 @@ Nearness sphere_triangle(const Sphere& a, const Pose& pose_a, const Triangle& b,
   return nearness_of_triangle(local, b, a.radius(), error);
 }
 
-Nearness sphere_capsule(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+Nearness sphere_capsule_nearness(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   return nearness_of_point_segment(placed(pose_a, a.centre()), world_vertex(pose_b, b.start()),
                                    world_vertex(pose_b, b.end()), a.radius() + b.radius());
 }
 
-Nearness capsule_capsule(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
+Nearness capsule_capsule_nearness(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   return nearness_of_segments(world_vertex(pose_a, a.start()), world_vertex(pose_a, a.end()),
                               world_vertex(pose_b, b.start()), world_vertex(pose_b, b.end()), a.radius() + b.radius());
@@ -199,38 +197,38 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace toccata {
 
-HWY_EXPORT(sphere_sphere);
-HWY_EXPORT(sphere_box);
-HWY_EXPORT(sphere_triangle);
-HWY_EXPORT(sphere_capsule);
-HWY_EXPORT(capsule_capsule);
+HWY_EXPORT(sphere_sphere_nearness);
+HWY_EXPORT(sphere_box_nearness);
+HWY_EXPORT(sphere_triangle_nearness);
+HWY_EXPORT(sphere_capsule_nearness);
+HWY_EXPORT(capsule_capsule_nearness);
 
 bool overlap(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
-  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_sphere)(a, pose_a, b, pose_b);
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_sphere_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
   return overlap(PosedSphere(a, pose_a), PosedSphere(b, pose_b));
 }
 
 bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
-  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_box)(a, pose_a, b, pose_b);
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_box_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
   return overlap(PosedSphere(a, pose_a), PosedBox(b, pose_b));
 }
 
 bool overlap(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
-  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_triangle)(a, pose_a, b, pose_b);
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_triangle_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
   return overlap(PosedConvex(a, pose_a), PosedConvex(b, pose_b));
 }
 
 bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
-  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_capsule)(a, pose_a, b, pose_b);
+  const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_capsule_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
   return overlap(PosedSphere(a, pose_a), PosedCapsule(b, pose_b));
 }
 
 bool overlap(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
-  const Nearness found = HWY_DYNAMIC_DISPATCH(capsule_capsule)(a, pose_a, b, pose_b);
+  const Nearness found = HWY_DYNAMIC_DISPATCH(capsule_capsule_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
   return overlap(PosedCapsule(a, pose_a), PosedCapsule(b, pose_b));
 }

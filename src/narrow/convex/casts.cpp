@@ -6,21 +6,22 @@
 #include <optional>
 
 #include "math/bounded_number.hpp"
+#include "math/vec3_measures.hpp"
 #include "narrow/convex/cast_until.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/swept_meeting.hpp"
+#include "narrow/convex/time_width.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-/// The interval's width, of the whole way; and at most.
-constexpr double time_width = 0x1p-42;
+/// The greatest width of the interval.
 constexpr double greatest_width = 2 * time_width;
 /// The same where coordinates are so large that less is lost in their last places: less than 10^-12.
 constexpr double width_far_out = 4 * time_width;
-constexpr int most_steps = 40;
+constexpr int most_cast_steps = 40;
 
 /// A plane across `direction` that keeps the shapes apart until `time`; both proved.
 struct Separation {
@@ -28,10 +29,8 @@ struct Separation {
   bool for_ever = false;  ///< and after
 };
 
-double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
-
 /// A time by which the shapes have met, and where.
-struct Meeting {
+struct CastMeeting {
   double time = 0;
   Vec3 point;
   Vec3 across{};  ///< a direction at right angles to both there
@@ -83,7 +82,7 @@ class ShapeCast {
   /// all the way: nothing is met. After the conservative advancement of B. Mirtich, "Impulse-based dynamic simulation
   /// of rigid body systems", 1996; each step ends where the plane of the last one no longer separates.
   bool advance() {
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_cast_steps; ++step) {
       const PosedConvex moved = a_.moved(free_until_ * motion_);
       const GjkEnd end = search_nearest({moved, kernels_}, {b_, kernels_}, last_, {std::nan("")});
       last_ = end.simplex.pairs;
@@ -170,12 +169,12 @@ class ShapeCast {
     normal_ = -direction;
   }
 
-  [[nodiscard]] bool is_soon(const std::optional<Meeting>& meeting, double width) const {
+  [[nodiscard]] bool is_soon(const std::optional<CastMeeting>& meeting, double width) const {
     return meeting && meeting->time <= 1 && meeting->time - free_until_ <= width;
   }
 
   /// A time by which the shapes have certainly met, soon enough after the one until which they are free.
-  std::optional<Meeting> certain_meeting() {
+  std::optional<CastMeeting> certain_meeting() {
     if (a_.radius() + b_.radius() == 0) return met_by_triangles();
     const auto met = met_by_nearness(time_width);
     if (is_soon(met, greatest_width)) return met;
@@ -212,7 +211,7 @@ class ShapeCast {
   }
 
   /// The cores are nearer than the radii reach, a little later.
-  [[nodiscard]] std::optional<Meeting> met_by_nearness(double width) const {
+  [[nodiscard]] std::optional<CastMeeting> met_by_nearness(double width) const {
     if (!a_.in_world()) return {};
     const double late = std::fmin(1, free_until_ + width);
     const PosedConvex moved = a_.moved(late * motion_);
@@ -223,12 +222,12 @@ class ShapeCast {
     if (!(distance + roughly_rounded_by() < least_reach) && !(distance + rounded_by(late, moved) < least_reach))
       return {};
     const Vec3 grown = (b_.radius() / distance) * high_parts(nearest->difference);
-    return Meeting{late, high_parts(nearest->on_b) + grown};
+    return CastMeeting{late, high_parts(nearest->on_b) + grown};
   }
 
   /// The way passes through a triangle of the Minkowski difference: three exact signs. When, is enclosed; and its plane
   /// is the one that keeps the shapes apart until then, if it is a face of the difference.
-  std::optional<Meeting> met_by_triangles() {
+  std::optional<CastMeeting> met_by_triangles() {
     for (std::size_t without = 0; without < 4 && last_.size >= 3; ++without) {
       VertexPairs triangle;
       for (std::size_t i = 0; i < last_.size; ++i)
@@ -242,7 +241,7 @@ class ShapeCast {
     return {};
   }
 
-  [[nodiscard]] std::optional<Meeting> met_by_triangle(const VertexPairs& pairs) const {
+  [[nodiscard]] std::optional<CastMeeting> met_by_triangle(const VertexPairs& pairs) const {
     std::array<Difference, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) corner[i] = {b_.vertex(pairs.b[i]), a_.vertex(pairs.a[i])};
     int left = 0, right = 0;
@@ -259,7 +258,7 @@ class ShapeCast {
     if (!time.is_positive()) return {};  // the triangle lies behind
     const double late = time.value.high + distance_from_high(time);
     if (!std::isfinite(late)) return {};
-    return Meeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c), high_parts(normal)};
+    return CastMeeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c), high_parts(normal)};
   }
 
   /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.
@@ -291,7 +290,7 @@ class ShapeCast {
     return late;
   }
 
-  [[nodiscard]] Cast met(const Meeting& meeting) const {
+  [[nodiscard]] Cast met(const CastMeeting& meeting) const {
     Cast cast;
     cast.hit = true;
     cast.lower = free_until_;

@@ -42,9 +42,9 @@ Bounds bounds_of(const PosedConvex& shape) {
 }
 
 /// A shape with what both directions of the question need of it.
-class Side {
+class SolidSide {
  public:
-  explicit Side(const PosedConvex& shape) : shape_(&shape), bounds_(bounds_of(shape)) {}
+  explicit SolidSide(const PosedConvex& shape) : shape_(&shape), bounds_(bounds_of(shape)) {}
 
   [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
   [[nodiscard]] double radius() const { return shape_->radius(); }
@@ -62,7 +62,7 @@ class Side {
 };
 
 /// A reaches beyond B along an axis. Rounding is monotone, so of two rounded sums the greater is that of greater sums.
-bool certainly_sticks_out(const Side& a, const Side& b) {
+bool certainly_sticks_out(const SolidSide& a, const SolidSide& b) {
   for (int axis = 0; axis < 3; ++axis) {
     if (a.bounds().upper[axis] + a.radius() > b.bounds().upper[axis] + b.radius()) return true;
     if (a.bounds().lower[axis] - a.radius() < b.bounds().lower[axis] - b.radius()) return true;
@@ -105,10 +105,10 @@ Decided is_that_deep(const PlanePoints& plane, const Vec3& point, double x, doub
   return {exact_depth_order(plane, point, x, y) != Sign::negative, true};
 }
 
-enum class Boundary { allowed, excluded };
+enum class SharedBoundary { allowed, excluded };
 
 /// For every facet of B: the vertex of A that is highest above it lies behind it, and if r > s by at least r − s.
-Decided is_behind_facets(Side& a, Side& b, Boundary boundary) {
+Decided is_behind_facets(SolidSide& a, SolidSide& b, SharedBoundary boundary) {
   const ConvexHull &hull_a = a.core(), &hull_b = b.core();
   const HullTopology t = hull_b.topology();
   std::vector<Index> highest(t.face_count(), 0);
@@ -119,7 +119,8 @@ Decided is_behind_facets(Side& a, Side& b, Boundary boundary) {
     const Index vertex = highest_vertex(hull_a, plane[0], plane[1], plane[2], highest[visit.before]);
     highest[visit.face] = vertex;
     const Sign side = orient3d(plane[0], plane[1], plane[2], hull_a.vertex(vertex));
-    if (side == Sign::positive || (side == Sign::zero && boundary == Boundary::excluded)) return {false, by_exact};
+    if (side == Sign::positive || (side == Sign::zero && boundary == SharedBoundary::excluded))
+      return {false, by_exact};
     if (!(a.radius() > b.radius())) continue;
     const Decided deep = is_that_deep(plane, hull_a.vertex(vertex), a.radius(), b.radius());
     by_exact = by_exact || deep.by_exact;
@@ -129,7 +130,7 @@ Decided is_behind_facets(Side& a, Side& b, Boundary boundary) {
 }
 
 /// Every vertex of A has at most the distance s − r ≥ 0 from the core of B, or less.
-Decided is_near_core(const Side& a, const Side& b, Boundary boundary) {
+Decided is_near_core(const SolidSide& a, const SolidSide& b, SharedBoundary boundary) {
   VertexPairs start;
   bool by_exact = false;
   for (Index i = 0; i < a.shape().vertex_count(); ++i) {
@@ -138,13 +139,13 @@ Decided is_near_core(const Side& a, const Side& b, Boundary boundary) {
     const CoreDistanceOrder order = compare_core_distance(vertex, b.shape(), b.radius(), -a.radius(), start);
     start = order.simplex;
     by_exact = by_exact || order.by_exact;
-    if (order.sign == Sign::positive || (order.sign == Sign::zero && boundary == Boundary::excluded))
+    if (order.sign == Sign::positive || (order.sign == Sign::zero && boundary == SharedBoundary::excluded))
       return {false, by_exact};
   }
   return {true, by_exact};
 }
 
-Decided is_within(Side& a, Side& b, Boundary boundary) {
+Decided is_within(SolidSide& a, SolidSide& b, SharedBoundary boundary) {
   if (certainly_sticks_out(a, b)) return {};
   if (a.radius() < b.radius()) return is_near_core(a, b, boundary);
   if (b.core().dimension() == 3) return is_behind_facets(a, b, boundary);
@@ -154,17 +155,17 @@ Decided is_within(Side& a, Side& b, Boundary boundary) {
 }  // namespace
 
 ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex& b) {
-  Side side_a(a), side_b(b);
-  const Decided a_in_b = is_within(side_a, side_b, Boundary::allowed);
-  const Decided b_in_a = is_within(side_b, side_a, Boundary::allowed);
+  SolidSide side_a(a), side_b(b);
+  const Decided a_in_b = is_within(side_a, side_b, SharedBoundary::allowed);
+  const Decided b_in_a = is_within(side_b, side_a, SharedBoundary::allowed);
   const bool by_exact = a_in_b.by_exact || b_in_a.by_exact;
   if (a_in_b.yes) return {b_in_a.yes ? Containment::equal : Containment::a_in_b, by_exact};
   return {b_in_a.yes ? Containment::b_in_a : Containment::none, by_exact};
 }
 
 ContainmentAnswer containment_in_interior(const PosedConvex& a, const PosedConvex& b) {
-  Side side_a(a), side_b(b);
-  const Decided within = is_within(side_a, side_b, Boundary::excluded);
+  SolidSide side_a(a), side_b(b);
+  const Decided within = is_within(side_a, side_b, SharedBoundary::excluded);
   return {within.yes ? Containment::a_in_b : Containment::none, within.by_exact};
 }
 

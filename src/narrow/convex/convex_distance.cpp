@@ -48,10 +48,10 @@ std::optional<Distance> at_common_point(const BoundedVector& point) {
 }
 
 /// One question about two shapes; of `is_within` and `certainly_beyond` with the length.
-class PairQuestion {
+class ConvexQuestion {
  public:
-  PairQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {},
-               double length = 0)
+  ConvexQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {},
+                 double length = 0)
       : kernels_(support_kernels()),
         options_(options),
         a_(a, kernels_, options.support),
@@ -63,9 +63,9 @@ class PairQuestion {
     a_.begin_at(workspace.vertex_a[0]);
     b_.begin_at(workspace.vertex_b[0]);
   }
-  PairQuestion(const PairQuestion&) = delete;
-  PairQuestion& operator=(const PairQuestion&) = delete;
-  ~PairQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
+  ConvexQuestion(const ConvexQuestion&) = delete;
+  ConvexQuestion& operator=(const ConvexQuestion&) = delete;
+  ~ConvexQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
 
   bool overlap() {
     GjkEnd end;
@@ -254,7 +254,7 @@ class PairQuestion {
 };
 
 /// Sums of longer ones overflow.
-constexpr double greatest_length = 0x1p1000;
+constexpr double greatest_asked_length = 0x1p1000;
 
 std::optional<Distance> distance_by_closed_form(const PosedConvex& a, const PosedConvex& b,
                                                 ConvexWorkspace* workspace) {
@@ -288,25 +288,25 @@ bool is_within(const PosedConvex& a, const PosedConvex& b, double tolerance, Con
   if (const auto found = distance_by_closed_form(a, b, workspace)) return is_within(*found, a, b, tolerance);
   ConvexWorkspace alone;
   ConvexWorkspace& used = workspace != nullptr ? *workspace : alone;
-  if (!(tolerance < greatest_length)) return is_within(distance_by_gjk(a, b, {}, &used), a, b, tolerance);
-  return PairQuestion(a, b, used, {}, tolerance).is_within();
+  if (!(tolerance < greatest_asked_length)) return is_within(distance_by_gjk(a, b, {}, &used), a, b, tolerance);
+  return ConvexQuestion(a, b, used, {}, tolerance).is_within();
 }
 
 bool certainly_beyond(const PosedConvex& a, const PosedConvex& b, double length, ConvexWorkspace* workspace) {
-  if (!(length < greatest_length)) return false;
+  if (!(length < greatest_asked_length)) return false;
   ConvexWorkspace alone;
-  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).certainly_beyond();
+  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).certainly_beyond();
 }
 
 bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options, ConvexWorkspace* workspace) {
   ConvexWorkspace alone;
-  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
+  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
 }
 
 Distance distance_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options,
                          ConvexWorkspace* workspace) {
   ConvexWorkspace alone;
-  return PairQuestion(a, b, workspace != nullptr ? *workspace : alone, options).distance();
+  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).distance();
 }
 
 }  // namespace toccata

@@ -8,6 +8,7 @@
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/boxes/box_manifold.hpp"
 #include "narrow/convex/canonical_order.hpp"
+#include "narrow/convex/contact_choices.hpp"
 #include "narrow/convex/convex_parting.hpp"
 #include "narrow/convex/face_clipping.hpp"
 #include "narrow/convex/plain_scale.hpp"
@@ -18,15 +19,7 @@
 namespace toccata {
 namespace {
 
-constexpr double cosine_of_face_contact = 0.9995;
-
-/// A gap of this part of the size of the contact still belongs to it, so that a resting box keeps its four points.
-constexpr double gap_of_resting = 0x1p-10;
-
-/// Of two boxes, an edge pair has to be this much less deep than the best face: faces give more points.
-constexpr double edge_share = 0.98;
-
-using Points = std::pmr::vector<ManifoldPoint>;
+using ManifoldPoints = std::pmr::vector<ManifoldPoint>;
 
 /// A point on each face's plane, as near to the contact as one is known: a plane is as rough as its normal far from it.
 struct Anchors {
@@ -114,7 +107,7 @@ bool are_the_same(const ManifoldPoint& p, const ManifoldPoint& q) {
 }
 
 /// In place of the one that is the same, if there is one.
-void put(Points& points, const ManifoldPoint& point) {
+void put(ManifoldPoints& points, const ManifoldPoint& point) {
   const auto same =
       std::find_if(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); });
   if (same == points.end())
@@ -123,10 +116,10 @@ void put(Points& points, const ManifoldPoint& point) {
     *same = point;
 }
 
-Points face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_resource& memory) {
+ManifoldPoints face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_resource& memory) {
   const Vec3 outwards = faces.b_is_reference ? -normal : normal;
   const ContactPolygon polygon = clipped_incident(faces.reference(), faces.incident(), outwards, memory);
-  Points points(&memory);
+  ManifoldPoints points(&memory);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const PolygonSide& in = polygon[(i + polygon.size() - 1) % polygon.size()].side;
     const CornerFeatures features = features_of(faces, in, polygon[i].side);
@@ -139,7 +132,7 @@ Points face_points(const FacePair& faces, const Vec3& normal, std::pmr::memory_r
   return points;
 }
 
-double greatest_span_squared(const Points& points) {
+double greatest_span_squared(const ManifoldPoints& points) {
   double span = 0;
   for (const ManifoldPoint& p : points) {
     const Vec3 way = p.position - points.front().position;
@@ -148,14 +141,14 @@ double greatest_span_squared(const Points& points) {
   return span;
 }
 
-void drop_gaps(Points& points) {
+void drop_gaps(ManifoldPoints& points) {
   if (points.empty()) return;
   const double gap = gap_of_resting * std::sqrt(greatest_span_squared(points));
   std::erase_if(points, [&](const ManifoldPoint& p) { return p.depth < -gap; });
 }
 
 /// The deepest, the farthest from it, and the farthest to both sides of the line through these.
-void take_four(Manifold& result, Points& points) {
+void take_four(Manifold& result, ManifoldPoints& points) {
   const auto take_greatest = [&](const auto& measure) {
     const auto less = [&](const ManifoldPoint& p, const ManifoldPoint& q) { return measure(p) < measure(q); };
     const auto best = std::max_element(points.begin(), points.end(), less);
@@ -177,14 +170,14 @@ void take_four(Manifold& result, Points& points) {
 
 /// The points of the contact of two faces; none when the normal is not that of a face. Along it the shapes overlap by
 /// no more than `most`, whatever the rough plane of a needle's face makes of it.
-Points points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal, double most,
-                       const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
+ManifoldPoints points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal, double most,
+                               const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
   FacePair faces{facing_face(a, normal), facing_face(b, -normal), {}, false};
   faces.anchors = anchors ? *anchors : Anchors{a.vertex(faces.a.vertex), b.vertex(faces.b.vertex)};
   make_face_of_parallel_segments(faces, normal);
   faces.b_is_reference = faces.b.facing > faces.a.facing;
-  if (faces.reference().facing < cosine_of_face_contact) return Points(&memory);
-  Points points = face_points(faces, normal, memory);
+  if (faces.reference().facing < cosine_of_face_contact) return ManifoldPoints(&memory);
+  ManifoldPoints points = face_points(faces, normal, memory);
   for (ManifoldPoint& point : points) point.depth = std::min(point.depth, most);
   drop_gaps(points);
   return points;
@@ -203,7 +196,7 @@ ManifoldPoint point_of_edges(const PosedConvex& a, const PosedConvex& b, const B
   return {on_a + 0.5 * (on_b - on_a), axis.depth, feature_of(a, {low_a, high_a}, 2), feature_of(b, {low_b, high_b}, 2)};
 }
 
-Manifold made_of(const Vec3& normal, Points& points) {
+Manifold made_of(const Vec3& normal, ManifoldPoints& points) {
   Manifold result;
   result.normal = normal;
   take_four(result, points);
@@ -214,7 +207,7 @@ Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axe
   std::array<std::byte, 4096> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const BoxAxis axis = axes.least(edge_share);
-  Points points = points_of_faces(a, b, axis.direction, infinity, {}, memory);
+  ManifoldPoints points = points_of_faces(a, b, axis.direction, infinity, {}, memory);
   if (points.empty() && axis.edge_a < 3 && axis.edge_b < 3) points.push_back(point_of_edges(a, b, axis));
   if (points.empty()) points.push_back(single_point(a, b, part_by_expansion(a, b)));
   return made_of(axis.direction, points);
@@ -226,7 +219,7 @@ Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
   const ConvexParting parting = part_by_expansion(a, b);
   const Penetration& p = parting.penetration;
   const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
-  Points points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
+  ManifoldPoints points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
   // The deepest point may lie beside the reference face.
   double deepest = -infinity;
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);

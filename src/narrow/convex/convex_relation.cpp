@@ -4,13 +4,10 @@
 #include "narrow/exact/exact_interior.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/flipped.hpp"
 
 namespace toccata {
 namespace {
-
-Containment flipped(Containment containment) {
-  return containment == Containment::a_in_b ? Containment::b_in_a : containment;
-}
 
 /// One question about two shapes.
 class RelationQuestion {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/convex/core_parting.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/quick_expansion.hpp"
@@ -24,10 +25,6 @@ namespace {
 
 constexpr double half_width = 0x1p-41;
 
-/// At least the length.
-double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 /// Of a facet of D, from vertices of the shapes.
 struct FacetPlane {
   Vec3 start_a, start_b;  ///< whose difference is a corner
@@ -39,22 +36,22 @@ struct FacetPlane {
 
   void measure() {
     const Vec3 corner = start_a - start_b, n = cross(edge, other_edge);
-    length = toccata::length(n);
+    length = plain_length(n);
     const double offset = dot(n, corner);
     across = ((offset < 0 ? -1 : 1) / length) * n;
     distance = std::fabs(offset) / length;
-    error = 0x1p-49 * toccata::length(corner) * (1 + toccata::length(edge) * toccata::length(other_edge) / length);
+    error = 0x1p-49 * plain_length(corner) * (1 + plain_length(edge) * plain_length(other_edge) / length);
   }
 };
 
-struct Corners {
+struct FacetCorners {
   std::array<Index, 3> a, b;
 };
 
 enum class FacetKind { face_of_a, face_of_b, edges, other };
 
 /// Ascending, so that the formula does not depend on where the search came from; of edges the first two of each count.
-FacetKind sort(Corners& c) {
+FacetKind sort(FacetCorners& c) {
   std::sort(c.a.begin(), c.a.end());
   std::sort(c.b.begin(), c.b.end());
   if (c.b[0] == c.b[2]) return FacetKind::face_of_a;
@@ -75,7 +72,7 @@ class QuickParting {
     if (!expand_quickly(a_, b_, surface_)) return {};
     const std::optional<Index> facet = facet_of_foot();
     if (!facet) return {};
-    Corners corners = corners_of(*facet);
+    FacetCorners corners = corners_of(*facet);
     const FacetKind kind = sort(corners);
     const FacetPlane plane = plane_of(corners, kind);
     const double width = half_width * (plane.distance + reach_);
@@ -90,8 +87,8 @@ class QuickParting {
   }
 
  private:
-  [[nodiscard]] Corners corners_of(Index f) const {
-    Corners corners;
+  [[nodiscard]] FacetCorners corners_of(Index f) const {
+    FacetCorners corners;
     for (std::size_t k = 0; k < 3; ++k) {
       corners.a[k] = surface_.on_a[surface_.facets.corner(f, k)];
       corners.b[k] = surface_.on_b[surface_.facets.corner(f, k)];
@@ -113,16 +110,16 @@ class QuickParting {
   [[nodiscard]] std::optional<Index> facet_of_foot() const {
     const Index nearest = surface_.nearest;
     if (holds_foot(nearest)) return nearest;
-    const Vec3 across = (1 / length(surface_.normal(nearest))) * surface_.normal(nearest);
+    const Vec3 across = (1 / plain_length(surface_.normal(nearest))) * surface_.normal(nearest);
     for (Index f = 0; f < surface_.facets.count(); ++f) {
       if (surface_.facets.is_vacant(f)) continue;
       const Vec3 n = surface_.normal(f);
-      if (dot(n, across) >= (1 - 0x1p-30) * length(n) && holds_foot(f)) return f;
+      if (dot(n, across) >= (1 - 0x1p-30) * plain_length(n) && holds_foot(f)) return f;
     }
     return {};
   }
 
-  [[nodiscard]] FacetPlane plane_of(const Corners& c, FacetKind kind) const {
+  [[nodiscard]] FacetPlane plane_of(const FacetCorners& c, FacetKind kind) const {
     FacetPlane plane;
     plane.start_a = a_.vertex(c.a[0]);
     plane.start_b = b_.vertex(c.b[0]);
@@ -156,7 +153,8 @@ class QuickParting {
     for (Index f = 0; f < s.facets.count(); ++f) {
       if (s.facets.is_vacant(f)) continue;
       const Vec3 n = s.normal(f), p = corner(f, 0), q = corner(f, 1), r = corner(f, 2);
-      const double error = unit_error * (size(p - r) + size(q - r)), certain = s.offset[f] - error;
+      const double error = unit_error * (sum_of_magnitudes(p - r) + sum_of_magnitudes(q - r)),
+                   certain = s.offset[f] - error;
       if (certain > 0 && certain * certain >= least * dot(n, n)) continue;
       if (!(certain > 0) || !is_certainly_beyond(f, lower)) return false;
     }
@@ -167,13 +165,13 @@ class QuickParting {
 
   /// By the formula: for a facet that has the origin behind it.
   [[nodiscard]] bool is_certainly_beyond(Index f, double lower) const {
-    Corners corners = corners_of(f);
+    FacetCorners corners = corners_of(f);
     const FacetKind kind = sort(corners);
     const FacetPlane plane = plane_of(corners, kind);
     return plane.distance - plane.error >= lower + 0x1p-50 * lower;
   }
 
-  void find_points(CoreParting& parting, const Corners& c, FacetKind kind, const FacetPlane& plane) const {
+  void find_points(CoreParting& parting, const FacetCorners& c, FacetKind kind, const FacetPlane& plane) const {
     const Vec3 way = plane.distance * plane.across;
     if (kind != FacetKind::edges) {
       for (std::size_t k = 0; k < 3; ++k) parting.pairs.append(c.a[k], c.b[k]);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "shapes/hull_guide.hpp"
 
 // Let E bound what any rounded height is off by: with u = 2^-53, three products and two sums are off by 3.01u
@@ -11,11 +12,7 @@
 // no higher than the rounded height of x plus E; the vertices down there hang together; and their rounded heights are
 // at most 2E above that of x. Sums below are rounded themselves, by less than u times the reach, and so take another E.
 namespace toccata {
-namespace {
-
-double sum_of_magnitudes(const Vec3& v) { return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z); }
-
-}  // namespace
+namespace {}  // namespace
 
 EdgeWalk::EdgeWalk(const PosedConvex& hull, const SupportScan& scan)
     : scan_(scan),

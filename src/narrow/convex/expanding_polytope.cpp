@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 
 // How far a rounded facet may be off. Let u = 2^-53 and V = extent(), the greatest magnitude of a coordinate of D. A
 // corner's coordinates are off by at most uV each, an edge's by 4uV, so an edge vector e, of length E ≤ 2√3 V, by 7uV.
@@ -17,9 +18,6 @@
 // by its last rounding only.
 namespace toccata {
 namespace {
-
-/// At least the length, at most √3 times that.
-double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 /// numerator / √squared · 2^exponent, right to 2^-52 of itself where it is a normal double. The square of the quotient,
 /// scaled to an integer of at least 130 bits, has a root of at least 65.
@@ -78,7 +76,7 @@ void ExpandingPolytope::measure(PolytopeFacet& facet) const {
   const Vec3 &p = points_[facet.corner[0]].value, &q = points_[facet.corner[1]].value,
              &r = points_[facet.corner[2]].value;
   const Vec3 to_q = q - p, to_r = r - p;
-  const double extent = body_.extent(), size_q = size(to_q), size_r = size(to_r);
+  const double extent = body_.extent(), size_q = sum_of_magnitudes(to_q), size_r = sum_of_magnitudes(to_r);
   facet.normal = cross(to_q, to_r);
   facet.offset = dot(facet.normal, p);
   facet.error = 0x1p-46 * extent * extent * (size_q + size_r);
@@ -118,7 +116,8 @@ void ExpandingPolytope::make_precise(Index f) {
   const PrecisePoint n = cross(to_q, to_r);
   const Vec3 rounded{n.x.high, n.y.high, n.z.high};
   const double length = std::sqrt(dot(rounded, rounded));
-  const double edges = size({to_q.x.high, to_q.y.high, to_q.z.high}) * size({to_r.x.high, to_r.y.high, to_r.z.high});
+  const double edges = sum_of_magnitudes({to_q.x.high, to_q.y.high, to_q.z.high}) *
+                       sum_of_magnitudes({to_r.x.high, to_r.y.high, to_r.z.high});
   if (!(length > 0x1p-40 * edges) || !(length > 0x1p-450)) return make_exact(f);
   const double distance = dot(n, p).high / length;
   const double error = 0x1p-97 * edges * body_.extent() / length + 0x1p-50 * std::fabs(distance);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/convex/expanding_polytope.hpp"
 
 // How an expanding polytope begins.
@@ -8,13 +9,11 @@ namespace toccata {
 namespace {
 
 /// A vector across v, of a length like its own.
-Vec3 across(const Vec3& v) {
+Vec3 vector_across(const Vec3& v) {
   const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
   if (x <= y && x <= z) return {0, -v.z, v.y};
   return y <= z ? Vec3{v.z, 0, -v.x} : Vec3{-v.y, v.x, 0};
 }
-
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const double squared = dot(v, v);
@@ -27,7 +26,8 @@ Sign ExpandingPolytope::orientation(const std::array<DifferencePoint, 4>& p) con
   const Vec3 u = p[1].value - p[0].value, v = p[2].value - p[0].value, w = p[3].value - p[0].value;
   const double volume = dot(cross(u, v), w);
   // Edges are off by 7uV, and none is longer than 3.5V: see expanding_polytope.cpp.
-  const double error = 0x1p-44 * body_.extent() * body_.extent() * std::max({length(u), length(v), length(w)});
+  const double error =
+      0x1p-44 * body_.extent() * body_.extent() * std::max({plain_length(u), plain_length(v), plain_length(w)});
   if (std::fabs(volume) > error) return volume > 0 ? Sign::positive : Sign::negative;
   std::array<IntegerVector, 4> exact;
   for (std::size_t k = 0; k < 4; ++k) exact[k] = body_.exact_point(p[k].on_a, p[k].on_b);
@@ -53,10 +53,10 @@ bool ExpandingPolytope::start_roughly() {
   const Vec3 along = unit_or(body_.from_a_to_b(), {1, 0, 0});
   std::array<DifferencePoint, 4> p{body_.support(along), body_.support(-along), {}, {}};
   const Vec3 axis = p[1].value - p[0].value;
-  const Vec3 aside = unit_or(across(axis), {0, 1, 0});
+  const Vec3 aside = unit_or(vector_across(axis), {0, 1, 0});
   const double far = 0.01 * body_.extent();
   p[2] = body_.support(aside);
-  if (length(cross(axis, p[2].value - p[0].value)) < far * length(axis)) p[2] = body_.support(-aside);
+  if (plain_length(cross(axis, p[2].value - p[0].value)) < far * plain_length(axis)) p[2] = body_.support(-aside);
   Vec3 normal = unit_or(cross(axis, p[2].value - p[0].value), {0, 0, 1});
   if (dot(normal, p[0].value) > 0) normal = -normal;  // towards the origin
   p[3] = body_.support(normal);
@@ -88,7 +88,7 @@ bool ExpandingPolytope::start_exactly() {
   }
   if (count < 4) {
     const Vec3 along = count == 2 ? unit_vector(line) : Vec3{0, 0, 1};
-    flat_direction_ = count == 3 ? unit_vector(normal) : unit_or(across(along), {1, 0, 0});
+    flat_direction_ = count == 3 ? unit_vector(normal) : unit_or(vector_across(along), {1, 0, 0});
     return false;
   }
   make_tetrahedron(chosen);

@@ -11,7 +11,7 @@ namespace toccata {
 namespace {
 
 /// More than any search that gets somewhere was seen to need.
-constexpr int most_steps = 64;
+constexpr int most_gjk_steps = 64;
 
 Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
@@ -47,9 +47,9 @@ class Momentum {
 };
 
 /// The search, a step at a time.
-class Walk {
+class GjkWalk {
  public:
-  Walk(const SupportSearch& a, const SupportSearch& b, const GjkGoal& goal) : a_(a), b_(b), goal_(goal) {}
+  GjkWalk(const SupportSearch& a, const SupportSearch& b, const GjkGoal& goal) : a_(a), b_(b), goal_(goal) {}
 
   /// Adds the pair if it is nearer along the present direction, by more than rounding; tells whether it did.
   bool step_to(Index a, Index b) {
@@ -213,16 +213,16 @@ double SupportSearch::least_depth(const SupportScan& scan) const {
 }
 
 GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {
-  Walk walk(a, b, goal);
+  GjkWalk walk(a, b, goal);
   // False only when that is the goal.
   if (start.size == 0 && !walk.step_along(a.shape().pose().offset - b.shape().pose().offset)) return walk.end();
   for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
   int step = 0;
   // Where momentum leads no farther, the search goes on without: it has not ended before that says so.
   if (goal.acceleration == GjkAcceleration::nesterov)
-    while (step < most_steps && !walk.end().inside && walk.step_ahead()) ++step;
+    while (step < most_gjk_steps && !walk.end().inside && walk.step_ahead()) ++step;
   if (!(walk.end().separating == Vec3{})) return walk.end();
-  for (; step < most_steps && !walk.end().inside; ++step)
+  for (; step < most_gjk_steps && !walk.end().inside; ++step)
     if (!walk.step_along(walk.direction())) break;
   return walk.end();
 }

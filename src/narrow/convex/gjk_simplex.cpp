@@ -7,14 +7,14 @@ namespace {
 
 // Below, q is the newest corner, and is always kept.
 
-struct Corner {
+struct SimplexCorner {
   const Vec3& point;
   unsigned bit;
 };
 
 NearestFace at(const Vec3& nearest, unsigned kept) { return {nearest, dot(nearest, nearest), nearest, kept}; }
 
-NearestFace on_segment(const Corner& p, const Corner& q) {
+NearestFace on_segment(const SimplexCorner& p, const SimplexCorner& q) {
   const Vec3 along = p.point - q.point;
   const double forth = -dot(q.point, along);
   if (!(forth > 0)) return at(q.point, q.bit);
@@ -26,7 +26,7 @@ NearestFace nearer(const NearestFace& first, const NearestFace& second) {
 }
 
 /// `normal` is (p − q) × (r − q).
-NearestFace on_triangle(const Corner& p, const Corner& r, const Corner& q, const Vec3& normal) {
+NearestFace on_triangle(const SimplexCorner& p, const SimplexCorner& r, const SimplexCorner& q, const Vec3& normal) {
   const bool beyond_p = dot(cross(p.point - q.point, normal), q.point) < 0;
   const bool beyond_r = dot(cross(normal, r.point - q.point), q.point) < 0;
   if (beyond_p && beyond_r) return nearer(on_segment(p, q), on_segment(r, q));
@@ -39,8 +39,8 @@ NearestFace on_triangle(const Corner& p, const Corner& r, const Corner& q, const
 }
 
 /// Of the three faces at q, those that do not have the origin on their inner side are looked at.
-NearestFace on_tetrahedron(const std::array<Corner, 4>& corner) {
-  const Corner& q = corner[3];
+NearestFace on_tetrahedron(const std::array<SimplexCorner, 4>& corner) {
+  const SimplexCorner& q = corner[3];
   const Vec3 to[3] = {corner[0].point - q.point, corner[1].point - q.point, corner[2].point - q.point};
   const Vec3 normal[3] = {cross(to[0], to[1]), cross(to[1], to[2]), cross(to[2], to[0])};
   const double volume = dot(normal[0], to[2]);
@@ -74,7 +74,7 @@ void GjkSimplex::keep(unsigned bits) {
 }
 
 NearestFace nearest_face(const GjkSimplex& simplex) {
-  const auto corner = [&simplex](std::size_t i) { return Corner{simplex.point[i], 1U << i}; };
+  const auto corner = [&simplex](std::size_t i) { return SimplexCorner{simplex.point[i], 1U << i}; };
   const std::array<Vec3, 4>& point = simplex.point;
   switch (simplex.pairs.size) {
     case 1:

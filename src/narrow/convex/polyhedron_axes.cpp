@@ -26,7 +26,6 @@ namespace {
 
 constexpr double doubtful_angle = 0x1p-34;  ///< of faces; arcs are compared with 2^-30
 
-double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 /// How far a world vertex may lie beside the one without rounding: four roundings a coordinate, each of at most 2^-53
 /// of what was added up so far.
 double bend_of(const PosedConvex& shape) {
@@ -47,9 +46,9 @@ double bend_of(const PosedConvex& shape) {
 /// The same of a box, whose own coordinates are not kept; other shapes of few vertices cannot be bent.
 double bend_of_box(const CoreVertices& core) {
   const Vec3 x = core.relative(1), y = core.relative(2), z = core.relative(4);
-  const auto beside = [&](Index i, const Vec3& expected) { return size(core.relative(i) - expected); };
+  const auto beside = [&](Index i, const Vec3& expected) { return sum_of_magnitudes(core.relative(i) - expected); };
   const double most = std::max({beside(3, x + y), beside(5, x + z), beside(6, y + z), beside(7, (x + y) + z)});
-  return most + 0x1p-48 * (size(x) + size(y) + size(z));
+  return most + 0x1p-48 * (sum_of_magnitudes(x) + sum_of_magnitudes(y) + sum_of_magnitudes(z));
 }
 
 using Edge = PolyhedronAxes::Edge;
@@ -73,7 +72,7 @@ PolyhedronAxes::PolyhedronAxes(const PosedConvex& a, const PosedConvex& b)
 
 double PolyhedronAxes::angle_error(const Vec3& u, const Vec3& v, double length) const {
   const double off = 0x1p-48 * body_.extent() + 2 * bent_;
-  return off * (size(u) + size(v)) / length;
+  return off * (sum_of_magnitudes(u) + sum_of_magnitudes(v)) / length;
 }
 
 PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedConvex& shape, const CoreVertices& core, Index f,
@@ -89,7 +88,7 @@ PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedConvex& shape, const Cor
   const double length = plain_length(n);
   const Mat3& m = shape.pose().linear;
   const double mirrored = dot(cross(m[0], m[1]), m[2]) < 0 ? -1 : 1;
-  const double angle = (0x1p-48 * body_.extent() + 2 * bent) * (size(u) + size(v)) / length;
+  const double angle = (0x1p-48 * body_.extent() + 2 * bent) * (sum_of_magnitudes(u) + sum_of_magnitudes(v)) / length;
   if (!(angle < doubtful_angle)) return {{}, infinity};
   return {(mirrored / length) * n, angle};
 }
@@ -139,7 +138,7 @@ bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const Vec3 n = cross(e.along, f.along);
   const double length = plain_length(n), length_e = plain_length(e.along);
   // Where the square of the length underflows nothing is known of the angle.
-  const double seen = length_e > 0x1p-500 ? length / length_e : size(f.along);
+  const double seen = length_e > 0x1p-500 ? length / length_e : sum_of_magnitudes(f.along);
   const double image = seen + 0x1p-48 * body_.extent() + 4 * bent_;
   const double angle = length > 0 ? angle_error(e.along, f.along, length) : infinity;
   if (!(2 * angle * body_.extent() > image)) {
@@ -175,7 +174,8 @@ void PolyhedronAxes::settle_edges() {
   const auto farthest = [&](const std::vector<Edge>& edges, const Edge& chosen, const auto& height) {
     const Edge* best = &chosen;
     for (const Edge& e : edges)
-      if (size(cross(e.along, chosen.along)) <= 0x1p-40 * size(e.along) * size(chosen.along) &&
+      if (sum_of_magnitudes(cross(e.along, chosen.along)) <=
+              0x1p-40 * sum_of_magnitudes(e.along) * sum_of_magnitudes(chosen.along) &&
           height(e.vertex) > height(best->vertex))
         best = &e;
     return best;

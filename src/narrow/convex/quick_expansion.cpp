@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "math/lanes.hpp"
 #include "narrow/convex/quick_expansion.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,28 +16,16 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, 8>;
-using Number = hn::Vec<Tag>;
-constexpr Tag tag;
-constexpr Index lanes = static_cast<Index>(hn::MaxLanes(tag));
-
-/// The lanes of a mask, one bit each.
-template <class Mask>
-HWY_INLINE std::uint64_t bits_of(const Mask& mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0];
-}
+constexpr Index vertices_at_once = static_cast<Index>(hn::MaxLanes(tag));
 
 /// A start of twelve directions: those to the corners of an icosahedron, turned so that none lies in a plane of
 /// symmetry of a shape along the axes. Six, and the six across.
-constexpr std::array<Vec3, 6> axes{{{-0.3396, -0.4877, 0.8042},
-                                    {0.6635, -0.5593, 0.497},
-                                    {-0.6895, 0.4707, 0.5504},
-                                    {-0.9334, -0.3549, -0.0533},
-                                    {0.2974, 0.3444, 0.8905},
-                                    {0.0972, 0.9915, 0.0863}}};
+constexpr std::array<Vec3, 6> start_axes{{{-0.3396, -0.4877, 0.8042},
+                                          {0.6635, -0.5593, 0.497},
+                                          {-0.6895, 0.4707, 0.5504},
+                                          {-0.9334, -0.3549, -0.0533},
+                                          {0.2974, 0.3444, 0.8905},
+                                          {0.0972, 0.9915, 0.0863}}};
 constexpr std::array<FacetSlots::Corners, 20> icosahedron_faces{
     {{0, 1, 4},  {0, 2, 3}, {0, 3, 11}, {0, 4, 2}, {0, 11, 1}, {1, 8, 9},   {1, 9, 4},
      {1, 11, 8}, {2, 4, 5}, {2, 5, 7},  {2, 7, 3}, {3, 7, 10}, {3, 10, 11}, {4, 9, 5},
@@ -60,9 +49,9 @@ constexpr std::uint64_t facet_bits = 511;
 static_assert(QuickSurface::most_facets <= facet_bits);
 
 /// One of the shapes, to be searched in its own frame.
-class Side {
+class SearchedShape {
  public:
-  explicit Side(const PosedConvex& posed) : shape_(posed) {
+  explicit SearchedShape(const PosedConvex& posed) : shape_(posed) {
     const Mat3& m = posed.pose().linear;
     if (!posed.in_world()) world_in_local_ = {{m.column(0), m.column(1), m.column(2)}};
   }
@@ -128,10 +117,10 @@ class Side {
     const Index count = std::min(static_cast<Index>(chunk), shape_.padded_count() - first);
     const double *x = shape_.along(0) + first, *y = shape_.along(1) + first, *z = shape_.along(2) + first;
     const Number nx = hn::Set(tag, n.x), ny = hn::Set(tag, n.y), nz = hn::Set(tag, n.z);
-    const auto kept = hn::Set(bits, ~(chunk - 1)), step = hn::Set(bits, std::uint64_t{lanes});
+    const auto kept = hn::Set(bits, ~(chunk - 1)), step = hn::Set(bits, std::uint64_t{vertices_at_once});
     auto which = hn::Iota(bits, 0);
     Range range{hn::Set(tag, HUGE_VAL), hn::Set(tag, -HUGE_VAL)};
-    for (Index i = 0; i < count; i += lanes) {
+    for (Index i = 0; i < count; i += vertices_at_once) {
       const Number height = hn::Add(hn::Add(hn::Mul(nx, hn::LoadU(tag, x + i)), hn::Mul(ny, hn::LoadU(tag, y + i))),
                                     hn::Mul(nz, hn::LoadU(tag, z + i)));
       const Number here = hn::BitCast(tag, hn::Or(hn::And(hn::BitCast(bits, height), kept), which));
@@ -145,7 +134,7 @@ class Side {
   Mat3 world_in_local_;
 };
 
-struct Point {
+struct ExpansionPoint {
   Vec3 value;
   Index on_a, on_b;
 };
@@ -165,7 +154,7 @@ class Expansion {
     if (!(start == Start::icosahedron ? start_icosahedron() : start_tetrahedron())) return false;
     while (s_.points < QuickSurface::most_points) {
       const Index f = nearest();
-      const Point p = support(s_.normal(f));
+      const ExpansionPoint p = support(s_.normal(f));
       const double height = dot(s_.normal(f), p.value);
       if (!(height > 0)) return false;  // apart, or touching
       s_.nearest = f;
@@ -176,10 +165,12 @@ class Expansion {
   }
 
  private:
-  [[nodiscard]] HWY_INLINE Point point(Index i, Index j) const { return {a_.vertex(i) - b_.vertex(j), i, j}; }
-  [[nodiscard]] HWY_INLINE Point support(const Vec3& n) const { return point(a_.farthest(n), b_.farthest(-n)); }
+  [[nodiscard]] HWY_INLINE ExpansionPoint point(Index i, Index j) const { return {a_.vertex(i) - b_.vertex(j), i, j}; }
+  [[nodiscard]] HWY_INLINE ExpansionPoint support(const Vec3& n) const {
+    return point(a_.farthest(n), b_.farthest(-n));
+  }
 
-  Index append(const Point& p) {
+  Index append(const ExpansionPoint& p) {
     const Index i = s_.points++;
     s_.x[i] = p.value.x;
     s_.y[i] = p.value.y;
@@ -231,13 +222,13 @@ class Expansion {
 
   bool start_icosahedron() {
     double extent = 0;
-    std::array<Point, 12> p;
+    std::array<ExpansionPoint, 12> p;
     for (std::size_t k = 0; k < 6; ++k) {
-      const Side::Ends i = a_.ends(axes[k]), j = b_.ends(axes[k]);
+      const SearchedShape::Ends i = a_.ends(start_axes[k]), j = b_.ends(start_axes[k]);
       p[k] = point(i.highest, j.lowest);
       p[k + 6] = point(i.lowest, j.highest);
     }
-    for (const Point& here : p) {
+    for (const ExpansionPoint& here : p) {
       append(here);
       extent = std::max(extent, largest(here.value));
     }
@@ -249,7 +240,7 @@ class Expansion {
   /// Of far points, the first towards the origin's nearest side.
   bool start_tetrahedron() {
     const Vec3 along = dot(between_, between_) > 0 ? between_ : Vec3{1, 0, 0};
-    std::array<Point, 4> p{support(along), support(-along), {}, {}};
+    std::array<ExpansionPoint, 4> p{support(along), support(-along), {}, {}};
     const Vec3 axis = p[1].value - p[0].value;
     const double x = std::fabs(axis.x), y = std::fabs(axis.y), z = std::fabs(axis.z);
     const Vec3 aside = x <= y && x <= z ? Vec3{0, -axis.z, axis.y}
@@ -262,9 +253,9 @@ class Expansion {
     return make_tetrahedron(p);
   }
 
-  bool make_tetrahedron(const std::array<Point, 4>& p) {
+  bool make_tetrahedron(const std::array<ExpansionPoint, 4>& p) {
     double extent = 0;
-    for (const Point& here : p) {
+    for (const ExpansionPoint& here : p) {
       append(here);
       extent = std::max(extent, largest(here.value));
     }
@@ -278,7 +269,8 @@ class Expansion {
   [[nodiscard]] HWY_INLINE Index nearest() const {
     const Index count = padded_slots();
     Number least = hn::Load(tag, s_.order.data());
-    for (Index i = lanes; i < count; i += lanes) least = hn::Min(least, hn::Load(tag, s_.order.data() + i));
+    for (Index i = vertices_at_once; i < count; i += vertices_at_once)
+      least = hn::Min(least, hn::Load(tag, s_.order.data() + i));
     const double order = hn::GetLane(hn::MinOfLanes(tag, least));
     return static_cast<Index>(std::bit_cast<std::uint64_t>(order) & facet_bits);
   }
@@ -288,17 +280,17 @@ class Expansion {
     const Number x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
     const Number rounding = hn::Set(tag, 1 + 0x1p-44);
     const Index count = padded_slots();
-    for (Index i = 0; i < count; i += lanes) {
+    for (Index i = 0; i < count; i += vertices_at_once) {
       const Number height = hn::Add(
           hn::Add(hn::Mul(x, hn::Load(tag, s_.normal_x.data() + i)), hn::Mul(y, hn::Load(tag, s_.normal_y.data() + i))),
           hn::Mul(z, hn::Load(tag, s_.normal_z.data() + i)));
       const Number offset = hn::Load(tag, s_.offset.data() + i);
-      seen.word[i / 64] |= bits_of(hn::Gt(height, hn::Mul(rounding, offset))) << (i % 64);
+      seen.word[i / 64] |= std::uint64_t{bits_of(tag, hn::Gt(height, hn::Mul(rounding, offset)))} << (i % 64);
     }
   }
 
   /// False when what is seen is no disc, or a facet has hardly an area.
-  bool add(const Point& point, Index above) {
+  bool add(const ExpansionPoint& point, Index above) {
     FacetSlots::Bits seen;
     find_seen(point.value, seen);
     if (!s_.facets.find_hole(above, seen)) return false;
@@ -316,7 +308,7 @@ class Expansion {
     return has_area;
   }
 
-  Side a_, b_;
+  SearchedShape a_, b_;
   Vec3 between_;
   QuickSurface& s_;
   double least_squared_ = 0;

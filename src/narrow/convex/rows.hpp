@@ -7,11 +7,10 @@
 #define TOCCATA_NARROW_ROWS_HPP
 #endif
 
-#include <hwy/highway.h>
-
 #include <cstddef>
 #include <cstdint>
 
+#include "math/lanes.hpp"
 #include "toccata/math/vec3.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,40 +18,38 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, 4>;
-using Number = hn::Vec<Tag>;
-constexpr Tag tag;
-constexpr std::size_t lanes = hn::MaxLanes(tag), parts = 4 / lanes;
+using RowTag = hn::CappedTag<double, 4>;
+constexpr RowTag row_tag;
+constexpr std::size_t row_lanes = hn::MaxLanes(row_tag), row_parts = 4 / row_lanes;
 
 struct Row {
-  Number part[parts];
+  hn::Vec<RowTag> part[row_parts];
 };
 
 template <class Function>
 HWY_INLINE Row each(const Function& function) {
   Row result;
-  for (std::size_t k = 0; k < parts; ++k) result.part[k] = function(k);
+  for (std::size_t k = 0; k < row_parts; ++k) result.part[k] = function(k);
   return result;
 }
 
 HWY_INLINE Row load(const double* from) {
-  return each([&](std::size_t k) { return hn::LoadU(tag, from + k * lanes); });
+  return each([&](std::size_t k) { return hn::LoadU(row_tag, from + k * row_lanes); });
 }
 /// Of three doubles, and 0.
 HWY_INLINE Row load_three(const Vec3& v) {
 #if HWY_TARGET <= HWY_AVX2
-  return {{hn::MaskedLoad(hn::FirstN(tag, 3), tag, &v.x)}};
+  return {{hn::MaskedLoad(hn::FirstN(row_tag, 3), row_tag, &v.x)}};
 #else
   alignas(32) const double four[4] = {v.x, v.y, v.z, 0};
   return load(four);
 #endif
 }
 HWY_INLINE void store(const Row& row, double* to) {
-  for (std::size_t k = 0; k < parts; ++k) hn::StoreU(row.part[k], tag, to + k * lanes);
+  for (std::size_t k = 0; k < row_parts; ++k) hn::StoreU(row.part[k], row_tag, to + k * row_lanes);
 }
 HWY_INLINE Row row_of(double value) {
-  return each([&](std::size_t) { return hn::Set(tag, value); });
+  return each([&](std::size_t) { return hn::Set(row_tag, value); });
 }
 HWY_INLINE Row operator+(const Row& u, const Row& v) {
   return each([&](std::size_t k) { return hn::Add(u.part[k], v.part[k]); });
@@ -79,13 +76,13 @@ HWY_INLINE Row greater(const Row& u, const Row& v) {
 
 /// Of which of the four something holds.
 struct RowMask {
-  hn::Mask<Tag> part[parts];
+  hn::Mask<RowTag> part[row_parts];
 };
 
 template <class Function>
 HWY_INLINE RowMask each_mask(const Function& function) {
   RowMask result;
-  for (std::size_t k = 0; k < parts; ++k) result.part[k] = function(k);
+  for (std::size_t k = 0; k < row_parts; ++k) result.part[k] = function(k);
   return result;
 }
 HWY_INLINE RowMask operator<(const Row& u, const Row& v) {
@@ -109,11 +106,7 @@ HWY_INLINE Row select(const RowMask& mask, const Row& yes, const Row& no) {
 /// A bit each.
 HWY_INLINE unsigned bits_of(const RowMask& mask) {
   unsigned bits = 0;
-  for (std::size_t k = 0; k < parts; ++k) {
-    std::uint8_t few[8] = {};
-    hn::StoreMaskBits(tag, mask.part[k], few);
-    bits |= static_cast<unsigned>(few[0]) << (k * lanes);
-  }
+  for (std::size_t k = 0; k < row_parts; ++k) bits |= bits_of(row_tag, mask.part[k]) << (k * row_lanes);
   return bits;
 }
 
@@ -121,7 +114,7 @@ HWY_INLINE unsigned bits_of(const RowMask& mask) {
 HWY_INLINE Row next(const Row& row) {
 #if HWY_TARGET <= HWY_AVX2
   alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
-  return {{hn::TableLookupLanes(row.part[0], hn::SetTableIndices(tag, order))}};
+  return {{hn::TableLookupLanes(row.part[0], hn::SetTableIndices(row_tag, order))}};
 #else
   alignas(64) double thrice[8];
   store(row, thrice);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "math/lanes.hpp"
 #include "narrow/convex/support_scan.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,42 +16,19 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, 8>;
-using Number = hn::Vec<Tag>;
-constexpr Tag tag;
-
-struct Along {
-  Number x, y, z;
-};
-
-HWY_INLINE Along all_lanes(const Vec3& v) { return {hn::Set(tag, v.x), hn::Set(tag, v.y), hn::Set(tag, v.z)}; }
-
-HWY_INLINE Along vertices_at(const SupportScan& scan, Index i) {
+HWY_INLINE Vector vertices_at(const SupportScan& scan, Index i) {
   return {hn::LoadU(tag, scan.x + i), hn::LoadU(tag, scan.y + i), hn::LoadU(tag, scan.z + i)};
 }
 
-HWY_INLINE Number dot(const Along& u, const Along& v) {
-  return hn::Add(hn::Add(hn::Mul(u.x, v.x), hn::Mul(u.y, v.y)), hn::Mul(u.z, v.z));
-}
-
-HWY_INLINE Number depth(const Along& direction, const Along& spread, const Along& v) {
-  const Along magnitude{hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)};
-  return hn::Sub(dot(direction, v), dot(spread, magnitude));
-}
-
-template <class Mask>
-HWY_INLINE std::uint64_t bits_of(const Mask& mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(tag, mask, bytes);
-  return bytes[0];
+HWY_INLINE Number depth(const Vector& direction, const Vector& spread, const Vector& v) {
+  return hn::Sub(dot(direction, v), dot(spread, magnitudes_of(v)));
 }
 
 constexpr Index few_vertices = 64;
 
 /// Finds the least height first and then who has it: less to carry along than the number of the vertex.
 HWY_INLINE Index least_of_few(const SupportScan& scan) {
-  const Along direction = all_lanes(scan.direction);
+  const Vector direction = in_all(scan.direction);
   HWY_ALIGN double heights[few_vertices];
   Number least = dot(direction, vertices_at(scan, 0));
   hn::Store(least, tag, heights);
@@ -62,7 +40,8 @@ HWY_INLINE Index least_of_few(const SupportScan& scan) {
   }
   least = hn::MinOfLanes(tag, least);
   std::uint64_t bits = 0;
-  for (Index i = 0; i < scan.padded_count; i += lanes) bits |= bits_of(hn::Eq(hn::Load(tag, heights + i), least)) << i;
+  for (Index i = 0; i < scan.padded_count; i += lanes)
+    bits |= std::uint64_t{bits_of(tag, hn::Eq(hn::Load(tag, heights + i), least))} << i;
   return bits == 0 ? 0 : static_cast<Index>(std::countr_zero(bits));
 }
 
@@ -73,7 +52,7 @@ Index least_at_this_level(const SupportScan& scan) {
   // Four at a time, so that none waits for the one before.
   constexpr Index at_once = 4;
   const auto lanes = static_cast<Index>(hn::Lanes(tag));
-  const Along direction = all_lanes(scan.direction);
+  const Vector direction = in_all(scan.direction);
   const Number step = hn::Set(tag, static_cast<double>(lanes));
   const Number beyond = hn::Set(tag, static_cast<double>(scan.padded_count));
   Number least0 = hn::Inf(tag), least1 = least0, least2 = least0, least3 = least0;
@@ -104,7 +83,7 @@ Index least_at_this_level(const SupportScan& scan) {
 }
 
 double least_depth_at_this_level(const SupportScan& scan) {
-  const Along direction = all_lanes(scan.direction), spread = all_lanes(scan.spread);
+  const Vector direction = in_all(scan.direction), spread = in_all(scan.spread);
   Number least = hn::Inf(tag), all = hn::Zero(tag);
   for (Index i = 0; i < scan.padded_count; i += static_cast<Index>(hn::Lanes(tag))) {
     const Number own = depth(direction, spread, vertices_at(scan, i));
@@ -116,20 +95,20 @@ double least_depth_at_this_level(const SupportScan& scan) {
 }
 
 /// Of the 64 vertices from `first` on, those whose depth is not above the bound, as bits.
-HWY_INLINE std::uint64_t close_bits(const SupportScan& scan, Index first, const Along& direction, const Along& spread,
+HWY_INLINE std::uint64_t close_bits(const SupportScan& scan, Index first, const Vector& direction, const Vector& spread,
                                     Number bounds) {
   const Index end = std::min(first + 64, scan.padded_count);
   std::uint64_t bits = 0;
   for (Index i = first; i < end; i += static_cast<Index>(hn::Lanes(tag))) {
     // Asked so that NaN is close.
     const auto beyond = hn::Gt(depth(direction, spread, vertices_at(scan, i)), bounds);
-    bits |= bits_of(hn::Not(beyond)) << (i - first);
+    bits |= std::uint64_t{bits_of(tag, hn::Not(beyond))} << (i - first);
   }
   return end <= scan.count ? bits : bits & ~(~std::uint64_t{0} << (scan.count - first));
 }
 
 Index close_at_this_level(const SupportScan& scan, double bound, std::span<const Index> own, std::span<Index> found) {
-  const Along direction = all_lanes(scan.direction), spread = all_lanes(scan.spread);
+  const Vector direction = in_all(scan.direction), spread = in_all(scan.spread);
   const Number bounds = hn::Set(tag, bound);
   Index count = 0;
   for (Index first = 0; first < scan.count; first += 64) {

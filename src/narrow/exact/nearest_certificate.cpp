@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow/exact/distinct_vertices.hpp"
 #include "narrow/exact/feature_pair.hpp"
 
 namespace toccata {
 namespace {
 
-/// The vertices of a shape among the pairs, each once. `count` is 4 when there are more than three.
-struct DistinctVertices {
-  std::array<Index, 3> vertex{};
-  std::size_t count = 0;
-};
-
-DistinctVertices distinct(const std::array<Index, 4>& vertices, std::size_t size) {
+/// `count` is 4 when there are more than three.
+DistinctVertices distinct_as_paired(const std::array<Index, 4>& vertices, std::size_t size) {
   DistinctVertices result;
   for (std::size_t i = 0; i < size; ++i) {
     const auto end = result.vertex.begin() + static_cast<std::ptrdiff_t>(result.count);
@@ -27,17 +23,18 @@ DistinctVertices distinct(const std::array<Index, 4>& vertices, std::size_t size
 
 /// A pair of features is solved when they are spread by the right number of independent edges.
 std::optional<NearestFeatures> features_of(const VertexPairs& simplex) {
-  const DistinctVertices a = distinct(simplex.a, simplex.size), b = distinct(simplex.b, simplex.size);
+  const DistinctVertices a = distinct_as_paired(simplex.a, simplex.size),
+                         b = distinct_as_paired(simplex.b, simplex.size);
   const bool solvable = simplex.size <= 3 && a.count + b.count == simplex.size + 1;
   if (!solvable) return {};
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
 /// What is known of all other vertices.
-enum class Others { beyond, one_before, some_level, unknown };
+enum class OtherVertices { beyond, one_before, some_level, unknown };
 
 struct Verification {
-  Others others = Others::unknown;
+  OtherVertices others = OtherVertices::unknown;
   bool of_a = false;  ///< whose vertex lies before the plane
   Index vertex = 0;
 };
@@ -68,11 +65,11 @@ Verification verify_others(const FeaturePair& pair, const PosedConvex& shape, co
     const Index vertex = close.vertex[i];
     if (!pair.is_plane()) return {};
     const Sign height = of_a ? pair.beyond_a(shape.vertex(vertex)) : pair.beyond_b(shape.vertex(vertex));
-    if (height == Sign::negative) return {Others::one_before, of_a, vertex};
+    if (height == Sign::negative) return {OtherVertices::one_before, of_a, vertex};
     if (height == Sign::zero && face.count == face.vertex.size()) return {};
     if (height == Sign::zero) face.vertex[face.count++] = vertex;
   }
-  return {face.count == own.size() ? Others::beyond : Others::some_level};
+  return {face.count == own.size() ? OtherVertices::beyond : OtherVertices::some_level};
 }
 
 /// All vertices of either shape in the planes through the features.
@@ -89,17 +86,17 @@ Verification verify(const SupportSearch& a, const SupportSearch& b, const Featur
   const NearestFeatures& f = pair.features();
   const Verification of_a =
       verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
-  if (of_a.others == Others::unknown || of_a.others == Others::one_before) return of_a;
+  if (of_a.others == OtherVertices::unknown || of_a.others == OtherVertices::one_before) return of_a;
   const Verification of_b =
       verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
-  if (of_b.others != Others::beyond) return of_b;
+  if (of_b.others != OtherVertices::beyond) return of_b;
   return of_a;
 }
 
 /// A vertex is nearest to one point of a face, however many vertices the face has; all else that has more vertices in
 /// the two planes may have more nearest points.
-CertainNearest certain(const FeaturePair& pair, const LevelVertices& level, Others others) {
-  const bool unique = others == Others::beyond || level.a.count == 1 || level.b.count == 1;
+CertainNearest certain(const FeaturePair& pair, const LevelVertices& level, OtherVertices others) {
+  const bool unique = others == OtherVertices::beyond || level.a.count == 1 || level.b.count == 1;
   const VertexPairs pairs = pairs_of(pair.features());
   if (!unique) return {pairs, pair.difference(), pair.distance(), {}, {}, level.a, level.b};
   return {pairs, pair.difference(), pair.distance(), pair.on_a(), pair.on_b(), {}, {}};
@@ -141,8 +138,8 @@ std::optional<CertainNearest> certain_from(const SupportSearch& a, const Support
   for (int exchange = 0; exchange <= most_exchanges; ++exchange) {
     LevelVertices level;
     const Verification found = verify(a, b, pair, level);
-    if (found.others == Others::unknown) return {};
-    if (found.others != Others::one_before) return certain(pair, level, found.others);
+    if (found.others == OtherVertices::unknown) return {};
+    if (found.others != OtherVertices::one_before) return certain(pair, level, found.others);
     const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), found);
     if (!nearer) return {};
     pair = *nearer;

@@ -5,18 +5,14 @@
 #include <span>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/exact/distinct_vertices.hpp"
 
 namespace toccata {
 namespace {
 
-struct DistinctVertices {
-  std::array<Index, 3> vertex{};
-  std::size_t count = 0;
-};
-
 /// Of up to three vertices, in ascending order, each once; without branches that none could foresee. The rest of the
 /// three is left as 0.
-DistinctVertices distinct(const std::array<Index, 4>& vertices, std::size_t size) {
+DistinctVertices distinct_ascending(const std::array<Index, 4>& vertices, std::size_t size) {
   const Index x = vertices[0], y = size > 1 ? vertices[1] : x, z = size > 2 ? vertices[2] : x;
   const Index low = std::min(x, y), high = std::max(x, y);
   const Index least = std::min(low, z), middle = std::max(low, std::min(high, z)), greatest = std::max(high, z);
@@ -31,7 +27,8 @@ constexpr Index most_close = 12;
 
 std::optional<NearestFeatures> canonical_features(const VertexPairs& simplex) {
   if (simplex.size == 0 || simplex.size > 3) return {};
-  const DistinctVertices a = distinct(simplex.a, simplex.size), b = distinct(simplex.b, simplex.size);
+  const DistinctVertices a = distinct_ascending(simplex.a, simplex.size),
+                         b = distinct_ascending(simplex.b, simplex.size);
   if (a.count + b.count > 4) return {};
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
@@ -48,7 +45,8 @@ std::optional<NearestFeatures> exchanged(const NearestFeatures& features, std::s
   else
     b[count_b++] = before.vertex;
   if (count_a == 0 || count_b == 0 || count_a > 3 || count_b > 3) return {};
-  return NearestFeatures{distinct(a, count_a).vertex, distinct(b, count_b).vertex, count_a, count_b};
+  return NearestFeatures{distinct_ascending(a, count_a).vertex, distinct_ascending(b, count_b).vertex, count_a,
+                         count_b};
 }
 
 FeaturePoints points_of(const NearestFeatures& features, const SupportSearch& a, const SupportSearch& b) {

@@ -2,15 +2,13 @@
 #include <cmath>
 #include <vector>
 
+#include "narrow/convex/contact_choices.hpp"
 #include "narrow/convex/plain_scale.hpp"
 #include "narrow/half_spaces/half_space_gap.hpp"
 #include "narrow/triangles/contact_faces.hpp"
 
 namespace toccata {
 namespace {
-
-/// A gap of this part of the face's size still belongs to the contact, so that a resting box keeps its four points.
-constexpr double gap_of_resting = 0x1p-10;
 
 std::vector<Index> vertices_of_face(const HullTopology& topology, Index face) {
   std::vector<Index> result;

@@ -6,7 +6,7 @@
 namespace toccata {
 namespace {
 
-constexpr double slack = 0x1p-18;  ///< of sines of angles
+constexpr double slack_of_sines = 0x1p-18;  ///< of sines of angles
 
 /// Side 2 · axis is that of the positive axis, and 2 · axis + 1 of the negative; the next two axes are u and v.
 Vec3 direction_at(int side, double u, double v) {
@@ -39,7 +39,8 @@ SquareCone cone_of(int side, double u, double v, double width) {
 /// False only where a plane parts the two, with room to spare.
 bool may_meet(const DirectionCone& cone, const SquareCone& square) {
   const auto parts = [](const Vec3& wall, const auto& corners) {
-    return std::ranges::all_of(corners, [&](const Vec3& c) { return dot(wall, c) < -slack * std::sqrt(dot(c, c)); });
+    return std::ranges::all_of(corners,
+                               [&](const Vec3& c) { return dot(wall, c) < -slack_of_sines * std::sqrt(dot(c, c)); });
   };
   const auto parts_square = [&](const Vec3& wall) { return parts(wall, square.corners); };
   const auto parts_cone = [&](const Vec3& wall) { return parts(wall, cone.corners); };

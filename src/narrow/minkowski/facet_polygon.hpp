@@ -23,7 +23,7 @@ struct FarFeature {
 };
 
 /// A corner of the sum of two polygons.
-struct PolygonCorner {
+struct SumCorner {
   Index on_first = 0;
   Index on_second = 0;
 };
@@ -34,7 +34,7 @@ class FacetPolygon {
  public:
   FacetPolygon(const SumOperand& first, Index face, const SumOperand& second, const FarFeature& far);
 
-  [[nodiscard]] std::span<const PolygonCorner> corners() const { return corners_; }
+  [[nodiscard]] std::span<const SumCorner> corners() const { return corners_; }
 
  private:
   [[nodiscard]] Sign turn(Index half_edge_of_first, Index half_edge_of_second) const;
@@ -47,7 +47,7 @@ class FacetPolygon {
   const SumOperand::Face& face_;
   int axis_ = 0;    ///< along which the normal has a component
   Sign upwards_{};  ///< its sign
-  std::vector<PolygonCorner> corners_;
+  std::vector<SumCorner> corners_;
 };
 
 }  // namespace toccata

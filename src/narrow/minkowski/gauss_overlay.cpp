@@ -116,7 +116,7 @@ class Overlay {
         facets_.corners.push_back(pair(own.half_edges()[h].origin, far.vertex));
     } else {
       const FacetPolygon polygon(own, face, other, far);
-      for (const PolygonCorner& c : polygon.corners()) facets_.corners.push_back(pair(c.on_first, c.on_second));
+      for (const SumCorner& c : polygon.corners()) facets_.corners.push_back(pair(c.on_first, c.on_second));
     }
   }
 

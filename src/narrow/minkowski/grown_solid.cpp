@@ -4,6 +4,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "math/wide_integer.hpp"
+#include "narrow/convex/vertices_of.hpp"
 #include "narrow/exact/within.hpp"
 #include "narrow/minkowski/sum_operand.hpp"
 #include "toccata/core/error.hpp"
@@ -16,12 +17,6 @@ struct Bevel {
   Vec3 normal;
   double height = 0;
 };
-
-std::vector<Vec3> vertices_of(const PosedConvex& solid) {
-  std::vector<Vec3> vertices;
-  for (Index i = 0; i < solid.vertex_count(); ++i) vertices.push_back(solid.vertex(i));
-  return vertices;
-}
 
 /// Touches the grown solid, or lies beyond it by rounding: by less than 2^-48 of the coordinates and the distance.
 Bevel bevel_across(const Vec3& direction, std::span<const Vec3> points, double distance) {

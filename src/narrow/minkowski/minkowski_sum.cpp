@@ -13,8 +13,6 @@
 namespace toccata {
 namespace {
 
-using Parts = MinkowskiSum::Parts;
-
 constexpr std::size_t large_table = 1U << 16;
 
 /// Numbers those of some keys that were added, ascending.
@@ -98,7 +96,7 @@ SumFacets facets_of_line(const SumOperand& a, const SumOperand& b) {
   return line;
 }
 
-void take_facets(Parts& parts, SumFacets&& facets) {
+void take_facets(SumParts& parts, SumFacets&& facets) {
   parts.kinds = std::move(facets.kinds);
   parts.planes = std::move(facets.planes);
   parts.face_start = std::move(facets.first);
@@ -128,7 +126,7 @@ void take_facets(Parts& parts, SumFacets&& facets) {
   parts.face_start = std::move(faces.first);
 }
 
-void require_finite(const Parts& parts, bool negated) {
+void require_finite(const SumParts& parts, bool negated) {
   for (Index i = 0; i < parts.vertices.size(); ++i)
     if (!is_finite(parts.rounded_vertex(i)))
       throw Error(std::string(negated ? "the difference" : "the sum") + " of vertex " +
@@ -137,7 +135,7 @@ void require_finite(const Parts& parts, bool negated) {
                   " of B is not finite; use smaller coordinates or a smaller scale");
 }
 
-std::vector<Vec3> rounded_vertices(const Parts& parts) {
+std::vector<Vec3> rounded_vertices(const SumParts& parts) {
   std::vector<Vec3> result;
   result.reserve(parts.vertices.size());
   for (Index i = 0; i < parts.vertices.size(); ++i) result.push_back(parts.rounded_vertex(i));
@@ -145,7 +143,7 @@ std::vector<Vec3> rounded_vertices(const Parts& parts) {
 }
 
 MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
-  auto parts = std::make_shared<Parts>(a, b, negated);
+  auto parts = std::make_shared<SumParts>(a, b, negated);
   std::optional<SumFacets> general = general_overlay(parts->a, parts->b);
   SumFacets facets = general ? *std::move(general) : overlay(parts->a, parts->b);
   if (facets.kinds.empty()) {
@@ -165,7 +163,7 @@ MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
 MinkowskiSum minkowski_sum(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, false); }
 MinkowskiSum minkowski_difference(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, true); }
 
-MinkowskiSum::MinkowskiSum(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+MinkowskiSum::MinkowskiSum(std::shared_ptr<const SumParts> parts) : parts_(std::move(parts)) {}
 
 Index MinkowskiSum::vertex_count() const { return static_cast<Index>(parts_->vertices.size()); }
 SumVertex MinkowskiSum::pair(Index vertex) const {

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "core/no_index.hpp"
 #include "math/filter.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/narrow/posed_convex.hpp"
 
 namespace toccata {
-
-inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 /// The hull of the world vertices of a shape, or of their negatives, with its exact boundary, as the overlay of Gauss
 /// maps reads it. A vertex of it is a region of the Gauss map, an edge an arc, a face a point.

@@ -36,4 +36,6 @@ struct MinkowskiSum::Parts {
   }
 };
 
+using SumParts = MinkowskiSum::Parts;
+
 }  // namespace toccata

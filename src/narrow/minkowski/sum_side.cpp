@@ -7,12 +7,10 @@
 namespace toccata {
 namespace {
 
-using Parts = MinkowskiSum::Parts;
-
 /// Coordinates over the unit that all vertices of the sum and a point have in common.
 class ExactSum {
  public:
-  ExactSum(const Parts& sum, const Vec3& point) : sum_(sum) {
+  ExactSum(const SumParts& sum, const Vec3& point) : sum_(sum) {
     exponent_ = std::min(
         {common_exponent(sum.a.points()), common_exponent(sum.b.points()), common_exponent(std::span(&point, 1))});
     point_ = scaled_wide(point, exponent_);
@@ -34,7 +32,7 @@ class ExactSum {
     return scaled_wide(d.head, exponent_) - scaled_wide(d.tail, exponent_);
   }
 
-  const Parts& sum_;
+  const SumParts& sum_;
   int exponent_ = 0;
   IntegerVector point_;
 };
@@ -64,7 +62,7 @@ std::optional<Square> square_from_edge(const IntegerVector& from, const IntegerV
 
 }  // namespace
 
-SumPlane plane_in_frame(const Parts& sum, Index face) {
+SumPlane plane_in_frame(const SumParts& sum, Index face) {
   const SumFrame& frame = sum.frame;
   const FilteredCross n = filtered_cross(frame.local(sum.difference_of(sum.planes[face][0])),
                                          frame.local(sum.difference_of(sum.planes[face][1])));
@@ -75,7 +73,7 @@ SumPlane plane_in_frame(const Parts& sum, Index face) {
   return {n.value, height, 0x1p-46 * sum_of_magnitudes(n.magnitude)};
 }
 
-Sign exact_height(const Parts& sum, Index face, const Vec3& point) {
+Sign exact_height(const SumParts& sum, Index face, const Vec3& point) {
   const Difference u = sum.difference_of(sum.planes[face][0]), v = sum.difference_of(sum.planes[face][1]);
   const SumVertex& anchor = sum.vertices[sum.origin[sum.face_start[face]]];
   const Vec3 &a = sum.a.points()[anchor.on_a], &b = sum.b.points()[anchor.on_b];
@@ -86,7 +84,7 @@ Sign exact_height(const Parts& sum, Index face, const Vec3& point) {
   return sign_of(dot(exact.normal(face), exact.point() - exact.vertex(sum.origin[sum.face_start[face]])));
 }
 
-Sign exact_side_of_flat(const Parts& sum, const Vec3& point) {
+Sign exact_side_of_flat(const SumParts& sum, const Vec3& point) {
   const ExactSum exact(sum, point);
   if (sum.dimension < 2) return side_of_line(exact, static_cast<Index>(sum.vertices.size()));
   const IntegerVector normal = exact.normal(0);
@@ -100,7 +98,7 @@ Sign exact_side_of_flat(const Parts& sum, const Vec3& point) {
 }
 
 // Each square is that of the distance from some point of the core, and the nearest one is among them.
-Sign compare_exactly_with_radius(const Parts& sum, const Vec3& point) {
+Sign compare_exactly_with_radius(const SumParts& sum, const Vec3& point) {
   const ExactSum exact(sum, point);
   const int unit = std::min({exact.exponent(), common_exponent({sum.radius_a}), common_exponent({sum.radius_b})});
   const WideInteger radius = scaled_wide(sum.radius_a, unit) + scaled_wide(sum.radius_b, unit);
@@ -135,7 +133,7 @@ Sign compare_exactly_with_radius(const Parts& sum, const Vec3& point) {
   return least;
 }
 
-Sign compare_with_radius(const Parts& sum, const Vec3& point) {
+Sign compare_with_radius(const SumParts& sum, const Vec3& point) {
   const Distance distance_of_rounded = distance(PosedConvex(Point{point}), PosedConvex(*sum.rounded_core));
   double largest = 0;
   for (Index i = 0; i < sum.rounded_core->vertex_count(); ++i)

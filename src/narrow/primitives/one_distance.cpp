@@ -2,7 +2,6 @@
 // Compiled once for every SIMD level; Highway includes this file into itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "narrow/primitives/one_distance.cpp"
-#define TOCCATA_MOST_LANES 1
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -13,6 +12,7 @@
 #include "narrow/convex/convex_of.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/grown_cores.hpp"
+#include "narrow/triangles/one_lane.hpp"
 #include "toccata/narrow/capsule.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,50 +20,51 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE double first_of(const Number& value) { return hn::GetLane(value); }
-HWY_INLINE bool is_set(const Mask& mask) { return hn::AllTrue(Tag(), mask); }
+using OnePoint = GrownPoint<OneVector>;
+using OneSegment = GrownSegment<OneVector>;
+using OneNear = NearPoints<OneVector>;
+using OneReached = Reached<OneVector>;
+using OneFound = Found<OneVector>;
 
+HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
+HWY_INLINE bool is_set(const OneMask& mask) { return hn::AllTrue(OneTag(), mask); }
+
+HWY_INLINE void store(const OneVector& v, Vec3& to) {
 #if HWY_TARGET <= HWY_AVX2
-HWY_INLINE Vector vector_of(double x, double y, double z) {
-  constexpr hn::Half<Coordinates> two;
-  return {hn::Combine(Coordinates(), hn::Set(two, z), hn::InterleaveLower(two, hn::Set(two, x), hn::Set(two, y)))};
-}
-HWY_INLINE void store(const Vector& v, Vec3& to) {
   hn::StoreU(hn::LowerHalf(v.xyz), hn::Half<Coordinates>(), &to.x);
   to.z = first_of(z_of(v));
-}
 #else
-HWY_INLINE Vector vector_of(double x, double y, double z) { return {all(x), all(y), all(z)}; }
-HWY_INLINE void store(const Vector& v, Vec3& to) { to = {first_of(v.x), first_of(v.y), first_of(v.z)}; }
+  to = {first_of(v.x), first_of(v.y), first_of(v.z)};
 #endif
+}
 
 /// The formula tells nothing.
-HWY_INLINE Found nothing() {
-  const Vector none = vector_of(0, 0, 0);
-  return {hn::Zero(Tag()), all(std::numeric_limits<double>::quiet_NaN()), none, none};
+HWY_INLINE OneFound nothing() {
+  const OneVector none = in_one(0, 0, 0);
+  return {hn::Zero(OneTag()), all<OneNumber>(std::numeric_limits<double>::quiet_NaN()), none, none};
 }
 
 /// The same as `found_of`, with branches: which of the three cases it is, is mostly foreseen, and nothing waits for it.
 /// `common` gives the common point of cores that meet.
 template <class Common>
-HWY_INLINE Found foreseen(const NearPoints& near, const Number& radius_a, const Number& radius_b,
-                          const Common& common) {
-  const Reached how = reached(near, radius_a, radius_b);
+HWY_INLINE OneFound foreseen(const OneNear& near, const OneNumber& radius_a, const OneNumber& radius_b,
+                             const Common& common) {
+  const OneReached how = reached(near, radius_a, radius_b);
   if (is_set(how.apart)) {
-    const Ends ends = ends_of(near, how, radius_a, radius_b);
+    const ReachedEnds<OneVector> ends = ends_of(near, how, radius_a, radius_b);
     return {how.lower, how.upper, ends.on_a, ends.on_b};
   }
   if (!is_set(how.meets)) return nothing();
-  const Vector point = common(how);
-  return {hn::Zero(Tag()), hn::Zero(Tag()), point, point};
+  const OneVector point = common(how);
+  return {hn::Zero(OneTag()), hn::Zero(OneTag()), point, point};
 }
 
-HWY_INLINE Found foreseen(const NearPoints& near, const Number& radius_a, const Number& radius_b) {
-  return foreseen(near, radius_a, radius_b, [&](const Reached& how) { return common_point(near, how, radius_a); });
+HWY_INLINE OneFound foreseen(const OneNear& near, const OneNumber& radius_a, const OneNumber& radius_b) {
+  return foreseen(near, radius_a, radius_b, [&](const OneReached& how) { return common_point(near, how, radius_a); });
 }
 
 /// Made in one place, so that it is written once.
-HWY_INLINE Distance answer_of(const Found& found) {
+HWY_INLINE Distance answer_of(const OneFound& found) {
   Distance answer;
   answer.lower = first_of(found.lower);
   answer.upper = first_of(found.upper);
@@ -74,11 +75,10 @@ HWY_INLINE Distance answer_of(const Found& found) {
 
 // The eight corners of a box, one in each lane.
 
-using Eight = hn::CappedTag<double, 8>;
-constexpr std::size_t lanes = hn::MaxLanes(Eight()), parts = 8 / lanes;
+constexpr std::size_t corner_lanes = hn::MaxLanes(tag), corner_parts = 8 / corner_lanes;
 
 /// 1 for each corner whose bit `axis` is set, or, in the second row, is not.
-alignas(64) constexpr double weight[2][3][8] = {
+alignas(64) constexpr double corner_weight[2][3][8] = {
     {{0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}},
     {{1, 0, 1, 0, 1, 0, 1, 0}, {1, 1, 0, 0, 1, 1, 0, 0}, {1, 1, 1, 1, 0, 0, 0, 0}}};
 
@@ -86,129 +86,130 @@ alignas(64) constexpr double weight[2][3][8] = {
 struct RestOfCorners {
   const std::array<const double*, 3>& corner;
   std::size_t nearest;
-  const std::array<Vector, 3>& edge;
+  const std::array<OneVector, 3>& edge;
 
-  HWY_INLINE BoxRest operator()(const Vector& d) const;
+  HWY_INLINE BoxRest<OneVector> operator()(const OneVector& d) const;
 };
 
-HWY_INLINE BoxRest RestOfCorners::operator()(const Vector& d) const {
-  using Lanes = hn::Vec<Eight>;
-  const Eight eight;
-  const auto coordinates = [](const Vector& v) {
+HWY_INLINE BoxRest<OneVector> RestOfCorners::operator()(const OneVector& d) const {
+  const auto coordinates = [](const OneVector& v) {
     return std::array<double, 3>{first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))};
   };
   const std::array<double, 3> along = coordinates(d);
   const std::array<std::array<double, 3>, 3> edges{coordinates(edge[0]), coordinates(edge[1]), coordinates(edge[2])};
-  Lanes lowest = hn::Zero(eight), bend = hn::Zero(eight);
-  for (std::size_t part = 0; part < parts; ++part) {
-    Lanes height = hn::Zero(eight), size = hn::Zero(eight), bent = hn::Zero(eight);
+  Number lowest = hn::Zero(tag), bend = hn::Zero(tag);
+  for (std::size_t part = 0; part < corner_parts; ++part) {
+    Number height = hn::Zero(tag), size = hn::Zero(tag), bent = hn::Zero(tag);
 #pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
-      const Lanes from_first = hn::Sub(hn::LoadU(eight, corner[i] + part * lanes), hn::Set(eight, corner[i][nearest]));
-      const Lanes product = hn::Mul(from_first, hn::Set(eight, along[i]));
+      const Number from_first =
+          hn::Sub(hn::LoadU(tag, corner[i] + part * corner_lanes), hn::Set(tag, corner[i][nearest]));
+      const Number product = hn::Mul(from_first, hn::Set(tag, along[i]));
       height = hn::Add(height, product);
-      size = hn::Add(size, hn::Mul(hn::Abs(from_first), hn::Set(eight, std::fabs(along[i]))));
-      Lanes rest = from_first;
+      size = hn::Add(size, hn::Mul(hn::Abs(from_first), hn::Set(tag, std::fabs(along[i]))));
+      Number rest = from_first;
 #pragma GCC unroll 3
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto set = hn::Load(eight, weight[nearest >> k & 1][k] + part * lanes);
-        rest = hn::Sub(rest, hn::Mul(set, hn::Set(eight, edges[k][i])));
+        const auto set = hn::Load(tag, corner_weight[nearest >> k & 1][k] + part * corner_lanes);
+        rest = hn::Sub(rest, hn::Mul(set, hn::Set(tag, edges[k][i])));
       }
       bent = hn::Add(bent, hn::Abs(rest));
     }
-    lowest = hn::Min(lowest, hn::Sub(height, hn::Mul(hn::Set(eight, 0x1p-51), size)));
+    lowest = hn::Min(lowest, hn::Sub(height, hn::Mul(hn::Set(tag, 0x1p-51), size)));
     bend = hn::Max(bend, bent);
   }
-  return {all(hn::GetLane(hn::MinOfLanes(eight, lowest))), all(hn::GetLane(hn::MaxOfLanes(eight, bend)))};
+  return {all<OneNumber>(hn::GetLane(hn::MinOfLanes(tag, lowest))),
+          all<OneNumber>(hn::GetLane(hn::MaxOfLanes(tag, bend)))};
 }
 
-HWY_INLINE Found of_point_box(const Ball& a, const RoundBox& b) {
-  const auto corner = [&](std::size_t i) { return vector_of(b.corner[0][i], b.corner[1][i], b.corner[2][i]); };
-  const Vector& p = a.centre;
-  const BoxSides sides = sides_of(p, corner(0), {corner(1), corner(2), corner(4)});
+HWY_INLINE OneFound of_point_box(const OnePoint& a, const RoundBox& b) {
+  const auto corner = [&](std::size_t i) { return in_one(b.corner[0][i], b.corner[1][i], b.corner[2][i]); };
+  const OneVector& p = a.centre;
+  const BoxSides<OneVector> sides = sides_of(p, corner(0), {corner(1), corner(2), corner(4)});
   std::size_t nearest = 0;
 #pragma GCC unroll 3
   for (std::size_t axis = 0; axis < 3; ++axis) nearest |= std::size_t{is_set(sides.far[axis])} << axis;
-  const Vector first = corner(nearest);
-  const BoxCorner at{
+  const OneVector first = corner(nearest);
+  const BoxCorner<OneVector> at{
       first, {minus(corner(nearest ^ 1), first), minus(corner(nearest ^ 2), first), minus(corner(nearest ^ 4), first)}};
   return foreseen(near_of_point_corner(p, at, sides, RestOfCorners{b.corner, nearest, at.edge}), a.radius,
-                  all(b.radius));
+                  all<OneNumber>(b.radius));
 }
 
 /// `world_corners`, bit by bit.
 HWY_INLINE void place_corners_at_once(const Box& box, const Pose& pose, BoxCorners& corners) {
-  const Eight eight;
   const Vec3 lower = box.centre() - box.half_extents(), upper = box.centre() + box.half_extents();
-  for (std::size_t part = 0; part < parts; ++part) {
+  for (std::size_t part = 0; part < corner_parts; ++part) {
     const auto local = [&](int axis) {
-      const auto set = hn::Load(eight, weight[0][axis] + part * lanes);
-      return hn::IfThenElse(hn::Gt(set, hn::Zero(eight)), hn::Set(eight, upper[axis]), hn::Set(eight, lower[axis]));
+      const auto set = hn::Load(tag, corner_weight[0][axis] + part * corner_lanes);
+      return hn::IfThenElse(hn::Gt(set, hn::Zero(tag)), hn::Set(tag, upper[axis]), hn::Set(tag, lower[axis]));
     };
     const auto x = local(0), y = local(1), z = local(2);
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       const Vec3& row = pose.linear[i];
-      const auto in_plane = hn::Add(hn::Mul(hn::Set(eight, row.x), x), hn::Mul(hn::Set(eight, row.y), y));
-      const auto turned = hn::Add(in_plane, hn::Mul(hn::Set(eight, row.z), z));
-      hn::Store(hn::Add(turned, hn::Set(eight, pose.offset[i])), eight,
-                corners.coordinate[static_cast<std::size_t>(i)].data() + part * lanes);
+      const auto in_plane = hn::Add(hn::Mul(hn::Set(tag, row.x), x), hn::Mul(hn::Set(tag, row.y), y));
+      const auto turned = hn::Add(in_plane, hn::Mul(hn::Set(tag, row.z), z));
+      hn::Store(hn::Add(turned, hn::Set(tag, pose.offset[i])), tag,
+                corners.coordinate[static_cast<std::size_t>(i)].data() + part * corner_lanes);
     }
   }
 }
 
 // The formulas, of shapes in the world.
 
-HWY_INLINE Ball ball_of(const PosedSphere& s) { return {lanes_of(s.centre), all(s.radius)}; }
-HWY_INLINE Rod rod_of(const PosedCapsule& c) { return {lanes_of(c.start), lanes_of(c.end), all(c.radius)}; }
+HWY_INLINE OnePoint ball_of(const PosedSphere& s) { return {in_one(s.centre), all<OneNumber>(s.radius)}; }
+HWY_INLINE OneSegment rod_of(const PosedCapsule& c) {
+  return {in_one(c.start), in_one(c.end), all<OneNumber>(c.radius)};
+}
 
-struct Corners3 {
-  Vector a, b, c;
+struct OneTriangle {
+  OneVector a, b, c;
 };
 
-HWY_INLINE Found found_for(const Ball& a, const Ball& b) {
-  const NearPoints near = near_of_points(a.centre, b.centre);
-  return foreseen(near, a.radius, b.radius, [&](const Reached& how) {
+HWY_INLINE OneFound found_for(const OnePoint& a, const OnePoint& b) {
+  const OneNear near = near_of_points(a.centre, b.centre);
+  return foreseen(near, a.radius, b.radius, [&](const OneReached& how) {
     if (is_set(comes_after(a.centre, b.centre))) return common_point(near_of_points(b.centre, a.centre), how, b.radius);
     return common_point(near, how, a.radius);
   });
 }
 
-HWY_INLINE Found found_for(const Ball& a, const Rod& b) {
+HWY_INLINE OneFound found_for(const OnePoint& a, const OneSegment& b) {
   return foreseen(near_of_point_segment(a.centre, b.start, b.end), a.radius, b.radius);
 }
 
-HWY_INLINE Found found_for(const Ball& a, const Corners3& b, double radius_b) {
-  return foreseen(near_of_point_triangle(a.centre, b.a, b.b, b.c), a.radius, all(radius_b));
+HWY_INLINE OneFound found_for(const OnePoint& a, const OneTriangle& b, double radius_b) {
+  return foreseen(near_of_point_triangle(a.centre, b.a, b.b, b.c), a.radius, all<OneNumber>(radius_b));
 }
 
-HWY_INLINE Found found_for(const Ball& a, const Box& b, const Pose& pose_b) {
+HWY_INLINE OneFound found_for(const OnePoint& a, const Box& b, const Pose& pose_b) {
   BoxCorners corners;
   place_corners_at_once(b, pose_b, corners);
   return of_point_box(a, {corners.along(), 0});
 }
 
-HWY_INLINE Found found_for(const Rod& a, const Rod& b) {
-  Mask exchange = hn::Lt(x_of(b.start), x_of(a.start));
+HWY_INLINE OneFound found_for(const OneSegment& a, const OneSegment& b) {
+  OneMask exchange = hn::Lt(x_of(b.start), x_of(a.start));
   if (is_set(hn::Eq(x_of(b.start), x_of(a.start)))) {
     exchange = comes_after(a.start, b.start);
     if (!is_set(hn::Or(exchange, comes_after(b.start, a.start)))) return nothing();
   }
-  const Rod first = chosen(exchange, b, a), second = chosen(exchange, a, b);
-  const NearPoints near = near_of_segments(first.start, first.end, second.start, second.end);
+  const OneSegment first = chosen(exchange, b, a), second = chosen(exchange, a, b);
+  const OneNear near = near_of_segments(first.start, first.end, second.start, second.end);
   return exchanged(exchange, foreseen(near, first.radius, second.radius));
 }
 
 // Shapes at their places, of poses that are known to be rigid.
 
-HWY_INLINE Ball at_place(const Sphere& shape, const Pose& pose) {
-  return {placed_lanes(pose, shape.centre()), all(shape.radius())};
+HWY_INLINE OnePoint at_place(const Sphere& shape, const Pose& pose) {
+  return {placed_in_one(pose, shape.centre()), all<OneNumber>(shape.radius())};
 }
-HWY_INLINE Rod at_place(const Capsule& shape, const Pose& pose) {
+HWY_INLINE OneSegment at_place(const Capsule& shape, const Pose& pose) {
   const Placing placing(pose);
-  return {placing(shape.start()), placing(shape.end()), all(shape.radius())};
+  return {placing(shape.start()), placing(shape.end()), all<OneNumber>(shape.radius())};
 }
-HWY_INLINE Corners3 at_place(const Triangle& shape, const Pose& pose) {
+HWY_INLINE OneTriangle at_place(const Triangle& shape, const Pose& pose) {
   const Placing placing(pose);
   return {placing(shape[0]), placing(shape[1]), placing(shape[2])};
 }
@@ -220,7 +221,7 @@ Distance point_segment(const PosedSphere& a, const PosedCapsule& b) {
   return answer_of(found_for(ball_of(a), rod_of(b)));
 }
 Distance point_triangle(const PosedSphere& a, const Triangle& b, double radius_b) {
-  return answer_of(found_for(ball_of(a), {lanes_of(b[0]), lanes_of(b[1]), lanes_of(b[2])}, radius_b));
+  return answer_of(found_for(ball_of(a), {in_one(b[0]), in_one(b[1]), in_one(b[2])}, radius_b));
 }
 Distance point_corners(const PosedSphere& a, const RoundBox& b) { return answer_of(of_point_box(ball_of(a), b)); }
 Distance point_box(const PosedSphere& a, const PosedBox& b) {

@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "narrow/primitives/column_lanes.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/grown_cores.hpp"
 
@@ -12,23 +13,23 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-struct SphereSphere {
-  HWY_INLINE Found operator()(const PairColumns& pairs, std::size_t i) const {
-    return found_of(Ball{load_vector(pairs.a, 0, i), load(pairs.a, 3, i)},
-                    Ball{load_vector(pairs.b, 0, i), load(pairs.b, 3, i)});
+struct SphereSphereDistance {
+  HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
+    return found_of(GrownPoint<Vector>{load_vector(pairs.a, 0, i), load(pairs.a, 3, i)},
+                    GrownPoint<Vector>{load_vector(pairs.b, 0, i), load(pairs.b, 3, i)});
   }
 };
 
-struct SphereTriangle {
-  HWY_INLINE Found operator()(const PairColumns& pairs, std::size_t i) const {
-    const NearPoints near = near_of_point_triangle(load_vector(pairs.a, 0, i), load_vector(pairs.b, 0, i),
-                                                   load_vector(pairs.b, 3, i), load_vector(pairs.b, 6, i));
-    return grown(near, load(pairs.a, 3, i), hn::Zero(Tag()));
+struct SphereTriangleDistance {
+  HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
+    const NearPoints<Vector> near = near_of_point_triangle(load_vector(pairs.a, 0, i), load_vector(pairs.b, 0, i),
+                                                           load_vector(pairs.b, 3, i), load_vector(pairs.b, 6, i));
+    return grown(near, load(pairs.a, 3, i), hn::Zero(tag));
   }
 };
 
 /// Exchanges corners that are neighbours along an edge, where the mask is set.
-HWY_INLINE void turn(Corners& corner, std::size_t axis, const Mask& mask) {
+HWY_INLINE void turn(BoxVertices<Vector>& corner, std::size_t axis, const Mask& mask) {
   for (std::size_t i = 0; i < 8; ++i) {
     if ((i >> axis & 1) != 0) continue;
     const std::size_t j = i | std::size_t{1} << axis;
@@ -38,33 +39,32 @@ HWY_INLINE void turn(Corners& corner, std::size_t axis, const Mask& mask) {
   }
 }
 
-struct SphereBox {
-  HWY_INLINE Found operator()(const PairColumns& pairs, std::size_t i) const {
+struct SphereBoxDistance {
+  HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
     const Vector p = load_vector(pairs.a, 0, i);
-    Corners corner;
+    BoxVertices<Vector> corner;
     for (std::size_t k = 0; k < 8; ++k)
       corner[k] = {load(pairs.b, k, i), load(pairs.b, 8 + k, i), load(pairs.b, 16 + k, i)};
-    const BoxSides sides = sides_of(p, corner[0], {corner[1], corner[2], corner[4]});
+    const BoxSides<Vector> sides = sides_of(p, corner[0], {corner[1], corner[2], corner[4]});
     for (std::size_t axis = 0; axis < 3; ++axis) turn(corner, axis, sides.far[axis]);
-    return grown(near_of_point_corners(p, corner, sides), load(pairs.a, 3, i), hn::Zero(Tag()));
+    return grown(near_of_point_corners(p, corner, sides), load(pairs.a, 3, i), hn::Zero(tag));
   }
 };
 
-struct CapsuleCapsule {
-  HWY_INLINE Found operator()(const PairColumns& pairs, std::size_t i) const {
-    const Rod a{load_vector(pairs.a, 0, i), load_vector(pairs.a, 3, i), load(pairs.a, 6, i)};
-    const Rod b{load_vector(pairs.b, 0, i), load_vector(pairs.b, 3, i), load(pairs.b, 6, i)};
+struct CapsuleCapsuleDistance {
+  HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
+    const GrownSegment<Vector> a{load_vector(pairs.a, 0, i), load_vector(pairs.a, 3, i), load(pairs.a, 6, i)};
+    const GrownSegment<Vector> b{load_vector(pairs.b, 0, i), load_vector(pairs.b, 3, i), load(pairs.b, 6, i)};
     return found_of(a, b);
   }
 };
 
-HWY_INLINE void write(const Found& found, Distance* distances) {
-  constexpr std::size_t most = 8;
-  alignas(64) double rows[8][most];
+HWY_INLINE void write(const Found<Vector>& found, Distance* distances) {
+  alignas(64) double rows[8][most_lanes];
   const Number* const columns[8] = {&found.lower,  &found.upper,  &found.on_a.x, &found.on_a.y,
                                     &found.on_a.z, &found.on_b.x, &found.on_b.y, &found.on_b.z};
-  for (std::size_t k = 0; k < 8; ++k) hn::StoreU(*columns[k], Tag(), rows[k]);
-  for (std::size_t i = 0; i < hn::Lanes(Tag()); ++i)
+  for (std::size_t k = 0; k < 8; ++k) hn::StoreU(*columns[k], tag, rows[k]);
+  for (std::size_t i = 0; i < hn::Lanes(tag); ++i)
     distances[i] = {rows[0][i],
                     rows[1][i],
                     {rows[2][i], rows[3][i], rows[4][i]},
@@ -75,21 +75,23 @@ HWY_INLINE void write(const Found& found, Distance* distances) {
 template <class Kernel>
 HWY_INLINE std::size_t for_all(const PairColumns& pairs, Distance* distances, const Kernel& kernel) {
   std::size_t i = 0;
-  for (; i + hn::Lanes(Tag()) <= pairs.count; i += hn::Lanes(Tag())) write(kernel(pairs, i), distances + i);
+  for (; i + hn::Lanes(tag) <= pairs.count; i += hn::Lanes(tag)) write(kernel(pairs, i), distances + i);
   return i;
 }
 
 }  // namespace
 
-std::size_t sphere_sphere(const PairColumns& pairs, Distance* distances) {
-  return for_all(pairs, distances, SphereSphere{});
+std::size_t sphere_sphere_distances(const PairColumns& pairs, Distance* distances) {
+  return for_all(pairs, distances, SphereSphereDistance{});
 }
-std::size_t sphere_triangle(const PairColumns& pairs, Distance* distances) {
-  return for_all(pairs, distances, SphereTriangle{});
+std::size_t sphere_triangle_distances(const PairColumns& pairs, Distance* distances) {
+  return for_all(pairs, distances, SphereTriangleDistance{});
 }
-std::size_t sphere_box(const PairColumns& pairs, Distance* distances) { return for_all(pairs, distances, SphereBox{}); }
-std::size_t capsule_capsule(const PairColumns& pairs, Distance* distances) {
-  return for_all(pairs, distances, CapsuleCapsule{});
+std::size_t sphere_box_distances(const PairColumns& pairs, Distance* distances) {
+  return for_all(pairs, distances, SphereBoxDistance{});
+}
+std::size_t capsule_capsule_distances(const PairColumns& pairs, Distance* distances) {
+  return for_all(pairs, distances, CapsuleCapsuleDistance{});
 }
 
 }  // namespace HWY_NAMESPACE
@@ -99,14 +101,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace toccata {
 
-HWY_EXPORT(sphere_sphere);
-HWY_EXPORT(sphere_triangle);
-HWY_EXPORT(sphere_box);
-HWY_EXPORT(capsule_capsule);
+HWY_EXPORT(sphere_sphere_distances);
+HWY_EXPORT(sphere_triangle_distances);
+HWY_EXPORT(sphere_box_distances);
+HWY_EXPORT(capsule_capsule_distances);
 
 DistanceKernels distance_kernels() {
-  return {&HWY_DYNAMIC_DISPATCH(sphere_sphere), &HWY_DYNAMIC_DISPATCH(sphere_triangle),
-          &HWY_DYNAMIC_DISPATCH(sphere_box), &HWY_DYNAMIC_DISPATCH(capsule_capsule)};
+  return {&HWY_DYNAMIC_DISPATCH(sphere_sphere_distances), &HWY_DYNAMIC_DISPATCH(sphere_triangle_distances),
+          &HWY_DYNAMIC_DISPATCH(sphere_box_distances), &HWY_DYNAMIC_DISPATCH(capsule_capsule_distances)};
 }
 
 }  // namespace toccata

@@ -6,9 +6,9 @@
 
 #include <cstring>
 
+#include "narrow/primitives/column_lanes.hpp"
 #include "narrow/primitives/nearness.hpp"
 #include "narrow/primitives/pair_kernels.hpp"
-#include "narrow/triangles/lanes.hpp"
 
 // The formulas of closed_forms.cpp without branches, and the proofs of nearness.hpp.
 HWY_BEFORE_NAMESPACE();
@@ -16,9 +16,7 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Tag tag;
-
-HWY_INLINE Number magnitudes(const Vector& v) { return sum_of(magnitudes_of(v)); }
+HWY_INLINE Number sum_of_magnitudes(const Vector& v) { return sum_of(magnitudes_of(v)); }
 
 struct Judged {
   Mask meets, apart;
@@ -56,7 +54,7 @@ HWY_INLINE std::size_t for_all(const PairColumns& pairs, std::uint8_t* states, c
   return i;
 }
 
-struct SphereSphere {
+struct SphereSphereNearness {
   HWY_INLINE Judged operator()(const PairColumns& p, std::size_t i) const {
     const Vector d = minus(load_vector(p.a, 0, i), load_vector(p.b, 0, i));
     const Number squared = dot(d, d), reach = hn::Add(load(p.a, 3, i), load(p.b, 3, i));
@@ -64,7 +62,7 @@ struct SphereSphere {
   }
 };
 
-struct SphereBox {
+struct SphereBoxNearness {
   HWY_INLINE Judged operator()(const PairColumns& p, std::size_t i) const {
     const Vector w = minus(load_vector(p.a, 0, i), load_vector(p.b, 0, i));
     Vector d = w;
@@ -75,7 +73,7 @@ struct SphereBox {
     }
     Number gap = dot(w, d);
     for (std::size_t axis = 0; axis < 3; ++axis) gap = hn::Sub(gap, hn::Abs(dot(load_vector(p.b, 3 + 3 * axis, i), d)));
-    return judged(gap, dot(d, d), load(p.a, 3, i), hn::Add(magnitudes(w), load(p.b, 15, i)), load(p.b, 16, i));
+    return judged(gap, dot(d, d), load(p.a, 3, i), hn::Add(sum_of_magnitudes(w), load(p.b, 15, i)), load(p.b, 16, i));
   }
 };
 
@@ -86,7 +84,7 @@ HWY_INLINE Vector nearest_of_segment(const Vector& from, const Vector& edge) {
 
 HWY_INLINE Vector nearer(const Vector& u, const Vector& v) { return select(hn::Lt(dot(u, u), dot(v, v)), u, v); }
 
-struct SphereTriangle {
+struct SphereTriangleNearness {
   HWY_INLINE Judged operator()(const PairColumns& p, std::size_t i) const {
     const Vector centre = load_vector(p.a, 0, i);
     const Vector a = minus(load_vector(p.b, 0, i), centre), b = minus(load_vector(p.b, 3, i), centre),
@@ -102,12 +100,12 @@ struct SphereTriangle {
     const Mask over_face = hn::Gt(lesser(lesser(of_a, of_b), of_c), hn::Zero(tag));
     const Vector d = select(over_face, on_face, on_edge);
     const Number gap = lesser(lesser(dot(a, d), dot(b, d)), dot(c, d));
-    const Number magnitude = hn::Add(hn::Add(magnitudes(a), magnitudes(b)), magnitudes(c));
+    const Number magnitude = hn::Add(hn::Add(sum_of_magnitudes(a), sum_of_magnitudes(b)), sum_of_magnitudes(c));
     return judged(gap, dot(d, d), load(p.a, 3, i), magnitude, hn::Zero(tag));
   }
 };
 
-struct CapsuleCapsule {
+struct CapsuleCapsuleNearness {
   HWY_INLINE Judged operator()(const PairColumns& pairs, std::size_t i) const {
     const Vector p = load_vector(pairs.a, 0, i), r = load_vector(pairs.b, 0, i);
     const Vector u = minus(load_vector(pairs.a, 3, i), p), v = minus(load_vector(pairs.b, 3, i), r);
@@ -123,13 +121,14 @@ struct CapsuleCapsule {
     const Number zero = hn::Zero(tag);
     const Number least_a = hn::Add(dot(difference, d), lesser(zero, dot(u, d)));
     const Number greatest_b = hn::Neg(lesser(zero, hn::Neg(dot(v, d))));
-    const Number magnitude = hn::Add(hn::Add(magnitudes(difference), magnitudes(u)), magnitudes(v));
+    const Number magnitude =
+        hn::Add(hn::Add(sum_of_magnitudes(difference), sum_of_magnitudes(u)), sum_of_magnitudes(v));
     const Number reach = hn::Add(load(pairs.a, 6, i), load(pairs.b, 6, i));
     return judged(hn::Sub(least_a, greatest_b), dot(d, d), reach, magnitude, zero);
   }
 };
 
-struct BoxBox {
+struct BoxBoxNearness {
   HWY_INLINE Judged operator()(const PairColumns& p, std::size_t i) const {
     Mask meets = hn::And(hn::Le(load(p.a, 0, i), load(p.b, 3, i)), hn::Le(load(p.b, 0, i), load(p.a, 3, i)));
     for (std::size_t axis = 1; axis < 3; ++axis) {
@@ -142,17 +141,21 @@ struct BoxBox {
 
 }  // namespace
 
-std::size_t sphere_sphere(const PairColumns& pairs, std::uint8_t* states) {
-  return for_all(pairs, states, SphereSphere{});
+std::size_t sphere_sphere_states(const PairColumns& pairs, std::uint8_t* states) {
+  return for_all(pairs, states, SphereSphereNearness{});
 }
-std::size_t sphere_triangle(const PairColumns& pairs, std::uint8_t* states) {
-  return for_all(pairs, states, SphereTriangle{});
+std::size_t sphere_triangle_states(const PairColumns& pairs, std::uint8_t* states) {
+  return for_all(pairs, states, SphereTriangleNearness{});
 }
-std::size_t sphere_box(const PairColumns& pairs, std::uint8_t* states) { return for_all(pairs, states, SphereBox{}); }
-std::size_t capsule_capsule(const PairColumns& pairs, std::uint8_t* states) {
-  return for_all(pairs, states, CapsuleCapsule{});
+std::size_t sphere_box_states(const PairColumns& pairs, std::uint8_t* states) {
+  return for_all(pairs, states, SphereBoxNearness{});
 }
-std::size_t box_box(const PairColumns& pairs, std::uint8_t* states) { return for_all(pairs, states, BoxBox{}); }
+std::size_t capsule_capsule_states(const PairColumns& pairs, std::uint8_t* states) {
+  return for_all(pairs, states, CapsuleCapsuleNearness{});
+}
+std::size_t box_box_states(const PairColumns& pairs, std::uint8_t* states) {
+  return for_all(pairs, states, BoxBoxNearness{});
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace toccata
@@ -161,15 +164,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace toccata {
 
-HWY_EXPORT(sphere_sphere);
-HWY_EXPORT(sphere_triangle);
-HWY_EXPORT(sphere_box);
-HWY_EXPORT(capsule_capsule);
-HWY_EXPORT(box_box);
+HWY_EXPORT(sphere_sphere_states);
+HWY_EXPORT(sphere_triangle_states);
+HWY_EXPORT(sphere_box_states);
+HWY_EXPORT(capsule_capsule_states);
+HWY_EXPORT(box_box_states);
 
 PairKernels pair_kernels() {
-  return {&HWY_DYNAMIC_DISPATCH(sphere_sphere), &HWY_DYNAMIC_DISPATCH(sphere_triangle),
-          &HWY_DYNAMIC_DISPATCH(sphere_box), &HWY_DYNAMIC_DISPATCH(capsule_capsule), &HWY_DYNAMIC_DISPATCH(box_box)};
+  return {&HWY_DYNAMIC_DISPATCH(sphere_sphere_states), &HWY_DYNAMIC_DISPATCH(sphere_triangle_states),
+          &HWY_DYNAMIC_DISPATCH(sphere_box_states), &HWY_DYNAMIC_DISPATCH(capsule_capsule_states),
+          &HWY_DYNAMIC_DISPATCH(box_box_states)};
 }
 
 }  // namespace toccata

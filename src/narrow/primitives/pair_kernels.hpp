@@ -13,7 +13,7 @@ struct PairColumns {
 };
 
 /// What a kernel says of a pair.
-enum PairState : std::uint8_t { pair_apart = 0, pair_meets = 1, pair_unknown = 2 };
+enum KernelAnswer : std::uint8_t { pair_apart = 0, pair_meets = 1, pair_unknown = 2 };
 
 /// Looks at as many pairs from the first on as fill whole vectors, writes a state of each, and returns how many.
 using PairKernel = std::size_t (*)(const PairColumns& pairs, std::uint8_t* states);

@@ -46,7 +46,7 @@ Excess excess_of_region(const PosedSphere& s, const Vec3& lower, const Vec3& upp
 }
 
 /// The axes, ascending, in which the centre is beyond a face.
-int next_axis(unsigned code, int from) {
+int next_axis_beyond(unsigned code, int from) {
   while ((code >> static_cast<unsigned>(2 * from) & 3U) == 0) ++from;
   return from;
 }
@@ -66,10 +66,10 @@ bool overlap_by_regions(const PosedSphere& s, const Vec3& lower, const Vec3& upp
     case 0:  // inside
       return true;
     case 1:  // a face: its plane is the nearest
-      return is_within({excess(next_axis(code, 0))}, s.radius);
+      return is_within({excess(next_axis_beyond(code, 0))}, s.radius);
     case 2: {  // an edge
-      const int first = next_axis(code, 0);
-      return is_within({excess(first), excess(next_axis(code, first + 1))}, s.radius);
+      const int first = next_axis_beyond(code, 0);
+      return is_within({excess(first), excess(next_axis_beyond(code, first + 1))}, s.radius);
     }
     default:  // a corner
       return is_within({excess(0), excess(1), excess(2)}, s.radius);

@@ -12,6 +12,9 @@ namespace toccata {
 template <class Number>
 using VectorOf = std::array<Number, 3>;
 
+/// Of about 106 bits.
+using FineVector = VectorOf<DoubleWord>;
+
 template <class Number>
 VectorOf<Number> sum(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return {u[0] + v[0], u[1] + v[1], u[2] + v[2]};
@@ -72,6 +75,13 @@ template <class Number>
 Number number_as(double a) {
   return number_as<Number>(BoundedNumber{{a, 0}, 0});
 }
+
+template <class Number>
+VectorOf<Number> vector_as(const FineVector& v) {
+  return {number_as<Number>(v[0]), number_as<Number>(v[1]), number_as<Number>(v[2])};
+}
+
+inline Vec3 high_parts(const FineVector& v) { return {v[0].high, v[1].high, v[2].high}; }
 
 inline Vec3 plain(const BoundedVector& v) { return high_parts(v); }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Heights of plain centres are off by less than this part of the centres' greatest sum of magnitudes, for directions
 /// of length 1.
-constexpr double height_rounding = 0x1p-48;
+constexpr double centre_height_rounding = 0x1p-48;
 
 /// What the image of a ball reaches: squares of products below this are lost.
 constexpr double lost_in_squares = 0x1p-500;
@@ -87,7 +87,7 @@ double PlainBody::height_at_most(const Vec3& direction) const {
       greatest = std::fmax(greatest, dot(size, magnitudes(plain_centre_[i])));
     }
   }
-  return highest + (height_rounding * (greatest + magnitude) + lost_in_squares);
+  return highest + (centre_height_rounding * (greatest + magnitude) + lost_in_squares);
 }
 
 PlainBody PlainBody::moved(const Vec3& by) const {
@@ -114,7 +114,7 @@ Index PlainBody::highest_atoms(const Vec3& direction, std::span<Index> found) co
   }
   Index written = 0;
   for (Index i = 0; i < count_; ++i)
-    if (!(height[i] < highest - height_rounding * size)) found[written++] = i;
+    if (!(height[i] < highest - centre_height_rounding * size)) found[written++] = i;
   return written;
 }
 

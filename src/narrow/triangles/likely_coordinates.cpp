@@ -10,24 +10,24 @@ namespace {
 
 // Where numbers are in these ranges, underflow takes at most 2^-860 from n and d below, which the floor covers, and
 // from the rest nothing that matters.
-constexpr double greatest_coordinate = 0x1p100;
+constexpr double greatest_likely_coordinate = 0x1p100;
 constexpr double least_number = 0x1p-500;
 constexpr double magnitude_floor = 0x1p-700;
 
-struct Vector {
+struct WordVector {
   DoubleWord x, y, z;
 };
 
-Vector between(const Vec3& from, const Vec3& to) {
+WordVector exact_way(const Vec3& from, const Vec3& to) {
   return {exact_difference(to.x, from.x), exact_difference(to.y, from.y), exact_difference(to.z, from.z)};
 }
 
 /// Of the rounded components.
-Vec3 magnitudes(const Vector& v) { return {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)}; }
+Vec3 magnitudes(const WordVector& v) { return {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)}; }
 
-DoubleWord dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+DoubleWord dot(const WordVector& u, const WordVector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
-Vector cross(const Vector& u, const Vector& v) {
+WordVector cross(const WordVector& u, const WordVector& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
@@ -37,8 +37,8 @@ Vec3 cross_of_magnitudes(const Vec3& u, const Vec3& v) {
 }
 
 bool in_range(const Vec3& v) {
-  return std::fabs(v.x) <= greatest_coordinate && std::fabs(v.y) <= greatest_coordinate &&
-         std::fabs(v.z) <= greatest_coordinate;
+  return std::fabs(v.x) <= greatest_likely_coordinate && std::fabs(v.y) <= greatest_likely_coordinate &&
+         std::fabs(v.z) <= greatest_likely_coordinate;
 }
 
 bool in_range(const Triangle& t) { return in_range(t[0]) && in_range(t[1]) && in_range(t[2]); }
@@ -56,7 +56,7 @@ struct ShareOfEdge {
 };
 
 /// The nearest double, where that is certain.
-std::optional<double> coordinate(double p, double q, const DoubleWord& share, double spread) {
+std::optional<double> likely_coordinate(double p, double q, const DoubleWord& share, double spread) {
   if (p == q) return p + 0.0;  // 0 for −0
   const DoubleWord way = exact_difference(q, p);
   const DoubleWord x = DoubleWord{p, 0} + share * way;
@@ -70,8 +70,9 @@ std::optional<Vec3> likely_point(const Vec3& p, const Vec3& q, const ShareOfEdge
   if (!(std::fabs(at.n.high) >= least_number && std::fabs(at.d.high) >= least_number)) return std::nullopt;
   const double spread = (at.magnitude + magnitude_floor) / std::fabs(at.d.high) + 1;
   const DoubleWord share = at.n / at.d;
-  const std::optional<double> x = coordinate(p.x, q.x, share, spread), y = coordinate(p.y, q.y, share, spread),
-                              z = coordinate(p.z, q.z, share, spread);
+  const std::optional<double> x = likely_coordinate(p.x, q.x, share, spread),
+                              y = likely_coordinate(p.y, q.y, share, spread),
+                              z = likely_coordinate(p.z, q.z, share, spread);
   if (!x || !y || !z) return std::nullopt;
   return Vec3{*x, *y, *z};
 }
@@ -81,8 +82,8 @@ std::optional<Vec3> likely_point(const Vec3& p, const Vec3& q, const ShareOfEdge
 std::optional<Vec3> likely_edge_and_plane(const Triangle& t, int i, const Triangle& plane) {
   if (!in_range(t) || !in_range(plane)) return std::nullopt;
   const Vec3 &p = edge_start(t, i), &q = edge_end(t, i);
-  const Vector u = between(plane[0], plane[1]), v = between(plane[0], plane[2]);
-  const Vector to_p = between(plane[0], p), to_q = between(plane[0], q), normal = cross(u, v);
+  const WordVector u = exact_way(plane[0], plane[1]), v = exact_way(plane[0], plane[2]);
+  const WordVector to_p = exact_way(plane[0], p), to_q = exact_way(plane[0], q), normal = cross(u, v);
   const DoubleWord height = dot(normal, to_p);
   return likely_point(p, q,
                       {height, height - dot(normal, to_q),
@@ -92,8 +93,8 @@ std::optional<Vec3> likely_edge_and_plane(const Triangle& t, int i, const Triang
 std::optional<Vec3> likely_edge_and_edge(const Triangle& a, int i, const Triangle& b, int j) {
   if (!in_range(a) || !in_range(b)) return std::nullopt;
   const Vec3 &p = edge_start(a, i), &q = edge_end(a, i), &r = edge_start(b, j);
-  const Vector along_a = between(p, q), along_b = between(r, edge_end(b, j)), way = between(p, r);
-  const Vector turns = cross(along_a, along_b), shares = cross(way, along_b);
+  const WordVector along_a = exact_way(p, q), along_b = exact_way(r, edge_end(b, j)), way = exact_way(p, r);
+  const WordVector turns = cross(along_a, along_b), shares = cross(way, along_b);
   const Vec3 terms = cross_of_magnitudes(magnitudes(along_a) + magnitudes(way), magnitudes(along_b));
   // Seen along the axis from which the edges turn most.
   const Vec3 size = magnitudes(turns);

@@ -1,6 +1,7 @@
 // Near points of two cores by closed formulas, and what is proved of them: docs/design/primitive-distances.md.
 // After C. Ericson, "Real-Time Collision Detection", 2005, sections 5.1.2 to 5.1.9; the proofs are ours.
-// Included once for every SIMD level (lanes.hpp).
+// Of vectors V, one in each lane, with numbers N and masks M: of many pairs, or of one (one_lane.hpp). Included once
+// for every SIMD level, like math/lanes.hpp.
 #if defined(TOCCATA_NARROW_NEAR_POINTS_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef TOCCATA_NARROW_NEAR_POINTS_HPP
 #undef TOCCATA_NARROW_NEAR_POINTS_HPP
@@ -10,7 +11,7 @@
 
 #include <array>
 
-#include "narrow/triangles/lanes.hpp"
+#include "math/lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
@@ -18,102 +19,125 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Points of two cores, one of each but for the slack. In ε = 2^-53 and for d = `apart`:
+template <class V>
 struct NearPoints {
-  Vector on_a, on_b;
-  Vector apart;    ///< on_a − on_b, closer than their rounded coordinates are
-  Number squared;  ///< d · d
-  Number spread;   ///< ε · spread is at least what rounding makes of d · (the error of d)
-  Number loss;     ///< |d| − loss / |d| is less than the exact distance of the cores, but for the errors above
-  Number slack;    ///< the points may be beside the cores, and d off in any direction, by this in all
-  Mask placed;     ///< the exact nearest points are as near to these as is promised of witnesses
-  Mask tight;      ///< `loss` is right; else it is only known that the points exist
+  V on_a, on_b;
+  V apart;              ///< on_a − on_b, closer than their rounded coordinates are
+  NumberOf<V> squared;  ///< d · d
+  NumberOf<V> spread;   ///< ε · spread is at least what rounding makes of d · (the error of d)
+  NumberOf<V> loss;     ///< |d| − loss / |d| is less than the exact distance of the cores, but for the errors above
+  NumberOf<V> slack;    ///< the points may be beside the cores, and d off in any direction, by this in all
+  MaskOf<V> placed;     ///< the exact nearest points are as near to these as is promised of witnesses
+  MaskOf<V> tight;      ///< `loss` is right; else it is only known that the points exist
 };
 
 constexpr double greatest_square = 0x1p500;  ///< for products of two squares neither to over- nor to underflow
 
-HWY_INLINE Mask is_moderate(const Number& squared) { return hn::Lt(squared, all(greatest_square)); }
+template <class N>
+HWY_INLINE auto is_moderate(const N& squared) {
+  return hn::Lt(squared, all<N>(greatest_square));
+}
 
 /// Where a share of an edge is to be off from its best value: `slope` is the edge · d, by which d · d / 2 grows.
-HWY_INLINE Number violation(const Number& share, const Number& slope) {
-  const Number zero = hn::Zero(Tag());
-  const Number down = hn::IfThenElse(hn::Gt(share, zero), slope, zero);
-  const Number up = hn::IfThenElse(hn::Lt(share, all(1)), hn::Neg(slope), zero);
+template <class N>
+HWY_INLINE N violation(const N& share, const N& slope) {
+  const N zero = hn::Zero(TagOf<N>());
+  const N down = hn::IfThenElse(hn::Gt(share, zero), slope, zero);
+  const N up = hn::IfThenElse(hn::Lt(share, all<N>(1)), hn::Neg(slope), zero);
   return greater(greater(down, up), zero);
 }
 
 /// 64 ε² (|spread|² + 16 d · d), the share of rounding in the square of a residual.
-HWY_INLINE Number residual_floor(const Vector& spread, const Number& squared) {
-  return hn::Mul(all(0x1p-100), hn::Add(dot(spread, spread), hn::Mul(all(16), squared)));
+template <class V>
+HWY_INLINE NumberOf<V> residual_floor(const V& spread, const NumberOf<V>& squared) {
+  using N = NumberOf<V>;
+  return hn::Mul(all<N>(0x1p-100), hn::Add(dot(spread, spread), hn::Mul(all<N>(16), squared)));
 }
 
 /// At least the length of the error of d. Where d is no longer than that, its spread along d tells nothing.
-HWY_INLINE Number length_of_rounding(const Vector& spread) { return hn::Mul(all(0x1.01p-53), sum_of(spread)); }
+template <class V>
+HWY_INLINE NumberOf<V> length_of_rounding(const V& spread) {
+  using N = NumberOf<V>;
+  return hn::Mul(all<N>(0x1.01p-53), sum_of(spread));
+}
 
-HWY_INLINE NearPoints near_of_points(const Vector& p, const Vector& q) {
-  const Vector d = minus(p, q);
-  const Number squared = dot(d, d), zero = hn::Zero(Tag());
-  const Mask yes = hn::Eq(zero, zero);
+template <class V>
+HWY_INLINE NearPoints<V> near_of_points(const V& p, const V& q) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const V d = minus(p, q);
+  const N squared = dot(d, d), zero = hn::Zero(TagOf<N>());
+  const M yes = hn::Eq(zero, zero);
   return {p, q, d, squared, squared, zero, zero, yes, yes};
 }
 
-HWY_INLINE NearPoints near_of_point_segment(const Vector& p, const Vector& start, const Vector& end) {
-  const Vector edge = minus(end, start), from = minus(p, start);
-  const Number edge_squared = dot(edge, edge), from_squared = dot(from, from), zero = hn::Zero(Tag());
-  const Vector step = times(clamped_share(hn::Div(dot(from, edge), edge_squared)), edge);
-  const Vector d = minus(from, step);
-  const Number squared = dot(d, d);
-  const Vector step_size = magnitudes_of(step);
-  const Vector spread = plus(plus(magnitudes_of(from), plus(step_size, step_size)), magnitudes_of(d));
-  const Mask placed = hn::And(is_moderate(from_squared), is_moderate(edge_squared));
-  const Mask tight = hn::Gt(squared, hn::Mul(all(0x1p-40), from_squared));
+template <class V>
+HWY_INLINE NearPoints<V> near_of_point_segment(const V& p, const V& start, const V& end) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const V edge = minus(end, start), from = minus(p, start);
+  const N edge_squared = dot(edge, edge), from_squared = dot(from, from), zero = hn::Zero(TagOf<N>());
+  const V step = times(clamped_share(hn::Div(dot(from, edge), edge_squared)), edge);
+  const V d = minus(from, step);
+  const N squared = dot(d, d);
+  const V step_size = magnitudes_of(step);
+  const V spread = plus(plus(magnitudes_of(from), plus(step_size, step_size)), magnitudes_of(d));
+  const M placed = hn::And(is_moderate(from_squared), is_moderate(edge_squared));
+  const M tight = hn::Gt(squared, hn::Mul(all<N>(0x1p-40), from_squared));
   return {p,    plus(start, step),          d,      squared, dot(magnitudes_of(d), spread),
           zero, length_of_rounding(spread), placed, tight};
 }
 
 /// One of the two segments as its nearest point sees it.
+template <class N>
 struct Hold {
-  Number residual;  ///< 16 violation² / |edge|²
-  Number slope_squared;
-  Mask at_end;  ///< and the slope presses it there
+  N residual;  ///< 16 violation² / |edge|²
+  N slope_squared;
+  hn::Mask<TagOf<N>> at_end;  ///< and the slope presses it there
 };
 
-HWY_INLINE Hold hold_of(const Number& share, const Number& slope, const Number& inverse_squared) {
-  const Number wrong = violation(share, slope), zero = hn::Zero(Tag());
-  const Mask inside = hn::And(hn::Gt(share, zero), hn::Lt(share, all(1)));
-  return {hn::Mul(hn::Mul(all(16), hn::Mul(wrong, wrong)), inverse_squared), hn::Mul(slope, slope),
+template <class N>
+HWY_INLINE Hold<N> hold_of(const N& share, const N& slope, const N& inverse_squared) {
+  const N wrong = violation(share, slope), zero = hn::Zero(TagOf<N>());
+  const auto inside = hn::And(hn::Gt(share, zero), hn::Lt(share, all<N>(1)));
+  return {hn::Mul(hn::Mul(all<N>(16), hn::Mul(wrong, wrong)), inverse_squared), hn::Mul(slope, slope),
           hn::And(hn::Not(inside), hn::Eq(wrong, zero))};
 }
 
-HWY_INLINE Mask is_held(const Hold& hold, const Number& residual, const Number& edge_squared) {
+template <class N>
+HWY_INLINE auto is_held(const Hold<N>& hold, const N& residual, const N& edge_squared) {
   return hn::And(hold.at_end, hn::Ge(hold.slope_squared, hn::Mul(residual, edge_squared)));
 }
 
-HWY_INLINE NearPoints near_of_segments(const Vector& p, const Vector& p_end, const Vector& r, const Vector& r_end) {
-  const Vector u = minus(p_end, p), v = minus(r_end, r), w = minus(p, r);
-  const Number uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), along_u = dot(u, w), along_v = dot(v, w);
-  const Number determinant = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
+template <class V>
+HWY_INLINE NearPoints<V> near_of_segments(const V& p, const V& p_end, const V& r, const V& r_end) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const V u = minus(p_end, p), v = minus(r_end, r), w = minus(p, r);
+  const N uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), along_u = dot(u, w), along_v = dot(v, w);
+  const N determinant = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
   // Divided by at once, for divisions that wait for each other take most of the time.
-  const Number inverse_u = hn::Div(all(1), hn::Add(uu, all(0x1p-1000))),
-               inverse_v = hn::Div(all(1), hn::Add(vv, all(0x1p-1000)));
-  const Number first_s = clamped_share(hn::Div(hn::Sub(hn::Mul(uv, along_v), hn::Mul(along_u, vv)), determinant));
-  const Number t = clamped_share(hn::Add(hn::Mul(hn::Mul(uv, inverse_v), first_s), hn::Mul(along_v, inverse_v)));
-  const Number s = clamped_share(hn::Sub(hn::Mul(hn::Mul(uv, inverse_u), t), hn::Mul(along_u, inverse_u)));
-  const Vector step_u = times(s, u), step_v = times(t, v);
-  const Vector d = minus(plus(w, step_u), step_v);
-  const Number squared = dot(d, d), zero = hn::Zero(Tag());
-  const Vector spread = plus(plus(times(all(2), magnitudes_of(w)), times(all(3), magnitudes_of(step_u))),
-                             plus(times(all(2), magnitudes_of(step_v)), magnitudes_of(d)));
+  const N inverse_u = hn::Div(all<N>(1), hn::Add(uu, all<N>(0x1p-1000))),
+          inverse_v = hn::Div(all<N>(1), hn::Add(vv, all<N>(0x1p-1000)));
+  const N first_s = clamped_share(hn::Div(hn::Sub(hn::Mul(uv, along_v), hn::Mul(along_u, vv)), determinant));
+  const N t = clamped_share(hn::Add(hn::Mul(hn::Mul(uv, inverse_v), first_s), hn::Mul(along_v, inverse_v)));
+  const N s = clamped_share(hn::Sub(hn::Mul(hn::Mul(uv, inverse_u), t), hn::Mul(along_u, inverse_u)));
+  const V step_u = times(s, u), step_v = times(t, v);
+  const V d = minus(plus(w, step_u), step_v);
+  const N squared = dot(d, d), zero = hn::Zero(TagOf<N>());
+  const V spread = plus(plus(times(all<N>(2), magnitudes_of(w)), times(all<N>(3), magnitudes_of(step_u))),
+                        plus(times(all<N>(2), magnitudes_of(step_v)), magnitudes_of(d)));
 
-  const Hold hold_u = hold_of(s, dot(u, d), inverse_u), hold_v = hold_of(t, hn::Neg(dot(v, d)), inverse_v);
-  const Number residual = hn::Add(hn::Add(hold_u.residual, hold_v.residual), residual_floor(spread, squared));
-  const Mask held = hn::Or(is_held(hold_u, residual, uu), is_held(hold_v, residual, vv));
+  const Hold<N> hold_u = hold_of(s, dot(u, d), inverse_u), hold_v = hold_of(t, hn::Neg(dot(v, d)), inverse_v);
+  const N residual = hn::Add(hn::Add(hold_u.residual, hold_v.residual), residual_floor(spread, squared));
+  const M held = hn::Or(is_held(hold_u, residual, uu), is_held(hold_v, residual, vv));
   // The square of the sine between the two; where one is held at its end, the angle does not matter.
-  const Number sine = hn::IfThenElse(held, all(1), hn::Mul(hn::Mul(determinant, inverse_u), inverse_v));
-  const Number size =
-      greater(hn::Mul(all(4), dot(p, p)), greater(greater(uu, vv), squared));  // at most 12 · (largest coordinate)²
-  const Mask near_enough = hn::Le(residual, hn::Mul(hn::Mul(all(0x1p-80 / 12), size), hn::Mul(sine, sine)));
-  const Mask loses_little = hn::Le(residual, hn::Mul(all(0x1p-53), hn::Mul(sine, squared)));
-  const Mask plain = hn::And(hn::Gt(sine, all(0x1p-12)), hn::And(is_moderate(uu), is_moderate(vv)));
+  const N sine = hn::IfThenElse(held, all<N>(1), hn::Mul(hn::Mul(determinant, inverse_u), inverse_v));
+  const N size =
+      greater(hn::Mul(all<N>(4), dot(p, p)), greater(greater(uu, vv), squared));  // at most 12 · (largest coordinate)²
+  const M near_enough = hn::Le(residual, hn::Mul(hn::Mul(all<N>(0x1p-80 / 12), size), hn::Mul(sine, sine)));
+  const M loses_little = hn::Le(residual, hn::Mul(all<N>(0x1p-53), hn::Mul(sine, squared)));
+  const M plain = hn::And(hn::Gt(sine, all<N>(0x1p-12)), hn::And(is_moderate(uu), is_moderate(vv)));
   return {plus(p, step_u),
           plus(r, step_v),
           d,
@@ -126,48 +150,58 @@ HWY_INLINE NearPoints near_of_segments(const Vector& p, const Vector& p_end, con
 }
 
 /// A point of a triangle a + second · ab + third · ac, seen from the origin.
+template <class V>
 struct Foot {
-  Vector at;
-  Vector spread;  ///< without that of the last sum
-  Number second, third;
+  V at;
+  V spread;  ///< without that of the last sum
+  NumberOf<V> second, third;
 };
 
-HWY_INLINE Foot select(const Mask& mask, const Foot& yes, const Foot& no) {
+template <class V>
+HWY_INLINE Foot<V> select(const MaskOf<V>& mask, const Foot<V>& yes, const Foot<V>& no) {
   return {select(mask, yes.at, no.at), select(mask, yes.spread, no.spread), hn::IfThenElse(mask, yes.second, no.second),
           hn::IfThenElse(mask, yes.third, no.third)};
 }
 
 /// The share of the nearest point to the origin of the segment from + [0, 1] · edge.
-HWY_INLINE Number nearest_share(const Vector& from, const Vector& edge, const Number& edge_squared) {
+template <class V>
+HWY_INLINE NumberOf<V> nearest_share(const V& from, const V& edge, const NumberOf<V>& edge_squared) {
   return clamped_share(hn::Neg(hn::Div(dot(from, edge), edge_squared)));
 }
 
-HWY_INLINE Foot foot_on_edge(const Vector& from, const Vector& step, const Number& second, const Number& third) {
-  const Vector size = magnitudes_of(step);
+template <class V>
+HWY_INLINE Foot<V> foot_on_edge(const V& from, const V& step, const NumberOf<V>& second, const NumberOf<V>& third) {
+  const V size = magnitudes_of(step);
   return {plus(from, step), plus(magnitudes_of(from), plus(size, size)), second, third};
 }
 
+template <class V>
 struct TriangleEdges {
-  Vector ab, ac, bc;
-  Number ab_squared, ac_squared, bc_squared;
+  V ab, ac, bc;
+  NumberOf<V> ab_squared, ac_squared, bc_squared;
 };
 
-HWY_INLINE Foot foot_on_edges(const Vector& a, const Vector& b, const TriangleEdges& e) {
-  const Number zero = hn::Zero(Tag());
-  const Number on_ab = nearest_share(a, e.ab, e.ab_squared), on_ac = nearest_share(a, e.ac, e.ac_squared),
-               on_bc = nearest_share(b, e.bc, e.bc_squared);
-  const Foot of_ab = foot_on_edge(a, times(on_ab, e.ab), on_ab, zero);
-  const Foot of_ac = foot_on_edge(a, times(on_ac, e.ac), zero, on_ac);
-  const Foot of_bc = foot_on_edge(b, times(on_bc, e.bc), hn::Sub(all(1), on_bc), on_bc);
-  const Number to_ab = dot(of_ab.at, of_ab.at), to_ac = dot(of_ac.at, of_ac.at), to_bc = dot(of_bc.at, of_bc.at);
+template <class V>
+HWY_INLINE Foot<V> foot_on_edges(const V& a, const V& b, const TriangleEdges<V>& e) {
+  using N = NumberOf<V>;
+  const N zero = hn::Zero(TagOf<N>());
+  const N on_ab = nearest_share(a, e.ab, e.ab_squared), on_ac = nearest_share(a, e.ac, e.ac_squared),
+          on_bc = nearest_share(b, e.bc, e.bc_squared);
+  const Foot<V> of_ab = foot_on_edge(a, times(on_ab, e.ab), on_ab, zero);
+  const Foot<V> of_ac = foot_on_edge(a, times(on_ac, e.ac), zero, on_ac);
+  const Foot<V> of_bc = foot_on_edge(b, times(on_bc, e.bc), hn::Sub(all<N>(1), on_bc), on_bc);
+  const N to_ab = dot(of_ab.at, of_ab.at), to_ac = dot(of_ac.at, of_ac.at), to_bc = dot(of_bc.at, of_bc.at);
   return select(hn::Lt(lesser(to_ab, to_ac), to_bc), select(hn::Lt(to_ab, to_ac), of_ab, of_ac), of_bc);
 }
 
-HWY_INLINE Foot foot_on_face(const Vector& a, const TriangleEdges& e, const Number& second, const Number& third) {
-  const Vector step_b = times(second, e.ab), step_c = times(third, e.ac);
+template <class V>
+HWY_INLINE Foot<V> foot_on_face(const V& a, const TriangleEdges<V>& e, const NumberOf<V>& second,
+                                const NumberOf<V>& third) {
+  using N = NumberOf<V>;
+  const V step_b = times(second, e.ab), step_c = times(third, e.ac);
   return {plus(plus(a, step_b), step_c),
-          plus(times(all(2), magnitudes_of(a)),
-               plus(times(all(3), magnitudes_of(step_b)), times(all(2), magnitudes_of(step_c)))),
+          plus(times(all<N>(2), magnitudes_of(a)),
+               plus(times(all<N>(3), magnitudes_of(step_b)), times(all<N>(2), magnitudes_of(step_c)))),
           second, third};
 }
 
@@ -181,48 +215,54 @@ HWY_INLINE Foot foot_on_face(const Vector& a, const TriangleEdges& e, const Numb
 /// δ² ≤ 9 · 2 ε² L² (196 |d|² + |spread|²), and (W + δ)² ≤ 2 W² + 2 δ². What is summed up below, 8 W² + 512 ε² L²
 /// (|spread|² + 16 |d|²), is more than a quarter of that; so the limits, which are 2^-82 for 2^-80 and 2^-54 for 2^-53,
 /// hold with a factor of two or more to spare.
-HWY_INLINE Number triangle_violation(const Foot& foot, const Number& slope_b, const Number& slope_c,
-                                     const Mask& on_face) {
-  const Number zero = hn::Zero(Tag());
-  const Number of_a = hn::Neg(hn::Add(hn::Mul(foot.second, slope_b), hn::Mul(foot.third, slope_c)));
-  const Number of_b = hn::Add(slope_b, of_a), of_c = hn::Add(slope_c, of_a);
+template <class V>
+HWY_INLINE NumberOf<V> triangle_violation(const Foot<V>& foot, const NumberOf<V>& slope_b, const NumberOf<V>& slope_c,
+                                          const MaskOf<V>& on_face) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const N zero = hn::Zero(TagOf<N>());
+  const N of_a = hn::Neg(hn::Add(hn::Mul(foot.second, slope_b), hn::Mul(foot.third, slope_c)));
+  const N of_b = hn::Add(slope_b, of_a), of_c = hn::Add(slope_c, of_a);
   // Where an edge's foot is its end, the other end may be higher; of an edge through b and c, a may.
-  const Number share_a = hn::Sub(hn::Sub(all(1), foot.second), foot.third);
-  const auto wrong = [&](const Mask& used, const Number& height) {
+  const N share_a = hn::Sub(hn::Sub(all<N>(1), foot.second), foot.third);
+  const auto wrong = [&](const M& used, const N& height) {
     return greater(hn::IfThenElse(used, hn::Abs(height), hn::Neg(height)), zero);
   };
-  const Mask uses_a = hn::Or(on_face, hn::Gt(share_a, zero));
+  const M uses_a = hn::Or(on_face, hn::Gt(share_a, zero));
   return hn::Add(hn::Add(wrong(uses_a, of_a), wrong(hn::Gt(foot.second, zero), of_b)),
                  wrong(hn::Gt(foot.third, zero), of_c));
 }
 
-HWY_INLINE NearPoints near_of_point_triangle(const Vector& p, const Vector& va, const Vector& vb, const Vector& vc) {
-  const Vector a = minus(va, p), b = minus(vb, p);
-  TriangleEdges e{minus(vb, va), minus(vc, va), minus(vc, vb), all(0), all(0), all(0)};
+template <class V>
+HWY_INLINE NearPoints<V> near_of_point_triangle(const V& p, const V& va, const V& vb, const V& vc) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const V a = minus(va, p), b = minus(vb, p);
+  TriangleEdges<V> e{minus(vb, va), minus(vc, va), minus(vc, vb), all<N>(0), all<N>(0), all<N>(0)};
   e.ab_squared = dot(e.ab, e.ab);
   e.ac_squared = dot(e.ac, e.ac);
   e.bc_squared = dot(e.bc, e.bc);
-  const Vector normal = cross(e.ab, e.ac);
-  const Number area = dot(normal, normal), zero = hn::Zero(Tag());
-  const Number of_b = dot(cross(e.ac, a), normal), of_c = dot(cross(a, e.ab), normal);
-  const Mask on_face = hn::And(hn::Gt(lesser(of_b, of_c), zero), hn::Lt(hn::Add(of_b, of_c), area));
-  const Number inverse = hn::Div(all(1), area);
-  const Number second = clamped_share(hn::Mul(of_b, inverse));
-  const Number third = clamped_between(hn::Mul(of_c, inverse), zero, hn::Sub(all(1), second));
-  const Foot foot = select(on_face, foot_on_face(a, e, second, third), foot_on_edges(a, b, e));
+  const V normal = cross(e.ab, e.ac);
+  const N area = dot(normal, normal), zero = hn::Zero(TagOf<N>());
+  const N of_b = dot(cross(e.ac, a), normal), of_c = dot(cross(a, e.ab), normal);
+  const M on_face = hn::And(hn::Gt(lesser(of_b, of_c), zero), hn::Lt(hn::Add(of_b, of_c), area));
+  const N inverse = hn::Div(all<N>(1), area);
+  const N second = clamped_share(hn::Mul(of_b, inverse));
+  const N third = clamped_between(hn::Mul(of_c, inverse), zero, hn::Sub(all<N>(1), second));
+  const Foot<V> foot = select(on_face, foot_on_face(a, e, second, third), foot_on_edges(a, b, e));
 
-  const Vector& d = foot.at;
-  const Vector spread = plus(foot.spread, magnitudes_of(d));
-  const Number squared = dot(d, d);
-  const Number wrong = triangle_violation(foot, dot(e.ab, d), dot(e.ac, d), on_face);
-  const Number longest = greater(greater(e.ab_squared, e.ac_squared), e.bc_squared);
-  const Number rounding = hn::Mul(all(8), hn::Mul(longest, residual_floor(spread, squared)));
-  const Number residual = hn::Mul(longest, hn::Add(hn::Mul(all(8), hn::Mul(wrong, wrong)), rounding));
-  const Number size =
-      greater(hn::Mul(all(4), dot(p, p)), greater(longest, squared));  // at most 12 · (largest coordinate)²
-  const Mask near_enough = hn::Le(residual, hn::Mul(hn::Mul(all(0x1p-82 / 12), size), area));
-  const Mask loses_little = hn::Le(residual, hn::Mul(all(0x1p-54), hn::Mul(squared, area)));
-  const Mask plain = hn::And(hn::Gt(area, hn::Mul(all(0x1p-60), hn::Mul(longest, longest))), is_moderate(longest));
+  const V& d = foot.at;
+  const V spread = plus(foot.spread, magnitudes_of(d));
+  const N squared = dot(d, d);
+  const N wrong = triangle_violation(foot, dot(e.ab, d), dot(e.ac, d), on_face);
+  const N longest = greater(greater(e.ab_squared, e.ac_squared), e.bc_squared);
+  const N rounding = hn::Mul(all<N>(8), hn::Mul(longest, residual_floor(spread, squared)));
+  const N residual = hn::Mul(longest, hn::Add(hn::Mul(all<N>(8), hn::Mul(wrong, wrong)), rounding));
+  const N size =
+      greater(hn::Mul(all<N>(4), dot(p, p)), greater(longest, squared));  // at most 12 · (largest coordinate)²
+  const M near_enough = hn::Le(residual, hn::Mul(hn::Mul(all<N>(0x1p-82 / 12), size), area));
+  const M loses_little = hn::Le(residual, hn::Mul(all<N>(0x1p-54), hn::Mul(squared, area)));
+  const M plain = hn::And(hn::Gt(area, hn::Mul(all<N>(0x1p-60), hn::Mul(longest, longest))), is_moderate(longest));
   return {p,
           plus(p, d),
           negative(d),
@@ -235,23 +275,27 @@ HWY_INLINE NearPoints near_of_point_triangle(const Vector& p, const Vector& va, 
 }
 
 /// The corners of a box, and from which of them the nearest point is seen.
-using Corners = std::array<Vector, 8>;
+template <class V>
+using BoxVertices = std::array<V, 8>;
 
+template <class V>
 struct BoxSides {
-  std::array<Number, 3> squared;  ///< of the edges from corner 0, which stand for those across
-  std::array<Number, 3> inverse_squared;
-  std::array<Mask, 3> far;  ///< the nearest point is beyond the middle of the edge from corner 0
+  std::array<NumberOf<V>, 3> squared;  ///< of the edges from corner 0, which stand for those across
+  std::array<NumberOf<V>, 3> inverse_squared;
+  std::array<MaskOf<V>, 3> far;  ///< the nearest point is beyond the middle of the edge from corner 0
 };
 
-HWY_INLINE BoxSides sides_of(const Vector& p, const Vector& origin, const std::array<Vector, 3>& neighbour) {
-  BoxSides sides;
-  const Vector from = minus(p, origin);
+template <class V>
+HWY_INLINE BoxSides<V> sides_of(const V& p, const V& origin, const std::array<V, 3>& neighbour) {
+  using N = NumberOf<V>;
+  BoxSides<V> sides;
+  const V from = minus(p, origin);
 #pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vector edge = minus(neighbour[k], origin);
+    const V edge = minus(neighbour[k], origin);
     sides.squared[k] = dot(edge, edge);
-    sides.inverse_squared[k] = hn::Div(all(1), sides.squared[k]);
-    sides.far[k] = hn::Gt(dot(from, edge), hn::Mul(all(0.5), sides.squared[k]));
+    sides.inverse_squared[k] = hn::Div(all<N>(1), sides.squared[k]);
+    sides.far[k] = hn::Gt(dot(from, edge), hn::Mul(all<N>(0.5), sides.squared[k]));
   }
   return sides;
 }
@@ -269,90 +313,98 @@ HWY_INLINE BoxSides sides_of(const Vector& p, const Vector& origin, const std::a
 /// so as y is no farther from p than that point of K, and |x − p|² ≥ |d|² + |x − y'|²,
 ///   |x − y'|² ≤ 2 (2.2 β S |x − y'|) (|d| + β) + 2 β |x − y'|, and |y − y'| ≤ 3 β + 4.4 β S (|d| + β).
 /// With S² ≤ 3 Σ 1 / |e_k|² the square is at most 18 β² + 117 β² |d|² Σ 1 / |e_k|² but for higher powers of β.
+template <class V>
 struct BoxRest {
-  Number lowest;  ///< the least height along d over the first corner, less what it may be off by
-  Number bend;    ///< how far corners are from the parallelepiped of the first four, but for rounding
+  NumberOf<V> lowest;  ///< the least height along d over the first corner, less what it may be off by
+  NumberOf<V> bend;    ///< how far corners are from the parallelepiped of the first four, but for rounding
 };
 
-HWY_INLINE Number certain_height(const Vector& from_first, const Vector& d, const Vector& size_of_d) {
-  return hn::Sub(dot(from_first, d), hn::Mul(all(0x1p-51), dot(magnitudes_of(from_first), size_of_d)));
+template <class V>
+HWY_INLINE NumberOf<V> certain_height(const V& from_first, const V& d, const V& size_of_d) {
+  using N = NumberOf<V>;
+  return hn::Sub(dot(from_first, d), hn::Mul(all<N>(0x1p-51), dot(magnitudes_of(from_first), size_of_d)));
 }
 
 /// The nearest corner, and the three edges that leave it.
+template <class V>
 struct BoxCorner {
-  Vector at;
-  std::array<Vector, 3> edge;
+  V at;
+  std::array<V, 3> edge;
 };
 
-HWY_INLINE BoxRest rest_of_box(const Corners& c, const std::array<Vector, 3>& edge, const Vector& d) {
-  BoxRest rest{hn::Zero(Tag()), hn::Zero(Tag())};
-  const Vector size_of_d = magnitudes_of(d);
-  for (const Vector& e : edge) rest.lowest = lesser(rest.lowest, certain_height(e, d, size_of_d));
+template <class V>
+HWY_INLINE BoxRest<V> rest_of_box(const BoxVertices<V>& c, const std::array<V, 3>& edge, const V& d) {
+  using N = NumberOf<V>;
+  BoxRest<V> rest{hn::Zero(TagOf<N>()), hn::Zero(TagOf<N>())};
+  const V size_of_d = magnitudes_of(d);
+  for (const V& e : edge) rest.lowest = lesser(rest.lowest, certain_height(e, d, size_of_d));
   for (const std::size_t i : {std::size_t{3}, std::size_t{5}, std::size_t{6}, std::size_t{7}}) {
-    const Vector from_first = minus(c[i], c[0]);
+    const V from_first = minus(c[i], c[0]);
     rest.lowest = lesser(rest.lowest, certain_height(from_first, d, size_of_d));
-    Vector bent = from_first;
+    V bent = from_first;
     for (std::size_t k = 0; k < 3; ++k)
       if ((i >> k & 1) != 0) bent = minus(bent, edge[k]);
-    const Vector size = magnitudes_of(bent);
+    const V size = magnitudes_of(bent);
     rest.bend = greater(rest.bend, sum_of(size));
   }
   return rest;
 }
 
 /// `rest_along(d)` gives the rest.
-template <class RestAlong>
-HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& corner, const BoxSides& sides,
-                                           const RestAlong& rest_along) {
-  const Number zero = hn::Zero(Tag());
-  const std::array<Number, 3>& inverse_squared = sides.inverse_squared;
-  const std::array<Vector, 3>& edge = corner.edge;
-  const Vector from = minus(corner.at, p);
-  std::array<Number, 3> share;
-  std::array<Vector, 3> step;
+template <class V, class RestAlong>
+HWY_INLINE NearPoints<V> near_of_point_corner(const V& p, const BoxCorner<V>& corner, const BoxSides<V>& sides,
+                                              const RestAlong& rest_along) {
+  using N = NumberOf<V>;
+  using M = MaskOf<V>;
+  const N zero = hn::Zero(TagOf<N>());
+  const std::array<N, 3>& inverse_squared = sides.inverse_squared;
+  const std::array<V, 3>& edge = corner.edge;
+  const V from = minus(corner.at, p);
+  std::array<N, 3> share;
+  std::array<V, 3> step;
 #pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
-    share[k] = clamped_between(hn::Neg(hn::Mul(dot(from, edge[k]), inverse_squared[k])), zero, all(0.5));
+    share[k] = clamped_between(hn::Neg(hn::Mul(dot(from, edge[k]), inverse_squared[k])), zero, all<N>(0.5));
     step[k] = times(share[k], edge[k]);
   }
-  const Vector steps = plus(plus(step[0], step[1]), step[2]), d = plus(from, steps);
-  const Number squared = dot(d, d);
-  const Vector step_sizes = plus(plus(magnitudes_of(step[0]), magnitudes_of(step[1])), magnitudes_of(step[2]));
-  const Vector spread = plus(plus(magnitudes_of(from), times(all(4), step_sizes)), magnitudes_of(d));
+  const V steps = plus(plus(step[0], step[1]), step[2]), d = plus(from, steps);
+  const N squared = dot(d, d);
+  const V step_sizes = plus(plus(magnitudes_of(step[0]), magnitudes_of(step[1])), magnitudes_of(step[2]));
+  const V spread = plus(plus(magnitudes_of(from), times(all<N>(4), step_sizes)), magnitudes_of(d));
 
-  const BoxRest rest = rest_along(d);
-  Number drift = zero, residual = zero, size = greater(hn::Mul(all(4), dot(p, p)), squared), inverses = zero;
-  Mask free = hn::Eq(zero, zero);
+  const BoxRest<V> rest = rest_along(d);
+  N drift = zero, residual = zero, size = greater(hn::Mul(all<N>(4), dot(p, p)), squared), inverses = zero;
+  M free = hn::Eq(zero, zero);
 #pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
-    const Number slope = dot(edge[k], d);
-    const Mask inner = hn::Gt(share[k], zero);
-    const Number wrong = hn::IfThenElse(inner, slope, lesser(slope, zero));
+    const N slope = dot(edge[k], d);
+    const M inner = hn::Gt(share[k], zero);
+    const N wrong = hn::IfThenElse(inner, slope, lesser(slope, zero));
     residual = hn::Add(residual, hn::Mul(hn::Mul(wrong, wrong), inverse_squared[k]));
     drift = hn::Add(drift, hn::Mul(share[k], hn::Abs(slope)));
     size = greater(size, sides.squared[k]);
     inverses = hn::Add(inverses, inverse_squared[k]);
     free = hn::And(free, inner);
   }
-  const Number x = dot(edge[0], edge[1]), y = dot(edge[1], edge[2]), z = dot(edge[2], edge[0]);
-  const Number skew = hn::Add(hn::Add(hn::Mul(hn::Mul(x, x), hn::Mul(inverse_squared[0], inverse_squared[1])),
-                                      hn::Mul(hn::Mul(y, y), hn::Mul(inverse_squared[1], inverse_squared[2]))),
-                              hn::Mul(hn::Mul(z, z), hn::Mul(inverse_squared[2], inverse_squared[0])));
+  const N x = dot(edge[0], edge[1]), y = dot(edge[1], edge[2]), z = dot(edge[2], edge[0]);
+  const N skew = hn::Add(hn::Add(hn::Mul(hn::Mul(x, x), hn::Mul(inverse_squared[0], inverse_squared[1])),
+                                 hn::Mul(hn::Mul(y, y), hn::Mul(inverse_squared[1], inverse_squared[2]))),
+                         hn::Mul(hn::Mul(z, z), hn::Mul(inverse_squared[2], inverse_squared[0])));
   // Made of differences of corners and edges, the bend is off by 4 ε of the edges' magnitudes.
-  const Number edge_sizes = sum_of(plus(plus(magnitudes_of(edge[0]), magnitudes_of(edge[1])), magnitudes_of(edge[2])));
-  const Number bend = hn::Add(rest.bend, hn::Mul(all(0x1.1p-51), edge_sizes)), bend_squared = hn::Mul(bend, bend);
-  const Number bent =
-      hn::Mul(hn::Mul(all(32), bend_squared), hn::Add(all(1), hn::Mul(all(4), hn::Mul(squared, inverses))));
-  const Number floor = residual_floor(spread, squared);
-  const Number all_residual = hn::Add(hn::Mul(all(16), residual), hn::Add(floor, bent));
-  const Mask near_enough = hn::Le(all_residual, hn::Mul(all(0x1p-81 / 12), size));
-  const Mask like_a_box = hn::Le(hn::Add(skew, hn::Mul(bend_squared, inverses)), all(0x1p-12));
+  const N edge_sizes = sum_of(plus(plus(magnitudes_of(edge[0]), magnitudes_of(edge[1])), magnitudes_of(edge[2])));
+  const N bend = hn::Add(rest.bend, hn::Mul(all<N>(0x1.1p-51), edge_sizes)), bend_squared = hn::Mul(bend, bend);
+  const N bent =
+      hn::Mul(hn::Mul(all<N>(32), bend_squared), hn::Add(all<N>(1), hn::Mul(all<N>(4), hn::Mul(squared, inverses))));
+  const N floor = residual_floor(spread, squared);
+  const N all_residual = hn::Add(hn::Mul(all<N>(16), residual), hn::Add(floor, bent));
+  const M near_enough = hn::Le(all_residual, hn::Mul(all<N>(0x1p-81 / 12), size));
+  const M like_a_box = hn::Le(hn::Add(skew, hn::Mul(bend_squared, inverses)), all<N>(0x1p-12));
   // Within the box the point is its own nearest one, but for rounding.
-  const Mask within = hn::Le(hn::Add(squared, bend_squared), hn::Mul(all(0x1p-90), size));
-  const Mask beside = hn::And(hn::Not(free), hn::And(near_enough, like_a_box));
+  const M within = hn::Le(hn::Add(squared, bend_squared), hn::Mul(all<N>(0x1p-90), size));
+  const M beside = hn::And(hn::Not(free), hn::And(near_enough, like_a_box));
   // What d is off by across itself is of second order then.
-  const Mask long_enough = hn::Le(floor, hn::Mul(all(0x1p-50), squared));
-  const Number drift_error = hn::Mul(all(0x1p-51), dot(step_sizes, magnitudes_of(d)));
+  const M long_enough = hn::Le(floor, hn::Mul(all<N>(0x1p-50), squared));
+  const N drift_error = hn::Mul(all<N>(0x1p-51), dot(step_sizes, magnitudes_of(d)));
   return {p,
           plus(p, d),
           negative(d),
@@ -365,9 +417,10 @@ HWY_INLINE NearPoints near_of_point_corner(const Vector& p, const BoxCorner& cor
 }
 
 /// The corners are numbered from the one nearest to p, which is corner 0.
-HWY_INLINE NearPoints near_of_point_corners(const Vector& p, const Corners& c, const BoxSides& sides) {
-  const BoxCorner corner{c[0], {minus(c[1], c[0]), minus(c[2], c[0]), minus(c[4], c[0])}};
-  return near_of_point_corner(p, corner, sides, [&](const Vector& d) { return rest_of_box(c, corner.edge, d); });
+template <class V>
+HWY_INLINE NearPoints<V> near_of_point_corners(const V& p, const BoxVertices<V>& c, const BoxSides<V>& sides) {
+  const BoxCorner<V> corner{c[0], {minus(c[1], c[0]), minus(c[2], c[0]), minus(c[4], c[0])}};
+  return near_of_point_corner(p, corner, sides, [&](const V& d) { return rest_of_box(c, corner.edge, d); });
 }
 
 }  // namespace

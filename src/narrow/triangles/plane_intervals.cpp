@@ -16,12 +16,9 @@ IntervalEnd vertex_end_of(const Triangle& t, const PlaneSides& sides, int i, int
                                       : IntervalEnd{vertex_feature(i), &t[off], &t[i]};
 }
 
-constexpr int next(int i) { return (i + 1) % 3; }
-constexpr int previous(int i) { return (i + 2) % 3; }
-
 /// Vertices `alone` and after lie on both sides, none in the plane; `alone` is the one without company.
 PlaneInterval through_two_edges(const Triangle& t, const PlaneSides& sides, int alone) {
-  const IntervalEnd in = edge_end_of(t, sides, previous(alone)), out = edge_end_of(t, sides, alone);
+  const IntervalEnd in = edge_end_of(t, sides, previous_vertex(alone)), out = edge_end_of(t, sides, alone);
   // Around the triangle, interior on the left, the boundary rises through the plane where the interval starts.
   return sides[alone] == Sign::positive ? PlaneInterval{in, out, face_feature()}
                                         : PlaneInterval{out, in, face_feature()};
@@ -29,16 +26,16 @@ PlaneInterval through_two_edges(const Triangle& t, const PlaneSides& sides, int 
 
 /// Only vertex i lies in the plane.
 PlaneInterval through_one_vertex(const Triangle& t, const PlaneSides& sides, int i) {
-  const IntervalEnd at_vertex = vertex_end_of(t, sides, i, next(i));
-  if (sides[next(i)] == sides[previous(i)]) return {at_vertex, at_vertex, vertex_feature(i)};
-  const IntervalEnd at_edge = edge_end_of(t, sides, next(i));
-  return sides[next(i)] == Sign::positive ? PlaneInterval{at_vertex, at_edge, face_feature()}
-                                          : PlaneInterval{at_edge, at_vertex, face_feature()};
+  const IntervalEnd at_vertex = vertex_end_of(t, sides, i, next_vertex(i));
+  if (sides[next_vertex(i)] == sides[previous_vertex(i)]) return {at_vertex, at_vertex, vertex_feature(i)};
+  const IntervalEnd at_edge = edge_end_of(t, sides, next_vertex(i));
+  return sides[next_vertex(i)] == Sign::positive ? PlaneInterval{at_vertex, at_edge, face_feature()}
+                                                 : PlaneInterval{at_edge, at_vertex, face_feature()};
 }
 
 /// Only vertex `off` does not lie in the plane.
 PlaneInterval along_edge(const Triangle& t, const PlaneSides& sides, int off) {
-  const int i = next(off), j = previous(off);
+  const int i = next_vertex(off), j = previous_vertex(off);
   const IntervalEnd first = vertex_end_of(t, sides, i, off), second = vertex_end_of(t, sides, j, off);
   return sides[off] == Sign::negative ? PlaneInterval{first, second, edge_feature(i)}
                                       : PlaneInterval{second, first, edge_feature(i)};

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "narrow/triangles/grown_cores.hpp"
+#include "narrow/triangles/least_difference.hpp"
 #include "narrow/triangles/point_triangles.hpp"
 
 #ifndef TOCCATA_NARROW_POINT_TRIANGLES_ONCE
@@ -25,14 +26,14 @@ namespace HWY_NAMESPACE {
 namespace {
 
 HWY_INLINE Vector corner(const TriangleBlock& block, std::size_t i, std::size_t lane) {
-  return {hn::Load(Tag(), lanes_at(block, i, 0) + lane), hn::Load(Tag(), lanes_at(block, i, 1) + lane),
-          hn::Load(Tag(), lanes_at(block, i, 2) + lane)};
+  return {hn::Load(tag, lanes_at(block, i, 0) + lane), hn::Load(tag, lanes_at(block, i, 1) + lane),
+          hn::Load(tag, lanes_at(block, i, 2) + lane)};
 }
 
 /// The least height of the corners along any vector d bounds the distance from below: (v − p) · d / |d|, each off by
 /// less than 10 ε of the sum of magnitudes, of which 16 ε are taken off. 0 where squares may leave the range of
 /// doubles.
-HWY_INLINE Number lower_by_heights(const Vector& p, const std::array<Vector, 3>& v, const NearPoints& near) {
+HWY_INLINE Number lower_by_heights(const Vector& p, const std::array<Vector, 3>& v, const NearPoints<Vector>& near) {
   Number least = all(0), size = all(0);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector from = minus(p, v[i]);
@@ -40,7 +41,7 @@ HWY_INLINE Number lower_by_heights(const Vector& p, const std::array<Vector, 3>&
     least = i == 0 ? height : lesser(least, height);
     size = i == 0 ? sum_of(magnitudes_of(from)) : greater(size, sum_of(magnitudes_of(from)));
   }
-  const Number off = hn::Mul(all(0x1p-49), size), zero = hn::Zero(Tag());
+  const Number off = hn::Mul(all(0x1p-49), size), zero = hn::Zero(tag);
   const Mask plain =
       hn::And(hn::And(hn::Gt(near.squared, all(0x1p-500)), is_moderate(near.squared)), hn::Lt(size, all(0x1p250)));
   return hn::IfThenElseZero(plain, greater(hn::Sub(hn::Div(least, hn::Sqrt(near.squared)), off), zero));
@@ -49,15 +50,15 @@ HWY_INLINE Number lower_by_heights(const Vector& p, const std::array<Vector, 3>&
 HWY_INLINE void measure_lanes(const Vector& p, const TriangleBlock& triangles, std::size_t lane,
                               PointDistances& distances) {
   const std::array<Vector, 3> v{corner(triangles, 0, lane), corner(triangles, 1, lane), corner(triangles, 2, lane)};
-  const NearPoints near = near_of_point_triangle(p, v[0], v[1], v[2]);
-  const Number zero = hn::Zero(Tag());
-  const Reached how = reached(near, zero, zero);
-  const Found found = found_of(how, {near.on_a, near.on_b}, near.on_a);
-  hn::Store(found.upper, Tag(), distances.upper.data() + lane);
-  hn::Store(lower_by_heights(p, v, near), Tag(), distances.lower.data() + lane);
-  hn::Store(found.on_b.x, Tag(), distances.nearest[0].data() + lane);
-  hn::Store(found.on_b.y, Tag(), distances.nearest[1].data() + lane);
-  hn::Store(found.on_b.z, Tag(), distances.nearest[2].data() + lane);
+  const NearPoints<Vector> near = near_of_point_triangle(p, v[0], v[1], v[2]);
+  const Number zero = hn::Zero(tag);
+  const Reached<Vector> how = reached(near, zero, zero);
+  const Found<Vector> found = found_of(how, {near.on_a, near.on_b}, near.on_a);
+  hn::Store(found.upper, tag, distances.upper.data() + lane);
+  hn::Store(lower_by_heights(p, v, near), tag, distances.lower.data() + lane);
+  hn::Store(found.on_b.x, tag, distances.nearest[0].data() + lane);
+  hn::Store(found.on_b.y, tag, distances.nearest[1].data() + lane);
+  hn::Store(found.on_b.z, tag, distances.nearest[2].data() + lane);
 }
 
 /// The formula of `transform`, bit by bit.
@@ -70,68 +71,35 @@ HWY_INLINE Vector in_world(const Pose& pose, const Vector& v) {
   return {row_times(r[0], v, pose.offset.x), row_times(r[1], v, pose.offset.y), row_times(r[2], v, pose.offset.z)};
 }
 
-/// The least of some differences from a point to points of a triangle.
-struct Least {
-  Vector difference;
-  Number squared;
-
-  HWY_INLINE void see(const Vector& other) {
-    const Number other_squared = dot(other, other);
-    const Mask less = hn::Lt(other_squared, squared);
-    difference = select(less, other, difference);
-    squared = hn::IfThenElse(less, other_squared, squared);
-  }
-};
-
-/// Seen from the point: the foot on the face where it has one, and the nearest points of the edges. Shares are within 0
-/// and 1 whatever rounding does, so all are points of the triangle.
-HWY_INLINE Least least_difference(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
-  const Number along_ab = hn::Neg(dot(ab, a)), along_ac = hn::Neg(dot(ac, a)), along_bc = hn::Neg(dot(bc, b));
-  const Number ab_squared = dot(ab, ab), ac_squared = dot(ac, ac), both = dot(ab, ac);
-  const Vector on_ab = plus(a, times(clamped_share(hn::Div(along_ab, ab_squared)), ab));
-  Least least{on_ab, dot(on_ab, on_ab)};
-  least.see(plus(a, times(clamped_share(hn::Div(along_ac, ac_squared)), ac)));
-  least.see(plus(b, times(clamped_share(hn::Div(along_bc, dot(bc, bc))), bc)));
-  const Number inverse = hn::Div(all(1), hn::Sub(hn::Mul(ab_squared, ac_squared), hn::Mul(both, both)));
-  const Number s = clamped_share(hn::Mul(hn::Sub(hn::Mul(along_ab, ac_squared), hn::Mul(along_ac, both)), inverse));
-  const Number t = clamped_between(hn::Mul(hn::Sub(hn::Mul(along_ac, ab_squared), hn::Mul(along_ab, both)), inverse),
-                                   hn::Zero(Tag()), hn::Sub(all(1), s));
-  least.see(plus(a, plus(times(s, ab), times(t, ac))));
-  return least;
-}
-
-HWY_INLINE Number greatest_of(const Vector& v) { return greater(greater(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)); }
-
 /// The bounds are those of two triangles, one of which is a point: docs/methods/mesh-distance.md.
 HWY_INLINE void bound_lanes(const Vector& p, const Pose& pose, const TriangleBlock& triangles, std::size_t lane,
                             PointBounds& bounds) {
   const Vector a = minus(in_world(pose, corner(triangles, 0, lane)), p),
                b = minus(in_world(pose, corner(triangles, 1, lane)), p),
                c = minus(in_world(pose, corner(triangles, 2, lane)), p);
-  const Least least = least_difference(a, b, c);
+  const LeastDifference<Vector> least = least_difference(a, b, c);
   const Vector& d = least.difference;
   const Number length = hn::Sqrt(least.squared), height = lesser(lesser(dot(a, d), dot(b, d)), dot(c, d));
   const Number size = greater(greater(greatest_of(a), greatest_of(b)), greatest_of(c));
-  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(Tag());
+  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(tag);
   const Mask plain = hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
   const Mask some = hn::And(plain, hn::Gt(length, off));
-  hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), Tag(),
+  hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), tag,
             bounds.lower.data() + lane);
-  hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(Tag())), Tag(), bounds.upper.data() + lane);
+  hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(tag)), tag, bounds.upper.data() + lane);
 }
 
 }  // namespace
 
 void bound_at_this_level(const Vec3& point, const Pose& pose, const TriangleBlock& triangles, PointBounds& bounds) {
-  const Vector p = lanes_of(point);
-  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(Tag()))
+  const Vector p = in_all(point);
+  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(tag))
     bound_lanes(p, pose, triangles, lane, bounds);
 }
 
 void measure_at_this_level(const Vec3& point, const TriangleBlock& triangles, PointDistances& distances) {
-  const Vector p = lanes_of(point);
-  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(Tag()))
+  const Vector p = in_all(point);
+  for (std::size_t lane = 0; lane < triangles.count; lane += hn::Lanes(tag))
     measure_lanes(p, triangles, lane, distances);
 }
 

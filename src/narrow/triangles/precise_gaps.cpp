@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "narrow/triangles/lanes.hpp"
+#include "math/lanes.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -85,12 +85,12 @@ HWY_INLINE TwoNumbers dot(const PreciseVector& u, const PreciseVector& v) {
 }
 HWY_INLINE Vector high_parts(const PreciseVector& v) { return {v.x.high, v.y.high, v.z.high}; }
 
-using Corners = std::array<Vector, 3>;
+using TriangleVertices = std::array<Vector, 3>;
 
-HWY_INLINE Corners corners_in(const TrianglePairBlock::Corners& corners, std::size_t lane) {
+HWY_INLINE TriangleVertices corners_in(const TrianglePairBlock::Corners& corners, std::size_t lane) {
   const auto at = [&](std::size_t i) -> Vector {
-    return {hn::Load(Tag(), corners[i][0].data() + lane), hn::Load(Tag(), corners[i][1].data() + lane),
-            hn::Load(Tag(), corners[i][2].data() + lane)};
+    return {hn::Load(tag, corners[i][0].data() + lane), hn::Load(tag, corners[i][1].data() + lane),
+            hn::Load(tag, corners[i][2].data() + lane)};
   };
   return {at(0), at(1), at(2)};
 }
@@ -111,7 +111,7 @@ struct Differences {
   Mask of_face;
 };
 
-HWY_INLINE Differences differences(const Corners& a, const Corners& b, const Number& features) {
+HWY_INLINE Differences differences(const TriangleVertices& a, const TriangleVertices& b, const Number& features) {
   const auto is = [&](double number) { return hn::Eq(features, all(number)); };
   const auto is_from = [&](double first, double last) {
     return hn::And(hn::Ge(features, all(first)), hn::Le(features, all(last)));
@@ -129,38 +129,38 @@ HWY_INLINE Differences differences(const Corners& a, const Corners& b, const Num
 }
 
 /// Two shares, each the sum of two doubles.
-struct Shares {
+struct PreciseShares {
   Number s, t, more_s, more_t;
 };
 
 /// Well within what is allowed, or at an end of it and not moved.
 HWY_INLINE Mask fits(const Number& share, const Number& more) {
-  const Number zero = hn::Zero(Tag()), moved_to = hn::Add(share, more);
+  const Number zero = hn::Zero(tag), moved_to = hn::Add(share, more);
   const Mask inside = hn::And(hn::Gt(moved_to, all(0x1p-50)), hn::Lt(moved_to, all(1 - 0x1p-50)));
   const Mask as_it_was = hn::And(hn::Ge(share, zero), hn::Le(share, all(1)));
   return hn::Or(hn::And(hn::Eq(more, zero), as_it_was), hn::AndNot(hn::Eq(more, zero), inside));
 }
-HWY_INLINE Mask are_allowed(const Shares& at, const Mask& of_face) {
+HWY_INLINE Mask are_allowed(const PreciseShares& at, const Mask& of_face) {
   const Number sum = hn::Add(hn::Add(at.s, at.more_s), hn::Add(at.t, at.more_t));
   return hn::And(hn::And(fits(at.s, at.more_s), fits(at.t, at.more_t)),
                  hn::Or(hn::Not(of_face), hn::Lt(sum, all(1 - 0x1p-50))));
 }
 
 /// Two shares on the way to the least difference, and this.
-struct Reached {
-  Shares at;
+struct ReachedDifference {
+  PreciseShares at;
   PreciseVector difference;
 };
 
-HWY_INLINE Reached start_of(const Differences& d, const Number& s, const Number& t) {
-  return {{s, t, hn::Zero(Tag()), hn::Zero(Tag())}, moved(moved(d.start, s, d.along), t, d.other_along)};
+HWY_INLINE ReachedDifference start_of(const Differences& d, const Number& s, const Number& t) {
+  return {{s, t, hn::Zero(tag), hn::Zero(tag)}, moved(moved(d.start, s, d.along), t, d.other_along)};
 }
 
 /// After a step of Newton's, of the shares that are not at an end.
-HWY_INLINE Reached stepped(const Differences& d, const Reached& from) {
+HWY_INLINE ReachedDifference stepped(const Differences& d, const ReachedDifference& from) {
   const Number down = dot(from.difference, d.along).high, other_down = dot(from.difference, d.other_along).high;
   const Vector u = high_parts(d.along), v = high_parts(d.other_along);
-  const Number uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), zero = hn::Zero(Tag());
+  const Number uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), zero = hn::Zero(tag);
   const Number area = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
   const Mask free = hn::And(hn::Gt(from.at.s, zero), hn::Lt(from.at.s, all(1)));
   const Mask other_free = hn::And(hn::Gt(from.at.t, zero), hn::Lt(from.at.t, all(1)));
@@ -174,9 +174,9 @@ HWY_INLINE Reached stepped(const Differences& d, const Reached& from) {
 }
 
 /// How far apart the triangles are along a difference, times its length.
-HWY_INLINE TwoNumbers height(const PreciseVector& along, const Corners& a, const Corners& b) {
+HWY_INLINE TwoNumbers height(const PreciseVector& along, const TriangleVertices& a, const TriangleVertices& b) {
   const Vector& origin = b[0];
-  TwoNumbers least = dot(along, exact_difference(a[0], origin)), greatest{hn::Zero(Tag()), hn::Zero(Tag())};
+  TwoNumbers least = dot(along, exact_difference(a[0], origin)), greatest{hn::Zero(tag), hn::Zero(tag)};
   for (std::size_t i = 1; i < 3; ++i) {
     const TwoNumbers of_a = dot(along, exact_difference(a[i], origin));
     const TwoNumbers of_b = dot(along, exact_difference(b[i], origin));
@@ -186,56 +186,57 @@ HWY_INLINE TwoNumbers height(const PreciseVector& along, const Corners& a, const
   return minus(least, greatest);
 }
 
-HWY_INLINE Number largest_difference(const Corners& a, const Corners& b) {
-  Number largest = hn::Zero(Tag());
+HWY_INLINE Number largest_difference(const TriangleVertices& a, const TriangleVertices& b) {
+  Number largest = hn::Zero(tag);
   for (std::size_t i = 0; i < 3; ++i)
     for (const Vector& v : {minus(a[i], b[0]), minus(b[i], b[0])})
       largest = greater(greater(greater(largest, hn::Abs(v.x)), hn::Abs(v.y)), hn::Abs(v.z));
   return largest;
 }
 
-struct Ends {
+struct GapEnds {
   Number lower, upper;
 
   /// They tell something, but not enough: the step before did not come near enough to the least difference.
   HWY_INLINE Mask are_wide() const {
-    return hn::And(hn::Lt(upper, hn::Inf(Tag())), hn::Gt(hn::Sub(upper, lower), hn::Mul(all(0x1p-42), upper)));
+    return hn::And(hn::Lt(upper, hn::Inf(tag)), hn::Gt(hn::Sub(upper, lower), hn::Mul(all(0x1p-42), upper)));
   }
 };
 
 // Bounds: docs/methods/mesh-distance.md.
-HWY_INLINE Ends ends_of(const Corners& a, const Corners& b, const Mask& of_face, const Reached& reached) {
+HWY_INLINE GapEnds ends_of(const TriangleVertices& a, const TriangleVertices& b, const Mask& of_face,
+                           const ReachedDifference& reached) {
   const PreciseVector& least = reached.difference;
-  const Number size = largest_difference(a, b), off = hn::Mul(all(0x1p-90), size), zero = hn::Zero(Tag());
+  const Number size = largest_difference(a, b), off = hn::Mul(all(0x1p-90), size), zero = hn::Zero(tag);
   const Number length = hn::Sqrt(dot(least, least).high), lower = hn::Div(height(least, a, b).high, length);
   const Mask plain = hn::And(hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200))),
                              hn::Gt(length, hn::Mul(all(0x1p-60), size)));
   const Mask known = hn::And(plain, are_allowed(reached.at, of_face));
   const Number at_least = greater(hn::Sub(hn::Mul(lower, all(1 - 0x1p-49)), off), zero);
   const Number at_most = hn::Add(hn::Mul(length, all(1 + 0x1p-49)), off);
-  return {hn::IfThenElseZero(known, at_least), hn::IfThenElse(known, at_most, hn::Inf(Tag()))};
+  return {hn::IfThenElseZero(known, at_least), hn::IfThenElse(known, at_most, hn::Inf(tag))};
 }
 
 HWY_INLINE void refine_lanes(const TrianglePairBlock& block, std::size_t lane, TriangleGaps& gaps) {
-  const Corners a = corners_in(block.a, lane), b = corners_in(block.b, lane);
-  const Differences d = differences(a, b, hn::Load(Tag(), gaps.features.data() + lane));
-  const Number s = hn::Load(Tag(), gaps.share.data() + lane), t = hn::Load(Tag(), gaps.other_share.data() + lane);
-  const Reached once = stepped(d, start_of(d, s, t));
-  Ends ends = ends_of(a, b, d.of_face, once);
+  const TriangleVertices a = corners_in(block.a, lane), b = corners_in(block.b, lane);
+  const Differences d = differences(a, b, hn::Load(tag, gaps.features.data() + lane));
+  const Number s = hn::Load(tag, gaps.share.data() + lane), t = hn::Load(tag, gaps.other_share.data() + lane);
+  const ReachedDifference once = stepped(d, start_of(d, s, t));
+  GapEnds ends = ends_of(a, b, d.of_face, once);
   const Mask wide = ends.are_wide();
-  if (!hn::AllFalse(Tag(), wide)) {
+  if (!hn::AllFalse(tag, wide)) {
     // Only in the lanes that need it, so that none depends on its neighbours.
-    const Ends again = ends_of(a, b, d.of_face, stepped(d, once));
+    const GapEnds again = ends_of(a, b, d.of_face, stepped(d, once));
     ends = {hn::IfThenElse(wide, again.lower, ends.lower), hn::IfThenElse(wide, again.upper, ends.upper)};
   }
-  hn::Store(ends.lower, Tag(), gaps.lower.data() + lane);
-  hn::Store(ends.upper, Tag(), gaps.upper.data() + lane);
+  hn::Store(ends.lower, tag, gaps.lower.data() + lane);
+  hn::Store(ends.upper, tag, gaps.upper.data() + lane);
 }
 
 }  // namespace
 
 void refine_gaps_at_this_level(const TrianglePairBlock& block, TriangleGaps& gaps) {
-  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(Tag())) refine_lanes(block, lane, gaps);
+  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(tag)) refine_lanes(block, lane, gaps);
 }
 
 }  // namespace HWY_NAMESPACE

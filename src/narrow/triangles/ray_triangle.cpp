@@ -27,11 +27,11 @@ constexpr double most_off = 0x1p-43;
 
 enum class Line { unknown, misses, passes };
 
-double greatest(double a, double b, double c) { return std::max(std::max(a, b), c); }
-double least(double a, double b, double c) { return std::min(std::min(a, b), c); }
-inline double greatest_of(const Vec3& v) { return greatest(std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)); }
+double greatest_of_three(double a, double b, double c) { return std::max(std::max(a, b), c); }
+double least_of_three(double a, double b, double c) { return std::min(std::min(a, b), c); }
+inline double greatest_of(const Vec3& v) { return greatest_of_three(std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)); }
 
-bool in_range(double size) { return size > 0x1p-200 && size < 0x1p200; }
+bool is_of_plain_size(double size) { return size > 0x1p-200 && size < 0x1p200; }
 
 /// A triangle from the ray's origin.
 struct Seen {
@@ -39,17 +39,17 @@ struct Seen {
       : a(target[0] - ray.origin),
         b(target[1] - ray.origin),
         c(target[2] - ray.origin),
-        size(greatest(greatest_of(a), greatest_of(b), greatest_of(c))) {}
+        size(greatest_of_three(greatest_of(a), greatest_of(b), greatest_of(c))) {}
   Vec3 a, b, c;
   double size;
 };
 
 Line line_in_doubles(const PreparedRay& ray, const Seen& seen) {
-  if (!in_range(seen.size) || !in_range(ray.largest)) return Line::unknown;
+  if (!is_of_plain_size(seen.size) || !is_of_plain_size(ray.largest)) return Line::unknown;
   const double bound = 64 * unit * ray.largest * seen.size * seen.size;
   const double u = dot(ray.motion, cross(seen.b, seen.c)), v = dot(ray.motion, cross(seen.c, seen.a)),
                w = dot(ray.motion, cross(seen.a, seen.b));
-  const double low = least(u, v, w), high = greatest(u, v, w);
+  const double low = least_of_three(u, v, w), high = greatest_of_three(u, v, w);
   if (low < -bound && high > bound) return Line::misses;
   return low > bound || high < -bound ? Line::passes : Line::unknown;
 }
@@ -78,7 +78,7 @@ Passing passing_in_doubles(const PreparedRay& ray, const Triangle& target, const
   const Vec3 e = target[1] - target[0], f = target[2] - target[0];
   const Vec3 normal = cross(e, f);
   const double size = std::max(greatest_of(e), greatest_of(f));
-  if (!in_range(size) || !in_range(seen.size) || !in_range(ray.largest)) return {};
+  if (!is_of_plain_size(size) || !is_of_plain_size(seen.size) || !is_of_plain_size(ray.largest)) return {};
   const double bound = 64 * unit * size * size;
   const double time = dot(seen.a, normal) / dot(ray.motion, normal);
   const double sure_speed = std::fabs(dot(ray.motion, normal)) - bound * ray.largest;

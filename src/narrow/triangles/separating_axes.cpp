@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "narrow/triangles/triangle_features.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 
@@ -29,8 +30,6 @@
 namespace toccata {
 namespace {
 
-constexpr int next(int i) { return (i + 1) % 3; }
-
 bool strictly_one_side(std::initializer_list<Sign> signs) {
   const Sign first = *signs.begin();
   return first != Sign::zero && std::all_of(signs.begin(), signs.end(), [=](Sign s) { return s == first; });
@@ -43,12 +42,12 @@ bool normal_separates(const Triangle& t, const Triangle& other) {
 
 /// Both ends of an edge have the same height along the axis, so one end and the opposite vertex stand for a triangle.
 bool cross_product_separates(const Triangle& a, int i, const Triangle& b, int j) {
-  const Difference edge_a{a[next(i)], a[i]}, edge_b{b[next(j)], b[j]};
+  const Difference edge_a{a[next_vertex(i)], a[i]}, edge_b{b[next_vertex(j)], b[j]};
   const auto height = [&](const Vec3& from_a, const Vec3& to_b) {
     return triple_product_sign({to_b, from_a}, edge_a, edge_b);
   };
   const Sign first = height(a[i], b[j]);
-  const Vec3 &apex_a = a[next(next(i))], &apex_b = b[next(next(j))];
+  const Vec3 &apex_a = a[next_vertex(next_vertex(i))], &apex_b = b[next_vertex(next_vertex(j))];
   return first != Sign::zero && height(apex_a, b[j]) == first && height(a[i], apex_b) == first &&
          height(apex_a, apex_b) == first;
 }
@@ -68,9 +67,9 @@ Sign turn_seen_along(int axis, const Vec3& p, const Vec3& q, const Vec3& r) {
 /// The line of edge i of `t` and its third vertex on one side, all of `other` strictly on the opposite side, or `t` on
 /// the line itself.
 bool edge_separates(int axis, const Triangle& t, int i, const Triangle& other) {
-  const auto side = [&](const Vec3& v) { return turn_seen_along(axis, t[i], t[next(i)], v); };
+  const auto side = [&](const Vec3& v) { return turn_seen_along(axis, t[i], t[next_vertex(i)], v); };
   const Sign beyond = side(other[0]);
-  return strictly_one_side({beyond, side(other[1]), side(other[2])}) && side(t[next(next(i))]) != beyond;
+  return strictly_one_side({beyond, side(other[1]), side(other[2])}) && side(t[next_vertex(next_vertex(i))]) != beyond;
 }
 
 bool separated_in_plane(int axis, const Triangle& a, const Triangle& b) {

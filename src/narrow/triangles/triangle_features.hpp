@@ -43,6 +43,9 @@ constexpr Feature feature_of_vertices(unsigned set) {
   return by_set[set];
 }
 
+constexpr int next_vertex(int i) { return (i + 1) % 3; }
+constexpr int previous_vertex(int i) { return (i + 2) % 3; }
+
 /// The first and the second vertex of edge i.
 constexpr const Vec3& edge_start(const Triangle& t, int i) { return t[i]; }
 constexpr const Vec3& edge_end(const Triangle& t, int i) { return t[(i + 1) % 3]; }

@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "narrow/triangles/lanes.hpp"
+#include "math/lanes.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 
 #ifndef TOCCATA_NARROW_TRIANGLE_GAPS_ONCE
@@ -30,19 +30,19 @@ namespace {
 // be, the heights of the vertices along it tell. Bounds: docs/methods/mesh-distance.md.
 
 HWY_INLINE Vector corner(const TrianglePairBlock::Corners& corners, std::size_t i, std::size_t lane) {
-  return {hn::Load(Tag(), lanes_at(corners, i, 0) + lane), hn::Load(Tag(), lanes_at(corners, i, 1) + lane),
-          hn::Load(Tag(), lanes_at(corners, i, 2) + lane)};
+  return {hn::Load(tag, lanes_at(corners, i, 0) + lane), hn::Load(tag, lanes_at(corners, i, 1) + lane),
+          hn::Load(tag, lanes_at(corners, i, 2) + lane)};
 }
 
 /// A triangle seen from somewhere, with its edges.
-struct Side {
+struct SeenTriangle {
   std::array<Vector, 3> vertex;
   std::array<Vector, 3> edge;  ///< from vertex i to the next
   std::array<Number, 3> inverse_squared;
 };
 
-HWY_INLINE Side side_of(const TrianglePairBlock::Corners& corners, std::size_t lane, const Vector& origin) {
-  Side side;
+HWY_INLINE SeenTriangle seen_from(const TrianglePairBlock::Corners& corners, std::size_t lane, const Vector& origin) {
+  SeenTriangle side;
   for (std::size_t i = 0; i < 3; ++i) side.vertex[i] = minus(corner(corners, i, lane), origin);
   for (std::size_t i = 0; i < 3; ++i) {
     side.edge[i] = minus(side.vertex[(i + 1) % 3], side.vertex[i]);
@@ -52,7 +52,7 @@ HWY_INLINE Side side_of(const TrianglePairBlock::Corners& corners, std::size_t l
 }
 
 /// The least difference so far, from a point of b to one of a.
-struct Least {
+struct LeastOfFeatures {
   Vector difference;
   Number squared, features, share, other_share;
 
@@ -71,7 +71,8 @@ struct Least {
 /// x + s·u.
 HWY_INLINE Vector moved(const Vector& x, const Number& s, const Vector& u) { return plus(x, times(s, u)); }
 
-HWY_INLINE void see_edges(const Side& a, const Side& b, std::size_t i, std::size_t j, Least& least) {
+HWY_INLINE void see_edges(const SeenTriangle& a, const SeenTriangle& b, std::size_t i, std::size_t j,
+                          LeastOfFeatures& least) {
   const Vector between = minus(a.vertex[i], b.vertex[j]);
   const Vector &u = a.edge[i], &v = b.edge[j];
   const Number uv = dot(u, v), ur = dot(u, between), vr = dot(v, between);
@@ -86,13 +87,13 @@ HWY_INLINE void see_edges(const Side& a, const Side& b, std::size_t i, std::size
 }
 
 /// What a face is asked with.
-struct Face {
+struct AskedFace {
   Vector first, second;  ///< edges from vertex 0
   Number first_squared, second_squared, both, inverse;
 };
 
-HWY_INLINE Face face_of(const Side& side) {
-  Face face{side.edge[0], negative(side.edge[2]), all(0), all(0), all(0), all(0)};
+HWY_INLINE AskedFace face_of(const SeenTriangle& side) {
+  AskedFace face{side.edge[0], negative(side.edge[2]), all(0), all(0), all(0), all(0)};
   face.first_squared = dot(face.first, face.first);
   face.second_squared = dot(face.second, face.second);
   face.both = dot(face.first, face.second);
@@ -107,22 +108,22 @@ struct AboveFace {
   Number share, other_share;
 };
 
-HWY_INLINE AboveFace above_face(const Face& face, const Vector& from) {
+HWY_INLINE AboveFace above_face(const AskedFace& face, const Vector& from) {
   const Number first = dot(from, face.first), second = dot(from, face.second);
   const Number s =
       clamped_share(hn::Mul(hn::Sub(hn::Mul(first, face.second_squared), hn::Mul(second, face.both)), face.inverse));
   const Number t =
       clamped_between(hn::Mul(hn::Sub(hn::Mul(second, face.first_squared), hn::Mul(first, face.both)), face.inverse),
-                      hn::Zero(Tag()), hn::Sub(all(1), s));
+                      hn::Zero(tag), hn::Sub(all(1), s));
   return {minus(minus(from, times(s, face.first)), times(t, face.second)), s, t};
 }
 
-HWY_INLINE Least least_difference(const Side& a, const Side& b) {
+HWY_INLINE LeastOfFeatures least_of_features(const SeenTriangle& a, const SeenTriangle& b) {
   const Vector first = minus(a.vertex[0], b.vertex[0]);
-  Least least{first, dot(first, first), all(0), all(0), all(0)};
+  LeastOfFeatures least{first, dot(first, first), all(0), all(0), all(0)};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) see_edges(a, b, i, j, least);
-  const Face face_a = face_of(a), face_b = face_of(b);
+  const AskedFace face_a = face_of(a), face_b = face_of(b);
   for (std::size_t i = 0; i < 3; ++i) {
     const AboveFace of_a = above_face(face_b, minus(a.vertex[i], b.vertex[0]));
     const AboveFace of_b = above_face(face_a, minus(b.vertex[i], a.vertex[0]));
@@ -132,22 +133,20 @@ HWY_INLINE Least least_difference(const Side& a, const Side& b) {
   return least;
 }
 
-HWY_INLINE Number magnitude(const Vector& v) { return greater(greater(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)); }
-
 /// The greatest coordinate; what is not a number stays one.
-HWY_INLINE Number size_of(const Side& a, const Side& b) {
-  Number size = magnitude(b.vertex[0]), all_of_them = hn::Zero(Tag());
+HWY_INLINE Number size_of(const SeenTriangle& a, const SeenTriangle& b) {
+  Number size = greatest_of(b.vertex[0]), all_of_them = hn::Zero(tag);
   for (std::size_t i = 0; i < 3; ++i) {
-    size = greater(size, greater(magnitude(a.vertex[i]), magnitude(b.vertex[i])));
-    all_of_them = hn::Add(all_of_them, hn::Add(magnitude(a.vertex[i]), magnitude(b.vertex[i])));
+    size = greater(size, greater(greatest_of(a.vertex[i]), greatest_of(b.vertex[i])));
+    all_of_them = hn::Add(all_of_them, hn::Add(greatest_of(a.vertex[i]), greatest_of(b.vertex[i])));
   }
-  return hn::Add(size, hn::Mul(all_of_them, hn::Zero(Tag())));
+  return hn::Add(size, hn::Mul(all_of_them, hn::Zero(tag)));
 }
 
 HWY_INLINE void bound_lanes(const TrianglePairBlock& block, std::size_t lane, TriangleGaps& gaps) {
   const Vector origin = corner(block.a, 0, lane);
-  const Side a = side_of(block.a, lane, origin), b = side_of(block.b, lane, origin);
-  const Least least = least_difference(a, b);
+  const SeenTriangle a = seen_from(block.a, lane, origin), b = seen_from(block.b, lane, origin);
+  const LeastOfFeatures least = least_of_features(a, b);
   const Vector& d = least.difference;
   std::array<Number, 3> above, below;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -157,21 +156,21 @@ HWY_INLINE void bound_lanes(const TrianglePairBlock& block, std::size_t lane, Tr
   const Number length = hn::Sqrt(least.squared), size = size_of(a, b);
   const Number height =
       hn::Sub(lesser(lesser(above[0], above[1]), above[2]), greater(greater(below[0], below[1]), below[2]));
-  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(Tag());
+  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(tag);
   const Mask plain = hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
   const Mask some = hn::And(plain, hn::Gt(length, off));
-  hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), Tag(),
+  hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), tag,
             gaps.lower.data() + lane);
-  hn::Store(least.features, Tag(), gaps.features.data() + lane);
-  hn::Store(least.share, Tag(), gaps.share.data() + lane);
-  hn::Store(least.other_share, Tag(), gaps.other_share.data() + lane);
-  hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(Tag())), Tag(), gaps.upper.data() + lane);
+  hn::Store(least.features, tag, gaps.features.data() + lane);
+  hn::Store(least.share, tag, gaps.share.data() + lane);
+  hn::Store(least.other_share, tag, gaps.other_share.data() + lane);
+  hn::Store(hn::IfThenElse(plain, hn::Add(length, off), hn::Inf(tag)), tag, gaps.upper.data() + lane);
 }
 
 }  // namespace
 
 void bound_gaps_at_this_level(const TrianglePairBlock& block, TriangleGaps& gaps) {
-  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(Tag())) bound_lanes(block, lane, gaps);
+  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(tag)) bound_lanes(block, lane, gaps);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -6,10 +6,8 @@
 namespace toccata {
 namespace {
 
-using Kind = ConvexFeature::Kind;
-
 /// Edges that spread a feature of A start at its first vertex, those of B end there.
-template <Kind kind_a, Kind kind_b>
+template <ConvexFeature::Kind kind_a, ConvexFeature::Kind kind_b>
 [[gnu::always_inline]] inline SpreadFeatures spread_features(const WalkBody& a, const WalkBody& b,
                                                              const FeaturesAsked& asked) {
   const auto &of_a = asked.corners[0].vertex, &of_b = asked.corners[1].vertex;
@@ -33,7 +31,7 @@ template <Kind kind_a, Kind kind_b>
 }
 
 /// One function for each two kinds: its numbers are many and stay where they are.
-template <Kind kind_a, Kind kind_b>
+template <ConvexFeature::Kind kind_a, ConvexFeature::Kind kind_b>
 std::optional<Distance> proved(const PosedConvex& a, const WalkBody& body_a, const PosedConvex& b,
                                const WalkBody& body_b, const FeaturesAsked& asked) {
   FormulaNumbers numbers;
@@ -56,14 +54,18 @@ std::optional<Distance> proved(const PosedConvex& a, const WalkBody& body_a, con
 
 std::optional<Distance> proved_distance(const PosedConvex& a, const WalkBody& body_a, const PosedConvex& b,
                                         const WalkBody& body_b, const FeaturesAsked& asked) {
-  const Kind kind_a = asked.feature[0].kind, kind_b = asked.feature[1].kind;
-  if (kind_a == Kind::face) return proved<Kind::face, Kind::vertex>(a, body_a, b, body_b, asked);
-  if (kind_b == Kind::face) return proved<Kind::vertex, Kind::face>(a, body_a, b, body_b, asked);
-  if (kind_a == Kind::edge)
-    return kind_b == Kind::edge ? proved<Kind::edge, Kind::edge>(a, body_a, b, body_b, asked)
-                                : proved<Kind::edge, Kind::vertex>(a, body_a, b, body_b, asked);
-  return kind_b == Kind::edge ? proved<Kind::vertex, Kind::edge>(a, body_a, b, body_b, asked)
-                              : proved<Kind::vertex, Kind::vertex>(a, body_a, b, body_b, asked);
+  const ConvexFeature::Kind kind_a = asked.feature[0].kind, kind_b = asked.feature[1].kind;
+  if (kind_a == ConvexFeature::Kind::face)
+    return proved<ConvexFeature::Kind::face, ConvexFeature::Kind::vertex>(a, body_a, b, body_b, asked);
+  if (kind_b == ConvexFeature::Kind::face)
+    return proved<ConvexFeature::Kind::vertex, ConvexFeature::Kind::face>(a, body_a, b, body_b, asked);
+  if (kind_a == ConvexFeature::Kind::edge)
+    return kind_b == ConvexFeature::Kind::edge
+               ? proved<ConvexFeature::Kind::edge, ConvexFeature::Kind::edge>(a, body_a, b, body_b, asked)
+               : proved<ConvexFeature::Kind::edge, ConvexFeature::Kind::vertex>(a, body_a, b, body_b, asked);
+  return kind_b == ConvexFeature::Kind::edge
+             ? proved<ConvexFeature::Kind::vertex, ConvexFeature::Kind::edge>(a, body_a, b, body_b, asked)
+             : proved<ConvexFeature::Kind::vertex, ConvexFeature::Kind::vertex>(a, body_a, b, body_b, asked);
 }
 
 }  // namespace toccata

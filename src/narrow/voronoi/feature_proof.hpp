@@ -9,7 +9,7 @@
 namespace toccata {
 
 /// Up to three vertices of a feature, ascending, that have a point of it between them.
-struct Corners {
+struct FeatureCorners {
   std::array<Index, 3> vertex{};
   std::size_t count = 0;
 };
@@ -17,11 +17,11 @@ struct Corners {
 /// A feature of each of two shapes that moved, and the vertices that stand for it.
 struct FeaturesAsked {
   std::array<ConvexFeature, 2> feature;
-  std::array<Corners, 2> corners;
+  std::array<FeatureCorners, 2> corners;
 };
 
 /// Of a feature that is no face of more than three corners.
-[[nodiscard]] inline Corners corners_of(const VoronoiRegions::Parts& parts, const ConvexFeature& feature) {
+[[nodiscard]] inline FeatureCorners corners_of(const VoronoiRegions::Parts& parts, const ConvexFeature& feature) {
   if (feature.kind == ConvexFeature::Kind::edge) {
     const auto& ends = parts.edge(feature.index).vertex;
     return {{ends[0], ends[1], 0}, 2};

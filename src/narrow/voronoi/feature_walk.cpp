@@ -6,9 +6,6 @@
 namespace toccata {
 namespace {
 
-using Parts = VoronoiRegions::Parts;
-using Kind = ConvexFeature::Kind;
-
 /// A face in the world.
 class WorldFace {
  public:
@@ -47,7 +44,7 @@ class WorldFace {
   }
 
   const WalkBody& body_;
-  const Parts::Side& side_;
+  const RegionParts::Side& side_;
   double turn_ = 1;
   Vec3 normal_;
   Vec3 first_;
@@ -60,16 +57,16 @@ struct Descent {
   double slope = 0;  // of the distance; negative
 };
 
-class Walk {
+class WalkOfFeatures {
  public:
-  Walk(const WalkBody& a, const WalkBody& b) : body_{a, b} {}
+  WalkOfFeatures(const WalkBody& a, const WalkBody& b) : body_{a, b} {}
 
   /// The nearest points of two features, until the next are asked for; null where a vertex lies behind a face.
   const FeaturesNear* nearest(const ConvexFeature& on_a, const ConvexFeature& on_b) {
     best_.squared = infinity;
-    if (on_a.kind == Kind::face) {
+    if (on_a.kind == ConvexFeature::Kind::face) {
       if (!at_face(0, on_a.index, on_b.index)) return nullptr;
-    } else if (on_b.kind == Kind::face) {
+    } else if (on_b.kind == ConvexFeature::Kind::face) {
       if (!at_face(1, on_b.index, on_a.index)) return nullptr;
     } else {
       at_low_features(on_a, on_b);
@@ -85,8 +82,9 @@ class Walk {
       const Vec3 outward = of == 0 ? near.between : -near.between;
       const Vec3 own = body_[of].own(outward);
       const ConvexFeature& feature = near.feature[of];
-      if (feature.kind == Kind::vertex) from_vertex(of, feature.index, own, best);
-      if (feature.kind == Kind::edge && parts(of).has_faces()) below |= !from_edge(of, feature.index, own, best);
+      if (feature.kind == ConvexFeature::Kind::vertex) from_vertex(of, feature.index, own, best);
+      if (feature.kind == ConvexFeature::Kind::edge && parts(of).has_faces())
+        below |= !from_edge(of, feature.index, own, best);
     }
     return best;
   }
@@ -96,11 +94,12 @@ class Walk {
     best_.squared = infinity;
     const std::size_t of = step.of, other = 1 - of;
     const ConvexFeature beside = near.feature[other];
-    if (step.to.kind == Kind::face) {
-      const bool found = beside.kind == Kind::vertex ? at_face(of, step.to.index, beside.index)
-                                                     : along_face(of, step.to.index, beside.index, near.on[other]);
+    if (step.to.kind == ConvexFeature::Kind::face) {
+      const bool found = beside.kind == ConvexFeature::Kind::vertex
+                             ? at_face(of, step.to.index, beside.index)
+                             : along_face(of, step.to.index, beside.index, near.on[other]);
       if (!found) return nullptr;
-    } else if (beside.kind == Kind::face) {
+    } else if (beside.kind == ConvexFeature::Kind::face) {
       if (!along_face(other, beside.index, step.to.index, near.on[of])) return nullptr;
     } else {
       at_low_features(of == 0 ? step.to : beside, of == 0 ? beside : step.to);
@@ -109,7 +108,7 @@ class Walk {
   }
 
  private:
-  [[nodiscard]] const Parts& parts(std::size_t of) const { return *body_[of].parts; }
+  [[nodiscard]] const RegionParts& parts(std::size_t of) const { return *body_[of].parts; }
   [[nodiscard]] Vec3 world(std::size_t of, Index vertex) const { return body_[of].vertex(vertex); }
 
   void offer(std::size_t of, const ConvexFeature& feature, const ConvexFeature& other, const Vec3& on,
@@ -126,7 +125,7 @@ class Walk {
 
   void at_vertices(Index a, Index b) {
     const Vec3 on_a = world(0, a), on_b = world(1, b);
-    offer(0, {Kind::vertex, a}, {Kind::vertex, b}, on_a, on_b, on_a - on_b);
+    offer(0, {ConvexFeature::Kind::vertex, a}, {ConvexFeature::Kind::vertex, b}, on_a, on_b, on_a - on_b);
   }
 
   struct Edge {
@@ -136,7 +135,7 @@ class Walk {
   };
 
   [[nodiscard]] Edge edge(std::size_t of, Index half_edge) const {
-    const Parts::Edge& own = parts(of).edge(half_edge);
+    const RegionParts::Edge& own = parts(of).edge(half_edge);
     return {own.half_edge, own.vertex, world(of, own.vertex[0]), world(of, own.vertex[1])};
   }
 
@@ -144,12 +143,13 @@ class Walk {
   void at_edge_and_vertex(std::size_t of, const Edge& edge, Index vertex, const Vec3& on_other) {
     const Vec3 along = edge.to - edge.from, first = edge.from - on_other;
     const double forth = -dot(first, along), whole = dot(along, along);
-    const ConvexFeature other{Kind::vertex, vertex};
-    if (!(forth > 0)) return offer(of, {Kind::vertex, edge.vertex[0]}, other, edge.from, on_other, first);
+    const ConvexFeature other{ConvexFeature::Kind::vertex, vertex};
+    if (!(forth > 0))
+      return offer(of, {ConvexFeature::Kind::vertex, edge.vertex[0]}, other, edge.from, on_other, first);
     if (!(forth < whole))
-      return offer(of, {Kind::vertex, edge.vertex[1]}, other, edge.to, on_other, edge.to - on_other);
+      return offer(of, {ConvexFeature::Kind::vertex, edge.vertex[1]}, other, edge.to, on_other, edge.to - on_other);
     const Vec3 moved = (forth / whole) * along;
-    offer(of, {Kind::edge, edge.half_edge}, other, edge.from + moved, on_other, first + moved);
+    offer(of, {ConvexFeature::Kind::edge, edge.half_edge}, other, edge.from + moved, on_other, first + moved);
   }
 
   void at_edges(const Edge& a, const Edge& b) {
@@ -159,8 +159,8 @@ class Walk {
     const double share_a = dot(cross(along_b, first), normal), share_b = dot(cross(along_a, first), normal);
     if (share_a > 0 && share_a < squared && share_b > 0 && share_b < squared) {
       const Vec3 between = (dot(normal, first) / squared) * normal;
-      offer(0, {Kind::edge, a.half_edge}, {Kind::edge, b.half_edge}, a.from + (share_a / squared) * along_a,
-            b.from + (share_b / squared) * along_b, between);
+      offer(0, {ConvexFeature::Kind::edge, a.half_edge}, {ConvexFeature::Kind::edge, b.half_edge},
+            a.from + (share_a / squared) * along_a, b.from + (share_b / squared) * along_b, between);
       return;
     }
     at_edge_and_vertex(0, a, b.vertex[0], b.from);
@@ -170,9 +170,12 @@ class Walk {
   }
 
   void at_low_features(const ConvexFeature& a, const ConvexFeature& b) {
-    if (a.kind == Kind::vertex && b.kind == Kind::vertex) return at_vertices(a.index, b.index);
-    if (a.kind == Kind::vertex) return at_edge_and_vertex(1, edge(1, b.index), a.index, world(0, a.index));
-    if (b.kind == Kind::vertex) return at_edge_and_vertex(0, edge(0, a.index), b.index, world(1, b.index));
+    if (a.kind == ConvexFeature::Kind::vertex && b.kind == ConvexFeature::Kind::vertex)
+      return at_vertices(a.index, b.index);
+    if (a.kind == ConvexFeature::Kind::vertex)
+      return at_edge_and_vertex(1, edge(1, b.index), a.index, world(0, a.index));
+    if (b.kind == ConvexFeature::Kind::vertex)
+      return at_edge_and_vertex(0, edge(0, a.index), b.index, world(1, b.index));
     at_edges(edge(0, a.index), edge(1, b.index));
   }
 
@@ -190,7 +193,7 @@ class Walk {
     });
     if (!inside) return true;
     const Vec3 up = (above / dot(plane.normal(), plane.normal())) * plane.normal();
-    offer(of, {Kind::face, face}, {Kind::vertex, vertex}, p - up, p, -up);
+    offer(of, {ConvexFeature::Kind::face, face}, {ConvexFeature::Kind::vertex, vertex}, p - up, p, -up);
     return true;
   }
 
@@ -230,20 +233,20 @@ class Walk {
   }
 
   void from_vertex(std::size_t of, Index vertex, const Vec3& outward, Descent& best) const {
-    const Parts& p = parts(of);
+    const RegionParts& p = parts(of);
     const Vec3 start = p.vertex(vertex);
-    for (const Parts::Spoke& spoke : p.spokes_at(vertex)) {
+    for (const RegionParts::Spoke& spoke : p.spokes_at(vertex)) {
       const Vec3 way = p.vertex(spoke.vertex) - start;
       const double falls = dot(outward, way);
       if (!(falls < 0)) continue;
       const double slope = falls / plain_length(way);
-      if (slope < best.slope) best = {of, {Kind::edge, p.edge_of(spoke.half_edge)}, slope};
+      if (slope < best.slope) best = {of, {ConvexFeature::Kind::edge, p.edge_of(spoke.half_edge)}, slope};
     }
   }
 
   /// No where every way into a face leads behind it.
   [[nodiscard]] bool from_edge(std::size_t of, Index edge, const Vec3& outward, Descent& best) const {
-    const Parts& p = parts(of);
+    const RegionParts& p = parts(of);
     const Index number = p.edge_number[edge];
     const auto [least, greatest] = p.edges[number].vertex;
     Vec3 way = p.vertex(greatest) - p.vertex(least);
@@ -257,7 +260,7 @@ class Walk {
       falls = true;
       if (!(dot(outward, normal) < 0)) continue;
       stays = true;
-      if (slope < best.slope) best = {of, {Kind::face, face}, slope};
+      if (slope < best.slope) best = {of, {ConvexFeature::Kind::face, face}, slope};
     }
     return stays || !falls;
   }
@@ -267,7 +270,7 @@ class Walk {
 };
 
 /// From the features to the nearest ones.
-FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& on_b, VoronoiPath* path) {
+FeatureWalk walked(WalkOfFeatures& walk, const ConvexFeature& on_a, const ConvexFeature& on_b, VoronoiPath* path) {
   const FeaturesNear* const start = walk.nearest(on_a, on_b);
   if (start == nullptr) return {{{on_a, on_b}, {}, {}, 0}, WalkEnd::below, 0};
   FeatureWalk result{*start, WalkEnd::nearest, 0};
@@ -296,7 +299,7 @@ FeatureWalk walked(Walk& walk, const ConvexFeature& on_a, const ConvexFeature& o
 FeatureWalk walk_features(const WalkBody& a, const WalkBody& b, const ConvexFeature& on_a, const ConvexFeature& on_b,
                           VoronoiPath* path) {
   if (path != nullptr) path->visits.clear();
-  Walk walk(a, b);
+  WalkOfFeatures walk(a, b);
   const FeatureWalk result = walked(walk, on_a, on_b, path);
   if (path != nullptr) path->end = result.end;
   return result;

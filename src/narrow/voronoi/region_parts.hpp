@@ -76,6 +76,8 @@ struct VoronoiRegions::Parts {
   [[nodiscard]] Index edge_of(Index half_edge) const { return edge(half_edge).half_edge; }
 };
 
+using RegionParts = VoronoiRegions::Parts;
+
 /// The vertices of a face, in its order.
 [[nodiscard]] inline std::span<const Index> corners_of_face(const HullTopology& t, Index face) {
   return t.origin.subspan(t.face_start[face], t.face_start[face + 1] - t.face_start[face]);

@@ -9,9 +9,6 @@
 namespace toccata {
 namespace {
 
-using Parts = VoronoiRegions::Parts;
-using Kind = ConvexFeature::Kind;
-
 /// (to − from) · (p − from), and with what its products add up to.
 Filtered filtered_along(const Vec3& from, const Vec3& to, const Vec3& p) {
   const Vec3 e = to - from, q = p - from;
@@ -21,7 +18,7 @@ Filtered filtered_along(const Vec3& from, const Vec3& to, const Vec3& p) {
 }
 
 /// On which side of a vertex–edge plane a point lies: positive, ahead of the vertex along the edge.
-Sign side_of_vertex(const Parts& parts, Index half_edge, const Vec3& p) {
+Sign side_of_vertex(const RegionParts& parts, Index half_edge, const Vec3& p) {
   const Vec3 from = parts.vertex(parts.topology.origin[half_edge]);
   const Vec3 to = parts.vertex(parts.topology.target(half_edge));
   const Filtered along = filtered_along(from, to, p);
@@ -38,7 +35,7 @@ double magnitude_of_product(const Vec3& u, const Vec3& v) {
 /// On which side of an edge–face plane: positive, ahead of the edge into the face. With the edge e and another edge f
 /// of the face from the same corner, both from the edge's end, the way into the face is (e × f) × e = (e · e) f − (e ·
 /// f) e turned as e and f turn.
-Sign side_of_edge(const Parts& parts, Index half_edge, const Vec3& p) {
+Sign side_of_edge(const RegionParts& parts, Index half_edge, const Vec3& p) {
   const HullTopology& t = parts.topology;
   const Vec3 from = parts.vertex(t.origin[half_edge]), to = parts.vertex(t.target(half_edge));
   const Vec3 third = parts.vertex(t.target(t.next(half_edge)));
@@ -56,20 +53,20 @@ Sign side_of_edge(const Parts& parts, Index half_edge, const Vec3& p) {
 }
 
 /// Positive in front.
-Sign side_of_face(const Parts& parts, Index face, const Vec3& p) {
+Sign side_of_face(const RegionParts& parts, Index face, const Vec3& p) {
   const HullTopology& t = parts.topology;
   const Index h = t.face_start[face];
   const auto corner = [&](Index half_edge) { return parts.vertex(t.origin[half_edge]); };
   return orient3d(corner(h), corner(h + 1), corner(h + 2), p);
 }
 
-bool vertex_contains(const Parts& parts, Index vertex, const Vec3& p) {
-  return std::ranges::all_of(parts.spokes_at(vertex), [&](const Parts::Spoke& spoke) {
+bool vertex_contains(const RegionParts& parts, Index vertex, const Vec3& p) {
+  return std::ranges::all_of(parts.spokes_at(vertex), [&](const RegionParts::Spoke& spoke) {
     return side_of_vertex(parts, spoke.half_edge, p) != Sign::positive;
   });
 }
 
-bool edge_contains(const Parts& parts, Index edge, const Vec3& p) {
+bool edge_contains(const RegionParts& parts, Index edge, const Vec3& p) {
   for (const Index h : {edge, parts.topology.twin[edge]}) {
     if (side_of_vertex(parts, h, p) != Sign::positive) return false;
     if (parts.has_faces() && side_of_edge(parts, h, p) == Sign::positive) return false;
@@ -78,7 +75,7 @@ bool edge_contains(const Parts& parts, Index edge, const Vec3& p) {
 }
 
 /// A point in the plane of a flat polygon belongs to the front.
-bool face_contains(const Parts& parts, Index face, const Vec3& p) {
+bool face_contains(const RegionParts& parts, Index face, const Vec3& p) {
   const Sign side = side_of_face(parts, face, p);
   const bool counts = parts.dimension == 3 || face == 0;
   if (side == Sign::negative || (side == Sign::zero && !counts)) return false;
@@ -88,7 +85,7 @@ bool face_contains(const Parts& parts, Index face, const Vec3& p) {
   return true;
 }
 
-bool lies_inside(const Parts& parts, const Vec3& p) {
+bool lies_inside(const RegionParts& parts, const Vec3& p) {
   if (parts.dimension < 3) return false;
   for (Index f = 0; f < parts.topology.face_count(); ++f)
     if (side_of_face(parts, f, p) != Sign::negative) return false;
@@ -106,8 +103,8 @@ FeatureWalk walk_to_point(const VoronoiRegions& regions, const Vec3& point, cons
 }  // namespace
 
 bool VoronoiRegions::contains(const ConvexFeature& feature, const Vec3& point) const {
-  if (feature.kind == Kind::vertex) return vertex_contains(*parts_, feature.index, point);
-  if (feature.kind == Kind::edge) return edge_contains(*parts_, feature.index, point);
+  if (feature.kind == ConvexFeature::Kind::vertex) return vertex_contains(*parts_, feature.index, point);
+  if (feature.kind == ConvexFeature::Kind::edge) return edge_contains(*parts_, feature.index, point);
   return face_contains(*parts_, feature.index, point);
 }
 
@@ -124,7 +121,7 @@ std::optional<ConvexFeature> VoronoiRegions::region_of(const Vec3& point, const 
 }
 
 std::optional<ConvexFeature> VoronoiRegions::region_of(const Vec3& point) const {
-  return region_of(point, {Kind::vertex, parts_->any_vertex()});
+  return region_of(point, {ConvexFeature::Kind::vertex, parts_->any_vertex()});
 }
 
 }  // namespace toccata

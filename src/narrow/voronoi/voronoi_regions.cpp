@@ -13,8 +13,6 @@
 namespace toccata {
 namespace {
 
-using Parts = VoronoiRegions::Parts;
-
 RegionPlane plane_through(const Vec3& normal, const Vec3& point) { return {normal, dot(normal, point)}; }
 
 int dimension_of(const HullTopology& topology) {
@@ -40,7 +38,7 @@ FaceNormal face_normal(const HullTopology& t, Index face, std::span<const Vec3> 
 }
 
 /// Each edge's both, unit.
-std::vector<Vec3> directions_of(const Parts& parts) {
+std::vector<Vec3> directions_of(const RegionParts& parts) {
   const HullTopology& t = parts.topology;
   std::vector<Vec3> directions(t.origin.size());
   for (Index h = 0; h < t.origin.size(); ++h)
@@ -51,7 +49,7 @@ std::vector<Vec3> directions_of(const Parts& parts) {
   return directions;
 }
 
-void add_spokes(Parts& parts) {
+void add_spokes(RegionParts& parts) {
   const HullTopology& t = parts.topology;
   parts.spokes.reserve(t.origin.size());
   for (Index v = 0; v < parts.vertex_count; ++v) {
@@ -73,23 +71,23 @@ bool is_of_face(const HullTopology& t, Index vertex, Index face) {
 
 /// The least depth below the plane of a face that a vertex has which is not of the face. Vertices down to any depth
 /// hang together by edges, so it is a neighbour of the face.
-double least_depth(const Parts& parts, Index face, const Vec3& normal) {
+double least_depth(const RegionParts& parts, Index face, const Vec3& normal) {
   const HullTopology& t = parts.topology;
   double least = infinity;
   for (Index h = t.face_start[face]; h < t.face_start[face + 1]; ++h)
-    for (const Parts::Spoke& spoke : parts.spokes_at(t.origin[h]))
+    for (const RegionParts::Spoke& spoke : parts.spokes_at(t.origin[h]))
       if (!is_of_face(t, spoke.vertex, face))
         least = std::min(least, -dot(normal, parts.vertex(spoke.vertex) - parts.vertex(t.origin[h])));
   return least;
 }
 
-Parts::Side side_of(const Parts& parts, Index face, std::span<const Vec3> directions) {
+RegionParts::Side side_of(const RegionParts& parts, Index face, std::span<const Vec3> directions) {
   const FaceNormal normal = face_normal(parts.topology, face, directions);
   const double depth = parts.dimension == 3 ? least_depth(parts, face, normal.unit) : 0;
   const double certain = depth - 8 * normal.error * parts.extent;
   const double clearance = certain > 0 && normal.error < 0x1p-30 ? certain : 0;
   const auto corners = corners_of_face(parts.topology, face);
-  Parts::Side side{normal.unit, clearance, normal.error, {}, static_cast<Index>(corners.size())};
+  RegionParts::Side side{normal.unit, clearance, normal.error, {}, static_cast<Index>(corners.size())};
   side.first = parts.topology.face_start[face];
   if (corners.size() != 3) return side;
   side.is_turned = corners[2] < corners[1];
@@ -98,15 +96,15 @@ Parts::Side side_of(const Parts& parts, Index face, std::span<const Vec3> direct
 }
 
 /// From the start of a half-edge into its face: see `Edge::into`.
-Vec3 way_into(const Parts& parts, Index half_edge) {
+Vec3 way_into(const RegionParts& parts, Index half_edge) {
   const HullTopology& t = parts.topology;
-  const Parts::Side& beyond = parts.sides[t.face[t.twin[half_edge]]];
+  const RegionParts::Side& beyond = parts.sides[t.face[t.twin[half_edge]]];
   const Vec3 into = parts.vertex(t.target(t.next(half_edge))) - parts.vertex(t.origin[half_edge]);
   const double height = -dot(beyond.normal, into) + 8 * beyond.error * parts.extent;
   return ((1 - 0x1p-40) * (beyond.clearance / height)) * into;
 }
 
-void add_edges(Parts& parts, std::span<const Vec3> directions) {
+void add_edges(RegionParts& parts, std::span<const Vec3> directions) {
   const HullTopology& t = parts.topology;
   parts.edge_number.resize(t.origin.size());
   parts.edges.reserve(t.origin.size() / 2);
@@ -117,7 +115,7 @@ void add_edges(Parts& parts, std::span<const Vec3> directions) {
     parts.edge_number[h] = parts.edge_number[twin] = static_cast<Index>(parts.edges.size());
     const auto [least, greatest] = std::minmax({t.origin[h], t.target(h)});
     const auto lean = static_cast<float>(4 * parts.extent / dot(directions[h], parts.way(h)));
-    Parts::Edge edge{{}, std::nextafter(lean, std::numeric_limits<float>::infinity()), h, {least, greatest}};
+    RegionParts::Edge edge{{}, std::nextafter(lean, std::numeric_limits<float>::infinity()), h, {least, greatest}};
     const Index forth = t.origin[h] == least ? h : twin;
     parts.faces_at.push_back({t.face[forth], t.face[t.twin[forth]]});
     if (parts.dimension == 3) edge.into = {way_into(parts, h), way_into(parts, twin)};
@@ -125,7 +123,7 @@ void add_edges(Parts& parts, std::span<const Vec3> directions) {
   }
 }
 
-void add_rims(Parts& parts, std::span<const Vec3> directions) {
+void add_rims(RegionParts& parts, std::span<const Vec3> directions) {
   const HullTopology& t = parts.topology;
   parts.rims.reserve(t.origin.size());
   for (Index h = 0; h < t.origin.size(); ++h) {
@@ -135,16 +133,16 @@ void add_rims(Parts& parts, std::span<const Vec3> directions) {
 }
 
 /// Summed so that nothing overflows.
-Vec3 middle_of(const Parts& parts) {
+Vec3 middle_of(const RegionParts& parts) {
   const double share = 1.0 / parts.vertex_count;
   Vec3 middle;
   for (Index i = 0; i < parts.vertex_count; ++i) middle = middle + share * parts.vertex(i);
   return middle;
 }
 
-std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const HullTopology& topology,
-                                      std::optional<ConvexHull> hull = {}) {
-  const auto parts = std::make_shared<Parts>();
+std::shared_ptr<const RegionParts> parts_of(const std::vector<Vec3>& vertices, const HullTopology& topology,
+                                            std::optional<ConvexHull> hull = {}) {
+  const auto parts = std::make_shared<RegionParts>();
   parts->hull = std::move(hull);
   if (parts->hull) parts->stored = parts->hull->padded_coordinates(0).data();
   parts->topology = topology;
@@ -169,11 +167,11 @@ std::shared_ptr<const Parts> parts_of(const std::vector<Vec3>& vertices, const H
   return parts;
 }
 
-std::vector<Vec3> vertices_of(const ConvexHull& hull) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(hull.vertex_count());
-  for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
-  return vertices;
+std::vector<Vec3> corners_of(const ConvexHull& hull) {
+  std::vector<Vec3> corners;
+  corners.reserve(hull.vertex_count());
+  for (Index i = 0; i < hull.vertex_count(); ++i) corners.push_back(hull.vertex(i));
+  return corners;
 }
 
 std::vector<Vec3> corners_of(const Box& box) {
@@ -196,7 +194,7 @@ VoronoiRegions::VoronoiRegions(const Triangle& shape)
 VoronoiRegions::VoronoiRegions(const Box& shape) : parts_(parts_of(corners_of(shape), box_topology())) {}
 
 VoronoiRegions::VoronoiRegions(const ConvexHull& shape)
-    : parts_(parts_of(vertices_of(shape), shape.topology(), shape)) {}
+    : parts_(parts_of(corners_of(shape), shape.topology(), shape)) {}
 
 int VoronoiRegions::dimension() const { return parts_->dimension; }
 const HullTopology& VoronoiRegions::topology() const { return parts_->topology; }
@@ -231,7 +229,7 @@ std::vector<RegionBound> VoronoiRegions::bounds(const ConvexFeature& feature) co
   const HullTopology& t = parts_->topology;
   std::vector<RegionBound> bounds;
   if (feature.kind == ConvexFeature::Kind::vertex) {
-    for (const Parts::Spoke& spoke : parts_->spokes_at(feature.index))
+    for (const RegionParts::Spoke& spoke : parts_->spokes_at(feature.index))
       bounds.push_back({Kind::vertex_edge, spoke.half_edge, false, vertex_edge_plane(spoke.half_edge)});
   } else if (feature.kind == ConvexFeature::Kind::edge) {
     for (const Index h : {feature.index, t.twin[feature.index]}) {
@@ -247,10 +245,11 @@ std::vector<RegionBound> VoronoiRegions::bounds(const ConvexFeature& feature) co
 }
 
 std::size_t VoronoiRegions::memory() const {
-  const Parts& p = *parts_;
-  return sizeof(Parts) + p.vertices.size() * sizeof(Parts::Vertex) + p.spokes.size() * sizeof(Parts::Spoke) +
-         p.edge_number.size() * sizeof(Index) + p.edges.size() * (sizeof(Parts::Edge) + sizeof(p.faces_at[0])) +
-         p.rims.size() * sizeof(RegionPlane) + p.sides.size() * sizeof(Parts::Side);
+  const RegionParts& p = *parts_;
+  return sizeof(RegionParts) + p.vertices.size() * sizeof(RegionParts::Vertex) +
+         p.spokes.size() * sizeof(RegionParts::Spoke) + p.edge_number.size() * sizeof(Index) +
+         p.edges.size() * (sizeof(RegionParts::Edge) + sizeof(p.faces_at[0])) + p.rims.size() * sizeof(RegionPlane) +
+         p.sides.size() * sizeof(RegionParts::Side);
 }
 
 }  // namespace toccata

@@ -16,9 +16,6 @@
 namespace toccata {
 namespace {
 
-using Parts = VoronoiRegions::Parts;
-using Kind = ConvexFeature::Kind;
-
 [[noreturn]] void refuse_regions(Index vertices, Index vertices_of_regions, const char* which) {
   throw Error(
       fmt::format("the Voronoi regions given for {} are those of a shape of {} vertices, and it has {}: build "
@@ -41,7 +38,7 @@ bool are_regions_of(const WalkBody& body, const PosedConvex& shape) {
 
 /// Not two faces, nor a face and an edge: these are never needed, as an end of theirs is as near.
 bool is_walked(const ConvexFeature& a, const ConvexFeature& b) {
-  return static_cast<int>(a.kind) + static_cast<int>(b.kind) <= static_cast<int>(Kind::face);
+  return static_cast<int>(a.kind) + static_cast<int>(b.kind) <= static_cast<int>(ConvexFeature::Kind::face);
 }
 
 /// A point within a face is within one of the triangles that its first corner makes with the others.
@@ -57,28 +54,29 @@ Index corner_before(const WalkBody& body, Index face, const Vec3& on) {
 }
 
 /// Of any feature, one point of which is given.
-Corners corners_around(const WalkBody& body, const ConvexFeature& feature, const Vec3& on) {
+FeatureCorners corners_around(const WalkBody& body, const ConvexFeature& feature, const Vec3& on) {
   if (!has_more_corners(*body.parts, feature)) return corners_of(*body.parts, feature);
   const HullTopology& t = body.parts->topology;
   const Index h = corner_before(body, feature.index, on);
-  Corners corners{{t.origin[t.face_start[feature.index]], t.origin[h], t.origin[h + 1]}, 3};
+  FeatureCorners corners{{t.origin[t.face_start[feature.index]], t.origin[h], t.origin[h + 1]}, 3};
   std::ranges::sort(corners.vertex);
   return corners;
 }
 
 /// The feature that has some vertices, or, where rounding has made up one that has them, the first.
-ConvexFeature feature_of(const Parts& parts, std::span<const Index> vertices) {
+ConvexFeature feature_of(const RegionParts& parts, std::span<const Index> vertices) {
   const HullTopology& t = parts.topology;
-  const ConvexFeature first{Kind::vertex, vertices[0]};
+  const ConvexFeature first{ConvexFeature::Kind::vertex, vertices[0]};
   if (vertices.size() == 1) return first;
-  for (const Parts::Spoke& spoke : parts.spokes_at(vertices[0]))
-    if (vertices.size() == 2 && spoke.vertex == vertices[1]) return {Kind::edge, parts.edge_of(spoke.half_edge)};
-  for (const Parts::Spoke& spoke : parts.spokes_at(vertices[0])) {
+  for (const RegionParts::Spoke& spoke : parts.spokes_at(vertices[0]))
+    if (vertices.size() == 2 && spoke.vertex == vertices[1])
+      return {ConvexFeature::Kind::edge, parts.edge_of(spoke.half_edge)};
+  for (const RegionParts::Spoke& spoke : parts.spokes_at(vertices[0])) {
     const Index face = t.face[spoke.half_edge];
     const auto corners = corners_of_face(t, face);
     if (parts.has_faces() &&
         std::ranges::all_of(vertices, [&](Index v) { return std::ranges::find(corners, v) != corners.end(); }))
-      return {Kind::face, face};
+      return {ConvexFeature::Kind::face, face};
   }
   return first;
 }
@@ -140,13 +138,13 @@ class TrackedQuestion {
   void begin() {
     if (path_ != nullptr) return forget();
     const auto [vertex_a, vertex_b] = facing_vertices(a_, body_a_, b_, body_b_);
-    tracked_.on_a = {Kind::vertex, vertex_a};
-    tracked_.on_b = {Kind::vertex, vertex_b};
+    tracked_.on_a = {ConvexFeature::Kind::vertex, vertex_a};
+    tracked_.on_b = {ConvexFeature::Kind::vertex, vertex_b};
   }
 
   void forget() {
-    tracked_.on_a = {Kind::vertex, body_a_.parts->any_vertex()};
-    tracked_.on_b = {Kind::vertex, body_b_.parts->any_vertex()};
+    tracked_.on_a = {ConvexFeature::Kind::vertex, body_a_.parts->any_vertex()};
+    tracked_.on_b = {ConvexFeature::Kind::vertex, body_b_.parts->any_vertex()};
   }
 
   Distance told(const Distance& distance) {

@@ -6,15 +6,13 @@
 namespace toccata {
 namespace {
 
-using Parts = VoronoiRegions::Parts;
-
 /// Uphill from a vertex; the direction is in the shape's own frame. It ends, as heights only grow.
-Index highest_from(const Parts& parts, const Vec3& direction, Index start) {
+Index highest_from(const RegionParts& parts, const Vec3& direction, Index start) {
   Index highest = start;
   double height = dot(direction, parts.vertex(start));
   for (Index from = parts.vertex_count; from != highest;) {
     from = highest;
-    for (const Parts::Spoke& spoke : parts.spokes_at(from))
+    for (const RegionParts::Spoke& spoke : parts.spokes_at(from))
       if (const double other = dot(direction, parts.vertex(spoke.vertex)); other > height) {
         height = other;
         highest = spoke.vertex;

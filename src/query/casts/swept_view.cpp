@@ -14,10 +14,10 @@ namespace toccata {
 namespace {
 
 /// Numbers below this neither overflow nor are they the differences of such that did.
-constexpr double largest_size = 0x1p1000;
+constexpr double largest_swept_size = 0x1p1000;
 
 /// One thing along a direction.
-struct Along {
+struct HeightsAlong {
   Vec3 form{};
   double offset = 0;
   HeightRange whole;
@@ -25,12 +25,12 @@ struct Along {
   double coordinates = 0;  ///< what smallest doubles are multiplied with
 };
 
-Along along(const PosedMesh& mesh, const Vec3& direction) {
+HeightsAlong along(const PosedMesh& mesh, const Vec3& direction) {
   const WideTree& tree = mesh.model().wide_tree();
   const Mat3& linear = mesh.pose().linear;
   const Vec3 on{dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
   const double at_origin = dot(direction, mesh.pose().offset);
-  const Range range = range_of(on, tree.box);
+  const FormRange range = range_of(on, tree.box);
   // A box of a flat tree may be as thick as a last place of the tree's unit, and much is made of that by such a pose.
   const Vec3 units{sum_of_magnitudes(linear[0]), sum_of_magnitudes(linear[1]), sum_of_magnitudes(linear[2])};
   return {tree.unit * on,
@@ -40,12 +40,12 @@ Along along(const PosedMesh& mesh, const Vec3& direction) {
           sum_of_magnitudes(largest_coordinates(mesh))};
 }
 
-Along along(const PosedConvex& shape, const Vec3& direction) {
+HeightsAlong along(const PosedConvex& shape, const Vec3& direction) {
   const SupportKernels kernels = support_kernels();
   const SupportSearch support(shape, kernels);
   const double reach = shape.radius() * plain_length(direction) * (1 + 0x1p-50);
   const double low = support.lower_bound(direction) - reach, high = -support.lower_bound(-direction) + reach;
-  Along result;
+  HeightsAlong result;
   const bool is_known = in_certain_range(direction) && std::isfinite(low) && std::isfinite(high);
   result.whole = is_known ? HeightRange{low, high} : HeightRange{-infinity, infinity};
   // Both are certain; what is computed with them is not.
@@ -53,7 +53,7 @@ Along along(const PosedConvex& shape, const Vec3& direction) {
   return result;
 }
 
-Along along(const PosedSmooth& shape, const Vec3& direction) {
+HeightsAlong along(const PosedSmooth& shape, const Vec3& direction) {
   const Mat3& linear = shape.pose().linear;
   const Vec3& half = shape.half();
   const double x = half.x * dot(direction, linear.column(0)), y = half.y * dot(direction, linear.column(1)),
@@ -61,7 +61,7 @@ Along along(const PosedSmooth& shape, const Vec3& direction) {
   const double across = std::hypot(x, y);
   Vec3 largest = magnitudes(shape.pose().offset);
   for (int i = 0; i < 3; ++i) largest[i] += dot(magnitudes(linear[i]), half);
-  Along result;
+  HeightsAlong result;
   result.size = dot(magnitudes(direction), largest);
   result.coordinates = sum_of_magnitudes(largest) + sum_of_magnitudes(half);
   if (shape.kind() == PosedSmooth::Kind::cone) {
@@ -74,24 +74,18 @@ Along along(const PosedSmooth& shape, const Vec3& direction) {
   return result;
 }
 
-Along along(const PosedHalfSpace& half_space, const Vec3& direction) {
+HeightsAlong along(const PosedHalfSpace& half_space, const Vec3& direction) {
   const double height = dot(direction, half_space.point);
-  Along result;
+  HeightsAlong result;
   const bool is_above = dot(direction, half_space.normal) < 0;
   result.whole = is_above ? HeightRange{height, infinity} : HeightRange{-infinity, height};
   result.size = dot(magnitudes(direction), magnitudes(half_space.point));
   return result;
 }
 
-/// Of length near 1, by a power of two: it stays what it is.
-Vec3 near_unit(const Vec3& normal) {
-  const int exponent = -std::ilogb(largest_magnitude(normal));
-  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
-}
-
 bool is_usable(const SweptDirection& d, double size) {
-  return size < largest_size && d.pad < largest_size && std::isfinite(d.per_speed) && is_finite(d.form[0]) &&
-         is_finite(d.form[1]) && std::isfinite(d.offset[0]) && std::isfinite(d.offset[1]);
+  return size < largest_swept_size && d.pad < largest_swept_size && std::isfinite(d.per_speed) &&
+         is_finite(d.form[0]) && is_finite(d.form[1]) && std::isfinite(d.offset[0]) && std::isfinite(d.offset[1]);
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ bool is_usable(const SweptDirection& d, double size) {
 template <class A, class B>
 void SweptView::add(const A& a, const Vec3& motion, const B& b, const Vec3& direction) {
   const Vec3 upwards = dot(direction, motion) < 0 ? -direction : direction;
-  const Along of_a = along(a, upwards), of_b = along(b, upwards);
+  const HeightsAlong of_a = along(a, upwards), of_b = along(b, upwards);
   const double speed = dot(upwards, motion), moved = dot(magnitudes(upwards), magnitudes(motion));
   const double size = (of_a.size + of_b.size) + moved;
   const double underflowed = (1 + sum_of_magnitudes(upwards)) + (of_a.coordinates + of_b.coordinates);

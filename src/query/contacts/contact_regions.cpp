@@ -19,8 +19,10 @@
 namespace toccata {
 namespace {
 
-/// Of whatever size.
-Vec3 normal_of(const Triangle& t) { return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0]))); }
+/// Of a triangle of whatever size.
+Vec3 normal_of_any_size(const Triangle& t) {
+  return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
+}
 
 /// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example.
 double turn_of(const PosedMesh& mesh, bool solid) {
@@ -75,7 +77,7 @@ class RegionSum {
     const MeetingCoordinates found = coordinates(contact.meeting, a, b);
     const std::span<const Vec3> points(found.points.data(), found.count);
     outline_.points.insert(outline_.points.end(), points.begin(), points.end());
-    const Vec3 normal_a = turn_a_ * normal_of(a), normal_b = turn_b_ * normal_of(b);
+    const Vec3 normal_a = turn_a_ * normal_of_any_size(a), normal_b = turn_b_ * normal_of_any_size(b);
     outline_.of_normals = outline_.of_normals + (normal_a - normal_b);
     if (contact.meeting.kind == MeetingKind::polygon) add_polygon(points, normal_a);
     if (contact.meeting.kind == MeetingKind::segment && contact.meeting.crossing)

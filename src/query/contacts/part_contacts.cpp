@@ -18,7 +18,7 @@ bool is_triangle(const PosedConvex& shape) {
   return shape.in_world() && shape.vertex_count() == 3 && shape.radius() == 0;
 }
 
-Triangle triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
+Triangle world_triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
 
 /// Of one part of A and one of B; they lie in the scratch.
 struct PartContacts {
@@ -35,7 +35,7 @@ struct AskContacts {
 
   PartContacts operator()(const PosedConvex& a, const PosedConvex& b) const {
     if (!is_triangle(a) || !is_triangle(b)) return one_if(overlap(a, b, &scratch.convex));
-    const Meeting found = meeting(triangle_of(a), triangle_of(b));
+    const Meeting found = meeting(world_triangle_of(a), world_triangle_of(b));
     return one_if(found.kind != MeetingKind::none, found);
   }
   PartContacts operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
@@ -51,7 +51,7 @@ struct AskContacts {
     const PartContacts contacts = each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
     if (is_triangle(b))
       for (Contact& contact : contacts.all)
-        contact.meeting = meeting(a.mesh.triangle(contact.triangle_a), triangle_of(b));
+        contact.meeting = meeting(a.mesh.triangle(contact.triangle_a), world_triangle_of(b));
     return contacts;
   }
   PartContacts operator()(const PosedTriangles& a, const PosedHalfSpace& b) const {

@@ -34,11 +34,11 @@ void require(bool met, const std::string& message) {
 }
 
 template <class T>
-bool holds(const std::vector<T>& all, const T& one) {
+bool is_among(const std::vector<T>& all, const T& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-bool asks_for(const CostOptions& options, CostWorkload workload) { return holds(options.workloads, workload); }
+bool asks_for(const CostOptions& options, CostWorkload workload) { return is_among(options.workloads, workload); }
 
 /// Both meshes where a query puts them.
 struct WorldMeshes {
@@ -121,7 +121,7 @@ class Measurement {
   CostTable measure() {
     const std::size_t steps = options_.methods.size() * options_.arities.size();
     std::size_t done = 0;
-    if (holds(options_.volumes, CostVolume::wide)) measure_library();
+    if (is_among(options_.volumes, CostVolume::wide)) measure_library();
     for (const TreeMethod method : options_.methods)
       for (const int arity : options_.arities) {
         measure_hierarchies(method, arity);

@@ -83,12 +83,12 @@ std::string line_about(const CostRow& other, const CostRow& best) {
   return fmt::format("{} costs {}{}{}", name_of(other), factor, reasons.empty() ? "" : ": ", reasons);
 }
 
-using Rows = std::vector<const CostRow*>;
+using CostRows = std::vector<const CostRow*>;
 
 /// The cheapest rows of other volumes than the best, and of other hierarchies over the same; each once.
-Rows rivals(const Rows& rows) {
+CostRows rivals(const CostRows& rows) {
   const CostRow& best = *rows.front();
-  Rows found;
+  CostRows found;
   const auto add = [&](const auto& differs) {
     const auto row = std::find_if(rows.begin(), rows.end(), differs);
     if (row != rows.end() && std::find(found.begin(), found.end(), *row) == found.end()) found.push_back(*row);
@@ -106,13 +106,13 @@ Rows rivals(const Rows& rows) {
 }  // namespace
 
 std::vector<std::string> explain_winner(const CostTable& table, CostWorkload workload) {
-  Rows rows;
+  CostRows rows;
   for (const CostRow& row : table.rows)
     if (row.workload == workload) rows.push_back(&row);
   if (rows.empty()) return {};
   std::vector<std::string> lines{"the cheapest is " + line_about_best(*rows.front())};
   const auto is_wide = [](const CostRow* row) { return row->volume == CostVolume::wide; };
-  Rows plain = rows;
+  CostRows plain = rows;
   std::erase_if(plain, is_wide);
   if (is_wide(rows.front()) && !plain.empty())
     lines.push_back("of the plain trees the cheapest is " + line_about_best(*plain.front()));

@@ -21,11 +21,10 @@
 namespace toccata {
 namespace {
 
-constexpr double flat = 0x1p-40;             // local heights below this are none
 constexpr double no_excess = 1e-9;           // of the volume of the solid
 constexpr double resolution_of_size = 1e-3;  // of concavities
 
-struct Cell {
+struct SolidCell {
   SolidPiece piece;
   std::vector<CellSide> sides;
   Index node = 0;
@@ -55,7 +54,7 @@ class Decomposer {
 
  private:
   void start(bool inside_out) {
-    Cell cell;
+    SolidCell cell;
     const TriangleMesh& mesh = solid_.mesh();
     for (const auto& t : mesh.triangles()) {
       RoundedTriangle triangle{local(t[0]), local(t[1]), local(t[2])};
@@ -69,7 +68,7 @@ class Decomposer {
 
   [[nodiscard]] Vec3 local(Index vertex) const { return frame_.local(solid_.mesh().vertices()[vertex]); }
 
-  [[nodiscard]] Cell rated(Cell cell) const {
+  [[nodiscard]] SolidCell rated(SolidCell cell) const {
     const std::vector<Vec3> points = cell.piece.points();
     cell.excess = hull_volume(points) - cell.piece.volume;
     cell.is_done = cell.excess <= no_excess * solid_volume_ || is_within_limit(points);
@@ -84,7 +83,9 @@ class Decomposer {
 
   /// False when there is none to cut.
   bool cut_worst() {
-    const auto order = [](const Cell& a, const Cell& b) { return !a.is_done && (b.is_done || a.excess > b.excess); };
+    const auto order = [](const SolidCell& a, const SolidCell& b) {
+      return !a.is_done && (b.is_done || a.excess > b.excess);
+    };
     const auto worst = std::ranges::min_element(cells_, order);
     if (worst->is_done) return false;
     const auto choice = search_.best_cut(worst->piece, planes_, worst->sides, worst->excess);
@@ -96,20 +97,20 @@ class Decomposer {
     return true;
   }
 
-  void cut(Cell& cell, const PlaneChoice& choice) {
+  void cut(SolidCell& cell, const PlaneChoice& choice) {
     const auto plane = static_cast<Index>(planes_.size());
     planes_.push_back(frame_.plane(choice));
     tree_.planes.emplace_back(choice);
     const auto child = static_cast<Index>(tree_.nodes.size());
     tree_.nodes[cell.node] = {plane, {child, child + 1}};
     tree_.nodes.resize(tree_.nodes.size() + 2);
-    SplitPiece pieces = split(cell.piece, planes_[plane], plane, flat);
+    SplitPiece pieces = split(cell.piece, planes_[plane], plane, flat_height);
     const auto half = [&](SolidPiece piece, int sign, Index node) {
-      Cell result{std::move(piece), cell.sides, node, 0, false};
+      SolidCell result{std::move(piece), cell.sides, node, 0, false};
       result.sides.push_back({plane, sign});
       return rated(std::move(result));
     };
-    Cell back = half(std::move(pieces.back), -1, child + 1);
+    SolidCell back = half(std::move(pieces.back), -1, child + 1);
     cell = half(std::move(pieces.front), 1, child);
     cells_.push_back(std::move(back));
   }
@@ -122,7 +123,7 @@ class Decomposer {
 
   [[nodiscard]] std::vector<GrowingPart> hulls() const {
     std::vector<double> volumes(tree_.nodes.size(), 0);
-    for (const Cell& cell : cells_) volumes[cell.node] = cell.piece.volume;
+    for (const SolidCell& cell : cells_) volumes[cell.node] = cell.piece.volume;
     const std::vector<CellContent> contents = cell_contents(solid_, tree_);
     std::vector<GrowingPart> parts;
     for (std::size_t node = 0; node < contents.size(); ++node) {
@@ -177,7 +178,7 @@ class Decomposer {
   double resolution_;
   ReflexPlanes reflex_;
   CutSearch search_;
-  std::vector<Cell> cells_;
+  std::vector<SolidCell> cells_;
   std::vector<RoundedPlane> planes_;
   CutTree tree_;
   double solid_volume_ = 0;

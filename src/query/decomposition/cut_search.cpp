@@ -10,7 +10,6 @@
 namespace toccata {
 namespace {
 
-constexpr double flat = 0x1p-40;
 constexpr double near_plane = 0x1p-30;
 constexpr int offsets = 9;
 constexpr std::size_t most_reflex = 24;
@@ -37,15 +36,15 @@ Sketch sketch_of(const SolidPiece& piece, std::size_t most) {
 double hull_volume_in_front(const Sketch& sketch, const RoundedPlane& plane) {
   std::vector<Vec3> points;
   for (const RoundedTriangle& t : sketch.triangles) {
-    const std::vector<Vec3> part = part_in_front(t, plane, flat);
+    const std::vector<Vec3> part = part_in_front(t, plane, flat_height);
     points.insert(points.end(), part.begin(), part.end());
   }
   for (const RoundedSegment& s : sketch.edges) {
     const double p = plane.height(s[0]), q = plane.height(s[1]);
     // What has no more than an end in the plane belongs to the other side.
-    if (std::max(p, q) <= flat) continue;
-    if (p >= -flat) points.push_back(s[0]);
-    if (q >= -flat) points.push_back(s[1]);
+    if (std::max(p, q) <= flat_height) continue;
+    if (p >= -flat_height) points.push_back(s[0]);
+    if (q >= -flat_height) points.push_back(s[1]);
     if (p * q < 0) points.push_back(s[0] + (p / (p - q)) * (s[1] - s[0]));
   }
   return hull_volume(points);
@@ -83,14 +82,14 @@ Vec3 coarse(const Vec3& normal) {
 bool makes_slivers(const SolidPiece& piece, const CutPlane& exact, const RoundedPlane& plane, const SolidFrame& frame) {
   const auto is_off = [&](const Vec3& corner) {
     const double height = std::fabs(plane.height(corner));
-    return height < near_plane && (height > flat || exact.side(frame.world(corner)) != Sign::zero);
+    return height < near_plane && (height > flat_height || exact.side(frame.world(corner)) != Sign::zero);
   };
   return std::ranges::any_of(piece.surface, [&](const RoundedTriangle& t) { return std::ranges::any_of(t, is_off); });
 }
 
 /// A plane like that one which makes no slivers, if one is near. What is nearly in the plane of a face goes to the
 /// side behind the face, where its solid is.
-PlaneChoice settled(const PlaneChoice& choice, const SolidPiece& piece, const SolidFrame& frame) {
+PlaneChoice without_slivers(const PlaneChoice& choice, const SolidPiece& piece, const SolidFrame& frame) {
   PlaneChoice moved = choice;
   for (int attempt = 0; attempt < 16; ++attempt) {
     const RoundedPlane plane = frame.plane(moved);
@@ -101,7 +100,7 @@ PlaneChoice settled(const PlaneChoice& choice, const SolidPiece& piece, const So
   return choice;
 }
 
-struct Extent {
+struct ExtentAlong {
   double least = infinity;
   double greatest = -infinity;
 };
@@ -113,7 +112,9 @@ std::vector<const ReflexEdge*> CutSearch::edges_in(std::span<const RoundedPlane>
   std::vector<const ReflexEdge*> edges;
   for (const ReflexEdge& edge : reflex_.edges) {
     const Vec3 middle = edge.middle();
-    const auto is_within = [&](const CellSide& side) { return side.sign * planes[side.plane].height(middle) > flat; };
+    const auto is_within = [&](const CellSide& side) {
+      return side.sign * planes[side.plane].height(middle) > flat_height;
+    };
     if (std::ranges::all_of(cell, is_within)) edges.push_back(&edge);
   }
   return edges;
@@ -144,7 +145,7 @@ std::vector<PlaneChoice> CutSearch::candidates(const SolidPiece& piece,
   for (const Vec3& axis : principal_axes(points).axes.row)
     if (const Vec3 normal = coarse(axis); dot(normal, normal) > 0.5) normals.push_back(normal);
   for (const Vec3& normal : normals) {
-    Extent extent;
+    ExtentAlong extent;
     for (const Vec3& p : points) {
       extent.least = std::min(extent.least, dot(normal, p));
       extent.greatest = std::max(extent.greatest, dot(normal, p));
@@ -180,7 +181,7 @@ std::optional<PlaneChoice> CutSearch::best_cut(const SolidPiece& piece, std::spa
     std::ranges::stable_sort(order, by_score);
   }
   if (order.empty() || !std::isfinite(scores[order[0]])) return {};
-  return settled(choices[order[0]], piece, frame_);
+  return without_slivers(choices[order[0]], piece, frame_);
 }
 
 }  // namespace toccata

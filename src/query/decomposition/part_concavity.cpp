@@ -22,12 +22,12 @@ constexpr Index few_faces = 64;
 
 using Tetrahedron = std::array<Vec3, 4>;
 
-struct Region {
+struct ConcavityRegion {
   Tetrahedron corners;     ///< local
   RoundedTriangle near{};  ///< of the surface; local
   double upper = 0;        ///< no point of the region that is in the hull is farther from the solid
   FaceRange faces{};       ///< of the hull, those that cut off something of the region
-  friend bool operator<(const Region& a, const Region& b) { return a.upper < b.upper; }
+  friend bool operator<(const ConcavityRegion& a, const ConcavityRegion& b) { return a.upper < b.upper; }
 };
 
 Vec3 middle_of(const ConvexHull& hull) {
@@ -90,7 +90,7 @@ class ConcavitySearch {
     while (!regions_.empty() && questions_ < most_questions) {
       const double upper = regions_.top().upper;
       if (is_settled(upper) || (q_.limit && lower_ > *q_.limit)) break;
-      const Region widest = regions_.top();
+      const ConcavityRegion widest = regions_.top();
       regions_.pop();
       halve(widest);
     }
@@ -133,10 +133,10 @@ class ConcavitySearch {
   }
 
   // The slacks are for what rounding leaves between two halves, and between a point and its place in the frame.
-  void bound(Region& region, double reach, double lengths) const {
+  void bound(ConcavityRegion& region, double reach, double lengths) const {
     region.upper = std::min(region.upper, reach + (slack_ + 0x1p-47 * lengths));
   }
-  void bound_by_near(Region& region) const {
+  void bound_by_near(ConcavityRegion& region) const {
     const double reach = q_.frame.length(reach_of(region.corners, region.near));
     bound(region, reach, reach);
   }
@@ -149,7 +149,7 @@ class ConcavitySearch {
   }
 
   /// Leaves out what lies in front of a face.
-  [[nodiscard]] bool reaches_into_hull(Region& region) {
+  [[nodiscard]] bool reaches_into_hull(ConcavityRegion& region) {
     if (region.faces.count == 0) return true;
     Tetrahedron in_world;
     for (std::size_t i = 0; i < 4; ++i) in_world[i] = q_.frame.world(region.corners[i]);
@@ -160,7 +160,7 @@ class ConcavitySearch {
 
   /// What is known of a larger region bounds it, which is enough for most; then its middle is asked about. Cheap
   /// questions come first.
-  void add(Region region) {
+  void add(ConcavityRegion region) {
     if (std::isfinite(region.upper)) bound_by_near(region);
     if (!is_settled(region.upper)) {
       const Vec3 middle = middle_of(region.corners);
@@ -173,7 +173,7 @@ class ConcavitySearch {
     regions_.push(region);
   }
 
-  SurfacePoint measured(Region& region, const Vec3& middle) {
+  SurfacePoint measured(ConcavityRegion& region, const Vec3& middle) {
     const SurfacePoint found = q_.nearest.nearest(q_.frame.world(middle), workspace_.scratch());
     ++questions_;
     region.near = triangle(found.element);
@@ -183,7 +183,7 @@ class ConcavitySearch {
     return found;
   }
 
-  void take_side(Region& region, const Vec3& middle, const SurfacePoint& found) {
+  void take_side(ConcavityRegion& region, const Vec3& middle, const SurfacePoint& found) {
     const Vec3 at = q_.frame.world(middle);
     const double radius = q_.frame.length(reach_of(region.corners, middle));
     if (found.upper > 0 && q_.sides.side_of(at, workspace_.scratch()).side == Side::inside)
@@ -192,7 +192,7 @@ class ConcavitySearch {
       lower_ = std::max(lower_, found.lower - slack_);
   }
 
-  void halve(const Region& region) {
+  void halve(const ConcavityRegion& region) {
     std::size_t from = 0, to = 1;
     double longest = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -204,7 +204,7 @@ class ConcavitySearch {
         }
     const Vec3 middle = 0.5 * (region.corners[from] + region.corners[to]);
     for (const std::size_t replaced : {from, to}) {
-      Region half = region;
+      ConcavityRegion half = region;
       half.corners[replaced] = middle;
       add(half);
     }
@@ -213,7 +213,7 @@ class ConcavitySearch {
   const ConcavityQuestion& q_;
   Workspace workspace_;
   std::optional<HullSides> sides_;
-  std::priority_queue<Region> regions_;
+  std::priority_queue<ConcavityRegion> regions_;
   double slack_;
   double lower_ = 0;
   int questions_ = 0;

@@ -12,7 +12,7 @@
 namespace toccata {
 namespace {
 
-constexpr double never = infinity;
+constexpr double never_merged = infinity;
 
 ConvexHull joined_hull(const ConvexHull& a, const ConvexHull& b) {
   std::vector<Vec3> points;
@@ -45,13 +45,13 @@ std::vector<Vec3> outline_of(const std::vector<Vec3>& corners) {
 
 /// By how much the hull of two parts is larger than both, or at least.
 struct Growth {
-  double least = never;
+  double least = never_merged;
   bool is_exact = true;
 };
 
-class Merging {
+class PartMerging {
  public:
-  Merging(std::vector<GrowingPart> parts, int threads)
+  PartMerging(std::vector<GrowingPart> parts, int threads)
       : parts_(std::move(parts)), threads_(threads), growth_(parts_.size()) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       growth_[i].resize(i);
@@ -114,7 +114,7 @@ class Merging {
  private:
   [[nodiscard]] std::pair<std::size_t, std::size_t> least() const {
     std::pair<std::size_t, std::size_t> result{0, 0};
-    double least = never;
+    double least = never_merged;
     for (const std::size_t i : alive_)
       for (const std::size_t j : alive_)
         if (j < i && growth_[i][j].least < least) {
@@ -161,7 +161,7 @@ std::vector<Vec3> snapped(std::vector<Vec3> points) {
 
 std::vector<GrowingPart> merged_parts(std::vector<GrowingPart> parts, std::size_t most, int threads,
                                       const std::function<bool(const GrowingPart&)>& allowed) {
-  Merging merging(std::move(parts), threads);
+  PartMerging merging(std::move(parts), threads);
   while (merging.count() > 1) {
     const auto pair = merging.best();
     if (pair.first == pair.second && merging.count() <= most) break;

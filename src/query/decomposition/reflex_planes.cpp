@@ -3,6 +3,7 @@
 #include <map>
 #include <tuple>
 
+#include "math/vec3_measures.hpp"
 #include "query/decomposition/cut_search.hpp"
 #include "shapes/welded_mesh.hpp"
 
@@ -19,11 +20,6 @@ struct SharedEdge {
   double weight = 0;
 };
 
-Vec3 unit_or_zero(const Vec3& v) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 0 ? (1 / length) * v : Vec3{};
-}
-
 class EdgeReader {
  public:
   EdgeReader(const TriangleMesh& mesh, const SolidFrame& frame, double outward)
@@ -34,14 +30,14 @@ class EdgeReader {
   }
   [[nodiscard]] Vec3 local(Index triangle, Index i) const { return frame_.local(corner(triangle, i)); }
   [[nodiscard]] Vec3 normal(Index t) const {
-    return outward_ * unit_or_zero(cross(local(t, 1) - local(t, 0), local(t, 2) - local(t, 0)));
+    return outward_ * plain_unit_or_zero(cross(local(t, 1) - local(t, 0), local(t, 2) - local(t, 0)));
   }
 
   /// Its length times the sine of the angle by which the faces turn inward; at most 0 where the solid is convex.
   [[nodiscard]] double weight(const SharedEdge& e) const {
     const Vec3 way = local(e.triangle, e.from + 1) - local(e.triangle, e.from);
     const Vec3 to_apex = local(e.other, e.apex) - local(e.triangle, e.from);
-    const double turned = dot(normal(e.triangle), unit_or_zero(to_apex));
+    const double turned = dot(normal(e.triangle), plain_unit_or_zero(to_apex));
     return turned <= 1e-9 ? 0 : turned * std::sqrt(dot(way, way));
   }
 

@@ -11,6 +11,8 @@
 // What a search for good cuts looks at: pieces of a solid in rounded numbers. Nothing that is promised rests on it.
 namespace toccata {
 
+inline constexpr double flat_height = 0x1p-40;  ///< local heights below this are none
+
 /// All x with normal · x = offset; the normal has length 1.
 struct RoundedPlane {
   Vec3 normal;

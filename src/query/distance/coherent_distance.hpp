@@ -30,7 +30,7 @@ struct CoherentState {
 
   /// The surfaces are at least so far apart, and what lies within what is known; 0: nothing is known.
   double clearance = 0;
-  std::optional<InnerPart> inner;
+  std::optional<PartInside> inner;
 
   // A front that is soon worn out is not worth making: so many questions are answered without, twice as many each time.
   std::size_t age = 0;   ///< questions that this front has answered

@@ -308,16 +308,16 @@ std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b, do
   return Nearby{nearest, nearest.upper <= cutoff || question.any_within(cutoff)};
 }
 
-std::optional<InnerPart> inner_part(const PosedTriangles& a, const PosedTriangles& b) {
+std::optional<PartInside> inner_part(const PosedTriangles& a, const PosedTriangles& b) {
   if (!overlap(a.mesh.box(), b.mesh.box())) return {};
   if (b.solid)
-    if (const auto triangle = part_inside(a.mesh, b.mesh)) return InnerPart{true, *triangle};
+    if (const auto triangle = part_inside(a.mesh, b.mesh)) return PartInside{true, *triangle};
   if (a.solid)
-    if (const auto triangle = part_inside(b.mesh, a.mesh)) return InnerPart{false, *triangle};
+    if (const auto triangle = part_inside(b.mesh, a.mesh)) return PartInside{false, *triangle};
   return {};
 }
 
-Distance at_inner_part(const InnerPart& part, const PosedMesh& a, const PosedMesh& b) {
+Distance at_inner_part(const PartInside& part, const PosedMesh& a, const PosedMesh& b) {
   Distance found = at_common_point((part.of_a ? a : b).triangle(part.triangle)[0]);
   (part.of_a ? found.element_a : found.element_b) = part.triangle;
   return found;

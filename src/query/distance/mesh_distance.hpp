@@ -52,14 +52,14 @@ struct Nearby {
 [[nodiscard]] Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
 
 /// A connected part of one mesh that lies within the other, a solid: its first triangle.
-struct InnerPart {
+struct PartInside {
   bool of_a;
   Index triangle;
 };
 
 /// Of meshes whose surfaces do not meet: the first such part, of a if there is one.
-[[nodiscard]] std::optional<InnerPart> inner_part(const PosedTriangles& a, const PosedTriangles& b);
-[[nodiscard]] Distance at_inner_part(const InnerPart& part, const PosedMesh& a, const PosedMesh& b);
+[[nodiscard]] std::optional<PartInside> inner_part(const PosedTriangles& a, const PosedTriangles& b);
+[[nodiscard]] Distance at_inner_part(const PartInside& part, const PosedMesh& a, const PosedMesh& b);
 
 /// The faces of its elements told as well.
 [[nodiscard]] Distance with_faces(Distance d, const PosedMesh& a, const PosedMesh& b);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/posed_shape.hpp"
@@ -13,11 +14,12 @@ namespace toccata {
 namespace {
 
 // Within these, squares of lengths and of errors are ordinary doubles.
-constexpr double smallest_size = 1e-100;
-constexpr double largest_size = 1e100;
+constexpr double smallest_near_size = 1e-100;
+constexpr double largest_near_size = 1e100;
 
-double sum_of(const Vec3& v) { return (std::abs(v.x) + std::abs(v.y)) + std::abs(v.z); }
-double sum_of(const Mat3& m) { return (sum_of(m[0]) + sum_of(m[1])) + sum_of(m[2]); }
+double sum_of_magnitudes(const Mat3& m) {
+  return (sum_of_magnitudes(m[0]) + sum_of_magnitudes(m[1])) + sum_of_magnitudes(m[2]);
+}
 
 Mat3 scaled(double factor, const Mat3& m) { return {{factor * m[0], factor * m[1], factor * m[2]}}; }
 
@@ -38,11 +40,11 @@ Aabb core_box(const PosedConvex& shape) {
   return box;
 }
 
-bool is_usable(double size) { return size > smallest_size && size < largest_size; }
+bool is_ordinary(double size) { return size > smallest_near_size && size < largest_near_size; }
 
 /// How far world coordinates are from the real numbers that they round, and what was rounded on the way to an offset.
 double rounding_of(const NearFrame& own, const NearFrame& other) {
-  return 64 * unit_roundoff * (sum_of(own.sizes) + sum_of(other.sizes));
+  return 64 * unit_roundoff * (sum_of_magnitudes(own.sizes) + sum_of_magnitudes(other.sizes));
 }
 
 NearView general_view(const NearFrame& own, const NearFrame& other) {
@@ -51,9 +53,9 @@ NearView general_view(const NearFrame& own, const NearFrame& other) {
   view.own = scaled(own.unit, own.linear);
   view.other = scaled(other.unit, other.linear);
   view.offset = other.offset - own.offset;
-  const double size = (sum_of(view.own) + sum_of(view.other)) + sum_of(view.offset);
+  const double size = (sum_of_magnitudes(view.own) + sum_of_magnitudes(view.other)) + sum_of_magnitudes(view.offset);
   view.pad = 0x1p-40 * size + rounding_of(own, other);
-  view.scale = is_usable(size) ? 1 : std::numeric_limits<double>::quiet_NaN();
+  view.scale = is_ordinary(size) ? 1 : std::numeric_limits<double>::quiet_NaN();
   return view;
 }
 
@@ -74,8 +76,9 @@ ConvexNearTree::ConvexNearTree(const Aabb& box) {
                   std::max(box.upper.y - middle.y, middle.y - box.lower.y),
                   std::max(box.upper.z - middle.z, middle.z - box.lower.z)};
   const double largest = std::max({half.x, half.y, half.z});
-  frame.unit = largest > smallest_size && largest < largest_size ? std::exp2(std::ceil(std::log2(largest))) : 1;
-  const bool is_plain = largest < largest_size;
+  frame.unit =
+      largest > smallest_near_size && largest < largest_near_size ? std::exp2(std::ceil(std::log2(largest))) : 1;
+  const bool is_plain = largest < largest_near_size;
   OrientedBox lane;
   for (int axis = 0; axis < 3; ++axis) {
     const double extent = half[axis] / frame.unit * (1 + 0x1p-20) + 1e-30;
@@ -91,7 +94,7 @@ ConvexNearTree::ConvexNearTree(const Aabb& box) {
 NearView near_view(const NearFrame& own, const NearFrame& other) {
   const double own_factor = factor_of(own.linear), other_factor = factor_of(other.linear);
   const Mat3 own_rotation = scaled(1 / own_factor, own.linear), other_rotation = scaled(1 / other_factor, other.linear);
-  if (!is_usable(own_factor) || !is_usable(other_factor) || !is_surely_rigid(own_rotation) ||
+  if (!is_ordinary(own_factor) || !is_ordinary(other_factor) || !is_surely_rigid(own_rotation) ||
       !is_surely_rigid(other_rotation))
     return general_view(own, other);
   NearView view;
@@ -101,9 +104,9 @@ NearView near_view(const NearFrame& own, const NearFrame& other) {
   const Vec3 between = (1 / view.scale) * (other.offset - own.offset);
   view.offset = {dot(own_rotation.column(0), between), dot(own_rotation.column(1), between),
                  dot(own_rotation.column(2), between)};
-  const double size = 4 + (4 * view.ratio + sum_of(view.offset));
+  const double size = 4 + (4 * view.ratio + sum_of_magnitudes(view.offset));
   view.pad = 0x1p-36 * size + rounding_of(own, other) / view.scale;
-  if (!is_usable(view.scale) || !(size < largest_size) || !(view.pad < largest_size))
+  if (!is_ordinary(view.scale) || !(size < largest_near_size) || !(view.pad < largest_near_size))
     view.scale = std::numeric_limits<double>::quiet_NaN();
   return view;
 }

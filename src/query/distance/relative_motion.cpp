@@ -12,31 +12,31 @@ namespace toccata {
 namespace {
 
 /// x to linear · x + offset, in doubles.
-struct Motion {
+struct AffineMotion {
   Mat3 linear;
   Vec3 offset;
 };
 
-Motion difference(const Motion& after, const Motion& before) {
+AffineMotion difference(const AffineMotion& after, const AffineMotion& before) {
   return {{after.linear[0] - before.linear[0], after.linear[1] - before.linear[1], after.linear[2] - before.linear[2]},
           after.offset - before.offset};
 }
 
 /// Not less than the length, however small it is.
-double length_of(const Vec3& v) {
+double length_or_more(const Vec3& v) {
   const double squared = dot(v, v);
   return squared > 0x1p-900 ? std::sqrt(squared) : sum_of_magnitudes(v);
 }
 
 /// The greatest length of linear · x + offset in the box.
-double farthest(const Motion& motion, const Aabb& box) {
+double farthest(const AffineMotion& motion, const Aabb& box) {
   double length = 0;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 x;
     for (int axis = 0; axis < 3; ++axis) x[axis] = (corner >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
     const Vec3 moved = {dot(motion.linear[0], x) + motion.offset.x, dot(motion.linear[1], x) + motion.offset.y,
                         dot(motion.linear[2], x) + motion.offset.z};
-    length = std::max(length, length_of(moved));
+    length = std::max(length, length_or_more(moved));
   }
   return length;
 }
@@ -46,8 +46,8 @@ double in_world(const Pose& before, const Pose& after, const Aabb& box) {
 }
 
 /// What places points of another frame within a rotated one.
-Motion seen_from(const Pose& own, const Pose& other) {
-  Motion seen;
+AffineMotion seen_from(const Pose& own, const Pose& other) {
+  AffineMotion seen;
   const Vec3 between = other.offset - own.offset;
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = own.linear.column(i);
@@ -58,7 +58,7 @@ Motion seen_from(const Pose& own, const Pose& other) {
 }
 
 /// More than any point of the other box is away from the own frame's origin, and any of the own box.
-double size_seen(const Motion& other, const Aabb& other_box, const Aabb& own_box) {
+double size_seen(const AffineMotion& other, const Aabb& other_box, const Aabb& own_box) {
   const Vec3 reach = largest_coordinates(other_box);
   double size = sum_of_magnitudes(largest_coordinates(own_box)) + sum_of_magnitudes(other.offset);
   for (int i = 0; i < 3; ++i) size += (sum_of_magnitudes(other.linear[i])) * std::max({reach.x, reach.y, reach.z});
@@ -70,7 +70,7 @@ double size_seen(const Motion& other, const Aabb& other_box, const Aabb& own_box
 double as_seen(const Pose& own_before, const Pose& own_after, const Aabb& own_box, const Pose& before,
                const Pose& after, const Aabb& box) {
   if (!is_surely_rigid(own_before.linear) || !is_surely_rigid(own_after.linear)) return infinity;
-  const Motion seen_before = seen_from(own_before, before), seen_after = seen_from(own_after, after);
+  const AffineMotion seen_before = seen_from(own_before, before), seen_after = seen_from(own_after, after);
   const double size = size_seen(seen_before, box, own_box) + size_seen(seen_after, box, own_box);
   return farthest(difference(seen_after, seen_before), box) + 0x1p-39 * size;
 }

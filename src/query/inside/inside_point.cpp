@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-Interval exactly(double value) { return {value, value}; }
+Interval as_interval(double value) { return {value, value}; }
 
 /// The projected coordinates of (axis + 1) % 3 and (axis + 2) % 3 are both doubles.
 bool projects_to_doubles(const ExactPoint& p, int axis) {
@@ -19,16 +19,16 @@ bool projects_to_doubles(const ExactPoint& p, int axis) {
 }
 
 Interval orient2d_interval(const Vec2& a, const Vec2& b, const Interval& px, const Interval& py) {
-  const Interval ux = exactly(b.x) - exactly(a.x), uy = exactly(b.y) - exactly(a.y);
-  return ux * (py - exactly(a.y)) - uy * (px - exactly(a.x));
+  const Interval ux = as_interval(b.x) - as_interval(a.x), uy = as_interval(b.y) - as_interval(a.y);
+  return ux * (py - as_interval(a.y)) - uy * (px - as_interval(a.x));
 }
 
 Interval orient3d_interval(const Triangle& t, const ExactPoint& p) {
-  const auto difference = [&](int vertex, int axis) { return exactly(t[vertex][axis]) - exactly(t[0][axis]); };
+  const auto difference = [&](int vertex, int axis) { return as_interval(t[vertex][axis]) - as_interval(t[0][axis]); };
   const auto term = [&](int axis) {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const Interval normal = difference(1, i) * difference(2, j) - difference(1, j) * difference(2, i);
-    return normal * (p.around(axis) - exactly(t[0][axis]));
+    return normal * (p.around(axis) - as_interval(t[0][axis]));
   };
   return term(0) + term(1) + term(2);
 }

@@ -14,7 +14,7 @@ void require_finite(const Vec3& point) {
     throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", point.x, point.y, point.z));
 }
 
-void require_positive(const WindingOptions& options) {
+void require_positive_tolerance(const WindingOptions& options) {
   if (!(options.tolerance > 0))
     throw Error(fmt::format("the tolerance of a winding number is positive, and here it is {}; 0.01 is usual",
                             options.tolerance));
@@ -31,7 +31,7 @@ WindingNumber generalized_winding_number(const Vec3& point, const Model& model, 
 WindingNumber generalized_winding_number(const Vec3& point, const Model& model, const Pose& pose,
                                          const WindingOptions& options, Workspace& workspace) {
   require_finite(point);
-  require_positive(options);
+  require_positive_tolerance(options);
   const PosedMesh mesh(model, pose);
   return WindingSearch(mesh).at(point, options.tolerance, workspace.scratch().winding);
 }
@@ -39,7 +39,7 @@ WindingNumber generalized_winding_number(const Vec3& point, const Model& model, 
 std::vector<WindingNumber> generalized_winding_number_each(std::span<const Vec3> points, const Model& model,
                                                            const Pose& pose, const WindingOptions& options,
                                                            const BatchOptions& batch) {
-  require_positive(options);
+  require_positive_tolerance(options);
   const PosedMesh mesh(model, pose);
   const WindingSearch search(mesh);
   return ask_each<WindingNumber>(points, "point", batch, [&](const Vec3& point, Workspace& workspace) {

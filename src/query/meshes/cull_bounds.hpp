@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/constants.hpp"
 #include "query/meshes/posed_mesh.hpp"
 
 namespace toccata {
 
 // What the culling tests share. The proof is docs/design/culling.md, and the names are its.
 
-/// u, half the distance from 1 to the next double, and η, the smallest positive double.
-constexpr double unit_roundoff = 0x1p-53;
+/// η, the smallest positive double; u is `unit_roundoff`.
 constexpr double smallest_double = std::numeric_limits<double>::denorm_min();
 
-struct Range {
+struct FormRange {
   double low;
   double high;
 };
 
 /// The least and the greatest value of form · x over the box: ((f0·x0 + f1·x1) + f2·x2), each product and sum rounded.
-inline Range range_of(const Vec3& form, const Aabb& box) {
+inline FormRange range_of(const Vec3& form, const Aabb& box) {
   const double x0 = form.x * box.lower.x, x1 = form.x * box.upper.x;
   const double y0 = form.y * box.lower.y, y1 = form.y * box.upper.y;
   const double z0 = form.z * box.lower.z, z1 = form.z * box.upper.z;

@@ -41,8 +41,8 @@ class PairCull {
 
  private:
   [[nodiscard]] static bool separated(const CullDirection& direction, const Aabb& node_a, const Aabb& node_b) {
-    const Range a = range_of(direction.on_a, node_a);
-    const Range b = range_of(direction.on_b, node_b);
+    const FormRange a = range_of(direction.on_a, node_a);
+    const FormRange b = range_of(direction.on_b, node_b);
     return is_certain((a.low + direction.offset) - b.high, direction.pad) ||
            is_certain((b.low - direction.offset) - a.high, direction.pad);
   }

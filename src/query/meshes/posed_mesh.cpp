@@ -33,7 +33,7 @@ Aabb world_box(const Pose& pose, const Aabb& local) {
   const Vec3 sizes = world_sizes(pose, local);
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
-    const Range range = range_of(pose.linear[axis], local);
+    const FormRange range = range_of(pose.linear[axis], local);
     const double pad = 16 * unit_roundoff * sizes[axis] + 8 * smallest_double;
     const double low = (range.low + pose.offset[axis]) - pad, high = (range.high + pose.offset[axis]) + pad;
     // World vertices are finite, so a side that overflowed is the greatest double.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/floats.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/meshes/cull_bounds.hpp"
 
@@ -51,10 +52,6 @@ int coordinate_of(const Vec3& own) {
   return 3;
 }
 
-std::array<float, 3> floats_of(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 class AxesMaker {
  public:
   AxesMaker() { std::fill_n(axes_.pad.begin(), WideAxes::straight, std::numeric_limits<float>::infinity()); }
@@ -82,7 +79,7 @@ class AxesMaker {
 
   void add_slanted(const Form& form) {
     if (!is_usable(form) || axes_.count == WideAxes::most) return;
-    axes_.slanted[axes_.count] = SlantedForm(floats_of(form.own));
+    axes_.slanted[axes_.count] = SlantedForm(as_floats(form.own));
     set(axes_.count++, form, 2 * sum_of_magnitudes(form.own));
   }
 
@@ -128,7 +125,7 @@ void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe&
   const Form form = scaled(whole, 1 / largest_magnitude(whole.own));
   if (!is_usable(form) || probe.count == WideProbe::most) return;
   const double slack = 0x1p-20 * ((2 * sum_of_magnitudes(form.own) + std::abs(form.offset)) + form.pad);
-  probe.axes[probe.count++] = {SlantedForm(floats_of(form.own)), static_cast<float>(form.offset),
+  probe.axes[probe.count++] = {SlantedForm(as_floats(form.own)), static_cast<float>(form.offset),
                                not_less((form.pad + rounding_of(form)) + slack)};
 }
 

@@ -15,7 +15,7 @@ namespace toccata {
 struct RegionDirection {
   Vec3 on_mesh;
   double offset = 0;
-  Range region{};
+  FormRange region{};
   double pad = 0;
 };
 

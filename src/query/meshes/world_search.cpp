@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/wide_cull.hpp"
 
@@ -81,13 +82,6 @@ WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
   for (int axis = 0; axis < 3; ++axis)
     if (region.upper[axis] == infinity) add_directions_beside(mesh, part, axis, probe);
   return probe;
-}
-
-/// Of length near 1: by a power of two, so nothing is rounded but what underflows.
-Vec3 near_unit(const Vec3& normal) {
-  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-  const int exponent = -std::ilogb(largest);
-  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
 }
 
 /// Everything below the plane, as far down as the mesh may reach. What is rounded is less than in `beside_ray`: the

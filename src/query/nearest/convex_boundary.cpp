@@ -31,7 +31,7 @@ double upper_of(const Penetration& depth) {
   return is_exact ? depth.upper : std::nextafter(depth.lower, infinity);
 }
 
-Vec3 unit(const IntegerVector& v) {
+Vec3 rounded_unit(const IntegerVector& v) {
   const Vec3 rounded = rounded_direction(v);
   return (1 / std::sqrt(dot(rounded, rounded))) * rounded;
 }
@@ -55,7 +55,7 @@ Vec3 across_line(const Triangle& t) {
       if (std::fabs(rounded[static_cast<int>(axis)]) < std::fabs(rounded[static_cast<int>(least)])) least = axis;
     IntegerVector other{};
     other[least] = 1;
-    return unit(cross(along, other));
+    return rounded_unit(cross(along, other));
   }
   return {1, 0, 0};
 }
@@ -104,10 +104,11 @@ SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scrat
   if (core().dimension < 3) {
     const Triangle all = core().mesh.triangle(0);
     const IntegerVector normal = exact_cross(all);
-    return surface_point(radius, point + radius * (is_zero(normal) ? across_line(all) : unit(normal)), Status::exact);
+    return surface_point(radius, point + radius * (is_zero(normal) ? across_line(all) : rounded_unit(normal)),
+                         Status::exact);
   }
   const SurfacePoint out = from_core(point, scratch);
-  const Vec3 normal = unit(exact_cross(core().mesh.triangle(out.element)));
+  const Vec3 normal = rounded_unit(exact_cross(core().mesh.triangle(out.element)));
   return surface_point(sum_not_less(out.upper, radius), out.point + radius * normal, out.status);
 }
 

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "math/world_vertex.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 // Bounds: docs/methods/nearest-point.md.
 namespace toccata {
 namespace {
-
-double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
 
 void put(TriangleBlock& block, std::size_t lane, const Triangle& triangle) {
   for (std::size_t corner = 0; corner < 3; ++corner)
@@ -32,7 +31,7 @@ SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index f
       first_face_(first_face) {}
 
 WidePoint SurfaceTarget::in_tree(const Vec3& point) const {
-  return {way_.place(point - posed_.pose().offset), 2 * way_.off(greatest_of(point))};
+  return {way_.place(point - posed_.pose().offset), 2 * way_.off(largest_magnitude(point))};
 }
 
 bool SurfaceTarget::is_usable(const WidePoint& in_tree) const {
@@ -40,7 +39,7 @@ bool SurfaceTarget::is_usable(const WidePoint& in_tree) const {
 }
 
 bool SurfaceTarget::is_for_leaves(const WidePoint& in_tree) const {
-  return leaves_ != nullptr && is_usable(in_tree) && greatest_of(in_tree.at) < greatest_near_coordinate;
+  return leaves_ != nullptr && is_usable(in_tree) && largest_magnitude(in_tree.at) < greatest_near_coordinate;
 }
 
 /// Not less.

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
 #include "query/meshes/cull_bounds.hpp"
 
 namespace toccata {
 namespace {
-
-Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-double greatest_of(const Vec3& v) { return std::max(std::max(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z)); }
-double sum_of(const Vec3& v) { return (v.x + v.y) + v.z; }
 
 Mat3 inverse(const Mat3& m, double scale) {
   const Vec3 x = cross(m.column(1), m.column(2)), y = cross(m.column(2), m.column(0)),
@@ -34,19 +31,19 @@ WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
   const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
   const Mat3& linear = mesh.pose().linear;
   // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
-  const double of_scale = 8 * unit_roundoff * scale * sum_of(rho);
+  const double of_scale = 8 * unit_roundoff * scale * sum_of_magnitudes(rho);
   for (int i = 0; i < 3; ++i) {
     const Vec3 row = back_[i], magnitude = magnitudes(row);
     Vec3 identity;
     identity[i] = scale;
     const Vec3 error = magnitudes(row.x * linear[0] + row.y * linear[1] + row.z * linear[2] - identity);
     const double off = 24 * unit_roundoff * dot(magnitude, sizes) + 16 * unit_roundoff * std::fabs(origin_[i]) +
-                       8 * smallest_double * sum_of(magnitude) + of_scale + dot(error, rho);
+                       8 * smallest_double * sum_of_magnitudes(magnitude) + of_scale + dot(error, rho);
     if (!std::isfinite(off)) return;
     off_ = std::max(off_, 2 * off);
-    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of(magnitude));
+    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of_magnitudes(magnitude));
   }
-  off_ += off_by_size_ * greatest_of(mesh.pose().offset) + 0x1p-100;
+  off_ += off_by_size_ * largest_magnitude(mesh.pose().offset) + 0x1p-100;
   usable_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
 }
 

@@ -11,7 +11,7 @@ namespace toccata {
 namespace {
 
 /// The side normal · x <= offset, x from the point around which it grows; the offset is positive.
-struct Cut {
+struct GrowthCut {
   Vec3 normal;
   double offset;
 };
@@ -66,41 +66,41 @@ constexpr std::size_t most_full_cuts = 192, most_near_full_cuts = 288, most_cuts
 }
 
 /// The plane of the triangle, where it leaves a good part of the way to it.
-std::optional<Cut> own_plane(const Obstacle& obstacle) {
+std::optional<GrowthCut> own_plane(const Obstacle& obstacle) {
   constexpr double least_share = 0.01;
   const auto& t = obstacle.corner;
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
   const double length = std::sqrt(dot(normal, normal)), height = dot(normal, t[0]);
   if (!(length > 0) || !(std::abs(height) > least_share * length * std::sqrt(obstacle.squared))) return std::nullopt;
   const double sign = height < 0 ? -1 : 1;
-  return Cut{(sign / length) * normal, std::abs(height) / length};
+  return GrowthCut{(sign / length) * normal, std::abs(height) / length};
 }
 
-Cut cut_before(const Obstacle& obstacle, double share, CutBy by) {
+GrowthCut cut_before(const Obstacle& obstacle, double share, CutBy by) {
   if (by == CutBy::own_plane && share == 1)
-    if (const std::optional<Cut> own = own_plane(obstacle)) return *own;
+    if (const std::optional<GrowthCut> own = own_plane(obstacle)) return *own;
   const double distance = std::sqrt(obstacle.squared);
   return {(1 / distance) * obstacle.nearest, share * distance};
 }
 
-bool is_cut_off(const Obstacle& obstacle, const Cut& cut) {
+bool is_cut_off(const Obstacle& obstacle, const GrowthCut& cut) {
   constexpr double rounding = 0x1p-40;
   return std::all_of(obstacle.corner.begin(), obstacle.corner.end(),
                      [&](const Vec3& corner) { return dot(cut.normal, corner) >= cut.offset * (1 - rounding); });
 }
 
-std::vector<Cut> cube_cuts(double reach) {
+std::vector<GrowthCut> cube_cuts(double reach) {
   return {{{1, 0, 0}, reach},  {{-1, 0, 0}, reach}, {{0, 1, 0}, reach},
           {{0, -1, 0}, reach}, {{0, 0, 1}, reach},  {{0, 0, -1}, reach}};
 }
 
 /// None where they would be too many, or too near.
-std::vector<Cut> cuts_around(std::vector<Obstacle> obstacles, double reach, CutBy by) {
-  std::vector<Cut> cuts = cube_cuts(reach);
+std::vector<GrowthCut> cuts_around(std::vector<Obstacle> obstacles, double reach, CutBy by) {
+  std::vector<GrowthCut> cuts = cube_cuts(reach);
   while (!obstacles.empty()) {
     const Obstacle nearest = obstacles.front();
     if (cuts.size() >= most_cuts || !(nearest.squared > 0x1p-100 * reach * reach)) return {};
-    const Cut cut = cut_before(nearest, share_left(cuts.size()), by);
+    const GrowthCut cut = cut_before(nearest, share_left(cuts.size()), by);
     cuts.push_back(cut);
     obstacles.erase(obstacles.begin());
     std::erase_if(obstacles, [&](const Obstacle& obstacle) { return is_cut_off(obstacle, cut); });
@@ -108,18 +108,18 @@ std::vector<Cut> cuts_around(std::vector<Obstacle> obstacles, double reach, CutB
   return cuts;
 }
 
-bool is_left(const Vec3& corner, const std::vector<Cut>& cuts) {
+bool is_left(const Vec3& corner, const std::vector<GrowthCut>& cuts) {
   constexpr double rounding = 0x1p-20;
-  return is_finite(corner) && std::all_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
+  return is_finite(corner) && std::all_of(cuts.begin(), cuts.end(), [&](const GrowthCut& cut) {
            return dot(cut.normal, corner) <= cut.offset * (1 + rounding);
          });
 }
 
 /// Where the planes meet: a face of the hull of normal / offset is a corner of what they enclose. A corner that
 /// rounding has thrown out is left out.
-std::vector<Vec3> corners_within(const std::vector<Cut>& cuts) {
+std::vector<Vec3> corners_within(const std::vector<GrowthCut>& cuts) {
   std::vector<Vec3> polar, corners;
-  for (const Cut& cut : cuts) polar.push_back((1 / cut.offset) * cut.normal);
+  for (const GrowthCut& cut : cuts) polar.push_back((1 / cut.offset) * cut.normal);
   const ConvexHull hull{polar};
   if (hull.dimension() < 3) return {};
   const HullTopology topology = hull.topology();
@@ -137,7 +137,7 @@ std::vector<Vec3> corners_within(const std::vector<Cut>& cuts) {
 }  // namespace
 
 std::optional<ConvexHull> grow_convex(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut) {
-  const std::vector<Cut> cuts = cuts_around(obstacles_around(mesh, point, reach), reach, cut);
+  const std::vector<GrowthCut> cuts = cuts_around(obstacles_around(mesh, point, reach), reach, cut);
   if (cuts.empty()) return std::nullopt;
   std::vector<Vec3> corners = corners_within(cuts);
   if (corners.size() < 4) return std::nullopt;

@@ -24,9 +24,9 @@ struct Farther {
   }
 };
 
-using Cells = std::priority_queue<TranslationCell, std::vector<TranslationCell>, Farther>;
+using TranslationCells = std::priority_queue<TranslationCell, std::vector<TranslationCell>, Farther>;
 
-void split(const TranslationCell& cell, Cells& cells) {
+void split(const TranslationCell& cell, TranslationCells& cells) {
   const double half = cell.half / 2;
   for (int i = 0; i < 8; ++i) {
     const Vec3 away{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half};
@@ -48,7 +48,7 @@ std::size_t most_rounds(const SolidBody& a, const SolidBody& b) {
   return std::clamp(most_triangles / (triangle_count(a) + triangle_count(b) + std::size_t{1}), fewest, most);
 }
 
-Vec3 unit(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
+Vec3 unit_along(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 }  // namespace
 
@@ -89,10 +89,10 @@ void PartingSearch::turn() {
   constexpr double least_gain = 0.99, widest = 0.5, narrowest = 0.02;
   for (double angle = widest; angle > narrowest && !good_enough(); angle /= 2) {
     const Vec3 along = best_.direction;
-    const Vec3 side = unit(cross(along, std::abs(along.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+    const Vec3 side = unit_along(cross(along, std::abs(along.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 other = cross(along, side);
     for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-      const Vec3 turned = unit(along + (angle * x) * side + (angle * y) * other);
+      const Vec3 turned = unit_along(along + (angle * x) * side + (angle * y) * other);
       if (try_translation(turned, least_gain * best_.upper)) break;
     }
   }
@@ -130,7 +130,7 @@ bool PartingSearch::settle(const TranslationCell& cell) {
 }
 
 void PartingSearch::cover() {
-  Cells cells;
+  TranslationCells cells;
   cells.push({{}, best_.upper});
   std::size_t rounds_left = most_rounds(a_, b_);
   for (std::size_t looked_at = 0; looked_at < most_cells && !good_enough(); ++looked_at) {

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "query/meshes/world_search.hpp"
 
 namespace toccata {
 namespace {
 
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
-Vec3 normal_of(const Triangle& t) {
-  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double size = length(normal);
-  return size > 0 ? (1 / size) * normal : Vec3{};
-}
+Vec3 plain_normal(const Triangle& t) { return plain_unit_or_zero(cross(t[1] - t[0], t[2] - t[0])); }
 
 class SeedSearch {
  public:
@@ -26,7 +20,7 @@ class SeedSearch {
       common_.lower[axis] = std::max(a.lower[axis], b.lower[axis] + pair.move[axis]);
       common_.upper[axis] = std::min(a.upper[axis], b.upper[axis] + pair.move[axis]);
     }
-    size_ = length(common_.upper - common_.lower);
+    size_ = plain_length(common_.upper - common_.lower);
   }
 
   /// From where the surfaces meet, to all four sides.
@@ -51,7 +45,7 @@ class SeedSearch {
     std::vector<PartingSeed> chosen;
     for (const PartingSeed& seed : found_) {
       const bool far = std::all_of(chosen.begin(), chosen.end(), [&](const PartingSeed& other) {
-        return length(other.point - seed.point) >= seed.depth;
+        return plain_length(other.point - seed.point) >= seed.depth;
       });
       if (far) chosen.push_back(seed);
       if (chosen.size() == most) break;
@@ -66,7 +60,7 @@ class SeedSearch {
 
   void look_along(const Vec3& from, const Vec3& towards) {
     constexpr int most_halvings = 24;
-    const double size = length(towards);
+    const double size = plain_length(towards);
     if (!(size > 0x1p-20)) return;
     double step = size_ / 2;
     for (int i = 0; i < most_halvings; ++i, step /= 2) {
@@ -97,7 +91,7 @@ class SeedSearch {
     const std::size_t stride = 1 + near.size() / most_samples;
     for (std::size_t i = 0; i < near.size(); i += stride) {
       const Triangle t = mesh.triangle(near[i]);
-      const Vec3 normal = normal_of(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]) + moved;
+      const Vec3 normal = plain_normal(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]) + moved;
       for (const Vec3& from : {middle, t[0] + moved + 0x1p-10 * (middle - t[0] - moved)}) {
         look_along(from, -normal);
         look_along(from, normal);

@@ -49,8 +49,6 @@ bool has_parts_without_end(const PosedModel& posed) {
   });
 }
 
-bool is_before(const Vec3& p, const Vec3& q) { return lexicographically_less(p, q); }
-
 /// The vertices of its triangles or of its core, or the numbers of a smooth shape; none of a half-space.
 std::vector<Vec3> numbers_of(const PosedShape& shape) {
   std::vector<Vec3> vertices;
@@ -72,12 +70,12 @@ bool is_canonical_order(const PosedModel& a, const PosedModel& b) {
   for (std::size_t i = 0; i < a.parts.size(); ++i) {
     if (a.parts[i].kind != b.parts[i].kind) return a.parts[i].kind > b.parts[i].kind;
     const Aabb s = world_box(a.parts[i].shape), t = world_box(b.parts[i].shape);
-    if (s.lower != t.lower) return is_before(s.lower, t.lower);
-    if (s.upper != t.upper) return is_before(s.upper, t.upper);
+    if (s.lower != t.lower) return lexicographically_less(s.lower, t.lower);
+    if (s.upper != t.upper) return lexicographically_less(s.upper, t.upper);
     const std::vector<Vec3> p = numbers_of(a.parts[i].shape), q = numbers_of(b.parts[i].shape);
     if (p.size() != q.size()) return p.size() > q.size();
     for (std::size_t k = 0; k < p.size(); ++k)
-      if (p[k] != q[k]) return is_before(p[k], q[k]);
+      if (p[k] != q[k]) return lexicographically_less(p[k], q[k]);
   }
   return true;
 }

@@ -7,21 +7,21 @@
 namespace toccata {
 namespace {
 
-using Corners = std::vector<std::array<Index, 3>>;
+using CornerTriples = std::vector<std::array<Index, 3>>;
 
 /// All vertices of a face are extreme and exactly coplanar, so a fan covers it.
-void add_fan(const HullTopology& topology, Index face, Corners& triangles) {
+void add_fan(const HullTopology& topology, Index face, CornerTriples& triangles) {
   const Index first = topology.face_start[face], end = topology.face_start[face + 1];
   for (Index h = first + 1; h + 1 < end; ++h)
     triangles.push_back({topology.origin[first], topology.origin[h], topology.origin[h + 1]});
 }
 
-Corners triangles_of(const ConvexHull& hull) {
+CornerTriples triangles_of(const ConvexHull& hull) {
   if (hull.dimension() == 0) return {{0, 0, 0}};
   if (hull.dimension() == 1) return {{0, 1, 1}};
   const HullTopology topology = hull.topology();
   const Index faces = hull.dimension() == 2 ? 1 : topology.face_count();  // of a flat one the front alone
-  Corners triangles;
+  CornerTriples triangles;
   for (Index face = 0; face < faces; ++face) add_fan(topology, face, triangles);
   return triangles;
 }

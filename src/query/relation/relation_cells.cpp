@@ -19,7 +19,7 @@ Rational part_of_the_way(const Rational& low, const Rational& high, const Ration
 /// A number strictly between two, given with doubles around them: a double where there is one near the wanted fraction
 /// of the way, so that the numbers computed from it stay short. For two fractions it may be the same.
 template <class Low, class High>
-ExactNumber between(const Low& low, const High& high, double fraction) {
+ExactNumber number_between(const Low& low, const High& high, double fraction) {
   const double from = low.around().upper, to = high.around().lower, likely = from + (to - from) * fraction;
   if (from < likely && likely < to) return ExactNumber(likely);
   Rational exact = part_of_the_way(low.exact(), high.exact(), to_rational(fraction));
@@ -28,9 +28,9 @@ ExactNumber between(const Low& low, const High& high, double fraction) {
 }
 
 /// Of a segment at an x of its range, in doubles first; of a vertical one that of its lower end.
-class Height {
+class SegmentHeight {
  public:
-  Height(const PlanarSegment& s, const ExactNumber& x)
+  SegmentHeight(const PlanarSegment& s, const ExactNumber& x)
       : segment_(&s), x_(&x), around_(s.is_vertical() ? s.left.y.around() : approximate_height_at(s, x.around())) {}
 
   [[nodiscard]] const Interval& around() const { return around_; }
@@ -39,7 +39,7 @@ class Height {
     return *exact_;
   }
 
-  friend bool operator<(const Height& a, const Height& b) {
+  friend bool operator<(const SegmentHeight& a, const SegmentHeight& b) {
     if (certainly_less(a.around_, b.around_)) return true;
     if (a.around_.lower >= b.around_.upper) return false;
     return a.exact() < b.exact();
@@ -71,7 +71,7 @@ class CellFinder {
       if (segments_[i].is_vertical()) continue;
       const std::vector<ExactNumber> ends = piece_ends(i);
       for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-        const ExactNumber x = between(ends[k], ends[k + 1], 0.5);
+        const ExactNumber x = number_between(ends[k], ends[k + 1], 0.5);
         const std::optional<Gap> gap = gap_above(i, x);
         if (!gap) continue;
         if (!visit_gap(*gap, x)) return false;
@@ -84,8 +84,8 @@ class CellFinder {
  private:
   /// An open vertical piece of a cell.
   struct Gap {
-    Height low;
-    Height high;
+    SegmentHeight low;
+    SegmentHeight high;
   };
 
   /// The x at which other segments meet segment i, and its ends, ascending.
@@ -111,7 +111,7 @@ class CellFinder {
     Aabb region = region_of(*gap);
     index_.visit_in(region, [&](Index j) {
       if (j == i || !gap || !covers(segments_[j], x)) return;
-      Height height(segments_[j], x);
+      SegmentHeight height(segments_[j], x);
       if (height < gap->low) return;
       const bool higher = gap->low < height;
       if (!higher && j < i) gap.reset();
@@ -125,12 +125,12 @@ class CellFinder {
   /// The room above segment i at x, up to the triangle's edge: in the triangle exactly one, of the first three
   /// segments, is above.
   std::optional<Gap> gap_below_edge(std::size_t i, const ExactNumber& x) const {
-    const Height low(segments_[i], x);
+    const SegmentHeight low(segments_[i], x);
     std::optional<Gap> gap;
     for (std::size_t j = 0; j < 3; ++j) {
       // Of two edges that share an end at x, the right one counts.
       if (j == i || !covers(segments_[j], x) || !(x < segments_[j].right.x)) continue;
-      Height height(segments_[j], x);
+      SegmentHeight height(segments_[j], x);
       if (!(low < height)) continue;
       if (gap) return std::nullopt;
       gap.emplace(Gap{low, std::move(height)});
@@ -145,7 +145,7 @@ class CellFinder {
   /// doubles, or none, rounded ones would be the same again and again. So all heights differ, and this ends when
   /// another point is asked for at finitely many points of the cell only.
   bool visit_gap(const Gap& gap, const ExactNumber& x) const {
-    const Rational first = between(gap.low, gap.high, 0.125).exact();
+    const Rational first = number_between(gap.low, gap.high, 0.125).exact();
     for (int part = 1;; ++part) {
       const Rational y = part == 1 ? first : part_of_the_way(gap.low.exact(), first, Rational(1, part));
       const CellVisit answer = visit_(point_above(x.exact(), y));

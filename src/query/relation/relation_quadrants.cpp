@@ -10,7 +10,7 @@ namespace toccata {
 namespace {
 
 /// Of the triangles' size: small enough for what is near by, and then for needles and acute angles.
-constexpr double distances[] = {0x1p-8, 0x1p-16, 0x1p-28};
+constexpr double quadrant_distances[] = {0x1p-8, 0x1p-16, 0x1p-28};
 
 /// Where the edge passes through the plane of a triangle, but for rounding.
 Vec3 pierced(const Triangle& of_edge, int edge, const Triangle& plane) {
@@ -33,7 +33,7 @@ Vec3 middle_of(const Meeting& meeting, const Triangle& a, const Triangle& b) {
   return (1.0 / meeting.count) * sum;
 }
 
-Vec3 unit_normal(const Triangle& t) { return unit_or_zero(cross(t[1] - t[0], t[2] - t[0])); }
+Vec3 unit_normal_or_zero(const Triangle& t) { return unit_or_zero(cross(t[1] - t[0], t[2] - t[0])); }
 
 double size_of(const Triangle& t) { return std::max(largest_magnitude(t[1] - t[0]), largest_magnitude(t[2] - t[0])); }
 
@@ -48,12 +48,12 @@ RegionsSeen region_at(const SolidPair& pair, const Vec3& point) {
 RegionsSeen glance_at_quadrants(const SolidPair& pair, const Triangle& a, const Triangle& b, const Meeting& meeting) {
   RegionsSeen seen;
   if (meeting.count == 0) return seen;
-  const Vec3 middle = middle_of(meeting, a, b), of_a = unit_normal(a), of_b = unit_normal(b);
+  const Vec3 middle = middle_of(meeting, a, b), of_a = unit_normal_or_zero(a), of_b = unit_normal_or_zero(b);
   // Along either plane, away from the other one.
   const Vec3 beside_a = unit_or_zero(of_a - dot(of_a, of_b) * of_b);
   const Vec3 beside_b = unit_or_zero(of_b - dot(of_a, of_b) * of_a);
   const double size = std::min(size_of(a), size_of(b));
-  for (const double part : distances)
+  for (const double part : quadrant_distances)
     for (const int side_a : {-1, 1})
       for (const int side_b : {-1, 1}) {
         const Vec3 point = middle + (part * size) * (side_a * beside_a + side_b * beside_b);

@@ -134,7 +134,7 @@ class RoundRelation {
 
   [[nodiscard]] Known sticks_out(const Triangle& t) const {
     Known all_in = Known::yes;
-    for (const Vec3& v : t.vertex) all_in = both(all_in, holds(shape_, v));
+    for (const Vec3& v : t.vertex) all_in = both(all_in, holds_point(shape_, v));
     if (all_in == Known::undecided) return all_in;
     return known(all_in == Known::no);
   }

@@ -29,12 +29,12 @@ PlanarSegment projected_segment(const Vec3& p, const Vec3& q, int axis) {
 RationalPoint2 exact(const PlanarPoint& p) { return {p.x.exact(), p.y.exact()}; }
 
 bool is_double(const PlanarPoint& p) { return p.x.is_double() && p.y.is_double(); }
-Vec2 as_doubles(const PlanarPoint& p) { return {p.x.around().lower, p.y.around().lower}; }
+Vec2 rounded_place(const PlanarPoint& p) { return {p.x.around().lower, p.y.around().lower}; }
 
 /// On which side of the line from s.left to s.right the point lies: positive is above.
 Sign side_of(const PlanarSegment& s, const PlanarPoint& p) {
   if (is_double(s.left) && is_double(s.right) && is_double(p))
-    return orient2d(as_doubles(s.left), as_doubles(s.right), as_doubles(p));
+    return orient2d(rounded_place(s.left), rounded_place(s.right), rounded_place(p));
   const Interval ux = s.right.x.around() - s.left.x.around(), uy = s.right.y.around() - s.left.y.around();
   const Interval vx = p.x.around() - s.left.x.around(), vy = p.y.around() - s.left.y.around();
   const Interval filter = ux * vy - uy * vx;

@@ -42,7 +42,7 @@ std::vector<Triangle> sheets_and_others(std::vector<Triangle> sheets, std::vecto
   return sheets;
 }
 
-int shared_vertices(const Triangle& s, const Triangle& t) {
+int shared_vertex_count(const Triangle& s, const Triangle& t) {
   return static_cast<int>(std::count_if(s.vertex.begin(), s.vertex.end(), [&](const Vec3& p) {
     return std::find(t.vertex.begin(), t.vertex.end(), p) != t.vertex.end();
   }));
@@ -89,7 +89,7 @@ void Sheets::note_meeting(Index i, Index j) {
   const Meeting common = meeting(sheets_[i], sheets_[j]);
   if (common.kind == MeetingKind::none || common.kind == MeetingKind::point) return;
   // A segment that contains a whole edge of both is that edge.
-  if (common.kind == MeetingKind::segment && shared_vertices(sheets_[i], sheets_[j]) == 2) return;
+  if (common.kind == MeetingKind::segment && shared_vertex_count(sheets_[i], sheets_[j]) == 2) return;
   note_side(i, j, common.on_a);
   note_side(j, i, common.on_b);
 }

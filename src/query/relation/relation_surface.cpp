@@ -12,7 +12,7 @@ namespace toccata {
 namespace {
 
 /// After so many crossing triangles beside which no interior was seen, look at everything.
-constexpr int most_glances = 16;
+constexpr int most_triangle_glances = 16;
 
 /// Some point of the cells of a triangle with area, cut so, is interior. Where `cuts` are all that cut it, a miss is
 /// proof.
@@ -108,7 +108,7 @@ class SurfaceLook {
   };
 
   bool glance_at(const Contact& contact) {
-    if (!contact.meeting.crossing || glances_ >= most_glances) return false;
+    if (!contact.meeting.crossing || glances_ >= most_triangle_glances) return false;
     ++glances_;
     const Triangle t = surface_.triangle(contact.triangle_b), cut = solid_.triangle(contact.triangle_a);
     return has_area(t) && cells_reach_interior(solid_, t, std::span(&cut, 1), false);

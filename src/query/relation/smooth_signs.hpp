@@ -18,10 +18,10 @@ constexpr Known both(Known a, Known b) {
 
 /// Whether the shape holds a world point.
 template <class Shape>
-Known holds(const Shape& shape, const Vec3& point) {
+Known holds_point(const Shape& shape, const Vec3& point) {
   return known(overlap(PosedConvex(Point(point)), shape));
 }
-inline Known holds(const PosedSmooth& shape, const Vec3& point) {
+inline Known holds_point(const PosedSmooth& shape, const Vec3& point) {
   const SmoothContact found = smooth_contact(shape, PosedConvex(Point(point)));
   if (found == SmoothContact::undecided) return Known::undecided;
   return known(found == SmoothContact::contact);
@@ -45,7 +45,7 @@ inline Known lies_within(const PosedConvex& triangle, const Relation& found, con
   if (found.containment == Containment::a_in_b) return Known::yes;
   Known all = Known::yes;
   for (Index i = 0; i < triangle.vertex_count() && all != Known::no; ++i)
-    all = both(all, holds(shape, triangle.vertex(i)));
+    all = both(all, holds_point(shape, triangle.vertex(i)));
   return all;
 }
 

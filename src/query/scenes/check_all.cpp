@@ -13,6 +13,7 @@
 #include "query/contacts/part_contacts.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
+#include "query/posed_shape.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "query/scenes/candidate_pairs.hpp"
 #include "query/scenes/posed_name.hpp"
@@ -31,9 +32,6 @@ constexpr std::size_t pairs_at_once = 4096;
 void require_length(double clearance) {
   if (!(clearance >= 0)) throw Error(fmt::format("a clearance is {}; it has to be a length of 0 or more", clearance));
 }
-
-/// Rounded up.
-double half_of(double length) { return std::max(0.5 * length, length - 0.5 * length); }
 
 /// How near which pairs have to be to be told.
 class Clearances {
@@ -144,7 +142,7 @@ class Check {
   }
 
   static std::vector<Aabb> grown_by_half(std::vector<Aabb> boxes, double clearance) {
-    for (Aabb& box : boxes) box = grown(box, half_of(clearance));
+    for (Aabb& box : boxes) box = widened(box, half_rounded_up(clearance));
     return boxes;
   }
 
@@ -152,8 +150,8 @@ class Check {
   [[nodiscard]] std::vector<IndexPair> near_pairs_with_own_clearance(std::span<const Aabb> boxes) const {
     std::vector<IndexPair> pairs;
     for (const auto& [pair, clearance] : clearances_.of_pairs()) {
-      const double half = half_of(clearance);
-      if (overlap(grown(boxes[pair.first], half), grown(boxes[pair.second], half)))
+      const double half = half_rounded_up(clearance);
+      if (overlap(widened(boxes[pair.first], half), widened(boxes[pair.second], half)))
         pairs.push_back({pair.first, pair.second});
     }
     return pairs;

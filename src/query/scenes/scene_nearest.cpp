@@ -30,7 +30,7 @@ std::vector<std::unique_ptr<const Part>> made_of_each(std::span<const Posed> mod
   return parts;
 }
 
-bool holds(const Aabb& box, const Vec3& point) { return contains(box, Aabb{point, point}); }
+bool contains_point(const Aabb& box, const Vec3& point) { return contains(box, Aabb{point, point}); }
 
 bool comes_before(const ScenePoint& a, const ScenePoint& b) {
   return std::tie(a.nearest.upper, a.object, a.nearest.element) <
@@ -93,7 +93,7 @@ class SceneSides {
     }
     FoundSide best;
     for (Index i = 0; i < sides_.size(); ++i) {
-      if (sides_[i]->is_certain() && !holds(search_.box(i), point)) continue;
+      if (sides_[i]->is_certain() && !contains_point(search_.box(i), point)) continue;
       const FoundSide side = sides_[i]->side_of(point, scratch);
       if (weight_of(side) <= weight_of(best)) continue;
       best = side;

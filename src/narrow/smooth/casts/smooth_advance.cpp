@@ -9,7 +9,7 @@
 namespace toccata {
 namespace {
 
-constexpr int most_steps = 24;
+constexpr int most_advance_steps = 24;
 /// A step that gains less, of the whole way, is the last one.
 constexpr double least_gain = 0x1p-46;
 
@@ -21,9 +21,9 @@ BodyPoint body_point(const QuickSide& side) {
 }
 
 /// What is nearest, as far as is seen, and the direction from B to A there.
-class Nearest {
+class NearestSeen {
  public:
-  explicit Nearest(const Vec3& direction) : direction_(direction) {}
+  explicit NearestSeen(const Vec3& direction) : direction_(direction) {}
 
   /// Newton's method from what was nearest before; false where that leads nowhere.
   bool follow(const PlainBody& a, const PlainBody& b) {
@@ -105,7 +105,7 @@ class Advance {
   SmoothAdvance until(double limit) {
     const SmoothAdvance beside = passes_beside();
     if (beside.for_ever || beside.free_until > 1) return beside;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_advance_steps; ++step) {
       const double before = best_.free_until;
       const PlainBody moved = a_.moved(before * motion_);
       // What is followed is a guess that may gain nothing.
@@ -139,7 +139,7 @@ class Advance {
   const PlainBody& a_;
   Vec3 motion_;
   const PlainBody& b_;
-  Nearest nearest_;
+  NearestSeen nearest_;
   SmoothAdvance best_;
 };
 

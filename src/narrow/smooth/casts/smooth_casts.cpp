@@ -5,6 +5,7 @@
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
+#include "narrow/convex/time_width.hpp"
 #include "narrow/seen_from_target.hpp"
 #include "narrow/smooth/casts/smooth_advance.hpp"
 #include "narrow/smooth/casts/smooth_cast_until.hpp"
@@ -17,10 +18,9 @@
 namespace toccata {
 namespace {
 
-constexpr double time_width = 0x1p-42;
-constexpr int most_steps = 64;
+constexpr int most_smooth_cast_steps = 64;
 /// A time after the end of the way.
-constexpr double never = 2;
+constexpr double after_the_way = 2;
 
 /// A box in the pair's frame, that tells what certainly lies within; nothing does, of other shapes.
 class BoxWithin {
@@ -81,7 +81,7 @@ class SmoothCast {
  private:
   /// Takes over what is proved, with the last plane's height in double words.
   double free_until_is(const SmoothAdvance& begun) {
-    if (begun.for_ever) return never;
+    if (begun.for_ever) return after_the_way;
     if (!(begun.free_until > 0)) return 0;
     free_until_ = begun.free_until;
     normal_ = begun.direction;
@@ -111,13 +111,13 @@ class SmoothCast {
 
   /// From plane to plane, until they are no longer told apart. Returns until when they are free.
   double advance(double limit) {
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_smooth_cast_steps; ++step) {
       const SmoothNearest now = at(free_until_);
       if (now.contact != SmoothContact::apart) break;
       normal_ = {now.direction[0].high, now.direction[1].high, now.direction[2].high};
       point_ = now.on_b;
       const double time = separated_until(now.direction);
-      if (time > 1) return never;
+      if (time > 1) return after_the_way;
       if (!(time > free_until_)) break;
       const bool arrived = time - free_until_ < time_width / 4;
       free_until_ = time;
@@ -139,10 +139,10 @@ class SmoothCast {
     const BoundedNumber approach = -dot(motion_, d);
     // It comes nearer by no more than this in the whole time.
     const double fastest = ceiling_of(approach);
-    if (gap.is_positive() && floor_of(gap) > fastest) return never;
+    if (gap.is_positive() && floor_of(gap) > fastest) return after_the_way;
     // What has passed goes away from the plane for the rest of the way.
     const bool is_leaving = fastest <= 0 && (gap - exactly(free_until_) * approach).is_positive();
-    if (is_leaving) return never;
+    if (is_leaving) return after_the_way;
     const double time = floor_of(gap / exactly(fastest));
     return time == time ? time : 0;
   }
@@ -290,7 +290,7 @@ std::optional<Cast> cast_shape_until(const PosedConvex& a, const Vec3& motion, c
 
 double free_until(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit) {
   const SmoothAdvance found = begun(a, motion, b, pair_frame(a, b), limit);
-  return found.for_ever ? never : found.free_until;
+  return found.for_ever ? after_the_way : found.free_until;
 }
 
 double free_until(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit) {

@@ -50,8 +50,8 @@ struct Quadratic {
 
 /// The part of a line that is in a shape.
 template <class Number>
-struct Stretch {
-  explicit Stretch(double begin) : start(number_as<Number>(-begin)), end(start + number_as<Number>(1.0)) {}
+struct RayStretch {
+  explicit RayStretch(double begin) : start(number_as<Number>(-begin)), end(start + number_as<Number>(1.0)) {}
 
   Number start;  ///< of the way
   Number end;
@@ -153,10 +153,10 @@ struct Stretch {
 };
 
 template <class Number>
-Stretch<Number> stretch_within(PosedSmooth::Kind kind, const RoundLine<Number>& line) {
-  using End = typename Stretch<Number>::End;
+RayStretch<Number> stretch_within(PosedSmooth::Kind kind, const RoundLine<Number>& line) {
+  using End = typename RayStretch<Number>::End;
   const VectorOf<Number>&p = line.p, &v = line.v;
-  Stretch<Number> stretch(line.begin);
+  RayStretch<Number> stretch(line.begin);
   Quadratic<Number> q{v[0] * v[0], p[0] * v[0], p[0] * p[0]};
   q.add(p[1], v[1]);
   if (kind == PosedSmooth::Kind::ellipsoid) {
@@ -186,8 +186,8 @@ Vec3 normal_at_tip(const RoundLine<Number>& line) {
 
 /// Of the surface in the frame in which it is round, where the line enters it.
 template <class Number>
-Vec3 round_normal(PosedSmooth::Kind kind, const RoundLine<Number>& line, const Stretch<Number>& stretch) {
-  using End = typename Stretch<Number>::End;
+Vec3 round_normal(PosedSmooth::Kind kind, const RoundLine<Number>& line, const RayStretch<Number>& stretch) {
+  using End = typename RayStretch<Number>::End;
   if (stretch.entered_by == End::cap_below || stretch.entered_by == End::cap_above)
     return {0, 0, stretch.entered_by == End::cap_above ? 1.0 : -1.0};
   VectorOf<Number> at;
@@ -206,7 +206,7 @@ template <class Number>
 std::optional<LineWithin<Number>> within(PosedSmooth::Kind kind, RoundLine<Number> line) {
   line.orient();
   if (!line.volume.is_positive()) return {};
-  const Stretch<Number> stretch = stretch_within(kind, line);
+  const RayStretch<Number> stretch = stretch_within(kind, line);
   LineWithin<Number> found;
   found.empty = stretch.empty;
   if (found.empty) return found;
@@ -226,7 +226,7 @@ std::optional<LineWithin<Number>> within(PosedSmooth::Kind kind, RoundLine<Numbe
 }
 
 /// What is lost below the range is little beside what is rounded.
-bool is_moderate(const std::array<Vec3, 3>& axis, double size_from, double size_along) {
+bool are_moderate_axes(const std::array<Vec3, 3>& axis, double size_from, double size_along) {
   constexpr double least = 0x1p-200, most = 0x1p200;
   for (const Vec3& a : axis)
     if (!(sum_of_magnitudes(a) > least && sum_of_magnitudes(a) < most)) return false;
@@ -261,7 +261,7 @@ std::optional<LineWithin<BoundedDouble>> quick_line_within(PosedSmooth::Kind kin
   const Vec3 near = from + line.begin * along;
   const double size_along = sum_of_magnitudes(along), size_near = sum_of_magnitudes(near);
   const double summed = sum_of_magnitudes(from) + std::fabs(line.begin) * size_along;
-  if (!is_moderate(axis, summed, size_along)) return {};
+  if (!are_moderate_axes(axis, summed, size_along)) return {};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &u = axis[(i + 1) % 3], &w = axis[(i + 2) % 3];
     const double part = 10 * rounding * sum_of_magnitudes(u) * sum_of_magnitudes(w);

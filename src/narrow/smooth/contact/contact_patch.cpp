@@ -8,13 +8,11 @@
 namespace toccata {
 namespace {
 
-using Kind = ConvexFeature::Kind;
-
 /// Of the length of a side.
 constexpr double rounding_of_parts = 0x1p-44;
 
 /// A direction across the normal: in the plane of two axes, of the two that are most across it.
-Vec3 across(const Vec3& normal) {
+Vec3 unit_across(const Vec3& normal) {
   const Vec3 m = magnitudes(normal);
   if (m.x <= m.y && m.x <= m.z) return unit_or_zero(cross({1, 0, 0}, normal));
   return unit_or_zero(cross(m.y <= m.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1}, normal));
@@ -57,7 +55,7 @@ class RoundSides {
 
   void fill_cap(Index atom, const Vec3& normal) {
     patch_.kind = ContactPatch::Kind::disc;
-    patch_.whole = {Kind::face, atom};
+    patch_.whole = {ConvexFeature::Kind::face, atom};
     patch_.first_rim = 4 * atom;
     patch_.centre = frame_.placed(body_.plain_centre(atom));
     for (std::size_t j = 0; j < 2; ++j) patch_.column[j] = frame_.turned(body_.plain_column(j));
@@ -68,14 +66,14 @@ class RoundSides {
   void fill_line() {
     const Vec3 along = unit_or_zero(body_.along_columns(direction_)), rim = body_.map(along);
     const Vec3 low = body_.plain_centre(0) + rim, high = body_.plain_centre(1) + (is_cone() ? Vec3{} : rim);
-    const PatchCorner at_low{frame_.placed(low), {Kind::edge, quarter(along)}, {}};
-    const PatchCorner at_high{
-        frame_.placed(high),
-        is_cone() ? ConvexFeature{Kind::vertex, 0} : ConvexFeature{Kind::edge, 4 + quarter(along)},
-        {}};
+    const PatchCorner at_low{frame_.placed(low), {ConvexFeature::Kind::edge, quarter(along)}, {}};
+    const PatchCorner at_high{frame_.placed(high),
+                              is_cone() ? ConvexFeature{ConvexFeature::Kind::vertex, 0}
+                                        : ConvexFeature{ConvexFeature::Kind::edge, 4 + quarter(along)},
+                              {}};
     if (!(along == Vec3{}) && is_across(high - low, direction_)) {
       patch_.kind = ContactPatch::Kind::line;
-      patch_.whole = {Kind::face, is_cone() ? Index{1} : Index{2}};
+      patch_.whole = {ConvexFeature::Kind::face, is_cone() ? Index{1} : Index{2}};
       patch_.corners = {at_low, at_high};
       patch_.side = {frame_.placed(body_.plain_centre(0)),
                      frame_.turned(body_.plain_centre(1) - body_.plain_centre(0)),
@@ -108,7 +106,7 @@ class FlatSides {
         patch_(patch) {}
 
   void fill(const Vec3& touching) {
-    patch_.whole = {Kind::vertex, face_.vertex};
+    patch_.whole = {ConvexFeature::Kind::vertex, face_.vertex};
     patch_.centre = place(face_.vertex) + shape_.radius() * outwards_;
     if (face_.face == ContactFace::none) return;
     if (face_.facing >= cosine_of_facing) return fill_polygon(touching);
@@ -122,12 +120,14 @@ class FlatSides {
   void fill_polygon(const Vec3& touching) {
     const HullTopology topology = shape_.topology();
     patch_.kind = ContactPatch::Kind::polygon;
-    patch_.whole = {Kind::face, face_.face};
+    patch_.whole = {ConvexFeature::Kind::face, face_.face};
     const Vec3 normal = frame_.turned(face_.normal), grown = shape_.radius() * normal;
     double twice_area = 0;
     for (Index h = face_.first(); h < face_.last(); ++h) {
       const Vec3 p = place(topology.origin[h]) + grown, q = place(topology.target(h)) + grown;
-      patch_.corners.push_back({p, {Kind::vertex, topology.origin[h]}, {Kind::edge, edge_number(topology, h)}});
+      patch_.corners.push_back({p,
+                                {ConvexFeature::Kind::vertex, topology.origin[h]},
+                                {ConvexFeature::Kind::edge, edge_number(topology, h)}});
       twice_area += p.x * q.y - p.y * q.x;
     }
     patch_.turn = twice_area < 0 ? -1 : 1;
@@ -159,10 +159,11 @@ class FlatSides {
     const HullTopology topology = shape_.topology();
     const Index from = topology.origin[half_edge], to = topology.target(half_edge);
     patch_.kind = ContactPatch::Kind::line;
-    patch_.whole = {Kind::edge, edge_number(topology, half_edge)};
+    patch_.whole = {ConvexFeature::Kind::edge, edge_number(topology, half_edge)};
     const Vec3 axis = place(to) - place(from), along = unit_or_zero(axis);
     const Vec3 grown = shape_.radius() * unit_or_zero(outwards_ - dot(along, outwards_) * along);
-    patch_.corners = {{place(from) + grown, {Kind::vertex, from}, {}}, {place(to) + grown, {Kind::vertex, to}, {}}};
+    patch_.corners = {{place(from) + grown, {ConvexFeature::Kind::vertex, from}, {}},
+                      {place(to) + grown, {ConvexFeature::Kind::vertex, to}, {}}};
     if (shape_.radius() > 0) patch_.side = {place(from), axis, {grown, cross(along, grown)}};
   }
 
@@ -178,7 +179,7 @@ class FlatSides {
 }  // namespace
 
 ContactFrame::ContactFrame(const Vec3& at, const Vec3& normal)
-    : origin(at), x(across(normal)), y(cross(normal, x)), z(normal) {}
+    : origin(at), x(unit_across(normal)), y(cross(normal, x)), z(normal) {}
 
 // The root of a t² + 2 b t + c that is nearer to 0, t above the point.
 std::optional<double> RoundSide::height_near(const Vec3& at) const {

@@ -10,7 +10,7 @@
 namespace toccata {
 namespace {
 
-using Kind = ContactPatch::Kind;
+using PatchKind = ContactPatch::Kind;
 
 constexpr int rim_parts = 16;
 
@@ -97,15 +97,15 @@ void clip_by_line(Clip& clip, const ContactPatch& line, const Vec3& p, const Vec
 
 std::optional<Clip> clipped(const ContactPatch& patch, const Vec3& p, const Vec3& q) {
   Clip clip{.at_from = patch.whole, .at_to = patch.whole};
-  if (patch.kind == Kind::polygon) clip_by_polygon(clip, patch, p, q);
-  if (patch.kind == Kind::disc) clip_by_disc(clip, patch, p, q);
-  if (patch.kind == Kind::line) clip_by_line(clip, patch, p, q);
+  if (patch.kind == PatchKind::polygon) clip_by_polygon(clip, patch, p, q);
+  if (patch.kind == PatchKind::disc) clip_by_disc(clip, patch, p, q);
+  if (patch.kind == PatchKind::line) clip_by_line(clip, patch, p, q);
   if (clip.is_empty()) return {};
   return clip;
 }
 
 bool contains(const ContactPatch& area, const Vec3& p) {
-  if (area.kind == Kind::disc) {
+  if (area.kind == PatchKind::disc) {
     const Vec3 u = area.on_unit_disc(p);
     return flat_dot(u, u) <= 1;
   }
@@ -126,7 +126,7 @@ struct RimHeight {
 };
 
 /// Half way around between two points of the unit circle.
-Vec3 between(const Vec3& u, const Vec3& v) { return flat_unit(u + v); }
+Vec3 half_way_around(const Vec3& u, const Vec3& v) { return flat_unit(u + v); }
 
 constexpr int halvings = 52;
 
@@ -134,7 +134,7 @@ constexpr int halvings = 52;
 Vec3 zero_between(const RimHeight& height, Vec3 u, Vec3 v) {
   const bool above = height(u) > 0;
   for (int i = 0; i < halvings; ++i) {
-    const Vec3 middle = between(u, v);
+    const Vec3 middle = half_way_around(u, v);
     ((height(middle) > 0) == above ? u : v) = middle;
   }
   return u;
@@ -143,13 +143,13 @@ Vec3 zero_between(const RimHeight& height, Vec3 u, Vec3 v) {
 /// The point between two others of least `sign` · height, where there is but one such.
 Vec3 extreme_between(const RimHeight& height, double sign, Vec3 u, Vec3 v) {
   for (int i = 0; i < halvings; ++i) {
-    const Vec3 middle = between(u, v), left = between(u, middle), right = between(middle, v);
+    const Vec3 middle = half_way_around(u, v), left = half_way_around(u, middle), right = half_way_around(middle, v);
     if (sign * height(left) <= sign * height(right))
       v = right;
     else
       u = left;
   }
-  return between(u, v);
+  return half_way_around(u, v);
 }
 
 /// The last part of the way from one that there is a height for to another one.
@@ -164,27 +164,27 @@ double last_within(const Height& height, double within, double part) {
   return within;
 }
 
-class CommonPoints {
+class CommonPointsOfPatches {
  public:
-  CommonPoints(const ContactPatch& a, const ContactPatch& b, std::pmr::memory_resource& memory)
+  CommonPointsOfPatches(const ContactPatch& a, const ContactPatch& b, std::pmr::memory_resource& memory)
       : patch_{&a, &b}, points_(&memory) {}
 
   std::pmr::vector<CommonPoint> all() {
-    const auto is = [&](std::size_t i, Kind kind) { return patch_[i]->kind == kind; };
-    if (is(0, Kind::point) || is(1, Kind::point)) return std::move(points_);
-    if (is(0, Kind::line) && is(1, Kind::line)) {
+    const auto is = [&](std::size_t i, PatchKind kind) { return patch_[i]->kind == kind; };
+    if (is(0, PatchKind::point) || is(1, PatchKind::point)) return std::move(points_);
+    if (is(0, PatchKind::line) && is(1, PatchKind::line)) {
       add_along(patch_[0]->side && !patch_[1]->side ? 1 : 0);
       return std::move(points_);
     }
-    if (is(0, Kind::line) || is(1, Kind::line)) {
-      add_straight(is(0, Kind::line) ? 0 : 1);
+    if (is(0, PatchKind::line) || is(1, PatchKind::line)) {
+      add_straight(is(0, PatchKind::line) ? 0 : 1);
       return std::move(points_);
     }
     for (const std::size_t i : {0U, 1U})
-      if (is(i, Kind::disc)) add_rim(i);
-    if (is(0, Kind::disc) && is(1, Kind::disc)) add_crossings_of_rims();
+      if (is(i, PatchKind::disc)) add_rim(i);
+    if (is(0, PatchKind::disc) && is(1, PatchKind::disc)) add_crossings_of_rims();
     for (const std::size_t i : {0U, 1U})
-      if (is(i, Kind::polygon)) add_straight(i);
+      if (is(i, PatchKind::polygon)) add_straight(i);
     return std::move(points_);
   }
 
@@ -228,7 +228,7 @@ class CommonPoints {
   /// The straight sides of a patch as far as they lie within the other one.
   void add_straight(std::size_t i) {
     const ContactPatch &mine = *patch_[i], &other = *patch_[1 - i];
-    const bool is_line = mine.kind == Kind::line;
+    const bool is_line = mine.kind == PatchKind::line;
     for (std::size_t k = 0; k < (is_line ? 1 : mine.corners.size()); ++k) {
       const PatchCorner &p = mine.corners[k], &q = mine.corners[(k + 1) % mine.corners.size()];
       const std::optional<Clip> clip = clipped(other, p.at, q.at);
@@ -310,7 +310,7 @@ class CommonPoints {
 
 std::pmr::vector<CommonPoint> common_points(const ContactPatch& a, const ContactPatch& b,
                                             std::pmr::memory_resource& memory) {
-  return CommonPoints(a, b, memory).all();
+  return CommonPointsOfPatches(a, b, memory).all();
 }
 
 }  // namespace toccata

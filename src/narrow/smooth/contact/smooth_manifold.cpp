@@ -6,6 +6,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/canonical_order.hpp"
+#include "narrow/convex/contact_choices.hpp"
 #include "narrow/smooth/contact/patch_overlap.hpp"
 #include "narrow/smooth/contact/smooth_parting.hpp"
 #include "narrow/smooth/distance/quick_pair.hpp"
@@ -16,9 +17,6 @@
 // is the region of contact, and up to four points of its boundary stand for it.
 namespace toccata {
 namespace {
-
-/// A gap of this part of the size of the contact still belongs to it, so that what rests keeps its points.
-constexpr double gap_of_resting = 0x1p-10;
 
 /// Points are as deep as each other within this, in a pair of size 1, and within this part of the depth.
 constexpr double same_depth = 0x1p-40;

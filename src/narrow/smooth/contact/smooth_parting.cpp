@@ -26,7 +26,7 @@ constexpr double almost_across = 0x1p-8;
 constexpr double rounding_along = 0x1p-46;
 
 /// From one gap.
-constexpr int most_steps = 12;
+constexpr int most_parting_steps = 12;
 constexpr int most_polishing = 4;
 
 /// As far as it is told along a direction that is a double's.
@@ -175,7 +175,7 @@ SmoothParting parting_of(const SmoothBody& a, const SmoothBody& b, const SmoothN
   if (is_polished(parting, a, b) || has_points_across(parting, a, b)) return parting;
   for (const double gap : gaps_between) {
     double last = HUGE_VAL;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_parting_steps; ++step) {
       const std::optional<double> off = take_step(parting, a, b, gap);
       if (off && *off <= rounding_across) return parting;
       // What hardly turns from here turns more from nearer.

@@ -6,12 +6,6 @@
 #include "math/vec3_measures.hpp"
 
 namespace toccata {
-namespace {
-
-Vec3 rounded(const GrowingSurface::FinePoint& p) { return {p[0].high, p[1].high, p[2].high}; }
-
-}  // namespace
-
 bool GrowingSurface::start(Precision precision, const std::array<Corner, 4>& corners) {
   precision_ = precision;
   extent_ = 0;
@@ -42,7 +36,7 @@ void GrowingSurface::set(std::size_t i, const Corner& corner) {
 }
 
 Vec3 GrowingSurface::across(std::size_t i, std::size_t j, std::size_t k) const {
-  if (is_fine()) return rounded(outer(difference(fine_[i], fine_[k]), difference(fine_[j], fine_[k])));
+  if (is_fine()) return high_parts(outer(difference(fine_[i], fine_[k]), difference(fine_[j], fine_[k])));
   return cross(corner(i) - corner(k), corner(j) - corner(k));
 }
 

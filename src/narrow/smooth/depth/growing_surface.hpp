@@ -20,7 +20,7 @@ class GrowingSurface {
  public:
   static constexpr std::size_t most_corners = 128;
 
-  using FinePoint = VectorOf<DoubleWord>;
+  using FinePoint = FineVector;
   struct Corner {
     Vec3 point;
     FinePoint fine;  ///< of a fine surface

@@ -9,7 +9,7 @@ namespace toccata {
 namespace {
 
 /// More than what the sums of products here are off by, as a part of the sum of the magnitudes.
-constexpr double rounding = 0x1p-49;
+constexpr double rounding_of_sums = 0x1p-49;
 /// Of the way from the point through which the axis goes to one of the pairs' points, where not all of these have the
 /// round parts.
 constexpr double most_part = 0.25;
@@ -70,7 +70,7 @@ void SmoothCap::look() {
     point_[i] = on_a_[i].point - on_b_[i].point;
     slope_unsure_ = std::fmax(slope_unsure_, sum_of_magnitudes(on_a_[i].point) + sum_of_magnitudes(on_b_[i].point));
   }
-  slope_unsure_ *= rounding;
+  slope_unsure_ *= rounding_of_sums;
   across_[0] = some_across(axis_);
   if (count_ == 2) {
     const Vec3 between = point_[1] - point_[0], along = unit_or_zero(between - dot(between, axis_) * axis_);
@@ -81,7 +81,7 @@ void SmoothCap::look() {
   weigh();
   look_at(side_[0], axis_);
   look_at(side_[1], -axis_);
-  for (const Side& side : side_) slope_unsure_ += side.size * (side.unsure + rounding);
+  for (const Side& side : side_) slope_unsure_ += side.size * (side.unsure + rounding_of_sums);
 }
 
 // Weights that do not make the axis' own point are no proof, but none of them is negative, so that their point is one
@@ -125,7 +125,7 @@ void SmoothCap::look_at(Side& side, const Vec3& outward) const {
   // Where the round part is flat along the axis, it counts as the plane that touches it
   // there.
   if (!(side.growth > 0x1p-30 * side.size)) return;
-  side.unsure = rounding * side.size / side.growth;
+  side.unsure = rounding_of_sums * side.size / side.growth;
   side.is_round = share > 0;
   side.share = all ? 1 : share;
   std::array<double, 2> lean{};
@@ -176,13 +176,14 @@ std::optional<SmoothCap::Curvature> SmoothCap::curvature_within(double tangent) 
   Curvature result;
   for (const Side& side : side_) {
     if (!side.is_round) continue;
-    const double along = tangent * (side.lean + side.size * (side.unsure + rounding));
-    const double across = tangent * std::sqrt(side.curvature[0] + side.curvature[2] + rounding * side.size * side.size);
+    const double along = tangent * (side.lean + side.size * (side.unsure + rounding_of_sums));
+    const double across =
+        tangent * std::sqrt(side.curvature[0] + side.curvature[2] + rounding_of_sums * side.size * side.size);
     if (!(along < 0.9 * side.growth)) return std::nullopt;
     const double widest = (side.growth + along) + 0.25 * across * across / (side.growth - along);
     const double share = side.share == 1 ? 1 : (1 - most_part) * side.share;
     for (std::size_t k = 0; k < 3; ++k) result.radii[k] += share * side.curvature[k] / widest;
-    result.unsure += (side.unsure + rounding) * side.size * side.size / widest;
+    result.unsure += (side.unsure + rounding_of_sums) * side.size * side.size / widest;
   }
   return result;
 }
@@ -192,24 +193,24 @@ std::optional<SmoothCap::Curvature> SmoothCap::curvature_within(double tangent) 
 double SmoothCap::loss_within(double tangent, double least) const {
   const std::optional<Curvature> g = curvature_within(tangent);
   if (!g) return HUGE_VAL;
-  const double less = least * (1 + rounding) + 4 * g->unsure;
+  const double less = least * (1 + rounding_of_sums) + 4 * g->unsure;
   const Symmetric excess{g->radii[0] - less, g->radii[1], g->radii[2] - less};
   if (count_ == 1) return loss_around_point(excess, tangent);
   return count_ == 2 ? loss_around_edge(excess, tangent) : loss_around_face(excess, tangent);
 }
 
 double SmoothCap::loss_around_point(const Symmetric& excess, double tangent) const {
-  const double least = least_eigenvalue(excess), slope = length(slope_[0]) * (1 + rounding) + slope_unsure_;
-  if (slope < least * tangent) return 0.5 * slope * slope / least * (1 + rounding);
-  return (slope * tangent - 0.5 * least * tangent * tangent) * (1 + rounding);
+  const double least = least_eigenvalue(excess), slope = length(slope_[0]) * (1 + rounding_of_sums) + slope_unsure_;
+  if (slope < least * tangent) return 0.5 * slope * slope / least * (1 + rounding_of_sums);
+  return (slope * tangent - 0.5 * least * tangent * tangent) * (1 + rounding_of_sums);
 }
 
 // The highest of the points is no lower than the point through which the axis goes, moved by a part of the way to any
 // of them: by as small a part as what is needed of the reach.
 double SmoothCap::loss_between(double needed, double reach) const {
   const bool is_whole = side_[0].share == 1 && side_[1].share == 1;
-  if (!(reach > 0) || !(needed < reach * (is_whole ? 1 - rounding : most_part))) return HUGE_VAL;
-  return needed / reach * uneven_ * (1 + rounding);
+  if (!(reach > 0) || !(needed < reach * (is_whole ? 1 - rounding_of_sums : most_part))) return HUGE_VAL;
+  return needed / reach * uneven_ * (1 + rounding_of_sums);
 }
 
 // Along the edge, at α, an end gains the reach to it times |α|; across it, at β, nothing is lost but by the slope. The
@@ -217,11 +218,11 @@ double SmoothCap::loss_between(double needed, double reach) const {
 double SmoothCap::loss_around_edge(const Symmetric& excess, double tangent) const {
   const double slope = std::fmax(std::fabs(slope_[0][1]), std::fabs(slope_[1][1])) + slope_unsure_;
   const double reach = std::fmin(-slope_[0][0], slope_[1][0]) - slope_unsure_;
-  const double mixed = std::fabs(excess[1]), second = excess[2] * (1 - rounding);
+  const double mixed = std::fabs(excess[1]), second = excess[2] * (1 - rounding_of_sums);
   if (!(second > 0)) return HUGE_VAL;
   const double bend = std::fmax(mixed * mixed / second - excess[0], 0);
   const double needed = 2 * slope_unsure_ + slope * mixed / second + 0.5 * bend * tangent;
-  return loss_between(needed, reach) + 0.5 * slope * slope / second * (1 + rounding);
+  return loss_between(needed, reach) + 0.5 * slope * slope / second * (1 + rounding_of_sums);
 }
 
 // In every direction of the plane some corner reaches as far as the circle within the triangle around the axis.
@@ -234,7 +235,7 @@ double SmoothCap::loss_around_face(const Symmetric& excess, double tangent) cons
     reach = std::fmin(reach, sign * side / length(std::array{q[0] - p[0], q[1] - p[1]}));
   }
   const double needed = 4 * slope_unsure_ + 0.5 * std::fmax(-least_eigenvalue(excess), 0) * tangent;
-  return loss_between(needed, reach * (1 - rounding) - 4 * slope_unsure_);
+  return loss_between(needed, reach * (1 - rounding_of_sums) - 4 * slope_unsure_);
 }
 
 double SmoothCap::widest_tangent(double least) const {
@@ -276,7 +277,7 @@ double SmoothCap::proved_height(double tangent, double least) {
   double lower = 0;
   const auto prove = [&](double height) {
     // The axis is of length 1 but for rounding, and x lies across it but for that.
-    lower = height * (1 - 0x1p-49) - loss_within(tangent * (1 + rounding), least);
+    lower = height * (1 - 0x1p-49) - loss_within(tangent * (1 + rounding_of_sums), least);
     return lower * (1 - 0x1p-50) >= least;
   };
   if (!prove(refined<BoundedDouble>())) prove(refined<BoundedNumber>());

@@ -9,10 +9,10 @@ namespace toccata {
 namespace {
 
 /// Heights that differ by less are one, in a frame where the bodies are of size 1.
-constexpr double rounding = 0x1p-49;
+constexpr double same_height = 0x1p-49;
 /// What the first four corners count as no width.
-constexpr double flat = 0x1p-40;
-constexpr int most_steps = 8;
+constexpr double no_width = 0x1p-40;
+constexpr int most_expansion_steps = 8;
 constexpr int most_starts = 4;
 /// When a cap is looked for: the parts of the lowest height that the surface may miss there (one cap; those of edges
 /// and faces), how much higher it may be, and what is little besides.
@@ -42,7 +42,7 @@ SmoothExpansion::SmoothExpansion(const SmoothBody& a, const SmoothBody& b)
 /// Gives the height as good as it is needed.
 double SmoothExpansion::offer(const HighestPoint& highest) {
   double height = highest.height;
-  if (height < upper_ + rounding && height < shallow)
+  if (height < upper_ + same_height && height < shallow)
     height = middle(height_of_pair<BoundedNumber>(a_, b_, highest.atoms(), highest.axis));
   offer(height, highest.axis);
   return height;
@@ -85,7 +85,7 @@ bool SmoothExpansion::start() {
   const Vec3 across = some_across(axis);
   HighestPoint third(a_, b_, across);
   // The first two may lie on a flat end, beyond which there is nothing on this side.
-  if (const double beside = dot(across, third.point - first.point); !(beside > flat))
+  if (const double beside = dot(across, third.point - first.point); !(beside > no_width))
     if (const HighestPoint other(a_, b_, -across); dot(across, first.point - other.point) > beside) third = other;
   place(third);
   const Vec3 normal = unit_or_zero(cross(axis, third.point - first.point));
@@ -127,7 +127,7 @@ bool SmoothExpansion::step(std::size_t facet) {
   if (is_promising(here, gain, missing_for_cap))
     if (const std::optional<SmoothCap> cap = lowest_near(here); cap && raise(*cap, gain)) return true;
   if (is_promising(here, gain, missing_for_edges) && raise_edge_or_face(facet, here, gain)) return true;
-  if (!(gain > rounding)) return false;
+  if (!(gain > same_height)) return false;
   return add(Corner(here), here.point, facet);
 }
 
@@ -140,7 +140,7 @@ bool SmoothExpansion::is_promising(const HighestPoint& here, double gain, double
 /// Nothing where that is raised already.
 std::optional<SmoothCap> SmoothExpansion::lowest_near(const HighestPoint& from) {
   SmoothCap lowest(a_, b_, from);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_expansion_steps; ++i) {
     const std::optional<Vec3> axis = lowest.lower_axis();
     if (!axis) break;
     if (is_raised(*axis)) return std::nullopt;
@@ -201,18 +201,18 @@ bool SmoothExpansion::raise_edge_or_face(std::size_t facet, const HighestPoint& 
 
 bool SmoothExpansion::raise_around(const Vec3& axis, std::span<const AtomPair> atoms, double gain) {
   SmoothCap cap(a_, b_, axis, atoms);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_expansion_steps; ++i) {
     const std::optional<Vec3> next = cap.lower_axis();
     if (!next) return false;
     const Vec3 way = *next - cap.axis();
     cap = SmoothCap(a_, b_, *next, atoms);
     if (dot(way, way) < 0x1p-100) break;
     // What comes to rest higher is of no use.
-    if (i == 1 && !(cap.height() < 1.25 * upper_ + rounding)) return false;
+    if (i == 1 && !(cap.height() < 1.25 * upper_ + same_height)) return false;
   }
   const double highest = offer(HighestPoint(a_, b_, cap.axis()));
   // Of a shallow place rounded heights tell nothing; the point between the pairs' is refined.
-  if (!(cap.height() > highest - 8 * rounding)) return false;
+  if (!(cap.height() > highest - 8 * same_height)) return false;
   if (cap.height() < shallow) cap.refine();
   offer(cap.height(), cap.axis());
   return raise(cap, gain);

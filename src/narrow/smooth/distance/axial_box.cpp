@@ -16,16 +16,16 @@
 namespace toccata {
 namespace {
 
-constexpr int most_steps = 16;
+constexpr int most_axial_steps = 16;
 /// What is left after a step that is smaller than this part of the shapes is about its square.
 constexpr double small_step = 0x1p-24;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: t (3 − t²) / 2
 /// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; of a cone, how wide it is by 3 u.
-constexpr double drawn_in = 13 * unit_roundoff;
+constexpr double axial_drawn_in = 13 * unit_roundoff;
 /// As far as the guess goes, both poses are rotations.
-constexpr double largest_skew = 0x1p-42;
+constexpr double largest_skew_of_rotations = 0x1p-42;
 
-double clamped(double x, double limit) { return std::min(std::max(x, -limit), limit); }
+double clamped_around_zero(double x, double limit) { return std::min(std::max(x, -limit), limit); }
 
 class AxialBox {
  public:
@@ -38,14 +38,14 @@ class AxialBox {
         between_(b.as_box().centre - a.pose().offset) {
     for (int j = 0; j < 3; ++j) {
       side_[static_cast<std::size_t>(j)] = b.pose().linear.column(j);
-      at_[j] = clamped(-dot(side_[static_cast<std::size_t>(j)], between_), half_[j]);
+      at_[j] = clamped_around_zero(-dot(side_[static_cast<std::size_t>(j)], between_), half_[j]);
     }
     small_ = small_step * std::min({a.half().x, a.half().z, half_.x, half_.y, half_.z});
   }
 
   /// Tells whether the conditions of the nearest points hold.
   bool search() {
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < most_axial_steps; ++i) {
       if (!look_from_box()) return false;
       const Step taken = step();
       if (taken == Step::none) return true;
@@ -113,7 +113,7 @@ class AxialBox {
     const double within = foot_.slope_out * out + foot_.slope_up * up;
     const double beside = std::max(0.0, 1 - (up * up + out * out));
     const double second = (up * up + out * out - within * within) + (1 - foot_.share) * beside;
-    double next = clamped(at_[j] - derivative / second, half_[j]);
+    double next = clamped_around_zero(at_[j] - derivative / second, half_[j]);
     if (!(next >= least_ && next <= most_)) next = 0.5 * (least_ + most_);
     const double length = std::fabs(next - at_[j]);
     at_[j] = next;
@@ -134,7 +134,7 @@ class AxialBox {
     for (int k = 0; k < 3; ++k) {
       if (k == j) continue;
       const double wanted = dot(side(k), from_box);
-      at_[k] = clamped(wanted, half_[k]);
+      at_[k] = clamped_around_zero(wanted, half_[k]);
       on_face = on_face && at_[k] == wanted;
     }
     off_faces_ += on_face ? 0 : 1;
@@ -180,7 +180,7 @@ Vec3 AxialBox::local_point() const {
   const Vec3 v{part * dot(m.column(0), radial_), part * dot(m.column(1), radial_), 0};
   // No more than the quotient by the length, for no length.
   const double squared = dot(v, v), less = squared > 1 - 0x1p-30 ? 1.5 - 0.5 * squared : 1;
-  const double drawn = (1 - drawn_in) * less * reach;
+  const double drawn = (1 - axial_drawn_in) * less * reach;
   return {drawn * v.x, drawn * v.y, foot_.up};
 }
 
@@ -329,7 +329,8 @@ bool AxialBox::is_box_met_within() const {
 
 bool is_round_beside_box(const PosedSmooth& a, const PosedConvex& b) {
   const RigidBox& box = b.as_box();
-  if (a.kind() == PosedSmooth::Kind::ellipsoid || !(box.skew < largest_skew) || b.radius() > 0) return false;
+  if (a.kind() == PosedSmooth::Kind::ellipsoid || !(box.skew < largest_skew_of_rotations) || b.radius() > 0)
+    return false;
   if (!(box.slack < 0x1p290) || !is_surely_rigid(a.pose().linear)) return false;
   const Vec3& e = box.half_extents;
   return is_moderate(a.half().x) && is_moderate(a.half().z) && is_moderate(e.x) && is_moderate(e.y) && is_moderate(e.z);

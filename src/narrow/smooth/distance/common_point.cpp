@@ -12,7 +12,7 @@ namespace toccata {
 namespace {
 
 /// Of a pair of size 1: a few thousand roundings, and what nearest points may be off by along a round side.
-constexpr double hair = 0x1p-40, along_sides = 0x1p-18;
+constexpr double few_thousand_roundings = 0x1p-40, along_sides = 0x1p-18;
 
 /// More places than this of one shape are not tried as points of both.
 constexpr int most_places = 64;
@@ -51,9 +51,9 @@ class CommonPointSearch {
 
   std::optional<Vec3> from(const Vec3& on_a, const Vec3& on_b) {
     for (const Vec3& near : {on_a, on_b})
-      if (is_common(near) || is_common(on_grid({near}, hair * size_).at)) return found_;
+      if (is_common(near) || is_common(on_grid({near}, few_thousand_roundings * size_).at)) return found_;
     for (const Vec3& near : {on_a, on_b})
-      for (const double off : {hair, along_sides})
+      for (const double off : {few_thousand_roundings, along_sides})
         for (const Take take : {Take::a, Take::b, Take::both})
           if (is_beside(near, off * size_, take)) return found_;
     if (is_place(a_, b_) || is_place(b_, a_)) return found_;

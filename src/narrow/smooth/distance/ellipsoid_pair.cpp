@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-constexpr int most_steps = 10;
+constexpr int most_ellipsoid_steps = 10;
 constexpr int most_blind_steps = 3;
 /// Of what an ellipsoid reaches.
 constexpr double blind_part = 0.1;
@@ -23,19 +23,19 @@ constexpr double small_turn_squared = 0x1p-46;
 /// Of half axes: that the squares of S do not hide the shorter ones.
 constexpr double most_slim = 64;
 /// The points are drawn in by this part, as in quick_proof.cpp.
-constexpr double drawn_in = 10 * unit_roundoff;
+constexpr double ellipsoid_drawn_in = 10 * unit_roundoff;
 
 /// By its upper half.
-struct Symmetric {
+struct EllipsoidMatrix {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
-Vec3 operator*(const Symmetric& m, const Vec3& v) {
+Vec3 operator*(const EllipsoidMatrix& m, const Vec3& v) {
   return {(m.xx * v.x + m.xy * v.y) + m.xz * v.z, (m.xy * v.x + m.yy * v.y) + m.yz * v.z,
           (m.xz * v.x + m.yz * v.y) + m.zz * v.z};
 }
 
-Symmetric squared_axes(const PosedSmooth& shape) {
+EllipsoidMatrix squared_axes(const PosedSmooth& shape) {
   const Vec3& h = shape.half();
   const auto scaled = [&](const Vec3& row) { return Vec3{row.x * h.x, row.y * h.y, row.z * h.z}; };
   const Vec3 x = scaled(shape.pose().linear[0]), y = scaled(shape.pose().linear[1]), z = scaled(shape.pose().linear[2]);
@@ -43,8 +43,8 @@ Symmetric squared_axes(const PosedSmooth& shape) {
 }
 
 /// What an ellipsoid reaches along a direction.
-struct Reach {
-  Reach(const Symmetric& squared, const Vec3& direction) {
+struct EllipsoidReach {
+  EllipsoidReach(const EllipsoidMatrix& squared, const Vec3& direction) {
     const Vec3 along = squared * direction;
     part = 1 / std::sqrt(dot(along, direction));
     point = part * along;
@@ -54,7 +54,7 @@ struct Reach {
 };
 
 /// Adds H, but for what belongs to S.
-void bend(Symmetric& k, const Symmetric& s, const Reach& reach) {
+void bend(EllipsoidMatrix& k, const EllipsoidMatrix& s, const EllipsoidReach& reach) {
   const Vec3 &p = reach.point, q = reach.part * p;
   k.xx += reach.part * s.xx - q.x * p.x;
   k.xy += reach.part * s.xy - q.x * p.y;
@@ -65,9 +65,9 @@ void bend(Symmetric& k, const Symmetric& s, const Reach& reach) {
 }
 
 /// k⁻¹ v.
-Vec3 solved(const Symmetric& k, const Vec3& v) {
-  const Symmetric adjugate{k.yy * k.zz - k.yz * k.yz, k.xz * k.yz - k.xy * k.zz, k.xy * k.yz - k.xz * k.yy,
-                           k.xx * k.zz - k.xz * k.xz, k.xy * k.xz - k.xx * k.yz, k.xx * k.yy - k.xy * k.xy};
+Vec3 solved(const EllipsoidMatrix& k, const Vec3& v) {
+  const EllipsoidMatrix adjugate{k.yy * k.zz - k.yz * k.yz, k.xz * k.yz - k.xy * k.zz, k.xy * k.yz - k.xz * k.yy,
+                                 k.xx * k.zz - k.xz * k.xz, k.xy * k.xz - k.xx * k.yz, k.xx * k.yy - k.xy * k.xy};
   const double determinant = (k.xx * adjugate.xx + k.xy * adjugate.xy) + k.xz * adjugate.xz;
   return (1 / determinant) * (adjugate * v);
 }
@@ -77,18 +77,18 @@ template <class IsEnough>
 std::optional<Vec3> nearest_direction(const PosedSmooth& a, const PosedSmooth& b, const Vec3& first,
                                       const IsEnough& is_enough) {
   const Vec3 between = a.pose().offset - b.pose().offset;
-  const Symmetric of_a = squared_axes(a), of_b = squared_axes(b);
+  const EllipsoidMatrix of_a = squared_axes(a), of_b = squared_axes(b);
   const Vec3 start = first == Vec3{} ? between : first;
   Vec3 d = (1 / plain_length(start)) * start;
-  for (int i = 0; i < most_steps; ++i) {
-    const Reach reach_a(of_a, d), reach_b(of_b, d);
+  for (int i = 0; i < most_ellipsoid_steps; ++i) {
+    const EllipsoidReach reach_a(of_a, d), reach_b(of_b, d);
     const Vec3 z = (between - reach_a.point) - reach_b.point;
     const double squared = dot(d, d), gap = dot(z, d) / squared;
     if (is_enough(gap * std::sqrt(squared))) return d;
     // Where the direction does not separate them yet, it is led on as if it did.
     const double positive = gap > 0 ? gap : blind_part / (reach_a.part * squared);
     if (!(gap > 0) && i >= most_blind_steps) return {};
-    Symmetric k{positive, 0, 0, positive, 0, positive};
+    EllipsoidMatrix k{positive, 0, 0, positive, 0, positive};
     bend(k, of_a, reach_a);
     bend(k, of_b, reach_b);
     const Vec3 next = solved(k, z + (positive - gap) * d), turn = next - d;
@@ -106,7 +106,7 @@ struct FarthestPoint {
     const Vec3 along{half.x * dot(m.column(0), direction), half.y * dot(m.column(1), direction),
                      half.z * dot(m.column(2), direction)};
     height = plain_length(along);
-    round = ((1 - drawn_in) / height) * along;
+    round = ((1 - ellipsoid_drawn_in) / height) * along;
     const Vec3 p{half.x * round.x, half.y * round.y, half.z * round.z};
     from_middle = {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
     size = plain_length(half);

@@ -10,11 +10,9 @@
 namespace toccata {
 namespace {
 
-using FinePoint = VectorOf<DoubleWord>;
-
-constexpr int most_steps = 256;
+constexpr int most_fine_steps = 256;
 /// Atoms that are as high as doubles tell.
-constexpr Index most_atoms = 16;
+constexpr Index most_level_atoms = 16;
 /// Apart where a plane has this part of the distance of the nearest point found.
 constexpr double enough = 0.99;
 
@@ -22,16 +20,14 @@ bool is_positive(const DoubleWord& x) { return x.high > 0; }
 
 bool is_less(const DoubleWord& x, const DoubleWord& y) { return (x - y).high < 0; }
 
-Vec3 rounded(const FinePoint& p) { return {p[0].high, p[1].high, p[2].high}; }
-
 /// The face of a simplex that is nearest to the origin; four corners where the origin is inside.
-struct Nearest {
+struct NearestFineFace {
   unsigned kept = 0;  ///< as bits
-  FinePoint point{};
+  FineVector point{};
   DoubleWord squared{HUGE_VAL, 0};
 
   /// Of the relative interiors of all faces, the nearest point counts.
-  void offer(unsigned bits, const FinePoint& at) {
+  void offer(unsigned bits, const FineVector& at) {
     const DoubleWord now = inner(at, at);
     if (!(kept == 0 || is_less(now, squared))) return;
     kept = bits;
@@ -42,7 +38,7 @@ struct Nearest {
 
 class FineSimplex {
  public:
-  void append(const FinePoint& point, const SmoothSearch::Corner& corner) {
+  void append(const FineVector& point, const SmoothSearch::Corner& corner) {
     point_[size_] = point;
     corner_[size_] = corner;
     ++size_;
@@ -71,8 +67,8 @@ class FineSimplex {
     return corner;
   }
 
-  [[nodiscard]] Nearest nearest() const {
-    Nearest best;
+  [[nodiscard]] NearestFineFace nearest() const {
+    NearestFineFace best;
     if (size_ == 4 && is_origin_inside()) {
       best.kept = 15;
       return best;
@@ -88,19 +84,19 @@ class FineSimplex {
   }
 
  private:
-  void offer_edge(Nearest& best, std::size_t i, std::size_t j) const {
+  void offer_edge(NearestFineFace& best, std::size_t i, std::size_t j) const {
     if (is_nearer(j, i)) std::swap(i, j);
-    const FinePoint along = difference(point_[j], point_[i]);
+    const FineVector along = difference(point_[j], point_[i]);
     const DoubleWord squared = inner(along, along), part = -inner(point_[i], along);
     if (!is_positive(part) || !is_less(part, squared)) return;
     best.offer(1U << i | 1U << j, sum(point_[i], multiple(part / squared, along)));
   }
 
   /// Seen from the corner that is nearest to the origin: what is rounded far away counts little then.
-  void offer_triangle(Nearest& best, std::size_t i, std::size_t j, std::size_t k) const {
+  void offer_triangle(NearestFineFace& best, std::size_t i, std::size_t j, std::size_t k) const {
     if (is_nearer(j, i)) std::swap(i, j);
     if (is_nearer(k, i)) std::swap(i, k);
-    const FinePoint &p = point_[i], u = difference(point_[j], p), v = difference(point_[k], p), normal = outer(u, v);
+    const FineVector &p = point_[i], u = difference(point_[j], p), v = difference(point_[k], p), normal = outer(u, v);
     const DoubleWord squared = inner(normal, normal);
     if (!is_positive(squared)) return;
     const DoubleWord of_u = inner(normal, outer(v, p)), of_v = inner(normal, outer(p, u));
@@ -129,16 +125,16 @@ class FineSimplex {
     return positive == 4 || negative == 4;
   }
 
-  std::array<FinePoint, 4> point_{};
+  std::array<FineVector, 4> point_{};
   std::array<SmoothSearch::Corner, 4> corner_{};
   std::size_t size_ = 0;
 };
 
 /// Of length 1 but for rounding.
-FineDirection unit_of(const FinePoint& p) {
-  const double largest = largest_magnitude(rounded(p));
+FineDirection unit_of(const FineVector& p) {
+  const double largest = largest_magnitude(high_parts(p));
   if (!(largest > 0) || !std::isfinite(largest)) return {};
-  const double length = largest * plain_length((1 / largest) * rounded(p));
+  const double length = largest * plain_length((1 / largest) * high_parts(p));
   return multiple(DoubleWord{1, 0} / DoubleWord{length, 0}, p);
 }
 
@@ -146,9 +142,9 @@ FineDirection opposite(const FineDirection& d) { return {-d[0], -d[1], -d[2]}; }
 
 /// The highest of the atoms that doubles do not tell apart, and the round part for the direction.
 SmoothSupport fine_support(const SmoothBody& body, const FineDirection& direction) {
-  SmoothSupport support = body.support(rounded(direction));
-  std::array<Index, most_atoms> found;
-  const Index count = std::min(body.highest_atoms(rounded(direction), found), most_atoms);
+  SmoothSupport support = body.support(high_parts(direction));
+  std::array<Index, most_level_atoms> found;
+  const Index count = std::min(body.highest_atoms(high_parts(direction), found), most_level_atoms);
   DoubleWord highest = atom_height<BoundedNumber>(body, support.atom, direction).value;
   for (const Index atom : std::span(found.data(), count)) {
     const DoubleWord height = atom_height<BoundedNumber>(body, atom, direction).value;
@@ -171,16 +167,16 @@ SmoothSupport fine_support(const SmoothBody& body, const FineDirection& directio
 
 FineEnd search_finely(const SmoothBody& a, const SmoothBody& b, const Vec3& first_direction) {
   FineSimplex simplex;
-  Nearest nearest;
+  NearestFineFace nearest;
   FineEnd end;
   end.direction = fine(unit_or_zero(first_direction));
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_fine_steps; ++i) {
     const SmoothSearch::Corner corner{fine_support(a, opposite(end.direction)), fine_support(b, end.direction), 1};
-    const FinePoint point = vector_as<DoubleWord>(point_of<BoundedNumber>(a, body_point(corner.a)) -
-                                                  point_of<BoundedNumber>(b, body_point(corner.b)));
+    const FineVector point = vector_as<DoubleWord>(point_of<BoundedNumber>(a, body_point(corner.a)) -
+                                                   point_of<BoundedNumber>(b, body_point(corner.b)));
     if (i > 0 && !is_less(inner(nearest.point, point), nearest.squared * enough)) break;
     simplex.append(point, corner);
-    const Nearest next = simplex.nearest();
+    const NearestFineFace next = simplex.nearest();
     if (next.kept == 15) {
       end.around = simplex.corners();
       break;

@@ -26,7 +26,7 @@ double gap_rounding(const PosedConvex& b, const PairFrame& frame) {
 }
 
 /// In a pair's frame: the intervals of greater distances are narrow.
-constexpr double hair = 0x1p-29;
+constexpr double least_wide_distance = 0x1p-29;
 
 bool is_quick(const PosedSmooth& shape) {
   return is_moderate(shape.half().x) && is_moderate(shape.half().y) && is_moderate(shape.half().z);
@@ -95,7 +95,7 @@ std::optional<bool> QuickPair<B>::is_within(double tolerance, double factor) {
   search_.run_until_compared(factor * tolerance);
   // By so much more that the tolerance lies below the interval of the distance too, which is wider for hairs only.
   const double length = (1 + 0x1p-38) * plain_length(search_.best_direction());
-  if (search_.best_gap() > length * (factor * tolerance) + (hair + gap_rounding_)) return false;
+  if (search_.best_gap() > length * (factor * tolerance) + (least_wide_distance + gap_rounding_)) return false;
   begin_polish();
   if (proved_interval(a_, b_, polish_.on_a(), polish_.on_b(), polish_.direction()).upper <= tolerance) return true;
   return {};

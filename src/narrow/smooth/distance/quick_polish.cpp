@@ -8,11 +8,11 @@
 namespace toccata {
 namespace {
 
-constexpr int most_steps = 12;
+constexpr int most_quick_polish_steps = 12;
 /// What is left after a turn this small is about its square, which is what doubles tell.
 constexpr double small_turn = 0x1p-26;
 /// Weights and lengths below this are rounding.
-constexpr double slack = 0x1p-40;
+constexpr double slack_of_weights = 0x1p-40;
 
 /// Two unit vectors across d and each other (T. Duff et al., "Building an orthonormal basis, revisited", 2017).
 std::array<Vec3, 2> basis_across(const Vec3& d) {
@@ -193,7 +193,7 @@ bool QuickPolish::change(QuickSide& side) {
   std::size_t least = 0;
   for (std::size_t i = 1; i < side.size; ++i)
     if (side.weight[i] < side.weight[least]) least = i;
-  if (side.size > 1 && side.weight[least] < -slack) {
+  if (side.size > 1 && side.weight[least] < -slack_of_weights) {
     --side.size;
     for (std::size_t i = least; i < side.size; ++i) {
       side.atom[i] = side.atom[i + 1];
@@ -206,7 +206,7 @@ bool QuickPolish::change(QuickSide& side) {
     if (side.in_cap && !(side.grown_weight() > 0)) side.in_cap = false;
     return true;
   }
-  if (side.in_cap && dot(side.round, side.round) > 1 + slack) {
+  if (side.in_cap && dot(side.round, side.round) > 1 + slack_of_weights) {
     // On the rim then; the direction to there tells where on it.
     side.round = unit_or_zero(side.round);
     direction_ = unit_or_zero(carrier_of(side_[0]).point - carrier_of(side_[1]).point);
@@ -232,7 +232,7 @@ void QuickPolish::begin(std::span<const SmoothSearch::Corner> corners, const Vec
 }
 
 bool QuickPolish::run() {
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_quick_polish_steps; ++i) {
     const Step step_taken = step();
     if (step_taken == Step::failed) return false;
     if (step_taken == Step::far) continue;

@@ -25,7 +25,7 @@ namespace {
 constexpr double least_distance = 0x1p-400;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: their length by
 /// 2.5 u, the factor by 2 u, the point by u; of a cone, how wide it is there by 3 u.
-constexpr double drawn_in = 10 * unit_roundoff;
+constexpr double round_drawn_in = 10 * unit_roundoff;
 
 /// A sum with twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate sum and dot product", 2005).
 class LongSum {
@@ -72,13 +72,13 @@ Products along_columns(const Mat3& m, const Vec3& d) {
 }
 
 /// No shorter.
-double length_of(const Vec3& error) { return 1.01 * plain_length(error); }
+double length_from_above(const Vec3& error) { return 1.01 * plain_length(error); }
 
 /// At most what the image of the unit ball reaches beyond the image of p, |p| ≤ 1, along a direction whose product with
 /// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions. The coordinates of p
 /// may be off by 2 u of themselves.
 double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
-  const double off = length_of(error), length = plain_length(m), part = plain_length(p);
+  const double off = length_from_above(error), length = plain_length(m), part = plain_length(p);
   // 2.5 u of the length, 3 u of the product, 2 u of p, 2 u each of the difference and of the sum.
   const double plain = (length - dot(m, p)) + (2.1 * off + 13 * unit_roundoff * length);
   // 3 u of the product, 2 u of p, u of the difference.
@@ -100,7 +100,7 @@ class LocalPoint {
       const Vec3 v{side.round.x * half_.x, side.round.y * half_.y, side.round.z * half_.z};
       point_ = v;
       const double length = plain_length(in_half_axes());
-      if (length > 1 - drawn_in) point_ = ((1 - drawn_in) / length) * v;
+      if (length > 1 - round_drawn_in) point_ = ((1 - round_drawn_in) / length) * v;
       return;
     }
     double upper = 0;
@@ -110,7 +110,7 @@ class LocalPoint {
     const bool is_cone = shape.kind() == PosedSmooth::Kind::cone;
     const double reach = is_cone ? half_.x * ((half_.z - z) / (2 * half_.z)) : half_.x;
     const Vec3 v{reach * side.round.x, reach * side.round.y, 0};
-    const double length = plain_length(v), most = reach * (1 - drawn_in);
+    const double length = plain_length(v), most = reach * (1 - round_drawn_in);
     point_ = length > most ? (most / length) * v : v;
     if (reach == 0) point_ = {};
     point_.z = z;
@@ -157,7 +157,7 @@ class LocalPoint {
   [[nodiscard]] double beyond_base(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {
     const double up = half_.z + point_.z, rise = n.value.z * up;
     if (up == 0) return beyond_round(across, error, p);
-    const double off = length_of(error), length = plain_length(across), left = (length - dot(across, p)) - rise;
+    const double off = length_from_above(error), length = plain_length(across), left = (length - dot(across, p)) - rise;
     return left + (2.1 * off + 1.1 * (n.error.z * up) +
                    unit_roundoff * (8 * length + 4 * std::fabs(rise) + 4 * std::fabs(left)));
   }
@@ -166,7 +166,7 @@ class LocalPoint {
   [[nodiscard]] double beyond_tip(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {
     const double down = half_.z - point_.z, fall = n.value.z * down;
     if (down == 0) return 0;
-    const double off = length_of(error), length = plain_length(across), left = fall - dot(across, p);
+    const double off = length_from_above(error), length = plain_length(across), left = fall - dot(across, p);
     return left + (1.1 * off + 1.1 * (n.error.z * down) +
                    unit_roundoff * (6 * length + 4 * std::fabs(fall) + 4 * std::fabs(left)));
   }
@@ -194,7 +194,7 @@ class HullPoint {
     }
     size_ = side.size;
     const double radius = shape.radius(), length = plain_length(side.round);
-    if (radius > 0 && length > 0) round_ = (radius * (1 - drawn_in) / length) * side.round;
+    if (radius > 0 && length > 0) round_ = (radius * (1 - round_drawn_in) / length) * side.round;
   }
 
   void add_to(LongVector& sum, double sign) const {

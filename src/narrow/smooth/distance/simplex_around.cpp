@@ -9,16 +9,16 @@
 namespace toccata {
 namespace {
 
-using Corner = SmoothSearch::Corner;
+using FoundCorner = SmoothSearch::Corner;
 
-Vec3 point(const Corner& corner) { return corner.a.point - corner.b.point; }
+Vec3 point(const FoundCorner& corner) { return corner.a.point - corner.b.point; }
 
 /// Two apexes and a ring between them, counterclockwise seen from the first apex.
 class DoublePyramid {
  public:
   DoublePyramid(const SmoothBody& a, const SmoothBody& b) : a_(a), b_(b) {}
 
-  void put_on_triangle(std::span<const Corner> corner) {
+  void put_on_triangle(std::span<const FoundCorner> corner) {
     const Vec3 p = point(corner[0]);
     const Vec3 normal = unit_or_zero(cross(point(corner[1]) - p, point(corner[2]) - p));
     apex_ = {farthest(normal), farthest(-normal)};
@@ -26,7 +26,7 @@ class DoublePyramid {
     size_ = 3;
   }
 
-  void put_around_edge(std::span<const Corner> corner) {
+  void put_around_edge(std::span<const FoundCorner> corner) {
     apex_ = {corner[1], corner[0]};
     const Vec3 axis = unit_or_zero(point(corner[1]) - point(corner[0])), m = magnitudes(axis);
     const Vec3 other = m.x <= m.y && m.x <= m.z ? Vec3{1, 0, 0} : m.y <= m.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -35,7 +35,8 @@ class DoublePyramid {
     // Farthest points are in the order of their directions.
     for (const Vec3& d : {x, y, -x, -y}) ring_[size_++] = farthest(d);
     size_ = static_cast<std::size_t>(
-        std::unique(ring_.begin(), ring_.end(), [](const Corner& p, const Corner& q) { return point(p) == point(q); }) -
+        std::unique(ring_.begin(), ring_.end(),
+                    [](const FoundCorner& p, const FoundCorner& q) { return point(p) == point(q); }) -
         ring_.begin());
     if (size_ > 1 && point(ring_[size_ - 1]) == point(ring_[0])) --size_;
   }
@@ -52,23 +53,23 @@ class DoublePyramid {
   }
 
  private:
-  [[nodiscard]] Corner farthest(const Vec3& d) const { return {a_.support(d), b_.support(-d), 0}; }
+  [[nodiscard]] FoundCorner farthest(const Vec3& d) const { return {a_.support(d), b_.support(-d), 0}; }
 
   template <class Number>
-  [[nodiscard]] VectorOf<Number> exactly_at(const Corner& corner) const {
+  [[nodiscard]] VectorOf<Number> exactly_at(const FoundCorner& corner) const {
     return difference(point_of<Number>(a_, body_point(corner.a)), point_of<Number>(b_, body_point(corner.b)));
   }
 
   const SmoothBody& a_;
   const SmoothBody& b_;
-  std::array<Corner, 2> apex_;
-  std::array<Corner, 4> ring_;
+  std::array<FoundCorner, 2> apex_;
+  std::array<FoundCorner, 4> ring_;
   std::size_t size_ = 0;
 };
 
 }  // namespace
 
-bool is_surrounded(const SmoothBody& a, const SmoothBody& b, std::span<const Corner> corners) {
+bool is_surrounded(const SmoothBody& a, const SmoothBody& b, std::span<const FoundCorner> corners) {
   DoublePyramid pyramid(a, b);
   if (corners.size() == 3)
     pyramid.put_on_triangle(corners);

@@ -10,7 +10,7 @@ namespace toccata {
 namespace {
 
 /// In the shape's frame, where it has the size 1: much more than rounding, and than an interval is wide.
-constexpr double hair = 0x1p-30;
+constexpr double well_beyond = 0x1p-30;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ bool SmoothBeyond::is_beyond(const std::array<Vec3, 3>& corner, double length) c
   const Vec3 p = frame_.plainly_placed(corner[0]), q = frame_.plainly_placed(corner[1]),
              r = frame_.plainly_placed(corner[2]);
   const double greatest = std::max({1.0, largest_magnitude(p), largest_magnitude(q), largest_magnitude(r)});
-  const double enough = (1 + hair) * (frame_.factor * length) + hair * greatest;
+  const double enough = (1 + well_beyond) * (frame_.factor * length) + well_beyond * greatest;
   const std::size_t kept = std::min(count_, planes_.size());
   return std::any_of(planes_.begin(), planes_.begin() + kept, [&](const Plane& plane) {
     const Vec3& d = plane.direction;

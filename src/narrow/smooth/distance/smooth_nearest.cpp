@@ -12,8 +12,6 @@
 namespace toccata {
 namespace {
 
-constexpr double relative_width = 1e-12;
-
 /// In a pair of size 1, points that are no farther apart may be those of shapes that touch.
 constexpr double close = 0x1p-36;
 
@@ -21,9 +19,9 @@ Vec3 plain_point(const VectorOf<BoundedDouble>& p) { return {p[0].value, p[1].va
 Vec3 plain_point(const VectorOf<BoundedNumber>& p) { return plain(p); }
 
 /// One question.
-class NearestSearch {
+class SmoothNearestSearch {
  public:
-  NearestSearch(const SmoothBody& a, const SmoothBody& b)
+  SmoothNearestSearch(const SmoothBody& a, const SmoothBody& b)
       : a_(a), b_(b), search_(a, b, plain(a.middle_point()) - plain(b.middle_point())), polish_(a, b) {}
 
   /// By the first plane that the search comes across.
@@ -244,7 +242,7 @@ namespace {
 template <class Decide>
 SmoothNearest searched(const SmoothBody& a, const SmoothBody& b, SmoothQuestion question, const QuickPolish* guess,
                        const Decide& decide) {
-  NearestSearch search(a, b);
+  SmoothNearestSearch search(a, b);
   if (guess != nullptr && search.proves(*guess)) return search.best();
   // From anew, so that both questions are told the same.
   if (question == SmoothQuestion::meeting)

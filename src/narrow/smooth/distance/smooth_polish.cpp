@@ -9,18 +9,13 @@
 namespace toccata {
 namespace {
 
-constexpr int most_steps = 12;
+constexpr int most_polish_steps = 12;
 constexpr int most_changes = 16;
 /// Residuals of this size are rounding, in a frame where the bodies are of size 1.
 constexpr double settled = 0x1p-46;
 
 double rounded(double x) { return x; }
 double rounded(const DoubleWord& x) { return x.high; }
-
-template <class Number>
-VectorOf<Number> direction_as(const FineDirection& d) {
-  return {number_as<Number>(d[0]), number_as<Number>(d[1]), number_as<Number>(d[2])};
-}
 
 }  // namespace
 
@@ -151,7 +146,7 @@ void SmoothPolish::begin(const QuickPolish& guess) {
 /// Of the points that the sides begin with.
 void SmoothPolish::begin_distance() {
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
-  const VectorOf<double> exact = direction_as<double>(direction_);
+  const VectorOf<double> exact = vector_as<double>(direction_);
   const auto x = Values<double>(side_[0], exact).point, y = Values<double>(side_[1], exact).point;
   distance_ = {inner(difference(x, y), VectorOf<double>{d.x, d.y, d.z}), 0};
 }
@@ -165,7 +160,7 @@ void SmoothPolish::number_unknowns() {
 template <class Number>
 std::array<Number, 20> SmoothPolish::residuals() const {
   std::array<Number, 20> rest{};
-  const VectorOf<Number> d = direction_as<Number>(direction_);
+  const VectorOf<Number> d = vector_as<Number>(direction_);
   const Values<Number> of_a(side_[0], d), of_b(side_[1], d);
   const VectorOf<Number> apart =
       difference(difference(of_a.point, of_b.point), multiple(number_as<Number>(distance_), d));
@@ -198,7 +193,7 @@ double SmoothPolish::step() {
     largest = std::fmax(largest, std::fabs(rounded(rest[row])));
   }
   if (!std::isfinite(largest)) return HUGE_VAL;
-  const VectorOf<double> d = direction_as<double>(direction_);
+  const VectorOf<double> d = vector_as<double>(direction_);
   for (std::size_t i = 0; i < 3; ++i) {
     system.at(i, i) = -distance_.high;
     system.at(i, 3) = -d[i];
@@ -257,7 +252,7 @@ void SmoothPolish::move_by(const std::array<double, 20>& change) {
 
 bool SmoothPolish::converge() {
   double last = HUGE_VAL;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_polish_steps; ++i) {
     const double rest = step<double>();
     if (!std::isfinite(rest) || rest > 1e3) return false;
     if (rest < settled) return true;
@@ -271,7 +266,7 @@ bool SmoothPolish::add_missing_atom(Side& side) {
   const Vec3 d = side.outward * Vec3{direction_[0].high, direction_[1].high, direction_[2].high};
   const SmoothSupport farthest = side.body->support(d);
   if (side.has(farthest.atom) || side.size == 4) return false;
-  const VectorOf<double> exact = direction_as<double>(direction_);
+  const VectorOf<double> exact = vector_as<double>(direction_);
   const Values<double> own(side, exact);
   const Vec3 corner{own.corner[0][0], own.corner[0][1], own.corner[0][2]};
   if (!(dot(d, farthest.point - corner) > 0x1p-47)) return false;

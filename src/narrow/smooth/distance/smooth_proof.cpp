@@ -10,19 +10,12 @@ namespace toccata {
 namespace {
 
 /// More atoms than this in one height are not told apart by rounding; then all are looked at.
-constexpr std::size_t most_atoms = 16;
+constexpr std::size_t most_tied_atoms = 16;
 
 bool is_more(const BoundedDouble& a, const BoundedDouble& b) { return a.value > b.value; }
 bool is_more(const BoundedNumber& a, const BoundedNumber& b) {
   return a.value.high > b.value.high || (a.value.high == b.value.high && a.value.low > b.value.low);
 }
-
-template <class Number>
-VectorOf<Number> direction_as(const FineDirection& d) {
-  return {number_as<Number>(d[0]), number_as<Number>(d[1]), number_as<Number>(d[2])};
-}
-
-Vec3 rounded(const FineDirection& d) { return {d[0].high, d[1].high, d[2].high}; }
 
 template <class Number>
 Number growth_along(const SmoothBody& body, const VectorOf<Number>& direction) {
@@ -72,18 +65,18 @@ VectorOf<Number> point_of(const SmoothBody& body, const BodyPoint& point) {
 
 template <class Number>
 Number atom_height(const SmoothBody& body, Index atom, const FineDirection& direction) {
-  const VectorOf<Number> d = direction_as<Number>(direction);
+  const VectorOf<Number> d = vector_as<Number>(direction);
   const Number height = inner(d, vector_as<Number>(body.centre(atom)));
   return body.grown(atom) ? height + growth_along(body, d) : height;
 }
 
 template <class Number>
 Number height_of(const SmoothBody& body, const FineDirection& direction) {
-  const VectorOf<Number> d = direction_as<Number>(direction);
+  const VectorOf<Number> d = vector_as<Number>(direction);
   const Number growth = growth_along(body, d);
-  std::array<Index, most_atoms> found;
+  std::array<Index, most_tied_atoms> found;
   // Where Newton's method has failed, the direction is of any length.
-  const Index count = body.highest_atoms(unit_or_zero(rounded(direction)), found);
+  const Index count = body.highest_atoms(unit_or_zero(high_parts(direction)), found);
   Number highest;
   double widest = -1;
   const auto look_at = [&](Index atom) {
@@ -93,7 +86,7 @@ Number height_of(const SmoothBody& body, const FineDirection& direction) {
     // The greatest lies no higher than the highest value and the widest bound; asked so that NaN is kept.
     if (!(height.error <= widest) && widest == widest) widest = height.error;
   };
-  if (count <= most_atoms)
+  if (count <= most_tied_atoms)
     for (Index i = 0; i < count; ++i) look_at(found[i]);
   else
     for (Index i = 0; i < body.atom_count(); ++i) look_at(i);
@@ -105,7 +98,7 @@ template <class Number>
 double gap_along(const SmoothBody& a, const SmoothBody& b, const FineDirection& direction) {
   const FineDirection back{-direction[0], -direction[1], -direction[2]};
   const Number gap = -(height_of<Number>(a, back) + height_of<Number>(b, direction));
-  const VectorOf<Number> d = direction_as<Number>(direction);
+  const VectorOf<Number> d = vector_as<Number>(direction);
   const double lower = floor_of(gap / square_root(inner(d, d)));
   return lower == lower ? lower : -HUGE_VAL;
 }

@@ -11,8 +11,11 @@
 // is BoundedDouble where that does, else BoundedNumber.
 namespace toccata {
 
+/// Of a distance or a depth: how much of it its interval may be wide.
+inline constexpr double relative_width = 1e-12;
+
 /// A direction of about 106 bits, taken as it is.
-using FineDirection = VectorOf<DoubleWord>;
+using FineDirection = FineVector;
 
 inline FineDirection fine(const Vec3& d) { return {DoubleWord{d.x, 0}, DoubleWord{d.y, 0}, DoubleWord{d.z, 0}}; }
 

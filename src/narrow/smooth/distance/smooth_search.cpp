@@ -8,7 +8,7 @@
 namespace toccata {
 namespace {
 
-constexpr std::uint64_t most_steps = 128;
+constexpr std::uint64_t most_search_steps = 128;
 
 /// A slot that no pair of the simplex names.
 Index free_slot(const VertexPairs& pairs) {
@@ -60,7 +60,7 @@ SmoothSearch::SmoothSearch(const PlainBody& a, const PlainBody& b, const Vec3& f
 }
 
 bool SmoothSearch::step(double part) {
-  if (inside_ || stalled_ || steps_ >= most_steps) return false;
+  if (inside_ || stalled_ || steps_ >= most_search_steps) return false;
   ++steps_;
   const double length = plain_length(direction_);
   if (!(length > 0)) {

@@ -8,14 +8,12 @@
 namespace toccata {
 namespace {
 
-using Words = VectorOf<DoubleWord>;
-
 /// The matrix S of the quadric x · S x = level, as seen from its origin.
-std::array<Words, 3> quadric_of(const UnitFrame& shape) {
-  std::array<Words, 3> matrix{};
+std::array<FineVector, 3> quadric_of(const UnitFrame& shape) {
+  std::array<FineVector, 3> matrix{};
   const std::array<double, 3> sign{1, 1, shape.last_sign()};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Words row = vector_as<DoubleWord>(shape.row(i));
+    const FineVector row = vector_as<DoubleWord>(shape.row(i));
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t k = 0; k < 3; ++k) matrix[j][k] = matrix[j][k] + (row[j] * row[k]) * sign[i];
   }
@@ -28,7 +26,7 @@ std::array<Words, 3> quadric_of(const UnitFrame& shape) {
 /// the rest of x lies along the first eigenvector, on either side: the point is as far from both.
 class FootSearch {
  public:
-  FootSearch(const WordEigen& eigen, const Words& seen, double level) : eigen_(eigen), level_(level) {
+  FootSearch(const WordEigen& eigen, const FineVector& seen, double level) : eigen_(eigen), level_(level) {
     for (std::size_t i = 0; i < 3; ++i) {
       at_[i] = inner(eigen.axis[i], seen);
       ratio_[i] = eigen.value[i] / eigen.value[0];
@@ -37,10 +35,10 @@ class FootSearch {
   }
 
   /// Along the eigenvectors.
-  [[nodiscard]] Words foot() {
+  [[nodiscard]] FineVector foot() {
     if (excess<double>(0).value < 0) {
       t_ = {0, 0};
-      Words x = at<DoubleWord>(t_);
+      FineVector x = at<DoubleWord>(t_);
       x[0] = root_of(-excess<DoubleWord>(t_).value / eigen_.value[0]);
       return x;
     }
@@ -97,27 +95,27 @@ class FootSearch {
 
   const WordEigen& eigen_;
   double level_;
-  Words at_, ratio_, rest_;
+  FineVector at_, ratio_, rest_;
   DoubleWord t_{};
 };
 
-bool is_finite(const Words& v) {
+bool is_finite(const FineVector& v) {
   return std::all_of(v.begin(), v.end(), [](const DoubleWord& x) { return std::isfinite(x.high); });
 }
 
-Words in_frame(const WordEigen& eigen, const Words& along) {
-  Words v{};
+FineVector in_frame(const WordEigen& eigen, const FineVector& along) {
+  FineVector v{};
   for (std::size_t i = 0; i < 3; ++i) v = sum(v, multiple(along[i], eigen.axis[i]));
   return v;
 }
 
 /// S x, of a cylinder exactly across its axis and of a cone across a line through its tip: the whole of it is as high.
-Words normal_at(const UnitFrame& shape, const Words& x) {
-  Words y;
+FineVector normal_at(const UnitFrame& shape, const FineVector& x) {
+  FineVector y;
   for (std::size_t i = 0; i < 3; ++i) y[i] = inner(vector_as<DoubleWord>(shape.row(i)), x);
   if (shape.kind() == PosedSmooth::Kind::cylinder) y[2] = {0, 0};
   if (shape.kind() == PosedSmooth::Kind::cone) y[2] = -root_of(y[0] * y[0] + y[1] * y[1]);
-  Words normal{};
+  FineVector normal{};
   for (std::size_t i = 0; i < 3; ++i) normal = sum(normal, multiple(y[i], vector_as<DoubleWord>(shape.row(i))));
   return normal;
 }
@@ -128,7 +126,7 @@ std::optional<QuadricFoot> quadric_foot(const UnitFrame& shape, const BoundedVec
   const WordEigen eigen = word_eigen(quadric_of(shape));
   if (!(eigen.value[0].high > 0)) return {};
   FootSearch search(eigen, vector_as<DoubleWord>(point - shape.origin()), shape.level());
-  const Words along = search.foot(), x = in_frame(eigen, along), normal = normal_at(shape, x);
+  const FineVector along = search.foot(), x = in_frame(eigen, along), normal = normal_at(shape, x);
   const double squared = inner(normal, normal).high;
   if (!is_finite(x) || !is_finite(normal) || !(squared > 0)) return {};
   return QuadricFoot{x, normal, squared * (search.far() / eigen.value[0]).high};

@@ -10,8 +10,6 @@
 namespace toccata {
 namespace {
 
-constexpr double relative_width = 1e-12;
-
 /// How far a point within a shape is from its boundary: no farther than from any plane that the shape lies behind, and
 /// no nearer than the radius of a ball around it that the shape holds.
 class DepthSearch {

@@ -3,16 +3,12 @@
 #include <cmath>
 #include <vector>
 
+#include "narrow/convex/vertices_of.hpp"
 #include "narrow/smooth/distance/smooth_proof.hpp"
 #include "toccata/narrow/smooth_boundary.hpp"
 
 namespace toccata {
 namespace {
-
-Within from_sign(const BoundedNumber& excess) {
-  if (excess.is_negative()) return Within::yes;
-  return excess.is_positive() ? Within::no : Within::undecided;
-}
 
 bool reaches_beyond(const SmoothBody& held, const SmoothBody& holder, const Vec3& direction) {
   const FineDirection along = fine(direction);
@@ -50,13 +46,6 @@ BoundedNumber top_of(const SmoothBody& body, const BoundedVector& normal) {
     top.error = error;
   }
   return top;
-}
-
-std::vector<Vec3> vertices_of(const PosedConvex& shape) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(shape.vertex_count());
-  for (Index i = 0; i < shape.vertex_count(); ++i) vertices.push_back(shape.vertex(i));
-  return vertices;
 }
 
 /// By all faces of the world vertices' hull, which is the shape.

@@ -28,13 +28,13 @@ double growth_of(const Piece& piece) {
   return plain_length(normal) / std::fabs(dot(normal, p));
 }
 
-Vec3 between(const Vec3& p, const Vec3& q) { return (1 / plain_length(p + q)) * (p + q); }
+Vec3 middle_direction(const Vec3& p, const Vec3& q) { return (1 / plain_length(p + q)) * (p + q); }
 
 std::vector<Piece> halves_of(const Piece& piece) {
   const Vec3 &p = piece.corner[0], &q = piece.corner[1], &r = piece.corner[2];
-  const Vec3 pq = between(p, q);
+  const Vec3 pq = middle_direction(p, q);
   if (piece.size == 2) return {{{p, pq}, 2}, {{pq, q}, 2}};
-  const Vec3 qr = between(q, r), rp = between(r, p);
+  const Vec3 qr = middle_direction(q, r), rp = middle_direction(r, p);
   return {{{p, pq, rp}, 3}, {{pq, q, qr}, 3}, {{rp, qr, r}, 3}, {{pq, qr, rp}, 3}};
 }
 

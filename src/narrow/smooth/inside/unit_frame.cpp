@@ -149,11 +149,6 @@ BoundedNumber value_at(const QuadraticForm& form, const Vec3& at) {
   return value;
 }
 
-Within from_sign(const BoundedNumber& excess) {
-  if (excess.is_negative()) return Within::yes;
-  return excess.is_positive() ? Within::no : Within::undecided;
-}
-
 Within is_held_by_quadric(const QuadraticForm& form) {
   if (form.dimensions == 0) return from_sign(form.constant);
   if (form.constant.is_positive()) return Within::no;

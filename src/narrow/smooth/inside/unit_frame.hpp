@@ -17,6 +17,12 @@ enum class Within : std::uint8_t {
   no,          ///< proved
 };
 
+/// Of what reaches so far beyond the other.
+inline Within from_sign(const BoundedNumber& excess) {
+  if (excess.is_negative()) return Within::yes;
+  return excess.is_positive() ? Within::no : Within::undecided;
+}
+
 inline Within both(Within a, Within b) { return std::max(a, b); }
 
 /// A point, disc or ellipsoid in unit coordinates: the centre and all Σ_j w_j column_j with |w| ≤ 1.

@@ -6,10 +6,8 @@
 namespace toccata {
 namespace {
 
-using Words = VectorOf<DoubleWord>;
-
 /// Rows p and q are replaced by c p − s q and s p + c q.
-void rotate(Words& p, Words& q, const DoubleWord& c, const DoubleWord& s) {
+void rotate(FineVector& p, FineVector& q, const DoubleWord& c, const DoubleWord& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const DoubleWord x = p[i], y = q[i];
     p[i] = c * x - s * y;
@@ -19,7 +17,7 @@ void rotate(Words& p, Words& q, const DoubleWord& c, const DoubleWord& s) {
 
 /// Makes the entry at (p, q) nearly 0. The tangent need not be exact, as more rounds come, but the rotation has to be
 /// one.
-void turn(std::array<Words, 3>& m, std::array<Words, 3>& axis, std::size_t p, std::size_t q) {
+void turn(std::array<FineVector, 3>& m, std::array<FineVector, 3>& axis, std::size_t p, std::size_t q) {
   const double off = m[p][q].high;
   if (off == 0) return;
   const double cotangent = (m[q][q] - m[p][p]).high / (2 * off);
@@ -45,8 +43,8 @@ DoubleWord root_of(const DoubleWord& a) {
   return double_word(fast_two_sum(root, rest.high / (2 * root)));
 }
 
-WordEigen word_eigen(std::array<Words, 3> matrix) {
-  std::array<Words, 3> axis{};
+WordEigen word_eigen(std::array<FineVector, 3> matrix) {
+  std::array<FineVector, 3> axis{};
   for (std::size_t i = 0; i < 3; ++i) axis[i][i] = {1, 0};
   constexpr int rounds = 12;
   for (int round = 0; round < rounds; ++round) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <limits>
+
+#include "toccata/core/index.hpp"
+
+namespace toccata {
+
+/// Of nothing.
+inline constexpr Index no_index = std::numeric_limits<Index>::max();
+
+}  // namespace toccata

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Checks that no two definitions of the library share a qualified name.
+
+usage: check_names.py [--compiler CXX]
+
+The rule is that the library compiles as one piece: all files of src/ are included into one translation unit, in which
+two types, functions or constants of one qualified name are errors, also those of anonymous namespaces. So no two object
+files can hold different things of one name (the one-definition rule), any files may share a piece of a united build,
+and a name that one meets means one thing. Files compiled once for each SIMD level are included for one level, those of
+the command are checked as a second piece.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Highway compiles what includes this once for each level, each in a namespace of its own.
+OF_EVERY_LEVEL = "#include <hwy/foreach_target.h>"
+
+
+def library():
+    return [f for f in sorted((ROOT / "src").rglob("*.cpp")) if OF_EVERY_LEVEL not in f.read_text()]
+
+
+def command():
+    return [f for f in sorted((ROOT / "apps/toccata").rglob("*.cpp")) if f.name != "main.cpp"]
+
+
+def compile_as_one(compiler, files, folder, includes):
+    unit = pathlib.Path(folder) / "one.cpp"
+    unit.write_text("".join(f'#include "{file}"\n' for file in files))
+    words = [compiler, "-std=c++20", "-fsyntax-only", "-w", "-fmax-errors=30", *(f"-I{d}" for d in includes), unit]
+    return subprocess.run(words, capture_output=True, text=True)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--compiler", default="c++")
+    options = parser.parse_args()
+    includes = [ROOT / "include", ROOT / "src", ROOT / "apps/shared"]
+    failed = False
+    with tempfile.TemporaryDirectory() as folder:
+        for what, files in [("library", library()), ("command", command())]:
+            run = compile_as_one(options.compiler, files, folder, includes)
+            if run.returncode != 0:
+                failed = True
+                print(f"the {what} does not compile as one piece: two definitions share a name, or one hides another\n{run.stderr}")
+    if not failed:
+        print("no two definitions share a name")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
