@@ -96,7 +96,7 @@ SweepResult run_volume(std::uint64_t seed, std::uint64_t cases) {
   return result;
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_volumes(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   if (family == "aabb") return run_volume<Aabb>(seed, cases);
   if (family == "ball") return run_volume<Ball>(seed, cases);
   if (family == "cube") return run_volume<Cube>(seed, cases);
@@ -112,12 +112,12 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return run_volume<HullBound>(seed, cases);
 }
 
-const bool known = register_sweep(
+const bool volumes_known = register_sweep(
     {"volumes",
      {"aabb", "ball", "cube", "obb", "pss", "lss", "rss", "6-dop", "14-dop", "18-dop", "26-dop", "ellipsoid", "hull"},
      1'000'000,
      1000,
-     run,
+     run_volumes,
      20'000,
      200});
 

@@ -11,7 +11,7 @@ namespace {
 
 /// Frames of one life by one method, a case each. What it keeps must not become more than it was at most in the first
 /// fifth, but for the chance of a more crowded frame.
-SweepResult run(const std::string& method, std::uint64_t seed, std::uint64_t frames) {
+SweepResult run_broad_memory(const std::string& method, std::uint64_t seed, std::uint64_t frames) {
   Random random(seed);
   BoxLife boxes("sizes", {broad_phase_method(method), 1});
   SweepResult result;
@@ -39,7 +39,8 @@ std::vector<std::string> methods() {
   return names;
 }
 
-const bool known = register_sweep({"broad-phase-memory", methods(), 100'000, 300, run, 100'000, 100});
+const bool broad_memory_known =
+    register_sweep({"broad-phase-memory", methods(), 100'000, 300, run_broad_memory, 100'000, 100});
 
 }  // namespace
 }  // namespace toccata::test

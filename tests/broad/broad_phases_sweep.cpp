@@ -33,7 +33,7 @@ std::string wrong_in_a_mixed_life(const std::string& method, std::uint64_t seed)
 }
 
 template <std::string (*wrong_in)(const std::string&, std::uint64_t)>
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_broad_phases(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   for (; result.cases < cases; ++result.cases) {
     const std::string wrong = wrong_in(family, 1'000'003 * seed + result.cases);
@@ -51,8 +51,9 @@ std::vector<std::string> methods() {
   return names;
 }
 
-const bool known = register_sweep({"broad-phases", families(), 100, 1, run<wrong_in_a_life>, 10, 1}) &&
-                   register_sweep({"broad-phases-of-bounds", methods(), 100, 1, run<wrong_in_a_mixed_life>, 10, 1});
+const bool broad_phases_known =
+    register_sweep({"broad-phases", families(), 100, 1, run_broad_phases<wrong_in_a_life>, 10, 1}) &&
+    register_sweep({"broad-phases-of-bounds", methods(), 100, 1, run_broad_phases<wrong_in_a_mixed_life>, 10, 1});
 
 }  // namespace
 }  // namespace toccata::test

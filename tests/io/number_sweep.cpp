@@ -106,7 +106,7 @@ std::string text_of(const std::string& family, Random& random) {
   return family == "long_digits" ? long_digits(random) : any_decimal(random);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_number(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   Random random(seed);
   SweepResult result;
   for (; result.cases < cases; ++result.cases) {
@@ -117,12 +117,12 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known =
+const bool number_known =
     register_sweep({.name = "numbers",
                     .families = {"any_decimal", "near_halfway", "near_underflow", "near_overflow", "long_digits"},
                     .goal = 10'000'000,
                     .slice = 20'000,
-                    .run = run});
+                    .run = run_number});
 
 }  // namespace
 }  // namespace toccata::test

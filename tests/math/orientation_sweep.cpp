@@ -95,8 +95,8 @@ SweepResult compare_2d(const std::string& family, std::uint64_t seed, std::uint6
   return compare(family, seed, cases, flattened);
 }
 
-const bool known = register_sweep({"orient3d", family_names(), 1'000'000, 500, compare_3d}) &&
-                   register_sweep({"orient2d", family_names(), 1'000'000, 500, compare_2d});
+const bool orientation_known = register_sweep({"orient3d", family_names(), 1'000'000, 500, compare_3d}) &&
+                               register_sweep({"orient2d", family_names(), 1'000'000, 500, compare_2d});
 
 }  // namespace
 }  // namespace toccata::test

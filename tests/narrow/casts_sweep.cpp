@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-std::string check(const ConvexCase& pair, Random& random) {
+std::string check_casts(const ConvexCase& pair, Random& random) {
   const Vec3 motion = random_motion(pair, random);
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const Cast cast = cast_shape(a, motion, b);
@@ -17,12 +17,12 @@ std::string check(const ConvexCase& pair, Random& random) {
   return cast_fault(cast, set_of(pair.a), motion, set_of(pair.b));
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_cell(cell, seed, cases, check);
+SweepResult run_casts(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check_casts);
 }
 
-const bool known =
-    register_sweep({"casts", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run, cell_shard, cell_round});
+const bool casts_known =
+    register_sweep({"casts", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run_casts, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test

@@ -31,12 +31,12 @@ std::string fault_of(const ConvexCase& pair, Random&) {
   return by_formula ? distance_fault(pair) : "";
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_closed_forms(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
   return run_cell(cell, seed, cases, fault_of);
 }
 
-const bool known =
-    register_sweep({"closed-forms", cells_of(kinds), cell_goal, cell_slice, run, 10 * cell_shard, 5 * cell_round});
+const bool closed_forms_known = register_sweep(
+    {"closed-forms", cells_of(kinds), cell_goal, cell_slice, run_closed_forms, 10 * cell_shard, 5 * cell_round});
 
 }  // namespace
 }  // namespace toccata::test

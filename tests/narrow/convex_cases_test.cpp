@@ -8,15 +8,13 @@
 namespace toccata::test {
 namespace {
 
-using oracle::RelationKind;
-
 oracle::Relation relation_of(const ConvexCase& pair) {
   return oracle::relation(set_of(pair.a), is_solid(pair.a), set_of(pair.b), is_solid(pair.b));
 }
 
 /// How often each relation is that of a regime, over all pairs of kinds.
-std::map<RelationKind, int> relations_of(const std::string& regime) {
-  std::map<RelationKind, int> counts;
+std::map<oracle::RelationKind, int> relations_of(const std::string& regime) {
+  std::map<oracle::RelationKind, int> counts;
   Random random(1);
   for (const std::string& kind_a : convex_kinds())
     for (const std::string& kind_b : convex_kinds())
@@ -25,20 +23,20 @@ std::map<RelationKind, int> relations_of(const std::string& regime) {
 }
 
 TEST(ConvexCases, PairsThatTouchDoSoExactly) {
-  std::map<RelationKind, int> counts = relations_of("touching");
+  std::map<oracle::RelationKind, int> counts = relations_of("touching");
   EXPECT_EQ(counts.size(), 1U);
-  EXPECT_EQ(counts[RelationKind::touching], 14 * 14);
+  EXPECT_EQ(counts[oracle::RelationKind::touching], 14 * 14);
 }
 
 TEST(ConvexCases, FarAndNearPairsAreApart) {
-  for (const char* regime : {"far", "near"}) EXPECT_EQ(relations_of(regime)[RelationKind::apart], 14 * 14);
+  for (const char* regime : {"far", "near"}) EXPECT_EQ(relations_of(regime)[oracle::RelationKind::apart], 14 * 14);
 }
 
 TEST(ConvexCases, ALastPlaceDecides) {
   for (const char* regime : {"ulp", "hair", "close", "parallel"}) {
-    std::map<RelationKind, int> counts = relations_of(regime);
-    EXPECT_GT(counts[RelationKind::apart], 20) << regime;
-    EXPECT_GT(counts[RelationKind::overlapping] + counts[RelationKind::crossing], 20) << regime;
+    std::map<oracle::RelationKind, int> counts = relations_of(regime);
+    EXPECT_GT(counts[oracle::RelationKind::apart], 20) << regime;
+    EXPECT_GT(counts[oracle::RelationKind::overlapping] + counts[oracle::RelationKind::crossing], 20) << regime;
   }
 }
 
@@ -67,7 +65,7 @@ TEST(ConvexCases, AHalfSpaceTouchesWholeNumbersExactly) {
   for (const std::string& kind : convex_kinds())
     for (int i = 0; i < 10; ++i) {
       const HalfSpaceCase pair = half_space_case(kind, "touching", random);
-      EXPECT_EQ(oracle::relation(set_of(pair.a), set_of(pair.b)).kind, RelationKind::touching) << to_text(pair);
+      EXPECT_EQ(oracle::relation(set_of(pair.a), set_of(pair.b)).kind, oracle::RelationKind::touching) << to_text(pair);
     }
 }
 

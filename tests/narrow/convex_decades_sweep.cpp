@@ -114,7 +114,7 @@ std::string check_penetration(const PosedConvex& a, const PosedConvex& b, const 
   return "";
 }
 
-std::string check(const ConvexCase& pair, const Vec3& motion) {
+std::string check_convex_decades(const ConvexCase& pair, const Vec3& motion) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   const oracle::Relation truth = oracle::relation(set_a, is_solid(pair.a), set_b, is_solid(pair.b));
@@ -135,13 +135,13 @@ std::string check(const ConvexCase& pair, const Vec3& motion) {
   return wrong.empty() ? "" : "cast: " + wrong;
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_convex_decades(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random random(Random(seed).bits() + 7);
   DecadesCases source(std::stod(family), random);
   for (; result.cases < cases; ++result.cases) {
     const ConvexCase pair = source.next();
-    const std::string wrong = check(pair, source.point());
+    const std::string wrong = check_convex_decades(pair, source.point());
     if (wrong.empty()) continue;
     if (result.wrong++ == 0)
       result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + to_text(pair);
@@ -149,7 +149,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"convex-decades", {"1", "3", "9", "20", "100"}, 100'000, 1000, run, 1000, 100});
+const bool convex_decades_known =
+    register_sweep({"convex-decades", {"1", "3", "9", "20", "100"}, 100'000, 1000, run_convex_decades, 1000, 100});
 
 }  // namespace
 }  // namespace toccata::test

@@ -9,7 +9,7 @@ namespace {
 using oracle::Rational;
 using oracle::RationalPoint;
 
-Penetration ask(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Penetration ask_convex_depth(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
   return penetration(a, b, workspace);
 }
 
@@ -50,7 +50,7 @@ std::string check_points(const Penetration& p, const SeenCase& seen) {
   return std::hypot(rest.x, rest.y, rest.z) <= 2 * rounding ? "" : "the points do not lie along the direction";
 }
 
-std::string check(const SeenCase& seen) {
+std::string check_convex_depth(const SeenCase& seen) {
   if (!is_solid(seen.given.a) || !is_solid(seen.given.b)) return is_refused(seen) ? "" : "a surface is not refused";
   const Penetration p = penetration(seen.a, seen.b);
   if (p.status != Status::exact) return "status";
@@ -62,15 +62,15 @@ std::string check(const SeenCase& seen) {
   if (exchanged.lower != p.lower || exchanged.upper != p.upper) return "exchanged";
   const Penetration back{p.lower, p.upper, -exchanged.direction, exchanged.on_b, exchanged.on_a};
   if (!check_move(back, seen).empty() || !check_points(back, seen).empty()) return "move exchanged";
-  return compare_warm(seen, ask);
+  return compare_warm(seen, ask_convex_depth);
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_convex_cases(cell, seed, cases, check);
+SweepResult run_convex_depth(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_convex_cases(cell, seed, cases, check_convex_depth);
 }
 
-const bool known = register_sweep(
-    {"convex-depth", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run, cell_shard, 2 * cell_round});
+const bool convex_depth_known = register_sweep({"convex-depth", cells_of(convex_kinds()), cell_goal, 20 * cell_round,
+                                                run_convex_depth, cell_shard, 2 * cell_round});
 
 }  // namespace
 }  // namespace toccata::test

@@ -6,11 +6,11 @@
 namespace toccata::test {
 namespace {
 
-Distance ask(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Distance ask_convex_distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
   return distance(a, b, workspace);
 }
 
-std::string check(const SeenCase& seen) {
+std::string check_convex_distance(const SeenCase& seen) {
   const Distance d = distance(seen.a, seen.b);
   if (d.status != Status::exact) return "status";
   for (const std::string& wrong : {interval_fault(d, seen.set_a, seen.set_b), witness_fault(d, seen.set_a, seen.set_b),
@@ -21,15 +21,15 @@ std::string check(const SeenCase& seen) {
   // Common points of cores are those in which each search ended.
   if (d.upper > 0 && other_way != exchanged(d)) return "witnesses exchanged";
   const std::string wrong = witness_fault(exchanged(other_way), seen.set_a, seen.set_b);
-  return wrong.empty() ? compare_warm(seen, ask) : wrong;
+  return wrong.empty() ? compare_warm(seen, ask_convex_distance) : wrong;
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_convex_cases(cell, seed, cases, check);
+SweepResult run_convex_distance(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_convex_cases(cell, seed, cases, check_convex_distance);
 }
 
-const bool known = register_sweep(
-    {"convex-distance", cells_of(convex_kinds()), cell_goal, cell_slice, run, cell_shard, 4 * cell_round});
+const bool convex_distance_known = register_sweep({"convex-distance", cells_of(convex_kinds()), cell_goal, cell_slice,
+                                                   run_convex_distance, cell_shard, 4 * cell_round});
 
 }  // namespace
 }  // namespace toccata::test

@@ -63,7 +63,7 @@ std::string check_manifold(const SeenHalfSpace& seen) {
   return m.count == 0 || is_unit(m.normal) ? "" : "the normal is not of length 1";
 }
 
-SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_convex_half_space(const std::string& kind, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random random(Random(seed).bits() + 3);
   for (; result.cases < cases; ++result.cases) {
@@ -80,7 +80,8 @@ SweepResult run(const std::string& kind, std::uint64_t seed, std::uint64_t cases
   return result;
 }
 
-const bool known = register_sweep({"convex-half-space", convex_kinds(), 100'000, 1005, run, 9'000, 90});
+const bool convex_half_space_known =
+    register_sweep({"convex-half-space", convex_kinds(), 100'000, 1005, run_convex_half_space, 9'000, 90});
 
 }  // namespace
 }  // namespace toccata::test

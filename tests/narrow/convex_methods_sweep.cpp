@@ -43,7 +43,7 @@ std::string check_gjk(const PosedConvex& a, const PosedConvex& b, bool meet) {
   return "";
 }
 
-std::string check(const ConvexCase& pair, Random&) {
+std::string check_convex_methods(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const bool meet = overlap(a, b);
   if (std::string wrong = check_gjk(a, b, meet); !wrong.empty()) return wrong;
@@ -55,12 +55,12 @@ std::string check(const ConvexCase& pair, Random&) {
   return a.solid() && b.solid() ? check_penetration(a, b) : "";
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_cell(cell, seed, cases, check);
+SweepResult run_convex_methods(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check_convex_methods);
 }
 
-const bool known = register_sweep(
-    {"convex-methods", cells_of(convex_kinds()), cell_goal, 20 * cell_round, run, 2 * cell_shard, cell_round});
+const bool convex_methods_known = register_sweep({"convex-methods", cells_of(convex_kinds()), cell_goal,
+                                                  20 * cell_round, run_convex_methods, 2 * cell_shard, cell_round});
 
 // The lecture's ways for spheres.
 

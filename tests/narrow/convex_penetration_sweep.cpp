@@ -16,7 +16,7 @@ bool same_but_flipped(const Penetration& p, const Penetration& q) {
          p.on_b == q.on_a;
 }
 
-std::string check(const ConvexCase& pair, Random&) {
+std::string check_convex_penetration(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   if (!a.solid() || !b.solid()) return "";
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
@@ -36,12 +36,12 @@ std::string check(const ConvexCase& pair, Random&) {
   return "";
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_cell(cell, seed, cases, check);
+SweepResult run_convex_penetration(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+  return run_cell(cell, seed, cases, check_convex_penetration);
 }
 
-const bool known = register_sweep(
-    {"convex-penetration", cells_of(solid_kinds), cell_goal, 4 * cell_round, run, cell_shard, cell_round});
+const bool convex_penetration_known = register_sweep({"convex-penetration", cells_of(solid_kinds), cell_goal,
+                                                      4 * cell_round, run_convex_penetration, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test

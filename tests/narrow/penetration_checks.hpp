@@ -6,6 +6,7 @@
 
 #include "oracle/penetration.hpp"
 #include "support/convex_cases.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/convex_penetration.hpp"
 
 // What every answer about penetration has to be, compared with rational arithmetic.
@@ -23,7 +24,17 @@ inline bool same_shapes(const oracle::ConvexSet& a, const oracle::ConvexSet& b) 
   return a.vertices == b.vertices && a.radius == b.radius;
 }
 
-inline bool is_unit(const Vec3& v) { return std::fabs(dot(v, v) - 1) <= 0x1p-48; }
+inline bool is_nearly_unit(const Vec3& v) { return std::fabs(dot(v, v) - 1) <= 0x1p-48; }
+
+/// The same points in the same order, seen from the other shape.
+inline bool same_but_flipped(const Manifold& m, const Manifold& other) {
+  if (m.count != other.count || (m.count > 0 && m.normal != -other.normal)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+    const ManifoldPoint &p = m.points[i], &q = other.points[i];
+    if (p.position != q.position || p.depth != q.depth || p.on_a != q.on_b || p.on_b != q.on_a) return false;
+  }
+  return true;
+}
 
 /// The points are as far apart as the depth, along the direction, and lie on the shapes, up to the rounding of
 /// coordinates of that size.
@@ -46,7 +57,7 @@ inline std::string wrong_with(const Penetration& p, const oracle::ConvexSet& a, 
   using oracle::exact;
   if (!(std::isfinite(p.lower) && std::isfinite(p.upper) && is_finite(p.on_a) && is_finite(p.on_b)))
     return "not finite";
-  if (!is_unit(p.direction)) return "direction is no unit vector";
+  if (!is_nearly_unit(p.direction)) return "direction is no unit vector";
   if (p.lower < 0 || p.lower > p.upper) return "lower and upper";
   if (depth.compare(exact(p.lower)) < 0) return "less deep than lower";
   if (depth.compare(exact(p.upper)) > 0) return "deeper than upper";

@@ -12,8 +12,6 @@
 namespace toccata::test {
 namespace {
 
-using FeatureKind = ConvexFeature::Kind;
-
 Pose placed_at(double x, double y, double z) { return Pose::translation(x, y, z); }
 
 /// Its top is the plane z = 0.
@@ -46,8 +44,8 @@ TEST(SmoothManifold, OfAStandingCylinderAreFourPointsOfItsRim) {
     expect_points(m, {{part, part, z}, {-part, part, z}, {part, -part, z}, {-part, -part, z}}, depth);
     std::vector<Index> quarters;
     for (const ManifoldPoint& p : m.points) {
-      EXPECT_EQ(p.on_a.kind, FeatureKind::edge);
-      EXPECT_EQ(p.on_b, (ConvexFeature{FeatureKind::face, 5}));
+      EXPECT_EQ(p.on_a.kind, ConvexFeature::Kind::edge);
+      EXPECT_EQ(p.on_b, (ConvexFeature{ConvexFeature::Kind::face, 5}));
       quarters.push_back(p.on_a.index);
     }
     std::sort(quarters.begin(), quarters.end());
@@ -60,7 +58,7 @@ TEST(SmoothManifold, OfAStandingConeIsThatOfItsBase) {
   expect_points(m, {{part, part, 0}, {-part, part, 0}, {part, -part, 0}, {-part, -part, 0}}, 0);
   const Manifold tip = manifold(table(), PosedSmooth(Cone(0.5, 1), {rotation_about({1, 0, 0}, 180), {0, 0, 0.99}}));
   expect_points(tip, {{0, 0, -0.005}}, 0.01);
-  EXPECT_EQ(tip.points[0].on_b, (ConvexFeature{FeatureKind::vertex, 0}));
+  EXPECT_EQ(tip.points[0].on_b, (ConvexFeature{ConvexFeature::Kind::vertex, 0}));
 }
 
 TEST(SmoothManifold, OverTheTablesEdgeAreTheEndsOfWhatStandsOnIt) {
@@ -152,8 +150,8 @@ TEST(SmoothManifold, OfARimOnAnEdgeIsOnePoint) {
   const Manifold m = manifold(tilted, beam);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.points[0].depth, depth, 1e-12);
-  EXPECT_EQ(m.points[0].on_a.kind, FeatureKind::edge);
-  EXPECT_EQ(m.points[0].on_b.kind, FeatureKind::edge);
+  EXPECT_EQ(m.points[0].on_a.kind, ConvexFeature::Kind::edge);
+  EXPECT_EQ(m.points[0].on_b.kind, ConvexFeature::Kind::edge);
 }
 
 // A needle that stands, a little askew, on an edge a million times as long as its cap is wide.

@@ -80,7 +80,7 @@ std::string text_of(const PlacedConvex& placed) {
   return text;
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_smooth(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random random = random_of_cell(cell, seed);
   const std::size_t slash = cell.find('/');
@@ -96,7 +96,7 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   return result;
 }
 
-const bool known = register_sweep({"smooth", smooth_cells(), 10'000, 44, run, 1100, 11});
+const bool smooth_known = register_sweep({"smooth", smooth_cells(), 10'000, 44, run_smooth, 1100, 11});
 
 }  // namespace
 }  // namespace toccata::test

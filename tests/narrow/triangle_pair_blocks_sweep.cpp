@@ -54,7 +54,8 @@ std::vector<LevelAnswer> answers_of_all_levels(const PosedTrianglePairs& batch) 
 }
 
 /// Empty, or what is wrong about one pair of the batch.
-std::string check(const PosedTrianglePairs& batch, const std::vector<LevelAnswer>& answers, std::size_t pair) {
+std::string check_triangle_pair_blocks(const PosedTrianglePairs& batch, const std::vector<LevelAnswer>& answers,
+                                       std::size_t pair) {
   const std::size_t index = pair / TrianglePairBlock::lanes, lane = pair % TrianglePairBlock::lanes;
   const Triangle a = posed(batch.pose_a, batch.pairs[pair].a), b = posed(batch.pose_b, batch.pairs[pair].b);
   const TrianglePairBlock& first = answers.front().blocks[index];
@@ -73,7 +74,7 @@ std::string describe(const PosedTrianglePairs& batch, std::size_t pair) {
          to_text(posed(batch.pose_b, batch.pairs[pair].b));
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_triangle_pair_blocks(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   const SimdLevel level_before = simd_level();
   SweepResult result;
   Random random(Random(seed).bits() + 1);
@@ -82,7 +83,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
         random_batch(family, random, std::min<std::uint64_t>(cases - result.cases, 1 + random.below(40)));
     const std::vector<LevelAnswer> answers = answers_of_all_levels(batch);
     for (std::size_t pair = 0; pair < batch.pairs.size(); ++pair, ++result.cases) {
-      const std::string wrong = check(batch, answers, pair);
+      const std::string wrong = check_triangle_pair_blocks(batch, answers, pair);
       if (wrong.empty()) continue;
       if (result.wrong++ == 0)
         result.first_failure = wrong + ", case " + std::to_string(result.cases) + describe(batch, pair);
@@ -92,7 +93,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"triangle-pair-blocks", triangle_pair_families(), 1'000'000, 1000, run});
+const bool triangle_pair_blocks_known =
+    register_sweep({"triangle-pair-blocks", triangle_pair_families(), 1'000'000, 1000, run_triangle_pair_blocks});
 
 }  // namespace
 }  // namespace toccata::test

@@ -114,7 +114,7 @@ std::string compare_with_itself(const Meeting& m, const Triangle& a, const Trian
 }
 
 /// Empty, or what is wrong.
-std::string check(const TrianglePair& pair) {
+std::string check_triangle_pairs(const TrianglePair& pair) {
   const auto& [a, b] = pair;
   const oracle::RationalTriangle exact_a = oracle::exact(a), exact_b = oracle::exact(b);
   const Truth truth{exact_a, exact_b, oracle::common_set(exact_a, exact_b)};
@@ -127,12 +127,12 @@ std::string check(const TrianglePair& pair) {
   return wrong.empty() ? compare_with_itself(m, a, b, truth) : wrong;
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_triangle_pairs(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random random(Random(seed).bits() + 1);
   for (; result.cases < cases; ++result.cases) {
     const TrianglePair pair = triangle_pair(family, random);
-    const std::string wrong = check(pair);
+    const std::string wrong = check_triangle_pairs(pair);
     if (wrong.empty()) continue;
     if (result.wrong++ == 0)
       result.first_failure =
@@ -141,7 +141,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"triangle-pairs", triangle_pair_families(), 1'000'000, 1000, run});
+const bool triangle_pairs_known =
+    register_sweep({"triangle-pairs", triangle_pair_families(), 1'000'000, 1000, run_triangle_pairs});
 
 }  // namespace
 }  // namespace toccata::test

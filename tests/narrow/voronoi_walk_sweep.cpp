@@ -5,7 +5,7 @@ namespace toccata::test {
 namespace {
 
 /// A case is a sequence.
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_voronoi_walk(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   Random random = random_of_cell(family, seed);
   for (; result.cases < cases; ++result.cases) {
@@ -16,7 +16,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"voronoi-walk", walk_families(), 100'000 / 12 + 1, 8, run, 500, 2});
+const bool voronoi_walk_known =
+    register_sweep({"voronoi-walk", walk_families(), 100'000 / 12 + 1, 8, run_voronoi_walk, 500, 2});
 
 }  // namespace
 }  // namespace toccata::test

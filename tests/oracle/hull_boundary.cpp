@@ -18,8 +18,6 @@ bool is_above(const BoundaryTriangle& t, const RationalPoint& p) { return height
 
 Edge edge_of(const BoundaryTriangle& t, std::size_t i) { return {t.corner[i], t.corner[(i + 1) % 3]}; }
 
-Vec3 rounded(const RationalPoint& p) { return {p.x.to_double(), p.y.to_double(), p.z.to_double()}; }
-
 /// Directions, the same one or its opposite only once.
 class Distinct {
  public:

@@ -18,10 +18,6 @@ Rational reach(const RationalPoint& n, const ConvexSet& a, const ConvexSet& b) {
          along(*std::ranges::min_element(b.vertices, {}, along));
 }
 
-Vec3 rounded(const RationalPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
-
 double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// A − B in doubles, near enough to leave out normals along which it reaches much farther than along others.

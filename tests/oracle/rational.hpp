@@ -36,6 +36,9 @@ RationalPoint centroid(const std::vector<RationalPoint>& points);
 Rational exact(double value);
 RationalPoint exact(const Vec3& point);
 
+/// Each coordinate as the nearest double.
+Vec3 rounded(const RationalPoint& point);
+
 /// Oracle of `transform`: the world vertex in doubles, by the formula of the truth page.
 Vec3 world_vertex(const Pose& pose, const Vec3& local);
 

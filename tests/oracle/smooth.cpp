@@ -29,11 +29,11 @@ FinePoint farthest_of_hull(const FineSet& set, const FinePoint& d) {
   return *best + (set.radius / length(d)) * d;
 }
 
-using Simplex = std::vector<FinePoint>;
+using FineSimplex = std::vector<FinePoint>;
 
 /// Weights of the point nearest to the origin in the plane, line or point through all corners; empty when they are
 /// not independent.
-std::vector<Fine> affine_weights(const Simplex& s) {
+std::vector<Fine> affine_weights(const FineSimplex& s) {
   if (s.size() == 1) return {Fine(1)};
   const FinePoint u = s[1] - s[0], w = Fine(-1) * s[0];
   if (s.size() == 2) {
@@ -57,17 +57,17 @@ std::vector<Fine> affine_weights(const Simplex& s) {
 }
 
 /// The part of the simplex, its last corner included, that has its point nearest to the origin inside.
-struct Nearest {
-  Simplex corners;
+struct NearestPart {
+  FineSimplex corners;
   FinePoint point;
   Fine squared = -1;
 };
 
-Nearest nearest_part(const Simplex& s) {
-  Nearest best;
+NearestPart nearest_part(const FineSimplex& s) {
+  NearestPart best;
   const std::size_t last = s.size() - 1;
   for (unsigned bits = 0; bits < 1U << last; ++bits) {
-    Simplex part;
+    FineSimplex part;
     for (std::size_t i = 0; i < last; ++i)
       if ((bits >> i & 1U) != 0) part.push_back(s[i]);
     part.push_back(s[last]);
@@ -83,7 +83,7 @@ Nearest nearest_part(const Simplex& s) {
 }
 
 /// How far the origin is from the faces of a tetrahedron around it, at least.
-Fine depth_within(const Simplex& s) {
+Fine depth_within(const FineSimplex& s) {
   Fine least = -1;
   for (std::size_t i = 0; i < 4; ++i) {
     const FinePoint &p = s[i], &q = s[(i + 1) % 4], &r = s[(i + 2) % 4];
@@ -128,7 +128,7 @@ FinePoint farthest(const FineSet& set, const FinePoint& d) {
 FineNearness fine_nearness(const FineSet& a, const FineSet& b, double part, int most) {
   FineNearness found;
   found.upper = -1;
-  Nearest now;
+  NearestPart now;
   FinePoint direction = {Fine(1), Fine(0), Fine(0)};
   for (int step = 0; step < most; ++step) {
     const FinePoint point = farthest(a, Fine(-1) * direction) - farthest(b, direction);
@@ -138,9 +138,9 @@ FineNearness fine_nearness(const FineSet& a, const FineSet& b, double part, int 
       found.direction = direction;
     }
     if (found.upper >= 0 && found.upper - found.lower <= Fine(part) * found.upper) break;
-    Simplex s = now.corners;
+    FineSimplex s = now.corners;
     s.push_back(point);
-    const Nearest next = nearest_part(s);
+    const NearestPart next = nearest_part(s);
     if (now.squared >= 0 && !(next.squared < now.squared)) break;
     now = next;
     found.upper = sqrt(now.squared);

@@ -29,7 +29,7 @@ std::string wrong_with_partitions(const std::string& family, std::uint64_t seed)
   return wrong.empty() ? wrong : fmt::format("{} with seed {}: {}", family, seed, wrong);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_partitions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   for (; result.cases < cases; ++result.cases) {
     const std::string wrong = wrong_with_partitions(family, 1'000'003 * seed + result.cases);
@@ -39,8 +39,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known =
-    register_sweep({"partitions", {partition_families.begin(), partition_families.end()}, 3000, 1, run, 250, 1});
+const bool partitions_known = register_sweep(
+    {"partitions", {partition_families.begin(), partition_families.end()}, 3000, 1, run_partitions, 250, 1});
 
 }  // namespace
 }  // namespace toccata::test

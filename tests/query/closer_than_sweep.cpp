@@ -7,7 +7,7 @@
 namespace toccata::test {
 namespace {
 
-std::string fault_of_case(const std::string& family, std::uint64_t seed) {
+std::string fault_of_closer_than(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   PairQuery query = random_poses(family, random);
   const double way = random.below(3) == 0 ? 0 : std::exp2(random.between(-20, 8));
@@ -20,14 +20,14 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
   return fault_of_closeness(a, b, query);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_closer_than(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases,
-                                  [&](std::uint64_t case_seed) { return fault_of_case(family, case_seed); });
+                                  [&](std::uint64_t case_seed) { return fault_of_closer_than(family, case_seed); });
 }
 
 // Two posed surfaces and tolerances at their distance, a double off it and elsewhere, against the exact rational
 // distance, both ways round, warm and cold, the SIMD levels in turn.
-const bool known = register_sweep({"closer-than", pose_families(), 10000, 20, run});
+const bool closer_than_known = register_sweep({"closer-than", pose_families(), 10000, 20, run_closer_than});
 
 }  // namespace
 }  // namespace toccata::test

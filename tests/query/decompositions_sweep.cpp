@@ -57,12 +57,12 @@ std::string fault_of(const std::string& family, std::uint64_t seed) {
   return "";
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_decompositions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) { return fault_of(family, case_seed); });
 }
 
-const bool known =
-    register_sweep({"decompositions", {"upright", "every-face", "inside-out", "turned"}, 4'000, 10, run, 500, 3});
+const bool decompositions_known = register_sweep(
+    {"decompositions", {"upright", "every-face", "inside-out", "turned"}, 4'000, 10, run_decompositions, 500, 3});
 
 }  // namespace
 }  // namespace toccata::test

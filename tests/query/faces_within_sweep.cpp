@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_faces_within(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) -> std::string {
     Random random(case_seed);
     const RegionCase c = region_case(family, random);
@@ -13,7 +13,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   });
 }
 
-const bool known = register_sweep({"faces-within", region_families(), 1'000'000, 125, run, 5000, 25});
+const bool faces_within_known =
+    register_sweep({"faces-within", region_families(), 1'000'000, 125, run_faces_within, 5000, 25});
 
 }  // namespace
 }  // namespace toccata::test

@@ -20,7 +20,7 @@ std::string fault_of_hull(const std::string& regime, Random& random) {
   return hull_cast_fault(pair, random_motion(pair, random));
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_mesh_casts(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   const bool is_regime = family.starts_with("hull, ");
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
@@ -34,7 +34,7 @@ std::vector<std::string> families() {
   return all;
 }
 
-const bool known = register_sweep({"mesh-casts", families(), 10'000, 12, run, 1'000, 4});
+const bool mesh_casts_known = register_sweep({"mesh-casts", families(), 10'000, 12, run_mesh_casts, 1'000, 4});
 
 }  // namespace
 }  // namespace toccata::test

@@ -13,7 +13,7 @@ Model random_model(Random& random) {
   return Model(random_soup(random, triangles, size, random.below(2) == 0 ? 0 : 8));
 }
 
-std::string fault_of_case(const std::string& family, std::uint64_t seed) {
+std::string fault_of_mesh_distance(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   PairQuery query = random_poses(family, random);
   const double way = random.below(3) == 0 ? 0 : std::exp2(random.between(-20, 8));
@@ -22,14 +22,14 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
   return fault_of_surface_distance(a, b, query);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_mesh_distance(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases,
-                                  [&](std::uint64_t case_seed) { return fault_of_case(family, case_seed); });
+                                  [&](std::uint64_t case_seed) { return fault_of_mesh_distance(family, case_seed); });
 }
 
 // Distances of two posed surfaces against the certified distance of every pair of triangles, both ways round, warm and
 // cold, the SIMD levels in turn.
-const bool known = register_sweep({"mesh-distances", pose_families(), 10000, 50, run});
+const bool mesh_distance_known = register_sweep({"mesh-distances", pose_families(), 10000, 50, run_mesh_distance});
 
 }  // namespace
 }  // namespace toccata::test

@@ -18,23 +18,23 @@ Model random_model(Random& random) {
   return Model(random_soup(random, triangles, size, grid));
 }
 
-std::string fault_of_case(const std::string& family, std::uint64_t seed) {
+std::string fault_of_mesh_pairs(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const PairQuery query = random_poses(family, random);
   const Model a = random_model(random), b = random_model(random);
   return fault_of_surface_queries(a, b, query);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_mesh_pairs(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
-    const std::string fault = fault_of_case(family, case_seed);
+    const std::string fault = fault_of_mesh_pairs(family, case_seed);
     return fault.empty() ? fault : fault + " differs from brute force";
   });
 }
 
 // Overlap, first contact and all contacts of two posed surfaces against brute force, both ways round, the SIMD levels
 // in turn.
-const bool known = register_sweep({"mesh-pairs", pose_families(), 10000, 100, run});
+const bool mesh_pairs_known = register_sweep({"mesh-pairs", pose_families(), 10000, 100, run_mesh_pairs});
 
 }  // namespace
 }  // namespace toccata::test

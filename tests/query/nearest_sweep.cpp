@@ -24,14 +24,14 @@ std::string fault_of(const NearestCase& c, Random& random) {
   return one.lower > 0 && nearest_point(c.point, model, within).found ? "beyond the greatest distance" : "";
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_nearest(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
     return fault_of(nearest_case(family, random), random);
   });
 }
 
-const bool known = register_sweep({"nearest-points", nearest_families(), 100'000, 100, run});
+const bool nearest_known = register_sweep({"nearest-points", nearest_families(), 100'000, 100, run_nearest});
 
 }  // namespace
 }  // namespace toccata::test

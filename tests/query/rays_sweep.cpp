@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_rays(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
     const RayCase c = ray_case(family, random);
@@ -17,7 +17,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   });
 }
 
-const bool known = register_sweep({"rays", ray_families(), 100'000, 200, run, 10'000, 40});
+const bool rays_known = register_sweep({"rays", ray_families(), 100'000, 200, run_rays, 10'000, 40});
 
 }  // namespace
 }  // namespace toccata::test

@@ -106,9 +106,10 @@ std::vector<std::string> small_families() {
   return families;
 }
 
-const bool known = register_sweep({"relations", small_families(), 100'000, 40, compare_relations, 1000}) &&
-                   register_sweep({"relations-of-parts", large_families(), 10'000, 4, compare_relations, 100}) &&
-                   register_sweep({"point-locations", solid_families(), 200'000, 200, compare_locations});
+const bool relation_known =
+    register_sweep({"relations", small_families(), 100'000, 40, compare_relations, 1000}) &&
+    register_sweep({"relations-of-parts", large_families(), 10'000, 4, compare_relations, 100}) &&
+    register_sweep({"point-locations", solid_families(), 200'000, 200, compare_locations});
 
 }  // namespace
 }  // namespace toccata::test

@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_scene_questions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   Random seeds(Random(seed).bits());
   SweepResult result;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -21,7 +21,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"scene-questions", crowd_families(), 100'000, 20, run, 2000});
+const bool scene_questions_known =
+    register_sweep({"scene-questions", crowd_families(), 100'000, 20, run_scene_questions, 2000});
 
 }  // namespace
 }  // namespace toccata::test

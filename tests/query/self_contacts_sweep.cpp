@@ -27,14 +27,15 @@ std::string fault_of(const SelfMesh& made) {
   return self_overlap(model, made.pose) == !expected.empty() ? "" : "self_overlap";
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_self_contacts(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
     return fault_of(random_self_mesh(family, random));
   });
 }
 
-const bool known = register_sweep({"self-contacts", self_mesh_families(), 50'000, 100, run});
+const bool self_contacts_known =
+    register_sweep({"self-contacts", self_mesh_families(), 50'000, 100, run_self_contacts});
 
 }  // namespace
 }  // namespace toccata::test

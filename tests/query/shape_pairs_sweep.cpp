@@ -85,8 +85,8 @@ std::string check_compound(const ConvexCase& first, const PlacedConvex& second) 
 
 const std::vector<std::string> sides{"mesh of triangle", "mesh of box", "mesh of hull", "height field", "compound"};
 
-std::string check(const std::string& side, const std::string& kind_b, const std::string& regime, Random& random,
-                  std::string& text) {
+std::string check_shape_pairs(const std::string& side, const std::string& kind_b, const std::string& regime,
+                              Random& random, std::string& text) {
   const bool of_mesh = side.starts_with("mesh of ");
   const std::string kind_a = of_mesh ? side.substr(8) : side == "compound" ? "hull" : "point";
   const ConvexCase pair = convex_case(kind_a, kind_b, regime, random);
@@ -97,7 +97,7 @@ std::string check(const std::string& side, const std::string& kind_b, const std:
   return check_compound(pair, convex_case(kind, kind_b, regime, random).a);
 }
 
-SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_shape_pairs(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
   const std::size_t slash = cell.find('/');
   const std::vector<std::string>& regimes = convex_regimes();
   SweepResult result;
@@ -105,7 +105,7 @@ SweepResult run(const std::string& cell, std::uint64_t seed, std::uint64_t cases
   for (; result.cases < cases; ++result.cases) {
     const std::string& regime = regimes[result.cases % regimes.size()];
     std::string text;
-    const std::string wrong = check(cell.substr(0, slash), cell.substr(slash + 1), regime, random, text);
+    const std::string wrong = check_shape_pairs(cell.substr(0, slash), cell.substr(slash + 1), regime, random, text);
     if (wrong.empty()) continue;
     if (result.wrong++ == 0) result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + text;
   }
@@ -119,7 +119,8 @@ std::vector<std::string> cells() {
   return all;
 }
 
-const bool known = register_sweep({"shape-pairs", cells(), cell_goal, 10 * cell_round, run, cell_shard, cell_round});
+const bool shape_pairs_known =
+    register_sweep({"shape-pairs", cells(), cell_goal, 10 * cell_round, run_shape_pairs, cell_shard, cell_round});
 
 }  // namespace
 }  // namespace toccata::test

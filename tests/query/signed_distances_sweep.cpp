@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_signed_distances(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
     const PointCase c = closed_case(family, random);
@@ -13,7 +13,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   });
 }
 
-const bool known = register_sweep({"signed-distances", closed_families(), 100'000, 60, run, 2000, 10});
+const bool signed_distances_known =
+    register_sweep({"signed-distances", closed_families(), 100'000, 60, run_signed_distances, 2000, 10});
 
 }  // namespace
 }  // namespace toccata::test

@@ -91,7 +91,7 @@ std::string fault_of_translations(const Model& a, const Model& b, const PairQuer
   return "";
 }
 
-std::string fault_of_case(const std::string& family, std::uint64_t seed) {
+std::string fault_of_solid_penetration(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const bool convex = family == "convex";
   const TriangleMesh mesh_a = convex ? convex_mesh(random) : any_mesh(random);
@@ -107,11 +107,13 @@ std::string fault_of_case(const std::string& family, std::uint64_t seed) {
   return fault.empty() ? fault_of_translations(a, b, query, p, random) : fault;
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  return run_cases(family, seed, cases, [&](std::uint64_t case_seed) { return fault_of_case(family, case_seed); });
+SweepResult run_solid_penetration(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  return run_cases(family, seed, cases,
+                   [&](std::uint64_t case_seed) { return fault_of_solid_penetration(family, case_seed); });
 }
 
-const bool known = register_sweep({"mesh-penetrations", {"convex", "solids", "far", "sheared"}, 200, 2, run, 100, 1});
+const bool solid_penetration_known = register_sweep(
+    {"mesh-penetrations", {"convex", "solids", "far", "sheared"}, 200, 2, run_solid_penetration, 100, 1});
 
 }  // namespace
 }  // namespace toccata::test

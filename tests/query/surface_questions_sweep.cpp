@@ -6,7 +6,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_surface_questions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   Random seeds(Random(seed).bits());
   SweepResult result;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -24,7 +24,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"surface-questions", surface_families(), 100'000, 100, run, 1000});
+const bool surface_questions_known =
+    register_sweep({"surface-questions", surface_families(), 100'000, 100, run_surface_questions, 1000});
 
 }  // namespace
 }  // namespace toccata::test

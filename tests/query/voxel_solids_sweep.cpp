@@ -67,7 +67,7 @@ bool is_right(const Case& c) {
          overlap(a, b, c.query) == (c.truth.kind != RelationKind::apart);
 }
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_voxel_solids(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   for (std::uint64_t i = 0; i < cases; ++i) {
     Random random(Random(seed).bits() + i);
@@ -79,12 +79,13 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({.name = "voxel-solids",
-                                   .families = {"few", "many", "inner faces", "inside out", "sheet and solid"},
-                                   .goal = 10000,
-                                   .slice = 20,
-                                   .run = run,
-                                   .shard = 1000});
+const bool voxel_solids_known =
+    register_sweep({.name = "voxel-solids",
+                    .families = {"few", "many", "inner faces", "inside out", "sheet and solid"},
+                    .goal = 10000,
+                    .slice = 20,
+                    .run = run_voxel_solids,
+                    .shard = 1000});
 
 }  // namespace
 }  // namespace toccata

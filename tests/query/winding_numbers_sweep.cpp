@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_winding_numbers(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
     const PointCase c = point_case(family, random);
@@ -15,7 +15,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   });
 }
 
-const bool known = register_sweep({"winding-numbers", point_families(), 100'000, 30, run, 2000, 5});
+const bool winding_numbers_known =
+    register_sweep({"winding-numbers", point_families(), 100'000, 30, run_winding_numbers, 2000, 5});
 
 }  // namespace
 }  // namespace toccata::test

@@ -101,7 +101,7 @@ class BusyWorld {
 
 /// Steps of one life, a case each. What the World holds must not become more than it was at most in the first fifth,
 /// but for the chance of a more crowded step; numbers are never more than are needed at once.
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t steps) {
+SweepResult run_world_memory(const std::string& family, std::uint64_t seed, std::uint64_t steps) {
   Random random(seed);
   const std::ptrdiff_t before = held;
   BusyWorld life(family);
@@ -119,7 +119,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t ste
   return result;
 }
 
-const bool known = register_sweep({"world-memory", {"whole", "convex"}, 100'000, 400, run, 100'000, 150});
+const bool world_memory_known =
+    register_sweep({"world-memory", {"whole", "convex"}, 100'000, 400, run_world_memory, 100'000, 150});
 
 }  // namespace
 }  // namespace toccata::test

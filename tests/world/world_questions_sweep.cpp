@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_world_questions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   Random seeds(Random(seed).bits());
   SweepResult result;
   while (result.cases < cases) {
@@ -25,7 +25,8 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
   return result;
 }
 
-const bool known = register_sweep({"world-questions", crowd_families(), 100'000, 20, run, 2000});
+const bool world_questions_known =
+    register_sweep({"world-questions", crowd_families(), 100'000, 20, run_world_questions, 2000});
 
 }  // namespace
 }  // namespace toccata::test

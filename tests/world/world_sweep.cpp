@@ -255,7 +255,7 @@ class WorldLife {
   std::vector<BodyId> removed_;
 };
 
-SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+SweepResult run_world(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
   for (; result.cases < cases; ++result.cases) {
     const std::uint64_t number = 1'000'003 * seed + result.cases;
@@ -273,7 +273,7 @@ SweepResult run(const std::string& family, std::uint64_t seed, std::uint64_t cas
 
 std::vector<std::string> families() { return {body_families.begin(), body_families.end()}; }
 
-const bool known = register_sweep({"world", families(), 1000, 3, run, 50, 1});
+const bool world_known = register_sweep({"world", families(), 1000, 3, run_world, 50, 1});
 
 }  // namespace
 }  // namespace toccata::test

@@ -4,11 +4,11 @@
 
 #include <cctype>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "io/cases/first_difference.hpp"
 #include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
+#include "io/formats/json.hpp"
 #include "io/formats/number_rows.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/scenes/scene_json.hpp"
@@ -18,10 +18,12 @@
 #include "toccata/query/scene_models.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 Json json_of(const TriangleMesh& mesh) {
   std::vector<double> numbers;

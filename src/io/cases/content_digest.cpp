@@ -1,16 +1,17 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "io/formats/json.hpp"
 #include "io/formats/tree_bytes.hpp"
 #include "io/scenes/scene_json.hpp"
 #include "toccata/io/saved_report.hpp"
 
 namespace toccata {
-namespace {
 
-using Json = nlohmann::ordered_json;
+using io::Json;
+
+namespace {
 
 /// Meshes may have the same triangles and other faces of the file.
 std::string digest_of_mesh(const TriangleMesh& mesh) {

@@ -14,8 +14,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 template <class T>
 Json names_of(const std::vector<T>& values) {
   Json names = Json::array();

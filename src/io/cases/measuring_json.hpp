@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "io/formats/json.hpp"
 #include "io/formats/json_value.hpp"
 #include "toccata/io/scene_question.hpp"
 
@@ -9,9 +8,9 @@ namespace toccata::io {
 
 /// The keys of questions that measure (docs/reference/case-file.md), those of costs without their poses, and back.
 /// Reading throws Error naming the place.
-[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CostQuestion& question);
-[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CrowdQuestion& question);
-[[nodiscard]] nlohmann::ordered_json json_of_measuring(const CrowdWorldQuestion& question);
+[[nodiscard]] Json json_of_measuring(const CostQuestion& question);
+[[nodiscard]] Json json_of_measuring(const CrowdQuestion& question);
+[[nodiscard]] Json json_of_measuring(const CrowdWorldQuestion& question);
 [[nodiscard]] CostQuestion cost_question_of(const JsonValue& value);
 [[nodiscard]] SceneQuestion crowd_question_of(const JsonValue& value);
 [[nodiscard]] SceneQuestion crowd_world_question_of(const JsonValue& value);

@@ -16,8 +16,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 void append(std::vector<double>& numbers, const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
 
 void append(std::vector<double>& numbers, const Pose& pose) {

@@ -5,20 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <variant>
 
 #include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
+#include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
-namespace {
 
-using Json = nlohmann::ordered_json;
+using io::Json;
+
+namespace {
 
 constexpr std::string_view document_end = "\n}\n";
 

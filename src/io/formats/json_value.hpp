@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "toccata/math/vec3.hpp"
 
 namespace toccata::io {

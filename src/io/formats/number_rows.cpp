@@ -13,8 +13,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
 
 constexpr std::size_t most_readable = 1000;

@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/formats/json_value.hpp"
 
 namespace toccata::io {
@@ -23,7 +23,7 @@ namespace toccata::io {
                                                                const std::string& row);
 
 /// An array of rows that people can read; base64 where there are more than a thousand numbers.
-[[nodiscard]] nlohmann::ordered_json json_of_rows(std::span<const double> numbers, std::size_t width);
-[[nodiscard]] nlohmann::ordered_json json_of_rows(std::span<const std::uint32_t> numbers, std::size_t width);
+[[nodiscard]] Json json_of_rows(std::span<const double> numbers, std::size_t width);
+[[nodiscard]] Json json_of_rows(std::span<const std::uint32_t> numbers, std::size_t width);
 
 }  // namespace toccata::io

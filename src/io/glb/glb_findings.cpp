@@ -12,8 +12,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = GlbWriter::Json;
-
 const GlbPaint first_faces{"faces of the first that meet", 0x0072b2};
 const GlbPaint second_faces{"faces of the second that meet", 0xd55e00};
 const GlbPaint curves{"where they meet", 0x000000};

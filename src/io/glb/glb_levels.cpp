@@ -9,8 +9,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = GlbWriter::Json;
-
 GlbPaint paint_of(std::size_t colour) {
   constexpr double seen_through = 0.2;
   return {fmt::format("volumes {}", colour + 1), colours_in_turn[colour], seen_through};

@@ -11,8 +11,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = GlbWriter::Json;
-
 enum class ObjectRole { alone, first, second, part };
 
 /// Parts differ from those beside them.

@@ -52,7 +52,7 @@ class PartitionNodes {
       std::vector<Aabb> boxes;
       for (const PartitionCell& cell : level.cells) boxes.push_back(cell.box);
       if (boxes.empty()) break;
-      GlbWriter::Json parts = GlbWriter::Json::array();
+      Json parts = Json::array();
       parts.push_back(glb_.part(edges_part(boxes, place, frame), GlbMode::lines, cell_edges));
       meshes.push_back(
           glb_.add_mesh(fmt::format("{} {}", name_of(kind_), partition_label(level, levels.size())), std::move(parts)));

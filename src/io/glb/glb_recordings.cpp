@@ -44,12 +44,12 @@ void GlbFrames::add(const char* name, std::span<const Aabb> boxes, const GlbPain
 
 void GlbFrames::add_part(const char* name, const GlbPart& part, const GlbFrame& frame, GlbMode mode,
                          const GlbPaint& paint) {
-  GlbScene::Json parts = GlbScene::Json::array();
+  Json parts = Json::array();
   parts.push_back(glb_.part(part, mode, paint));
   nodes_.push_back(glb_.add_node(name, {}, frame, {{"mesh", glb_.add_mesh(name, std::move(parts))}}));
 }
 
-void GlbFrames::end_frame(const std::string& name, GlbScene::Json extras) {
+void GlbFrames::end_frame(const std::string& name, Json extras) {
   const std::vector<std::size_t> nodes = std::exchange(nodes_, {});
   const std::size_t frame = frame_++;
   if (!nodes.empty()) seen_.push_back(glb_.add_at_pose(name, nodes, frame, frames_, {{"extras", std::move(extras)}}));

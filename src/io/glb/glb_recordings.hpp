@@ -24,7 +24,7 @@ class GlbFrames {
   /// The edges of boxes.
   void add(const char* name, std::span<const Aabb> boxes, const GlbPaint& paint);
   /// Ends it; where nothing was added, nothing is written of it.
-  void end_frame(const std::string& name, GlbScene::Json extras);
+  void end_frame(const std::string& name, Json extras);
   /// Ends all.
   void write() { glb_.add_group(group_, seen_); }
 

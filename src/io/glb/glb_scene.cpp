@@ -13,8 +13,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = GlbWriter::Json;
-
 /// glTF writes matrices by columns.
 Json matrix_of(const Pose& pose) {
   Json matrix = Json::array();

@@ -50,8 +50,6 @@ struct GlbKey {
 /// unit, the axes, and where the scene is.
 class GlbScene {
  public:
-  using Json = GlbWriter::Json;
-
   GlbScene(std::span<const Posed> models, const ViewMeshes& meshes) : models_(models), meshes_(meshes) {}
 
   [[nodiscard]] std::span<const Posed> models() const { return models_; }

@@ -23,7 +23,7 @@ void add_trees(GlbScene& glb, const Scene& scene, const RebalanceReport& report)
       Aabb around;
       for (const Aabb& box : boxes) around = merge(around, box);
       const GlbFrame frame = GlbFrame::around(DisplayFrame::around(around));
-      GlbWriter::Json parts = GlbWriter::Json::array();
+      Json parts = Json::array();
       parts.push_back(glb.part(edges_part(boxes, {}, frame), GlbMode::lines, edges));
       levels.push_back(glb.add_node(
           name, {}, frame, {{"mesh", glb.add_mesh(name, std::move(parts))}, {"extras", {{"boxes", level.count}}}}));

@@ -17,7 +17,7 @@ const GlbPaint walk_paint{"walks", 0xcc79a7};
 std::size_t add_visit(GlbScene& glb, const DrawnVisit& visit) {
   const GlbFrame frame = GlbFrame::around(visit.ends);
   const std::string name = "visit " + visit.label;
-  GlbWriter::Json parts = GlbWriter::Json::array();
+  Json parts = Json::array();
   parts.push_back(glb.part(joined_part(visit.ends, frame), GlbMode::lines, walk_paint));
   return glb.add_node(name, {}, frame,
                       {{"mesh", glb.add_mesh(name, std::move(parts))},
@@ -34,7 +34,7 @@ void add_voronoi(GlbScene& glb) {
       const auto& [label, corners] = regions.kinds[i];
       if (corners.empty()) continue;  // a point and a segment have no faces
       const GlbFrame frame = GlbFrame::around(corners);
-      GlbWriter::Json parts = GlbWriter::Json::array();
+      Json parts = Json::array();
       parts.push_back(glb.part(joined_part(corners, frame), GlbMode::triangles, paints[i]));
       kinds.push_back(glb.add_node(label, {}, frame, {{"mesh", glb.add_mesh(label, std::move(parts))}}));
     }

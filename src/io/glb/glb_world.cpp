@@ -7,6 +7,9 @@
 #include "toccata/io/glb_file.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 using WorldFrame = WorldRecording::Frame;
@@ -64,7 +67,7 @@ void add_steps(io::GlbScene& glb, const WorldRecording& recording) {
   io::GlbFrames pairs(glb, "pairs", recording.frames().size());
   for (std::size_t i = 0; i < recording.frames().size(); ++i) {
     const DrawnPairs drawn(recording.frames()[i]);
-    io::GlbScene::Json extras = io::GlbScene::Json::object();
+    io::Json extras = io::Json::object();
     for (std::size_t change = 0; change < pairs_names.size(); ++change) {
       pairs.add(pairs_names[change], drawn.middles[change], io::GlbMode::lines, pairs_paints[change]);
       extras[pairs_names[change]] = drawn.middles[change].size() / 2;

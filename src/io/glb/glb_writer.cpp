@@ -90,7 +90,7 @@ std::size_t GlbWriter::add_corners(std::span<const Index> corners, std::size_t p
                        {"type", "SCALAR"}});
 }
 
-GlbWriter::Json GlbWriter::add_part(const GlbPart& part, GlbMode mode) {
+Json GlbWriter::add_part(const GlbPart& part, GlbMode mode) {
   Json primitive = {{"attributes", {{"POSITION", add_points(part.points)}}}};
   if (!part.corners.empty()) primitive["indices"] = add_corners(part.corners, part.points.size());
   primitive["mode"] = static_cast<int>(mode);

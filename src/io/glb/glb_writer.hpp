@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "toccata/core/index.hpp"
 
 namespace toccata::io {
@@ -25,8 +25,6 @@ struct GlbPart {
 /// other things name it.
 class GlbWriter {
  public:
-  using Json = nlohmann::ordered_json;
-
   /// A part of a mesh: a primitive, without its material.
   [[nodiscard]] Json add_part(const GlbPart& part, GlbMode mode);
   /// `colour` is sRGB, 0xRRGGBB; what covers less than 1 is seen through.

@@ -8,6 +8,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 std::string name_of_part(const DecomposeReport& report, std::size_t part) {

@@ -8,6 +8,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 std::string line_of(const ReportedDistance& pair, const Scene& scene) {

@@ -6,6 +6,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 io::Json json_of(const Region& region) {

@@ -6,6 +6,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 const char* name_of_kind(SumFaceKind kind) {

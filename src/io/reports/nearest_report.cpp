@@ -8,6 +8,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 std::string_view name_of(const SignedDistance& from) {

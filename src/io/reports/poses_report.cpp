@@ -8,6 +8,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 io::Json json_of_query(const PosesReport& report, std::size_t i) {

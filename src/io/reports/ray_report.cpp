@@ -6,6 +6,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 std::string line_of(const Scene& scene, std::span<const ReportedRay> rays, std::size_t i) {

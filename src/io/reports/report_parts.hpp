@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/scenes/scene_shape.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -15,8 +15,6 @@
 namespace toccata::io {
 
 // What the reports have in common.
-
-using Json = nlohmann::ordered_json;
 
 /// A length, or "all" for +∞.
 [[nodiscard]] Json json_of_length(double length);

@@ -9,6 +9,9 @@
 #include "io/reports/report_parts.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 /// Triangles are in the order of the faces in every mesh that a reader makes, but not in every mesh.

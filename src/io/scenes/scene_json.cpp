@@ -16,8 +16,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// JSON can say nothing else.
 void check_texts(const Scene& scene) {
   for (const SceneObject& object : scene.objects)

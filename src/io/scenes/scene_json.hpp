@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "io/formats/json.hpp"
 #include "io/scenes/scene_shape.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -13,12 +12,12 @@ namespace toccata::io {
 void require_writable(const Scene& scene);
 
 /// The members in front of the objects.
-[[nodiscard]] nlohmann::ordered_json scene_head(const Scene& scene);
+[[nodiscard]] Json scene_head(const Scene& scene);
 
 /// A node: its name, its parent's number, and its pose where it has one.
-[[nodiscard]] nlohmann::ordered_json json_of(const SceneNode& node);
+[[nodiscard]] Json json_of(const SceneNode& node);
 
 /// An object without its source and node; its mesh is what `write_mesh` gives.
-[[nodiscard]] nlohmann::ordered_json json_of(const SceneObject& object, const MeshWriting& write_mesh);
+[[nodiscard]] Json json_of(const SceneObject& object, const MeshWriting& write_mesh);
 
 }  // namespace toccata::io

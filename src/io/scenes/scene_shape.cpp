@@ -18,8 +18,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Mat3 rotation_of(const JsonValue& value) {
   value.expect_keys({"axis", "degrees", "quaternion"});
   if (!value.has("quaternion"))
@@ -284,9 +282,7 @@ Shape shape_of(const JsonValue& value, const MeshReading& read_mesh) { return Sh
 
 Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh) {
-  return std::visit(ShapeWriter(write_mesh), shape);
-}
+Json json_of(const Shape& shape, const MeshWriting& write_mesh) { return std::visit(ShapeWriter(write_mesh), shape); }
 
 std::string type_of(const Shape& shape) {
   constexpr std::array<const char*, std::variant_size_v<Shape>> names = {

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/formats/json.hpp"
 #include "io/formats/json_value.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/pose.hpp"
@@ -16,7 +16,7 @@ namespace toccata::io {
 using MeshReading = std::function<std::shared_ptr<const TriangleMesh>(const JsonValue& holder)>;
 
 /// Keeps a mesh, and gives how an object names it: {"file": …} or {"mesh": …}.
-using MeshWriting = std::function<nlohmann::ordered_json(const std::shared_ptr<const TriangleMesh>& mesh)>;
+using MeshWriting = std::function<Json(const std::shared_ptr<const TriangleMesh>& mesh)>;
 
 /// Whether a pose has the bits of the identity: one that is only equal to it, with a −0, is written out.
 [[nodiscard]] bool is_left_out(const Pose& pose);
@@ -45,10 +45,10 @@ struct ScaledPose {
 /// The "shape" of an object or of a part of a compound.
 [[nodiscard]] Shape shape_of(const JsonValue& value, const MeshReading& read_mesh);
 
-[[nodiscard]] nlohmann::ordered_json json_of(const Vec3& v);
+[[nodiscard]] Json json_of(const Vec3& v);
 
 /// What `shape_of` reads as the same shape; of a mesh what `write_mesh` gives, which has no "type".
-[[nodiscard]] nlohmann::ordered_json json_of(const Shape& shape, const MeshWriting& write_mesh);
+[[nodiscard]] Json json_of(const Shape& shape, const MeshWriting& write_mesh);
 
 /// "sphere", "convex-hull" …: the "type" of a shape, and "mesh".
 [[nodiscard]] std::string type_of(const Shape& shape);

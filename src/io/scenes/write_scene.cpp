@@ -1,23 +1,25 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/file_error.hpp"
+#include "io/formats/json.hpp"
 #include "io/scenes/scene_json.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// A folder that is filled beside its place and takes it when complete; gone when it never was.
 class FolderInTheMaking {

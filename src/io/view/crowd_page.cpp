@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/view/counted.hpp"
 #include "io/view/display_frame.hpp"
@@ -21,9 +21,11 @@
 #include "toccata/io/report.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Frame = CrowdRecording::Frame;
 
 /// Which items of a layer are of each moment: the first and how many.

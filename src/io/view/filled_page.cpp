@@ -6,8 +6,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Where the data goes in the template.
 constexpr std::string_view data_place = "<!--toccata-data-->";
 

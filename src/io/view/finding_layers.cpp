@@ -174,7 +174,7 @@ struct FindingMarks {
 
 }  // namespace
 
-nlohmann::ordered_json finding_layers(const SceneAnswer& answer, const ViewMeshes& meshes, ViewData& data) {
+Json finding_layers(const SceneAnswer& answer, const ViewMeshes& meshes, ViewData& data) {
   LayerWriter layers(meshes, data);
   std::visit(FindingMarks{layers}, answer);
   return layers.take();

@@ -10,8 +10,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// How things were found, by the table of pairs: texts, each once, and their numbers.
 class Methods {
  public:

@@ -11,8 +11,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Points as floats from 0 to 1 of the greatest extent of the mesh's box.
 struct MeshFrame {
   Vec3 lower;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "io/formats/json.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/cost.hpp"
@@ -11,7 +11,6 @@ namespace toccata::io {
 
 /// A layer for every mesh or height field: the levels of a hierarchy of these volumes. Throws Error when there are too
 /// many meshes to be looked at.
-[[nodiscard]] std::vector<nlohmann::ordered_json> hierarchy_layers(std::span<const Posed> models, CostVolume volume,
-                                                                   ViewData& data);
+[[nodiscard]] std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume volume, ViewData& data);
 
 }  // namespace toccata::io

@@ -16,7 +16,7 @@ std::vector<float> LayerWriter::shown(std::span<const Vec3> points) const {
   return numbers;
 }
 
-LayerWriter::Json& LayerWriter::push(const char* kind, const char* role, Json array) {
+Json& LayerWriter::push(const char* kind, const char* role, Json array) {
   Json layer = {{"kind", kind}, {"role", role}};
   if (finding_) layer["finding"] = *finding_;
   layer["data"] = std::move(array);

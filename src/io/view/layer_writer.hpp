@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 
@@ -36,11 +36,9 @@ class LayerWriter {
   /// A segment with its length beside it, and its ends; a length beyond the largest double is written as null.
   void add_length(const char* role, const Vec3& from, const Vec3& to, double length);
 
-  [[nodiscard]] nlohmann::ordered_json take() { return std::move(layers_); }
+  [[nodiscard]] Json take() { return std::move(layers_); }
 
  private:
-  using Json = nlohmann::ordered_json;
-
   [[nodiscard]] std::vector<float> shown(std::span<const Vec3> points) const;
   /// Whether it was written.
   bool add(const char* kind, const char* role, const std::vector<float>& numbers);

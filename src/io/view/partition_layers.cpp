@@ -16,7 +16,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Cells = std::vector<PartitionCell>;
 
 /// By how many triangles a cell holds: up to each of these.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/partitions/levels.hpp"
 #include "toccata/partitions/measure.hpp"
@@ -20,7 +20,6 @@ void require_few_partitions(std::size_t meshes);
 
 /// A layer for every mesh or height field: the cells of a partition over its triangles, level by level. Throws Error
 /// when there are too many meshes to be looked at, or a triangle is too large for a partition.
-[[nodiscard]] std::vector<nlohmann::ordered_json> partition_layers(std::span<const Posed> models, PartitionKind kind,
-                                                                   ViewData& data);
+[[nodiscard]] std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind kind, ViewData& data);
 
 }  // namespace toccata::io

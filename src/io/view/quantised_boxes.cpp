@@ -10,8 +10,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double most_steps = 65535;
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/bounds/aabb.hpp"
@@ -22,9 +22,9 @@ class QuantisedBoxes {
   [[nodiscard]] std::size_t size() const { return numbers_.size() / 7; }
 
   /// In shown coordinates.
-  [[nodiscard]] nlohmann::ordered_json written(const DisplayFrame& frame, ViewData& data) const;
+  [[nodiscard]] Json written(const DisplayFrame& frame, ViewData& data) const;
   /// In the frame that the boxes are in, an object's.
-  [[nodiscard]] nlohmann::ordered_json written(ViewData& data) const;
+  [[nodiscard]] Json written(ViewData& data) const;
 
  private:
   [[nodiscard]] std::uint16_t step_of(double value, double Vec3::*coordinate) const;

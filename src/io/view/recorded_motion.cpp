@@ -14,7 +14,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::array<std::array<double, 3>, 3>;
 
 Rows rows_of(const Pose& pose) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "io/formats/json.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/io/world_page.hpp"
@@ -10,7 +9,6 @@ namespace toccata::io {
 
 /// The member "motion" of the header (docs/reference/view-page.md): where the objects are at each moment. Throws Error
 /// naming an object whose pose has changed by more than a turn and a move.
-[[nodiscard]] nlohmann::ordered_json motion_of(const WorldRecording& recording, const DisplayFrame& frame,
-                                               ViewData& data);
+[[nodiscard]] Json motion_of(const WorldRecording& recording, const DisplayFrame& frame, ViewData& data);
 
 }  // namespace toccata::io

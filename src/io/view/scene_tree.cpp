@@ -5,8 +5,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t most_boxes = 100'000;
 
 /// Children come after their parent, so one pass finds how deep all are.

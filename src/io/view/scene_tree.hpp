@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/view_data.hpp"
 #include "toccata/io/hierarchy_report.hpp"
@@ -27,7 +27,7 @@ struct DrawnTree {
 [[nodiscard]] std::array<DrawnTree, 3> drawn_trees(const Scene& scene, const RebalanceReport& report);
 
 /// Their layers: of each a slider over its levels, and all its boxes as a finding.
-[[nodiscard]] std::vector<nlohmann::ordered_json> scene_tree_layers(const Scene& scene, const RebalanceReport& report,
-                                                                    const DisplayFrame& frame, ViewData& data);
+[[nodiscard]] std::vector<Json> scene_tree_layers(const Scene& scene, const RebalanceReport& report,
+                                                  const DisplayFrame& frame, ViewData& data);
 
 }  // namespace toccata::io

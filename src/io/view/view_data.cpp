@@ -10,7 +10,7 @@ namespace toccata::io {
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are in memory");
 
 template <class Number>
-ViewData::Json ViewData::add_numbers(std::span<const Number> numbers) {
+Json ViewData::add_numbers(std::span<const Number> numbers) {
   bytes_.resize((bytes_.size() + 3) / 4 * 4);
   const std::size_t at = bytes_.size();
   bytes_.resize(at + numbers.size_bytes());
@@ -18,9 +18,9 @@ ViewData::Json ViewData::add_numbers(std::span<const Number> numbers) {
   return {{"at", at}, {"count", numbers.size()}};
 }
 
-ViewData::Json ViewData::add(std::span<const std::uint16_t> numbers) { return add_numbers(numbers); }
-ViewData::Json ViewData::add(std::span<const std::uint32_t> numbers) { return add_numbers(numbers); }
-ViewData::Json ViewData::add(std::span<const float> numbers) { return add_numbers(numbers); }
+Json ViewData::add(std::span<const std::uint16_t> numbers) { return add_numbers(numbers); }
+Json ViewData::add(std::span<const std::uint32_t> numbers) { return add_numbers(numbers); }
+Json ViewData::add(std::span<const float> numbers) { return add_numbers(numbers); }
 
 std::string ViewData::base64() const { return base64_of(bytes_); }
 

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/math/vec3.hpp"
 
@@ -17,8 +17,6 @@ namespace toccata::io {
 /// has.
 class ViewData {
  public:
-  using Json = nlohmann::ordered_json;
-
   Json add(std::span<const std::uint16_t> numbers);
   Json add(std::span<const std::uint32_t> numbers);
   Json add(std::span<const float> numbers);

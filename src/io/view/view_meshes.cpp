@@ -13,8 +13,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The same for shapes that are drawn alike; empty when the shape is drawn for one object alone.
 std::string key_of(const Shape& shape) {
   const auto shared = [](const void* address) { return fmt::format("shared {}", address); };

@@ -40,7 +40,7 @@ class ViewMeshes {
   [[nodiscard]] std::vector<Index> triangles_of(std::size_t model, std::span<const Index> faces) const;
 
   /// The members "meshes" and "objects" of the header.
-  void write(nlohmann::ordered_json& header, ViewData& data) const;
+  void write(Json& header, ViewData& data) const;
 
  private:
   Drawn drawn_of(const Posed& posed);

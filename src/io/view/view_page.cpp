@@ -1,8 +1,8 @@
 #include "toccata/io/view_page.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/view/asked_poses.hpp"
 #include "io/view/drawn_scene.hpp"
@@ -22,9 +22,10 @@
 #include "toccata/io/world_page.hpp"
 
 namespace toccata {
-namespace {
 
-using Json = nlohmann::ordered_json;
+using io::Json;
+
+namespace {
 
 /// The report as the subcommand writes it with --json, without the faces, which are in the layers.
 std::string report_of(const Scene& scene, std::span<const Posed> models, SceneAnswer answer,

@@ -15,8 +15,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr Index most_vertices = 2000;
 constexpr int arc_parts = 5;
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "toccata/query/check_all.hpp"
@@ -31,7 +31,6 @@ struct DrawnVoronoi {
 
 /// A layer for every convex polytope: its Voronoi regions as closed cells up to some distance, a step for each kind of
 /// feature. Throws Error as `world_polytope`.
-[[nodiscard]] std::vector<nlohmann::ordered_json> voronoi_layers(std::span<const Posed> models,
-                                                                 const ViewMeshes& meshes, ViewData& data);
+[[nodiscard]] std::vector<Json> voronoi_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data);
 
 }  // namespace toccata::io

@@ -12,7 +12,6 @@
 namespace toccata::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = ConvexFeature::Kind;
 
 constexpr std::size_t most_pairs = 32;

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/reports/report_parts.hpp"
 #include "io/view/counted.hpp"
@@ -20,9 +20,11 @@
 #include "toccata/io/relation_words.hpp"
 
 namespace toccata {
+
+using io::Json;
+
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Change = WorldRecording::Change;
 using RecordedFrame = WorldRecording::Frame;
 using RecordedPair = WorldRecording::Pair;
