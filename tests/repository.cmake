@@ -14,14 +14,19 @@ add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}
                                       --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
 set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 1000)  # begun first: it is the longest
 
-# Every header compiles alone: a unit that includes nothing else, for each but those which a source of the library
-# includes before anything else.
+# Every header compiles alone: a unit that includes nothing else, for each public header. A private one that is included
+# before anything else by a source of the library needs none where that is compiled by itself, and the others have one
+# there too; where sources are united only the public headers are looked at.
 file(GLOB LIBRARY_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*/*.cpp)
 foreach(source IN LISTS LIBRARY_SOURCES)
   file(STRINGS ${source} first REGEX "^#include" LIMIT_COUNT 1)
   list(APPEND INCLUDED_FIRST ${first})
 endforeach()
-file(GLOB_RECURSE HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp ${PROJECT_SOURCE_DIR}/src/*.hpp)
+file(GLOB_RECURSE HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp)
+if(NOT TOCCATA_UNITE)
+  file(GLOB_RECURSE PRIVATE_HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.hpp)
+  list(APPEND HEADERS ${PRIVATE_HEADERS})
+endif()
 foreach(header IN LISTS HEADERS)
   string(REGEX REPLACE "^${PROJECT_SOURCE_DIR}/(include|src)/" "" name ${header})
   if("#include \"${name}\"" IN_LIST INCLUDED_FIRST AND NOT TOCCATA_UNITE)

@@ -93,27 +93,51 @@ build() {
   rm -- "$log"
 }
 
-# run_tests [--all]: everything that judges a commit. The last thing printed is the summary of the tests, or of the
-# part that failed.
+# run_tests [--all | NAME…]: everything that judges a commit, or the tests of a room or with a name. The last thing
+# printed is the summary of the tests, or of the part that failed.
 run_tests() {
   if [[ ${1-} == --all ]]; then
     shift
     install_packages packages-test
     exec python3 "$source_folder/tools/test_all.py" "$@"
-  elif [[ $# -gt 0 ]]; then
-    say "test takes --all or nothing, not $*"
-    return 2
   fi
   install_packages packages packages-test
   lock_build_folder
+  if [[ $# -gt 0 ]]; then
+    run_named_tests "$@"
+    return
+  fi
   say "the tests under the address and undefined-behaviour sanitizers"
   configure asan-ubsan
   build asan-ubsan
   run_ctest asan-ubsan -E '^oracle/'  # the oracles' own tests need no sanitizer; the next step runs them
   say "all tests, optimised"
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF
+  configure_tests
   build release
   run_ctest release
+}
+
+configure_tests() { configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF; }
+
+# run_named_tests NAME…: each a room of tests/ (only its program is built), or a part of a test's name.
+run_named_tests() {
+  local name patterns=() targets=() of_rooms=yes
+  for name in "$@"; do
+    if compgen -G "$source_folder/tests/$name/*_test.cpp" >/dev/null; then
+      patterns+=("^$name/")
+      targets+=("test_$name")
+    else
+      patterns+=("$name")
+      of_rooms=no
+    fi
+  done
+  if [[ $of_rooms == no ]]; then targets=(); fi
+  configure_tests
+  build release "${targets[@]}"
+  run_ctest release --no-tests=error -R "$(
+    IFS='|'
+    echo "${patterns[*]}"
+  )"
 }
 
 # run_ctest PRESET OPTION…: the tests built in build/PRESET; those that fail show what they printed.
