@@ -14,6 +14,10 @@ add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}
                                       --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
 set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 1000)  # begun first: it is the longest
 
+add_test(NAME repository/examples COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_examples.py
+                                          --compiler ${CMAKE_CXX_COMPILER} --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
+set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 800)
+
 # Every header compiles alone: a unit that includes nothing else, for each but those which a source of the library
 # includes before anything else.
 file(GLOB LIBRARY_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*/*/*.cpp)

@@ -3,7 +3,8 @@
 
 usage: check_docs.py --prefix DIR --compiler CXX [FILE.md…]
 
-DIR is where the library and the command are installed. In README.md, CONTRIBUTING.md, CHANGELOG.md, examples/README.md and docs/ (or the files named):
+DIR is where the library and the command are installed. In README.md, CONTRIBUTING.md, CHANGELOG.md, examples/README.md
+and docs/ (or the files named):
 
   ```cpp run     compiled against the library and run; what it prints must be the ```output block after it
   ```cpp         compiled: as it is when it has a main, otherwise as the inside of a function
