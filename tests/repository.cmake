@@ -5,6 +5,8 @@ foreach(check IN ITEMS format layering ledger)
   add_test(NAME repository/${check} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${check}.py)
 endforeach()
 
+add_test(NAME repository/rooms COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/draw_rooms.py --check)
+
 # The longest of these, and one compilation.
 add_test(NAME repository/names COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_names.py --compiler ${CMAKE_CXX_COMPILER})
 set_tests_properties(repository/names PROPERTIES COST 900)
