@@ -5,6 +5,8 @@ foreach(check IN ITEMS format layering ledger)
   add_test(NAME repository/${check} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${check}.py)
 endforeach()
 
+add_test(NAME repository/rooms COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/draw_rooms.py --check)
+
 # The longest of these, and one compilation.
 add_test(NAME repository/names COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_names.py --compiler ${CMAKE_CXX_COMPILER})
 set_tests_properties(repository/names PROPERTIES COST 900)
@@ -13,6 +15,10 @@ add_subdirectory(package)
 add_test(NAME repository/docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py --compiler ${CMAKE_CXX_COMPILER}
                                       --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
 set_tests_properties(repository/docs PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 1000)  # begun first: it is the longest
+
+add_test(NAME repository/examples COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_examples.py
+                                          --compiler ${CMAKE_CXX_COMPILER} --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
+set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 800)
 
 # Every header compiles alone: a unit that includes nothing else, for each public header. A private one that is included
 # before anything else by a source of the library needs none where that is compiled by itself, and the others have one

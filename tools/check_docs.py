@@ -3,7 +3,8 @@
 
 usage: check_docs.py --prefix DIR --compiler CXX [FILE.md…]
 
-DIR is where the library and the command are installed. In README.md, CHANGELOG.md and docs/ (or the files named):
+DIR is where the library and the command are installed. In README.md, CONTRIBUTING.md, CHANGELOG.md, examples/README.md
+and docs/ (or the files named):
 
   ```cpp run     compiled against the library and run; what it prints must be the ```output block after it
   ```cpp         compiled: as it is when it has a main, otherwise as the inside of a function
@@ -25,6 +26,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Pages that are not in docs/.
+OUTSIDE_DOCS = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md"]
 FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```\s*$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
@@ -167,7 +170,7 @@ def main():
     files = [f.resolve() for f in options.files]
     complaints = []
     if not files:
-        files = [f for f in [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").rglob("*.md"))] if f.exists()]
+        files = [f for f in [*(ROOT / name for name in OUTSIDE_DOCS), *sorted((ROOT / "docs").rglob("*.md"))] if f.exists()]
         complaints = [c for f in files for c in check_links(f)] + list(check_names_in_sources())
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         checker = Checker(options.prefix, options.compiler, pathlib.Path(name))

@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ["include", "src", "apps", "tests", "bindings"]
+FOLDERS = ["include", "src", "apps", "tests", "examples", "bindings"]
 
 
 def main():
