@@ -75,15 +75,15 @@ std::vector<Builder> all_builders(const std::shared_ptr<const TriangleMesh>& mes
   return builders;
 }
 
-struct Row {
+struct BuildRow {
   Result result;
   std::vector<double> times;
   Fingerprint tree;
 };
 
 /// Threads take turns within a round, so that other programs disturb all alike.
-std::vector<Row> measured(const Builder& builder, const BuildArguments& arguments) {
-  std::vector<Row> rows(arguments.threads.size());
+std::vector<BuildRow> measured(const Builder& builder, const BuildArguments& arguments) {
+  std::vector<BuildRow> rows(arguments.threads.size());
   for (int round = 0; round < arguments.rounds; ++round)
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].times.push_back(1e6 * seconds_of([&] { builder.build(arguments.threads[i]); }));
@@ -113,9 +113,9 @@ int run_build(const BuildArguments& arguments) {
   Measurements measurements;
   nlohmann::ordered_json gains = nlohmann::ordered_json::array();
   for (const Builder& builder : all_builders(mesh, triangles)) {
-    const std::vector<Row> rows = measured(builder, arguments);
+    const std::vector<BuildRow> rows = measured(builder, arguments);
     const double bytes = builder.bytes() / static_cast<double>(mesh->triangle_count());
-    for (const Row& row : rows) {
+    for (const BuildRow& row : rows) {
       measurements.results.push_back(row.result);
       measurements.results.back().bytes_per_triangle = bytes;
       gains.push_back({{"variant", row.result.who.variant},

@@ -14,20 +14,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t block = convex_block;
-
 ConvexResult measured(ConvexLibrary& library, const ConvexWork& work, int rounds) {
   library.prepare(work);
   const std::size_t count = work.questions.size();
   ConvexResult result;
   result.bytes_per_vertex = library.bytes_per_vertex();
   result.answers.resize(count);
-  std::vector<double> times((count + block - 1) / block, std::numeric_limits<double>::infinity());
+  std::vector<double> times((count + convex_block - 1) / convex_block, std::numeric_limits<double>::infinity());
   // A block again at once would be measured with branches that the processor has learnt.
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < times.size(); ++i) {
-      const auto answers = std::span(result.answers).subspan(i * block, std::min(block, count - i * block));
-      const double seconds = seconds_of([&] { library.answer(i * block, answers); });
+      const auto answers =
+          std::span(result.answers).subspan(i * convex_block, std::min(convex_block, count - i * convex_block));
+      const double seconds = seconds_of([&] { library.answer(i * convex_block, answers); });
       times[i] = std::min(times[i], 1e6 * seconds / static_cast<double>(answers.size()));
     }
   result.who = library.description();  // which may tell how much work it was
@@ -129,7 +128,7 @@ int run_convex(const ConvexArguments& arguments) {
                              {"vertices", arguments.pair == "hull" ? Json(arguments.vertices) : Json(nullptr)},
                              {"regime", arguments.regime},
                              {"seed", arguments.seed},
-                             {"block", block},
+                             {"block", convex_block},
                              {"rounds", arguments.rounds},
                              {"overlapping", overlapping}});
     fmt::print("{}\n", with_results(std::move(report), arguments, results, offer.unasked).dump(2));

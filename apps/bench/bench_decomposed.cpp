@@ -20,13 +20,13 @@ namespace {
 using Question = std::function<double(const PairQuery&)>;
 
 /// A way to ask, and whether it has to answer as the meshes do.
-struct Way {
+struct WayToAsk {
   std::string name;
   Question ask;
   bool is_exact = true;
 };
 
-struct Pair {
+struct DecomposedPair {
   ModelWithParts a;
   ModelWithParts b;
 };
@@ -40,9 +40,9 @@ double depth_of(const Model& a, const Model& b, const PairQuery& query) { return
 double distance_of(const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query).upper; }
 double is_overlap(const Model& a, const Model& b, const PairQuery& query) { return overlap(a, b, query) ? 1 : 0; }
 
-std::vector<Way> ways_of(const Pair& pair, const std::string& task) {
+std::vector<WayToAsk> ways_of(const DecomposedPair& pair, const std::string& task) {
   const auto ask = task == "penetration" ? depth_of : task == "distance" ? distance_of : is_overlap;
-  std::vector<Way> ways{
+  std::vector<WayToAsk> ways{
       {"the meshes", [&pair, ask](const PairQuery& query) { return ask(pair.a.model(), pair.b.model(), query); }},
       {"the parts alone", [&pair, ask](const PairQuery& query) { return ask(pair.a.parts(), pair.b.parts(), query); },
        false}};
@@ -59,7 +59,7 @@ struct Asked {
 };
 
 /// Of each question the fastest round counts.
-Asked asked(const Way& way, const std::vector<PosePair>& poses, const DecomposeArguments& arguments) {
+Asked asked(const WayToAsk& way, const std::vector<PosePair>& poses, const DecomposeArguments& arguments) {
   Asked found{{}, std::vector<double>(poses.size())};
   std::vector<double> times(poses.size(), std::numeric_limits<double>::infinity());
   for (int round = 0; round < arguments.rounds; ++round)
@@ -83,14 +83,14 @@ std::size_t differences(const std::vector<double>& a, const std::vector<double>&
 }  // namespace
 
 int run_decomposed(const DecomposeArguments& arguments) {
-  const Pair pair{decomposed(arguments.mesh, arguments.parts),
-                  decomposed(arguments.mesh_b.empty() ? arguments.mesh : arguments.mesh_b, arguments.parts)};
+  const DecomposedPair pair{decomposed(arguments.mesh, arguments.parts),
+                            decomposed(arguments.mesh_b.empty() ? arguments.mesh : arguments.mesh_b, arguments.parts)};
   const Nearness nearness = arguments.task == "distance" ? Nearness::separated : Nearness::jittered;
   const std::vector<PosePair> poses =
       random_poses(pair.a.model(), pair.b.model(), arguments.random, arguments.seed, nearness, 1);
   Measurements measurements;
   std::vector<double> truth;
-  for (const Way& way : ways_of(pair, arguments.task)) {
+  for (const WayToAsk& way : ways_of(pair, arguments.task)) {
     Asked found = asked(way, poses, arguments);
     if (truth.empty()) truth = found.answers;
     found.result.disagreements = differences(truth, found.answers);

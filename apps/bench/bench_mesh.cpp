@@ -69,14 +69,14 @@ void write_answers(const std::string& file, Task task, const std::vector<Answer>
   if (!stream.flush()) throw Error(fmt::format("{}: cannot be written", file));
 }
 
-struct Measured {
+struct MeasuredMeshes {
   std::vector<Answered> answered;  ///< Toccata's first
   std::vector<NotMeasured> not_measured;
 };
 
 /// Its queries on each number of threads, into `measured`.
 void measure_threads(MeshLibrary& library, const MeshArguments& arguments, const std::vector<PosePair>& poses,
-                     const Result& build, Measured& measured) {
+                     const Result& build, MeasuredMeshes& measured) {
   const Task task = task_of(arguments.task);
   for (const int threads : arguments.threads) {
     const std::string obstacle = library.obstacle(task, threads);
@@ -94,10 +94,10 @@ void measure_threads(MeshLibrary& library, const MeshArguments& arguments, const
 }
 
 /// One library after another, each gone before the next is built, so that memory holds one library's trees at a time.
-Measured measure_all(MeshLibraries libraries, const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b,
-                     const std::vector<PosePair>& poses) {
+MeasuredMeshes measure_all(MeshLibraries libraries, const MeshArguments& arguments, const SharedMesh& a,
+                           const SharedMesh& b, const std::vector<PosePair>& poses) {
   const bool only_build = task_of(arguments.task) == Task::build;
-  Measured measured;
+  MeasuredMeshes measured;
   for (auto& library : libraries) {
     if (library != libraries.front() && !library->obstacle(task_of(arguments.task), 1).empty() &&
         library->description().library == "toccata")
@@ -135,7 +135,7 @@ int run_mesh(const MeshArguments& arguments) {
   const Task task = task_of(arguments.task);
   const std::vector<PosePair> poses = task == Task::build ? std::vector<PosePair>{} : poses_of(arguments, a, b);
   if (!arguments.peers.empty()) require_rigid(poses, arguments.poses);
-  Measured measured = measure_all(std::move(libraries), arguments, a, b, poses);
+  MeasuredMeshes measured = measure_all(std::move(libraries), arguments, a, b, poses);
   std::vector<Answered>& answered = measured.answered;
   judge({task, *a, *b, poses, arguments.verify ? Judged::all : Judged::differing}, answered);
   if (!arguments.answers.empty()) write_answers(arguments.answers, task, answered.front().answers);

@@ -15,7 +15,7 @@
 namespace toccata::bench {
 namespace {
 
-constexpr std::size_t block = 100;
+constexpr std::size_t nearest_block = 100;
 
 double diagonal_of(const Aabb& box) {
   const Vec3 size = box.upper - box.lower;
@@ -45,21 +45,22 @@ std::vector<Vec3> points_asked(const TriangleMesh& mesh, const NearestArguments&
   return points;
 }
 
-struct Measured {
+struct MeasuredNearest {
   Result result;
   std::vector<double> distances;
   double tolerance = 0;
 };
 
-Measured measured(NearestLibrary& library, const TriangleMesh& mesh, std::span<const Vec3> points, int rounds) {
-  Measured one;
+MeasuredNearest measured(NearestLibrary& library, const TriangleMesh& mesh, std::span<const Vec3> points, int rounds) {
+  MeasuredNearest one;
   one.tolerance = library.tolerance();
   one.result.build_ms = 1e3 * seconds_of([&] { library.prepare(mesh); });
   one.distances.resize(points.size());
-  std::vector<double> fastest((points.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  std::vector<double> fastest((points.size() + nearest_block - 1) / nearest_block,
+                              std::numeric_limits<double>::infinity());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const std::size_t first = i * block, count = std::min(block, points.size() - first);
+      const std::size_t first = i * nearest_block, count = std::min(nearest_block, points.size() - first);
       const double seconds = seconds_of(
           [&] { library.answer(points.subspan(first, count), std::span(one.distances).subspan(first, count)); });
       fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(count));
@@ -83,14 +84,14 @@ double truth(const TriangleMesh& mesh, const Vec3& point) {
   return least ? std::sqrt(static_cast<double>(*least)) : 0;
 }
 
-void judge(const TriangleMesh& mesh, std::span<const Vec3> points, bool all, std::vector<Measured>& measured) {
+void judge(const TriangleMesh& mesh, std::span<const Vec3> points, bool all, std::vector<MeasuredNearest>& measured) {
   const double size = diagonal_of(fit_aabb(mesh.vertices()));
   const auto agree = [&](double a, double b, double tolerance) {
     return std::fabs(a - b) <= tolerance * (size + std::max(a, b));
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     bool differ = false;
-    for (Measured& one : measured)
+    for (MeasuredNearest& one : measured)
       if (!agree(one.distances[i], measured.front().distances[i], one.tolerance)) {
         differ = true;
         ++one.result.disagreements;
@@ -98,7 +99,7 @@ void judge(const TriangleMesh& mesh, std::span<const Vec3> points, bool all, std
     if (differ) ++measured.front().result.disagreements;
     if (!differ && !all) continue;
     const double right = truth(mesh, points[i]);
-    for (Measured& one : measured)
+    for (MeasuredNearest& one : measured)
       if (!agree(one.distances[i], right, one.tolerance)) ++one.result.wrong;
   }
 }
@@ -117,19 +118,19 @@ int run_nearest(const NearestArguments& arguments) {
   NearestLibraries libraries = libraries_asked(arguments);
   const TriangleMesh mesh = of_floats(*single_mesh(arguments.mesh));
   const std::vector<Vec3> points = points_asked(mesh, arguments);
-  std::vector<Measured> all;
+  std::vector<MeasuredNearest> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, mesh, points, arguments.rounds));
     library.reset();
   }
   judge(mesh, points, arguments.verify, all);
   Measurements measurements;
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredNearest& one : all) measurements.results.push_back(one.result);
   auto report = report_of("nearest", {{"mesh", arguments.mesh},
                                       {"triangles", mesh.triangle_count()},
                                       {"where", arguments.where},
                                       {"seed", arguments.seed},
-                                      {"block", block},
+                                      {"block", nearest_block},
                                       {"rounds", arguments.rounds}});
   return print_results(std::move(report), measurements, arguments.json);
 }

@@ -27,7 +27,7 @@ std::vector<Aabb> questions_at(std::span<const Aabb> boxes, std::size_t count, s
 /// Of one library: the numbers of boxes in each place, or of all pairs one list with the two numbers behind each other.
 using Answers = std::vector<std::vector<Index>>;
 
-struct Measured {
+struct MeasuredPartitions {
   Result result;
   Answers answers;
 };
@@ -38,7 +38,7 @@ Clock clock_of(const PartitionsArguments& arguments) {
 
 /// Of each question the fastest of the rounds counts.
 void ask_boxes(const PartitionLibrary& library, std::span<const Aabb> questions, const PartitionsArguments& arguments,
-               Measured& one) {
+               MeasuredPartitions& one) {
   std::vector<double> times;
   for (const Aabb& box : questions) {
     double best = 1e30;
@@ -52,7 +52,7 @@ void ask_boxes(const PartitionLibrary& library, std::span<const Aabb> questions,
   summarise(std::move(times), one.result);
 }
 
-void ask_pairs(const PartitionLibrary& library, const PartitionsArguments& arguments, Measured& one) {
+void ask_pairs(const PartitionLibrary& library, const PartitionsArguments& arguments, MeasuredPartitions& one) {
   std::vector<double> times;
   std::vector<IndexPair> pairs;
   for (int round = 0; round < arguments.rounds; ++round)
@@ -63,9 +63,9 @@ void ask_pairs(const PartitionLibrary& library, const PartitionsArguments& argum
   summarise(std::move(times), one.result);
 }
 
-Measured measured(PartitionLibrary& library, std::span<const Aabb> boxes, std::span<const Aabb> questions,
-                  const PartitionsArguments& arguments) {
-  Measured one;
+MeasuredPartitions measured(PartitionLibrary& library, std::span<const Aabb> boxes, std::span<const Aabb> questions,
+                            const PartitionsArguments& arguments) {
+  MeasuredPartitions one;
   double build = 1e30;
   for (int round = 0; round < arguments.rounds; ++round)
     build = std::min(build, seconds_of([&] { library.build(boxes); }, clock_of(arguments)));
@@ -106,7 +106,7 @@ int run_partitions(const PartitionsArguments& arguments) {
   PartitionLibraries libraries = toccata_partitions();
   if (!arguments.peers.empty())
     for (auto& library : boost_partitions()) libraries.push_back(std::move(library));
-  std::vector<Measured> all;
+  std::vector<MeasuredPartitions> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, items.boxes(), questions, arguments));
     library.reset();
@@ -114,12 +114,12 @@ int run_partitions(const PartitionsArguments& arguments) {
   // Of all pairs every box's own list would be the truth; there the libraries judge each other.
   const Answers right = arguments.task == "pairs" ? all.front().answers : truth(items.boxes(), questions);
   Measurements measurements;
-  for (Measured& one : all) {
+  for (MeasuredPartitions& one : all) {
     one.result.wrong = differences(one.answers, right);
     one.result.disagreements = differences(one.answers, all.front().answers);
     all.front().result.disagreements = std::max(all.front().result.disagreements, one.result.disagreements);
   }
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredPartitions& one : all) measurements.results.push_back(one.result);
   auto report = report_of("partitions", {{"mesh", arguments.mesh},
                                          {"triangles", items.size()},
                                          {"task", arguments.task},

@@ -16,7 +16,7 @@
 namespace toccata::bench {
 namespace {
 
-constexpr std::size_t block = 1000;
+constexpr std::size_t ray_block = 1000;
 
 /// From a sphere of twice the size of the mesh's box, through a point of the box and beyond.
 std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
@@ -36,20 +36,21 @@ std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, st
   return rays;
 }
 
-struct Measured {
+struct MeasuredRays {
   Result result;
   std::vector<RayAnswer> answers;
 };
 
-Measured measured(RayLibrary& library, const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, int rounds) {
-  Measured one;
+MeasuredRays measured(RayLibrary& library, const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, int rounds) {
+  MeasuredRays one;
   one.result.build_ms = 1e3 * seconds_of([&] { library.prepare(mesh, rays); });
   one.answers.resize(rays.size());
-  std::vector<double> fastest((rays.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  std::vector<double> fastest((rays.size() + ray_block - 1) / ray_block, std::numeric_limits<double>::infinity());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers = std::span(one.answers).subspan(i * block, std::min(block, rays.size() - i * block));
-      const double seconds = seconds_of([&] { library.answer(i * block, answers); });
+      const auto answers =
+          std::span(one.answers).subspan(i * ray_block, std::min(ray_block, rays.size() - i * ray_block));
+      const double seconds = seconds_of([&] { library.answer(i * ray_block, answers); });
       fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
     }
   summarise(std::move(fastest), one.result);
@@ -76,10 +77,11 @@ RayAnswer truth(const TriangleMesh& mesh, const RayQuestion& ray) {
   return {first.has_value(), first ? static_cast<double>(*first) : 0};
 }
 
-void judge(const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, bool all, std::vector<Measured>& measured) {
+void judge(const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, bool all,
+           std::vector<MeasuredRays>& measured) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     bool differ = false;
-    for (Measured& one : measured)
+    for (MeasuredRays& one : measured)
       if (!agree(one.answers[i], measured.front().answers[i])) {
         differ = true;
         ++one.result.disagreements;
@@ -87,7 +89,7 @@ void judge(const TriangleMesh& mesh, const std::vector<RayQuestion>& rays, bool 
     if (differ) ++measured.front().result.disagreements;
     if (!differ && !all) continue;
     const RayAnswer right = truth(mesh, rays[i]);
-    for (Measured& one : measured)
+    for (MeasuredRays& one : measured)
       if (!agree(one.answers[i], right)) ++one.result.wrong;
   }
 }
@@ -101,19 +103,19 @@ int run_rays(const RaysArguments& arguments) {
       libraries.push_back(std::move(library));
   const TriangleMesh mesh = of_floats(*single_mesh(arguments.mesh));
   const std::vector<RayQuestion> rays = rays_at(mesh, arguments.count, arguments.seed);
-  std::vector<Measured> all;
+  std::vector<MeasuredRays> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, mesh, rays, arguments.rounds));
     library.reset();
   }
   judge(mesh, rays, arguments.verify, all);
   Measurements measurements;
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredRays& one : all) measurements.results.push_back(one.result);
   const auto hits = std::ranges::count(all.front().answers, true, &RayAnswer::hit);
   auto report = report_of("rays", {{"mesh", arguments.mesh},
                                    {"triangles", mesh.triangle_count()},
                                    {"seed", arguments.seed},
-                                   {"block", block},
+                                   {"block", ray_block},
                                    {"rounds", arguments.rounds},
                                    {"hits", hits}});
   return print_results(std::move(report), measurements, arguments.json);

@@ -47,14 +47,14 @@ Probes probes_at(const TriangleMesh& mesh, std::uint64_t seed) {
   return probes;
 }
 
-struct Measured {
+struct MeasuredRefits {
   Result result;
   ProbeAnswers answers;
 };
 
-Measured measured(RefitLibrary& library, const std::vector<TriangleMesh>& frames, const Probes& probes, int rounds,
-                  int threads) {
-  Measured one;
+MeasuredRefits measured(RefitLibrary& library, const std::vector<TriangleMesh>& frames, const Probes& probes,
+                        int rounds, int threads) {
+  MeasuredRefits one;
   one.result.build_ms = 1e3 * seconds_of([&] { library.build(frames.front()); });
   std::vector<double> times;
   for (int round = 0; round < rounds; ++round)
@@ -79,12 +79,12 @@ std::size_t differences(const std::vector<bool>& a, const std::vector<bool>& b) 
 
 /// Toccata's second row is that of the whole model, which answers. All are judged by a model that is built from the
 /// last frame.
-void judge(const TriangleMesh& last, const Probes& probes, std::vector<Measured>& all) {
+void judge(const TriangleMesh& last, const Probes& probes, std::vector<MeasuredRefits>& all) {
   auto built = std::move(toccata_refit_libraries(1).back());
   built->build(last);
   const ProbeAnswers right = built->answers(probes);
   const ProbeAnswers deformed = all[1].answers;
-  for (Measured& one : all) {
+  for (MeasuredRefits& one : all) {
     one.result.wrong = differences(one.answers.segments, right.segments) + differences(one.answers.balls, right.balls);
     one.result.disagreements =
         differences(one.answers.segments, deformed.segments) + differences(one.answers.balls, deformed.balls);
@@ -102,14 +102,14 @@ int run_refit(const RefitArguments& arguments) {
   std::vector<TriangleMesh> frames;
   for (int frame = 0; frame < 4; ++frame) frames.push_back(frame_of(*mesh, frame));
   const Probes probes = probes_at(frames.back(), arguments.seed);
-  std::vector<Measured> all;
+  std::vector<MeasuredRefits> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, frames, probes, arguments.rounds, arguments.threads));
     library.reset();
   }
   judge(frames.back(), probes, all);
   Measurements measurements;
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredRefits& one : all) measurements.results.push_back(one.result);
   const double millions = 1e-6 * mesh->triangle_count();
   auto report = report_of("refit", {{"mesh", arguments.mesh},
                                     {"triangles", mesh->triangle_count()},

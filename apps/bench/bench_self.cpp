@@ -13,13 +13,13 @@
 namespace toccata::bench {
 namespace {
 
-struct Measured {
+struct MeasuredSelf {
   Result result;
   TrianglePairs pairs;
 };
 
-Measured measured(SelfLibrary& library, int rounds) {
-  Measured one;
+MeasuredSelf measured(SelfLibrary& library, int rounds) {
+  MeasuredSelf one;
   std::vector<double> times;
   for (int round = 0; round < rounds; ++round) times.push_back(1e6 * seconds_of([&] { one.pairs = library.pairs(); }));
   std::sort(one.pairs.begin(), one.pairs.end());
@@ -42,10 +42,10 @@ bool meet(const oracle::MeshSet& mesh, Index i, Index j) {
 }
 
 /// Counts the pairs that differ, and judges each.
-void judge(const TriangleMesh& mesh, std::vector<Measured>& measured) {
+void judge(const TriangleMesh& mesh, std::vector<MeasuredSelf>& measured) {
   const oracle::MeshSet exact = oracle::surface_set(mesh, {});
-  Measured& first = measured.front();
-  for (Measured& one : measured)
+  MeasuredSelf& first = measured.front();
+  for (MeasuredSelf& one : measured)
     for (const auto& [some, others] : {std::pair{&first, &one}, std::pair{&one, &first}})
       for (const auto& [i, j] : only_in(some->pairs, others->pairs)) {
         ++one.result.disagreements;
@@ -61,7 +61,7 @@ int run_self(const SelfArguments& arguments) {
     for (auto& library : peer == "cgal" ? cgal_self_libraries() : SelfLibraries{})
       libraries.push_back(std::move(library));
   const TriangleMesh mesh = *single_mesh(arguments.mesh);
-  std::vector<Measured> all;
+  std::vector<MeasuredSelf> all;
   Measurements measurements;
   for (auto& library : libraries) {
     if (library->prepare(mesh))
@@ -72,7 +72,7 @@ int run_self(const SelfArguments& arguments) {
     library.reset();
   }
   judge(mesh, all);
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredSelf& one : all) measurements.results.push_back(one.result);
   auto report = report_of("self", {{"mesh", arguments.mesh},
                                    {"triangles", mesh.triangle_count()},
                                    {"rounds", arguments.rounds},

@@ -70,7 +70,7 @@ std::optional<double> instructions_of(const WalkerArguments& arguments, const st
   return run.exit_code == 0 ? total_of(counts) : std::nullopt;
 }
 
-struct Side {
+struct MeasuredSide {
   double median_us = 0;
   std::optional<double> instructions;
 };
@@ -78,8 +78,8 @@ struct Side {
 struct Comparison {
   std::string walk;
   WalkCounts counts;
-  Side generic;
-  Side by_hand;
+  MeasuredSide generic;
+  MeasuredSide by_hand;
   bool same = false;
 
   std::optional<double> instruction_ratio() const {
@@ -97,7 +97,7 @@ Comparison compared(const NamedWalk& walk, const WalkerArguments& arguments, con
       times[i].push_back(
           1e6 * seconds_of([&] { answers[i] = toccata_bench_counted_walk(walk.walk, method, trees.a, trees.b); }));
     }
-  std::array<Side, 2> sides;
+  std::array<MeasuredSide, 2> sides;
   for (const Method method : {Method::generic, Method::by_hand}) {
     const auto i = static_cast<std::size_t>(method);
     std::nth_element(times[i].begin(), times[i].begin() + arguments.rounds / 2, times[i].end());

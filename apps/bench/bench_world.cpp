@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Pairs = std::vector<IndexPair>;
 
-struct Row {
+struct WorldRow {
   Description who;
   int threads = 1;
   double median_ms = 0;
@@ -45,11 +45,12 @@ std::vector<Pairs> truth_of(const WorldArguments& arguments) {
   return truth;
 }
 
-Row measured(WorldLibrary& library, int threads, const WorldArguments& arguments, const std::vector<Pairs>& truth) {
+WorldRow measured(WorldLibrary& library, int threads, const WorldArguments& arguments,
+                  const std::vector<Pairs>& truth) {
   BodyCrowd crowd = crowd_of(arguments);
   library.add(crowd.shapes(), crowd.poses());
   library.step(crowd.poses());  // all memory is new the first time
-  Row row{library.description(), threads};
+  WorldRow row{library.description(), threads};
   std::vector<double> times;
   for (const Pairs& contacts : truth) {
     crowd.step();
@@ -67,8 +68,8 @@ Row measured(WorldLibrary& library, int threads, const WorldArguments& arguments
   return row;
 }
 
-std::vector<Row> rows_of(const WorldArguments& arguments, const std::vector<Pairs>& truth) {
-  std::vector<Row> rows;
+std::vector<WorldRow> rows_of(const WorldArguments& arguments, const std::vector<Pairs>& truth) {
+  std::vector<WorldRow> rows;
   for (const int threads : arguments.threads)
     rows.push_back(measured(*toccata_world(threads), threads, arguments, truth));
   for (const std::string& peer : arguments.peers)
@@ -76,7 +77,7 @@ std::vector<Row> rows_of(const WorldArguments& arguments, const std::vector<Pair
   return rows;
 }
 
-Json json_of(const Row& row, const Row& first) {
+Json json_of(const WorldRow& row, const WorldRow& first) {
   return {{"library", row.who.library},
           {"variant", row.who.variant},
           {"version", row.who.version},
@@ -89,33 +90,35 @@ Json json_of(const Row& row, const Row& first) {
           {"invented", row.invented}};
 }
 
-void print_table(const std::vector<Row>& rows) {
+void print_table(const std::vector<WorldRow>& rows) {
   fmt::print("{:<9}{:<26}{:>8}{:>12}{:>12}{:>9}{:>10}{:>9}{:>10}\n", "library", "variant", "threads", "median ms",
              "worst ms", "ratio", "contacts", "missing", "invented");
-  for (const Row& row : rows)
+  for (const WorldRow& row : rows)
     fmt::print("{:<9}{:<26}{:>8}{:>12.3f}{:>12.3f}{:>9.2f}{:>10}{:>9}{:>10}\n", row.who.library, row.who.variant,
                row.threads, row.median_ms, row.worst_ms, row.median_ms / rows.front().median_ms, row.contacts,
                row.missing, row.invented);
-  for (const Row& row : rows) fmt::print("  {} {}: {}\n", row.who.library, row.who.version, row.who.flags);
+  for (const WorldRow& row : rows) fmt::print("  {} {}: {}\n", row.who.library, row.who.version, row.who.flags);
 }
 
 }  // namespace
 
 int run_world(const WorldArguments& arguments) {
   const std::vector<Pairs> truth = truth_of(arguments);
-  const std::vector<Row> rows = rows_of(arguments, truth);
+  const std::vector<WorldRow> rows = rows_of(arguments, truth);
   if (arguments.json) {
     Json report = report_of("world", {{"count", arguments.count},
                                       {"contact", arguments.contact},
                                       {"frames", arguments.frames},
                                       {"seed", arguments.seed}});
     report["results"] = Json::array();
-    for (const Row& row : rows) report["results"].push_back(json_of(row, rows.front()));
+    for (const WorldRow& row : rows) report["results"].push_back(json_of(row, rows.front()));
     fmt::print("{}\n", report.dump(2));
   } else {
     print_table(rows);
   }
-  const auto is_wrong = [](const Row& row) { return row.who.library == "toccata" && row.missing + row.invented > 0; };
+  const auto is_wrong = [](const WorldRow& row) {
+    return row.who.library == "toccata" && row.missing + row.invented > 0;
+  };
   return std::any_of(rows.begin(), rows.end(), is_wrong) ? 1 : 0;
 }
 

@@ -17,7 +17,7 @@
 namespace toccata::bench {
 namespace {
 
-constexpr std::size_t block = 1000;
+constexpr std::size_t query_block = 1000;
 
 /// Bodies of about size 1, one in every eight units of volume.
 class Places {
@@ -44,7 +44,7 @@ class Places {
   double side_;
 };
 
-WorldTask task_of(const std::string& name) {
+WorldTask world_task_of(const std::string& name) {
   if (name == "cast") return WorldTask::cast;
   return name == "ray" ? WorldTask::ray : name == "nearest" ? WorldTask::nearest : WorldTask::overlap;
 }
@@ -105,7 +105,7 @@ WorldWork work_of(const WorldQueriesArguments& arguments) {
   if (!arguments.mesh.empty()) return work_at_mesh(arguments);
   Places places(arguments.bodies, arguments.seed);
   WorldWork work;
-  work.task = task_of(arguments.task);
+  work.task = world_task_of(arguments.task);
   for (std::size_t i = 0; i < arguments.bodies; ++i) work.bodies.push_back({places.model(), places.pose()});
   const SceneIndex index(work.bodies);
   while (work.size() < arguments.count) {
@@ -123,21 +123,22 @@ WorldWork work_of(const WorldQueriesArguments& arguments) {
   return work;
 }
 
-struct Measured {
+struct MeasuredQueries {
   Result result;
   std::vector<double> answers;
 };
 
-Measured measured(WorldQueryLibrary& library, const WorldWork& work, int rounds) {
-  Measured one;
+MeasuredQueries measured(WorldQueryLibrary& library, const WorldWork& work, int rounds) {
+  MeasuredQueries one;
   one.result.build_ms = 1e3 * seconds_of([&] { library.build(work); }, Clock::thread);
   library.prepare(work);
   one.answers.resize(work.size());
-  std::vector<double> fastest((work.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  std::vector<double> fastest((work.size() + query_block - 1) / query_block, std::numeric_limits<double>::infinity());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers = std::span(one.answers).subspan(i * block, std::min(block, work.size() - i * block));
-      const double seconds = seconds_of([&] { library.answer(i * block, answers); }, Clock::thread);
+      const auto answers =
+          std::span(one.answers).subspan(i * query_block, std::min(query_block, work.size() - i * query_block));
+      const double seconds = seconds_of([&] { library.answer(i * query_block, answers); }, Clock::thread);
       fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
     }
   summarise(std::move(fastest), one.result);
@@ -194,10 +195,10 @@ double truth(const WorldWork& work, std::size_t i) {
   return work.task == WorldTask::overlap ? count : nearest;
 }
 
-void judge(const WorldWork& work, bool all, std::vector<Measured>& measured) {
+void judge(const WorldWork& work, bool all, std::vector<MeasuredQueries>& measured) {
   for (std::size_t i = 0; i < work.size(); ++i) {
     bool differ = false;
-    for (Measured& one : measured)
+    for (MeasuredQueries& one : measured)
       if (!agree(one.answers[i], measured.front().answers[i])) {
         differ = true;
         ++one.result.disagreements;
@@ -205,7 +206,7 @@ void judge(const WorldWork& work, bool all, std::vector<Measured>& measured) {
     if (differ) ++measured.front().result.disagreements;
     if (!differ && !all) continue;
     const double right = truth(work, i);
-    for (Measured& one : measured)
+    for (MeasuredQueries& one : measured)
       if (!agree(one.answers[i], right)) ++one.result.wrong;
   }
 }
@@ -228,7 +229,7 @@ WorldQueryLibraries libraries_asked(const WorldQueriesArguments& arguments, Worl
 int run_world_queries(const WorldQueriesArguments& arguments) {
   const WorldWork work = work_of(arguments);
   WorldQueryLibraries libraries = libraries_asked(arguments, work.task);
-  std::vector<Measured> all;
+  std::vector<MeasuredQueries> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, work, arguments.rounds));
     all.back().result.task = arguments.task;
@@ -236,13 +237,13 @@ int run_world_queries(const WorldQueriesArguments& arguments) {
   }
   judge(work, arguments.verify, all);
   Measurements measurements;
-  for (const Measured& one : all) measurements.results.push_back(one.result);
+  for (const MeasuredQueries& one : all) measurements.results.push_back(one.result);
   auto report = report_of("world-queries", {{"task", arguments.task},
                                             {"shape", arguments.shape},
                                             {"bodies", work.bodies.size()},
                                             {"mesh", arguments.mesh},
                                             {"seed", arguments.seed},
-                                            {"block", block},
+                                            {"block", query_block},
                                             {"rounds", arguments.rounds}});
   return print_results(std::move(report), measurements, arguments.json);
 }

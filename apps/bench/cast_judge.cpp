@@ -23,9 +23,8 @@ bool differ(const CastQuestion& question, const CastAnswer& x, const CastAnswer&
   return x.hit != ours.hit || (x.hit && apart(x, ours) * length(question.motion) > cast_tolerance);
 }
 
-oracle::FineSet fine_set_of(const CastBody& body, const Pose& pose) {
-  return std::visit([&]<class Shape>(const Shape& shape) { return bench::fine_set_of(PosedAs<Shape>(shape, pose)); },
-                    body);
+oracle::FineSet fine_set_of_cast_body(const CastBody& body, const Pose& pose) {
+  return std::visit([&]<class Shape>(const Shape& shape) { return fine_set_of(PosedAs<Shape>(shape, pose)); }, body);
 }
 
 oracle::FineSet moved(oracle::FineSet set, const Vec3& motion, const Fine& time) {
@@ -43,8 +42,8 @@ class CastTruth {
   CastTruth(const CastPair& pair, const CastQuestion& question)
       : pair_(pair),
         question_(question),
-        moving_(fine_set_of(pair.moving, question.start)),
-        standing_(fine_set_of(pair.standing, question.standing)) {}
+        moving_(fine_set_of_cast_body(pair.moving, question.start)),
+        standing_(fine_set_of_cast_body(pair.standing, question.standing)) {}
 
   /// Of an interval, for what it says it is.
   [[nodiscard]] bool holds(const CastAnswer& ours) const {

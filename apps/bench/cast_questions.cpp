@@ -20,13 +20,13 @@ CastBody random_cast_body(const std::string& kind, Random& random) {
       random_body(kind, 0, random));
 }
 
-double reach_of(const CastBody& body) {
+double reach_of_cast_body(const CastBody& body) {
   return std::visit(
       []<class Shape>(const Shape& shape) {
         if constexpr (std::is_same_v<Shape, Point>)
           return 0.0;
         else
-          return bench::reach_of(ConvexBody(shape));
+          return reach_of(ConvexBody(shape));
       },
       body);
 }
@@ -58,7 +58,7 @@ CastQuestion random_cast(const std::string& regime, const CastPair& pair, Random
   CastQuestion question;
   question.start.linear = random_rotation(random);
   question.standing.linear = random_rotation(random);
-  const double reach = reach_of(pair.moving) + reach_of(pair.standing);
+  const double reach = reach_of_cast_body(pair.moving) + reach_of_cast_body(pair.standing);
   const Vec3 towards = unit_vector(random), across = cross(towards, unit_vector(random));
   const Vec3 middle = 5 * unit_vector(random);
   const double away = random.between(2, 5) * reach;

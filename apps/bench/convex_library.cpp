@@ -6,12 +6,12 @@
 namespace toccata::bench {
 namespace {
 
-using Maker = ConvexOffer (*)(const ConvexWork&);
+using ConvexMaker = ConvexOffer (*)(const ConvexWork&);
 
-const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{{"dops", toccata_dops},       {"fcl", fcl_convex},
-                                                {"bullet", bullet_convex},    {"ode", ode_convex},
-                                                {"tracked", toccata_tracked}, {"ways", toccata_ways}};
+const std::map<std::string, ConvexMaker>& convex_makers() {
+  static const std::map<std::string, ConvexMaker> all{{"dops", toccata_dops},       {"fcl", fcl_convex},
+                                                      {"bullet", bullet_convex},    {"ode", ode_convex},
+                                                      {"tracked", toccata_tracked}, {"ways", toccata_ways}};
   return all;
 }
 
@@ -32,13 +32,13 @@ bool has_smooth(const std::string& pair) { return pair == "cylinder-box" || pair
 
 std::vector<std::string> convex_peers() {
   std::vector<std::string> names;
-  for (const auto& [name, maker] : makers()) names.push_back(name);
+  for (const auto& [name, maker] : convex_makers()) names.push_back(name);
   return names;
 }
 
 ConvexOffer convex_libraries(const std::vector<std::string>& peers, const ConvexWork& work) {
   ConvexOffer offer = toccata_convex(work);
-  for (const std::string& name : peers) append(makers().at(name)(work), offer);
+  for (const std::string& name : peers) append(convex_makers().at(name)(work), offer);
   return offer;
 }
 

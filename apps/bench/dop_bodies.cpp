@@ -9,15 +9,15 @@
 namespace toccata::bench {
 namespace {
 
-struct Side {
+struct DopSide {
   Vec3 normal;
   double offset = 0;
 };
 
 template <std::size_t k>
-std::vector<Side> sides_of(const Kdop<k>& dop) {
+std::vector<DopSide> sides_of(const Kdop<k>& dop) {
   constexpr auto normals = kdop_normals<k>();
-  std::vector<Side> sides;
+  std::vector<DopSide> sides;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     sides.push_back({normals[i], dop.upper[i]});
     sides.push_back({-normals[i], -dop.lower[i]});
@@ -26,19 +26,19 @@ std::vector<Side> sides_of(const Kdop<k>& dop) {
 }
 
 /// Where three planes meet that are not parallel to a line and no other plane cuts it off.
-std::vector<Vec3> corners_of(const std::vector<Side>& sides) {
+std::vector<Vec3> corners_of(const std::vector<DopSide>& sides) {
   constexpr double rounding = 1e-12;
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j)
       for (std::size_t l = j + 1; l < sides.size(); ++l) {
-        const Side &a = sides[i], &b = sides[j], &c = sides[l];
+        const DopSide &a = sides[i], &b = sides[j], &c = sides[l];
         const double volume = dot(a.normal, cross(b.normal, c.normal));  // a whole number
         if (volume == 0) continue;
         const Vec3 sum = a.offset * cross(b.normal, c.normal) + b.offset * cross(c.normal, a.normal) +
                          c.offset * cross(a.normal, b.normal);
         const Vec3 corner = (1 / volume) * sum;
-        if (std::ranges::all_of(sides, [&](const Side& s) { return dot(s.normal, corner) <= s.offset + rounding; }))
+        if (std::ranges::all_of(sides, [&](const DopSide& s) { return dot(s.normal, corner) <= s.offset + rounding; }))
           corners.push_back(corner);
       }
   return corners;

@@ -18,7 +18,7 @@ namespace toccata::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Box = GridBox<3>;
+using CellBox = GridBox<3>;
 using Point = std::array<double, 3>;
 
 /// Boxes that fly straight, each its own way, `step` cells a frame.
@@ -39,10 +39,10 @@ class FlyingBoxes {
         boxes_[i].upper[axis] += motions_[i][axis];
       }
   }
-  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+  [[nodiscard]] const std::vector<CellBox>& boxes() const { return boxes_; }
 
  private:
-  std::vector<Box> boxes_;
+  std::vector<CellBox> boxes_;
   std::vector<Point> motions_;
 };
 
@@ -117,7 +117,7 @@ struct WalkRow {
 };
 
 /// Whether the way comes into the closed cell, by clipping it; a hair is left on every side for rounding.
-bool passes(const Point& from, const Point& to, const Box& cell) {
+bool passes(const Point& from, const Point& to, const CellBox& cell) {
   double first = 0, last = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double hair = 1e-12 * (std::fabs(cell.lower[axis]) + std::fabs(cell.upper[axis]));
@@ -137,7 +137,7 @@ WalkRow walked(std::span<const Aabb> objects, double length, const PartitionsArg
   const GridCells<3> grid = grid_for(objects);
   FlyingBoxes flying(objects.first(std::min(objects.size(), arguments.queries)), length * grid.size()[0],
                      arguments.seed);
-  const std::vector<Box> from = flying.boxes();
+  const std::vector<CellBox> from = flying.boxes();
   flying.fly();
   WalkRow row{.length = length};
   const double ways = static_cast<double>(from.size());
@@ -157,7 +157,7 @@ WalkRow walked(std::span<const Aabb> objects, double length, const PartitionsArg
                          [&] {
                            for (std::size_t i = 0; i < from.size(); ++i) {
                              const Point &a = from[i].lower, &b = flying.boxes()[i].lower;
-                             Box around;
+                             CellBox around;
                              for (std::size_t axis = 0; axis < 3; ++axis) {
                                around.lower[axis] = std::min(a[axis], b[axis]);
                                around.upper[axis] = std::max(a[axis], b[axis]);

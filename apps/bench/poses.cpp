@@ -15,7 +15,7 @@ namespace toccata::bench {
 namespace {
 
 /// Four numbers of a ball that is not too near to its centre, so that every rotation is as likely.
-Mat3 random_rotation(Random& random) {
+Mat3 uniform_rotation(Random& random) {
   const auto number = [&] { return random.between(-1, 1); };
   while (true) {
     const double x = number(), y = number(), z = number(), w = number();
@@ -29,7 +29,7 @@ Vec3 random_vector(Random& random, double size) {
   return {x, y, random.between(-size, size)};
 }
 
-Vec3 random_direction(Random& random) { return random_rotation(random).column(0); }
+Vec3 uniform_direction(Random& random) { return uniform_rotation(random).column(0); }
 
 struct Extent {
   Vec3 centre;
@@ -43,7 +43,7 @@ Extent extent_of(const TriangleMesh& mesh) {
 }
 
 /// Two models, and how large they are.
-struct Pair {
+struct PairWithExtents {
   const Model& a;
   const Model& b;
   Extent extent_a = extent_of(a.mesh());
@@ -53,9 +53,9 @@ struct Pair {
 /// Two turned meshes, B's centre being moved away from A's along a direction.
 class Approach {
  public:
-  Approach(const Pair& pair, Random& random) : pair_(pair), direction_(random_direction(random)) {
-    pose_a_ = {random_rotation(random), random_vector(random, pair.extent_a.diagonal)};
-    rotation_b_ = random_rotation(random);
+  Approach(const PairWithExtents& pair, Random& random) : pair_(pair), direction_(uniform_direction(random)) {
+    pose_a_ = {uniform_rotation(random), random_vector(random, pair.extent_a.diagonal)};
+    rotation_b_ = uniform_rotation(random);
     centre_a_ = transform(pose_a_, pair.extent_a.centre);
     apart_ = 0.51 * (pair.extent_a.diagonal + pair.extent_b.diagonal);
   }
@@ -82,7 +82,7 @@ class Approach {
     return overlap(pair_.a, pair_.b, {poses.a, poses.b, Solid::none, Solid::none});
   }
 
-  const Pair& pair_;
+  const PairWithExtents& pair_;
   Vec3 direction_;
   Pose pose_a_;
   Mat3 rotation_b_;
@@ -90,7 +90,7 @@ class Approach {
   double apart_ = 0;
 };
 
-PosePair random_pose_pair(const Pair& pair, Random& random, Nearness nearness) {
+PosePair random_pose_pair(const PairWithExtents& pair, Random& random, Nearness nearness) {
   const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
   for (int attempt = 0; attempt < 100; ++attempt) {
     const Approach approach(pair, random);
@@ -113,7 +113,7 @@ struct Step {
 /// No vertex within half of B's diagonal of its centre moves farther than `length`: by half of that each.
 Step random_step(Random& random, double length, double diagonal) {
   const double degrees = length / diagonal * 180 / 3.14159265358979;
-  return {rotation_about(random_direction(random), degrees), 0.5 * length * random_direction(random)};
+  return {rotation_about(uniform_direction(random), degrees), 0.5 * length * uniform_direction(random)};
 }
 
 Pose moved_on(const Pose& pose, const Vec3& centre, const Step& step) {
@@ -123,7 +123,7 @@ Pose moved_on(const Pose& pose, const Vec3& centre, const Step& step) {
 }
 
 /// The way on from a pose of B; where none of a hundred directions is free, it stays.
-Pose next_on_the_way(const Pair& pair, const PosePair& now, double length, Step& step, Random& random) {
+Pose next_on_the_way(const PairWithExtents& pair, const PosePair& now, double length, Step& step, Random& random) {
   const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
   for (int attempt = 0; attempt < 100; ++attempt) {
     const Pose next = moved_on(now.b, pair.extent_b.centre, step);
@@ -135,7 +135,7 @@ Pose next_on_the_way(const Pair& pair, const PosePair& now, double length, Step&
 }
 
 /// From A's centre to B's, of length 1.
-Vec3 way_apart(const Pair& pair, const PosePair& poses) {
+Vec3 way_apart(const PairWithExtents& pair, const PosePair& poses) {
   const Vec3 way = transform(poses.b, pair.extent_b.centre) - transform(poses.a, pair.extent_a.centre);
   const double length = std::sqrt(dot(way, way));
   return length > 0 ? (1 / length) * way : Vec3{1, 0, 0};
@@ -151,7 +151,7 @@ std::vector<PosePair> read_poses(const std::filesystem::path& file) {
 
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
                                    Nearness nearness, int threads) {
-  const Pair pair{a, b};
+  const PairWithExtents pair{a, b};
   Random seeds(seed);
   std::vector<Random> randoms;
   while (randoms.size() < count) randoms.emplace_back(seeds.bits());
@@ -163,7 +163,7 @@ std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t c
 std::vector<PosePair> poses_on_the_way(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
                                        const WayShape& shape) {
   constexpr std::size_t steps = 50;
-  const Pair pair{a, b};
+  const PairWithExtents pair{a, b};
   Random random(seed);
   const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal), length = shape.motion * diagonal;
   std::vector<PosePair> poses;
@@ -183,7 +183,7 @@ std::vector<PosePair> moved_together(const std::vector<PosePair>& poses, std::si
   Random random(seed);
   std::vector<PosePair> moved;
   for (std::size_t i = 0; i < count; ++i) {
-    const Pose motion{random_rotation(random), random_vector(random, 10)};
+    const Pose motion{uniform_rotation(random), random_vector(random, 10)};
     const PosePair& pair = poses[i % poses.size()];
     moved.push_back({compose(motion, pair.a), compose(motion, pair.b)});
   }

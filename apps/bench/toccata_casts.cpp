@@ -9,24 +9,24 @@
 namespace toccata::bench {
 namespace {
 
-using Maker = CastOffer (*)(const CastWork&);
+using CastMaker = CastOffer (*)(const CastWork&);
 
-const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{{"bullet", bullet_casts}, {"fcl", fcl_casts}, {"ode", ode_casts}};
+const std::map<std::string, CastMaker>& cast_makers() {
+  static const std::map<std::string, CastMaker> all{{"bullet", bullet_casts}, {"fcl", fcl_casts}, {"ode", ode_casts}};
   return all;
 }
 
 CastAnswer answer_of(const Cast& cast) { return {cast.hit, cast.lower, cast.upper, cast.status == Status::exact}; }
 
-enum class Posing { for_each_question, before };
+enum class CastPosing { for_each_question, before };
 
 template <class Moving, class Standing>
 class ToccataCasts : public CastLibrary {
  public:
-  explicit ToccataCasts(Posing posing) : posing_(posing) {}
+  explicit ToccataCasts(CastPosing posing) : posing_(posing) {}
 
   Description description() const override {
-    return {"toccata", posing_ == Posing::before ? "posed before" : "posed for each question", version,
+    return {"toccata", posing_ == CastPosing::before ? "posed before" : "posed for each question", version,
             fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
   }
 
@@ -36,7 +36,7 @@ class ToccataCasts : public CastLibrary {
       moving_.push_back(std::get<Moving>(pair.moving));
       standing_.push_back(std::get<Standing>(pair.standing));
     }
-    if (posing_ == Posing::for_each_question) return;
+    if (posing_ == CastPosing::for_each_question) return;
     for (const CastQuestion& question : work.questions) {
       posed_moving_.emplace_back(moving_[question.pair], question.start);
       posed_standing_.emplace_back(standing_[question.pair], question.standing);
@@ -46,9 +46,9 @@ class ToccataCasts : public CastLibrary {
   void answer(std::size_t first, std::span<CastAnswer> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const CastQuestion& question = work_->questions[first + i];
-      answers[i] =
-          answer_of(posing_ == Posing::before ? of_posed(first + i, question)
-                                              : cast_given(moving_[question.pair], standing_[question.pair], question));
+      answers[i] = answer_of(posing_ == CastPosing::before
+                                 ? of_posed(first + i, question)
+                                 : cast_given(moving_[question.pair], standing_[question.pair], question));
     }
   }
 
@@ -60,7 +60,7 @@ class ToccataCasts : public CastLibrary {
       return cast_shape(posed_moving_[number], question.motion, posed_standing_[number]);
   }
 
-  Posing posing_;
+  CastPosing posing_;
   const CastWork* work_ = nullptr;
   std::vector<Moving> moving_;
   std::vector<Standing> standing_;
@@ -76,14 +76,14 @@ std::vector<std::string> cast_pairs() {
 
 std::vector<std::string> cast_peers() {
   std::vector<std::string> names;
-  for (const auto& [name, maker] : makers()) names.push_back(name);
+  for (const auto& [name, maker] : cast_makers()) names.push_back(name);
   return names;
 }
 
 CastOffer toccata_casts(const CastWork& work) {
   return with_cast_types(work.pair, []<class Moving, class Standing>() {
     CastOffer offer;
-    for (const Posing posing : {Posing::for_each_question, Posing::before})
+    for (const CastPosing posing : {CastPosing::for_each_question, CastPosing::before})
       offer.libraries.push_back(std::make_unique<ToccataCasts<Moving, Standing>>(posing));
     return offer;
   });
@@ -92,7 +92,7 @@ CastOffer toccata_casts(const CastWork& work) {
 CastOffer cast_libraries(const std::vector<std::string>& peers, const CastWork& work) {
   CastOffer offer = toccata_casts(work);
   for (const std::string& name : peers) {
-    CastOffer more = makers().at(name)(work);
+    CastOffer more = cast_makers().at(name)(work);
     std::move(more.libraries.begin(), more.libraries.end(), std::back_inserter(offer.libraries));
     std::move(more.unasked.begin(), more.unasked.end(), std::back_inserter(offer.unasked));
   }

@@ -57,16 +57,16 @@ requires OneIsSmooth<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const
   return {d.lower == 0, d.lower, d.upper};
 }
 
-enum class Posing { for_each_question, before };
+enum class ConvexPosing { for_each_question, before };
 
 /// Asks with a workspace where the questions follow each other.
 template <class A, class B>
 class ToccataConvex : public ConvexLibrary {
  public:
-  explicit ToccataConvex(Posing posing) : posing_(posing) {}
+  explicit ToccataConvex(ConvexPosing posing) : posing_(posing) {}
 
   Description description() const override {
-    return {"toccata", posing_ == Posing::before ? "posed before" : "posed for each question", version,
+    return {"toccata", posing_ == ConvexPosing::before ? "posed before" : "posed for each question", version,
             fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
   }
 
@@ -77,7 +77,7 @@ class ToccataConvex : public ConvexLibrary {
       a_.push_back(std::get<A>(pair.a));
       b_.push_back(std::get<B>(pair.b));
     }
-    if (posing_ == Posing::for_each_question) return;
+    if (posing_ == ConvexPosing::for_each_question) return;
     for (const ConvexQuestion& question : work.questions) {
       posed_a_.emplace_back(a_[question.pair], question.a);
       posed_b_.emplace_back(b_[question.pair], question.b);
@@ -91,14 +91,15 @@ class ToccataConvex : public ConvexLibrary {
       const ConvexQuestion& question = work_->questions[first + i];
       if (!question.follows) workspace_ = {};
       ConvexWorkspace* const workspace = work_->coherent ? &workspace_ : nullptr;
-      answers[i] = posing_ == Posing::before ? asked(work_->task, posed_a_[first + i], posed_b_[first + i], workspace)
-                                             : asked(work_->task, PosedAs<A>(a_[question.pair], question.a),
-                                                     PosedAs<B>(b_[question.pair], question.b), workspace);
+      answers[i] = posing_ == ConvexPosing::before
+                       ? asked(work_->task, posed_a_[first + i], posed_b_[first + i], workspace)
+                       : asked(work_->task, PosedAs<A>(a_[question.pair], question.a),
+                               PosedAs<B>(b_[question.pair], question.b), workspace);
     }
   }
 
  private:
-  Posing posing_;
+  ConvexPosing posing_;
   const ConvexWork* work_ = nullptr;
   std::vector<A> a_;
   std::vector<B> b_;
@@ -165,12 +166,13 @@ using PlacedAs = decltype(placed(std::declval<const S&>(), std::declval<const Po
 template <class A, class B>
 class ToccataOwnForms : public ConvexLibrary {
  public:
-  explicit ToccataOwnForms(Posing posing) : posing_(posing) {}
+  explicit ToccataOwnForms(ConvexPosing posing) : posing_(posing) {}
 
   Description description() const override {
-    return {"toccata",
-            posing_ == Posing::before ? "the pair's own, posed before" : "the pair's own, posed for each question",
-            version, fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
+    return {
+        "toccata",
+        posing_ == ConvexPosing::before ? "the pair's own, posed before" : "the pair's own, posed for each question",
+        version, fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
   }
 
   void prepare(const ConvexWork& work) override {
@@ -179,7 +181,7 @@ class ToccataOwnForms : public ConvexLibrary {
       a_.push_back(std::get<A>(pair.a));
       b_.push_back(std::get<B>(pair.b));
     }
-    if (posing_ == Posing::for_each_question) return;
+    if (posing_ == ConvexPosing::for_each_question) return;
     for (const ConvexQuestion& question : work.questions) {
       placed_a_.push_back(placed(a_[question.pair], question.a));
       placed_b_.push_back(placed(b_[question.pair], question.b));
@@ -189,7 +191,7 @@ class ToccataOwnForms : public ConvexLibrary {
   void answer(std::size_t first, std::span<ConvexAnswer> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const ConvexQuestion& question = work_->questions[first + i];
-      answers[i] = posing_ == Posing::before
+      answers[i] = posing_ == ConvexPosing::before
                        ? asked_of_own_form(work_->task, placed_a_[first + i], placed_b_[first + i])
                        : asked_of_own_form(work_->task, placed(a_[question.pair], question.a),
                                            placed(b_[question.pair], question.b));
@@ -197,7 +199,7 @@ class ToccataOwnForms : public ConvexLibrary {
   }
 
  private:
-  Posing posing_;
+  ConvexPosing posing_;
   const ConvexWork* work_ = nullptr;
   std::vector<A> a_;
   std::vector<B> b_;
@@ -338,12 +340,12 @@ class ToccataArrays : public ConvexLibrary {
 ConvexOffer toccata_convex(const ConvexWork& work) {
   return with_types(work.pair, [&]<class A, class B>() {
     ConvexOffer offer;
-    offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::for_each_question));
-    offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(Posing::before));
+    offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(ConvexPosing::for_each_question));
+    offer.libraries.push_back(std::make_unique<ToccataConvex<A, B>>(ConvexPosing::before));
     const bool has_arrays = work.task == ConvexTask::overlap || work.task == ConvexTask::distance;
     if constexpr (HasOwnForms<A, B>)
       if (has_own_form<A, B>(work.task))
-        for (const Posing posing : {Posing::for_each_question, Posing::before})
+        for (const ConvexPosing posing : {ConvexPosing::for_each_question, ConvexPosing::before})
           offer.libraries.push_back(std::make_unique<ToccataOwnForms<A, B>>(posing));
     if constexpr (requires(const A& a, const B& b, const Pose& pose) { overlap(a, pose, b, pose); })
       if (takes_given<A, B>(work.task)) offer.libraries.push_back(std::make_unique<ToccataGiven<A, B>>());

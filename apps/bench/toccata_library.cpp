@@ -19,7 +19,7 @@ Description described(const std::string& variant) {
 }
 
 /// How distances of meshes on their way are asked for; of everything else there is one way.
-enum class Way { alone, cached };
+enum class DistanceWay { alone, cached };
 
 std::size_t bytes_of(const WideTree& tree) {
   return tree.blocks.capacity() * sizeof tree.blocks[0] + tree.items.capacity() * sizeof tree.items[0];
@@ -27,14 +27,14 @@ std::size_t bytes_of(const WideTree& tree) {
 
 class ToccataMeshes : public MeshLibrary {
  public:
-  explicit ToccataMeshes(Way way) : way_(way) {}
+  explicit ToccataMeshes(DistanceWay way) : way_(way) {}
 
   Description description() const override {
-    return described(std::string(name_of(simd_level())) + (way_ == Way::cached ? ", cached" : ""));
+    return described(std::string(name_of(simd_level())) + (way_ == DistanceWay::cached ? ", cached" : ""));
   }
 
   std::string obstacle(Task task, int threads) const override {
-    if (way_ == Way::alone) return {};
+    if (way_ == DistanceWay::alone) return {};
     if (task != Task::coherent_distance) return "keeps nothing for this";
     return threads > 1 ? "a cache is for one thread" : "";
   }
@@ -72,11 +72,11 @@ class ToccataMeshes : public MeshLibrary {
   Answer distance_answer(const PairQuery& query) const {
     thread_local Workspace workspace;
     const Distance found =
-        way_ == Way::cached ? distance(*a_, *b_, query, cache_) : distance(*a_, *b_, query, workspace);
+        way_ == DistanceWay::cached ? distance(*a_, *b_, query, cache_) : distance(*a_, *b_, query, workspace);
     return {found.upper == 0, {{found.element_a, found.element_b}}, found.upper};
   }
 
-  Way way_;
+  DistanceWay way_;
   std::optional<Model> a_;
   std::optional<Model> b_;
   int threads_ = 1;
@@ -108,8 +108,8 @@ bool meets(const Triangle& a, const Triangle& b) { return meeting(a, b).kind != 
 
 MeshLibraries toccata_mesh_libraries() {
   MeshLibraries libraries;
-  libraries.push_back(std::make_unique<ToccataMeshes>(Way::alone));
-  libraries.push_back(std::make_unique<ToccataMeshes>(Way::cached));
+  libraries.push_back(std::make_unique<ToccataMeshes>(DistanceWay::alone));
+  libraries.push_back(std::make_unique<ToccataMeshes>(DistanceWay::cached));
   return libraries;
 }
 

@@ -10,7 +10,7 @@
 namespace toccata::bench {
 namespace {
 
-RayAnswer answer_of(const RayHit& hit) { return {hit.hit, 0.5 * (hit.lower + hit.upper)}; }
+RayAnswer ray_answer_of(const RayHit& hit) { return {hit.hit, 0.5 * (hit.lower + hit.upper)}; }
 
 class ToccataRays : public RayLibrary {
  public:
@@ -39,7 +39,7 @@ class ArraysOfRays : public ToccataRays {
     BatchOptions options;
     options.threads = 1;
     const auto hits = cast_ray_each(std::span(queries_).subspan(first, answers.size()), *model_, options);
-    std::transform(hits.begin(), hits.end(), answers.begin(), answer_of);
+    std::transform(hits.begin(), hits.end(), answers.begin(), ray_answer_of);
   }
 };
 
@@ -49,7 +49,7 @@ class SingleRays : public ToccataRays {
   void answer(std::size_t first, std::span<RayAnswer> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const RayQuery& query = queries_[first + i];
-      answers[i] = answer_of(cast_ray(query.origin, query.motion, *model_, query.pose, query.solid));
+      answers[i] = ray_answer_of(cast_ray(query.origin, query.motion, *model_, query.pose, query.solid));
     }
   }
 };

@@ -9,7 +9,7 @@
 namespace toccata::bench {
 namespace {
 
-class ToccataWorld : public WorldQueryLibrary {
+class ToccataWorldQueries : public WorldQueryLibrary {
  public:
   Description description() const override {
     return {"toccata", "WorldQueries", version,
@@ -60,7 +60,7 @@ class ToccataWorld : public WorldQueryLibrary {
 
 WorldQueryLibraries toccata_world_query_libraries() {
   WorldQueryLibraries libraries;
-  libraries.push_back(std::make_unique<ToccataWorld>());
+  libraries.push_back(std::make_unique<ToccataWorldQueries>());
   return libraries;
 }
 

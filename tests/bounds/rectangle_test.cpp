@@ -21,9 +21,9 @@ TEST(Rectangle, TheLecturesQuiz) {
 
 TEST(Rectangle, TheFarCornerIsNotRounded) {
   // 1 − 2^-55 rounds to 1, which would touch the second.
-  EXPECT_TRUE(overlap({0, 0, 1, 1}, {1, 0, 1, 1}));
-  EXPECT_FALSE(overlap({-0x1p-55, 0, 1, 1}, {1, 0, 1, 1}));
-  EXPECT_TRUE(overlap({0x1p-55, 0, 1, 1}, {1, 0, 1, 1}));
+  EXPECT_TRUE(overlap(Rectangle{0, 0, 1, 1}, {1, 0, 1, 1}));
+  EXPECT_FALSE(overlap(Rectangle{-0x1p-55, 0, 1, 1}, {1, 0, 1, 1}));
+  EXPECT_TRUE(overlap(Rectangle{0x1p-55, 0, 1, 1}, {1, 0, 1, 1}));
 }
 
 bool overlap_by_oracle(const Rectangle& a, const Rectangle& b) {

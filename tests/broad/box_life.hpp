@@ -12,6 +12,12 @@
 
 namespace toccata::test {
 
+inline std::vector<std::string> broad_phase_names() {
+  std::vector<std::string> names;
+  for (const BroadPhaseMethod method : broad_phase_methods()) names.emplace_back(name_of(method));
+  return names;
+}
+
 /// A broad phase whose boxes live: some move a little, some teleport, now and then some come and go. What they should
 /// be is kept in the plainest way.
 class BoxLife {

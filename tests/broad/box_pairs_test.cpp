@@ -16,7 +16,7 @@ void expect_as_brute_force(const std::vector<Aabb>& boxes) {
 }
 
 TEST(BoxPairs, NoneAmongNoneAndOne) {
-  EXPECT_TRUE(overlapping_pairs({}).empty());
+  EXPECT_TRUE(overlapping_pairs(std::vector<Aabb>{}).empty());
   EXPECT_TRUE(overlapping_pairs(std::vector<Aabb>{box_at(0, 0, 0, 1)}).empty());
 }
 

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "bounds/box_bounds.hpp"
 #include "broad/box_families.hpp"
+#include "math/constants.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/core/random.hpp"
 
@@ -16,8 +16,6 @@ namespace {
 
 using oracle::exact;
 using oracle::Rational;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has_ends(const Aabb& box) { return is_finite(box.lower) && is_finite(box.upper); }
 

@@ -33,14 +33,8 @@ SweepResult run_broad_memory(const std::string& method, std::uint64_t seed, std:
   return result;
 }
 
-std::vector<std::string> methods() {
-  std::vector<std::string> names;
-  for (const BroadPhaseMethod method : broad_phase_methods()) names.emplace_back(name_of(method));
-  return names;
-}
-
 const bool broad_memory_known =
-    register_sweep({"broad-phase-memory", methods(), 100'000, 300, run_broad_memory, 100'000, 100});
+    register_sweep({"broad-phase-memory", broad_phase_names(), 100'000, 300, run_broad_memory, 100'000, 100});
 
 }  // namespace
 }  // namespace toccata::test

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -13,7 +12,7 @@
 #include "broad/box_families.hpp"
 #include "broad/box_life.hpp"
 #include "broad/pair_buffer.hpp"
-#include "toccata/core/error.hpp"
+#include "support/error_message.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/crowds.hpp"
 
@@ -24,6 +23,7 @@ inline void PrintTo(BroadPhaseMethod method, std::ostream* out) { *out << name_o
 
 namespace {
 
+using test::message_of;
 using Pairs = std::vector<IndexPair>;
 
 Pairs list_of(std::span<const IndexPair> pairs) { return {pairs.begin(), pairs.end()}; }
@@ -187,15 +187,6 @@ TEST(PairBuffer, HoldsNoMoreThanWhatIsWanted) {
   PairList expected = sorted_pairs(std::span(&all, 1), 1500, 1, {});
   std::erase_if(expected, [&](const IndexPair& pair) { return !wanted(pair); });
   EXPECT_EQ(left, expected);
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(BroadPhase, GivesTheLeastNumbersOutAgainAfterAnUpdate) {

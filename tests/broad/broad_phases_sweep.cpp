@@ -45,15 +45,10 @@ SweepResult run_broad_phases(const std::string& family, std::uint64_t seed, std:
 
 std::vector<std::string> families() { return {box_families.begin(), box_families.end()}; }
 
-std::vector<std::string> methods() {
-  std::vector<std::string> names;
-  for (const BroadPhaseMethod method : broad_phase_methods()) names.emplace_back(name_of(method));
-  return names;
-}
-
 const bool broad_phases_known =
     register_sweep({"broad-phases", families(), 100, 1, run_broad_phases<wrong_in_a_life>, 10, 1}) &&
-    register_sweep({"broad-phases-of-bounds", methods(), 100, 1, run_broad_phases<wrong_in_a_mixed_life>, 10, 1});
+    register_sweep(
+        {"broad-phases-of-bounds", broad_phase_names(), 100, 1, run_broad_phases<wrong_in_a_mixed_life>, 10, 1});
 
 }  // namespace
 }  // namespace toccata::test

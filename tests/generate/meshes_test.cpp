@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 
+#include "support/error_message.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/predicates.hpp"
@@ -15,14 +15,7 @@
 namespace toccata {
 namespace {
 
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::message_of;
 
 /// FNV-1a over the bits of all coordinates and indices.
 std::uint64_t hash_of(const TriangleMesh& mesh) {

@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path corpus = "/usr/share/assimp/models";
+const fs::path assimp_corpus = "/usr/share/assimp/models";
 
 std::vector<fs::path> mesh_files() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
+  for (const auto& entry : fs::recursive_directory_iterator(assimp_corpus)) {
     const std::string extension = io::lower_case_extension(entry.path());
     if (extension == ".obj" || extension == ".stl" || extension == ".ply" || extension == ".off")
       files.push_back(entry.path());
@@ -51,12 +51,12 @@ const std::vector<Refused> refused = {
 };
 
 std::string expected_message(const fs::path& path) {
-  const auto found = std::ranges::find(refused, path.lexically_relative(corpus).string(), &Refused::file);
+  const auto found = std::ranges::find(refused, path.lexically_relative(assimp_corpus).string(), &Refused::file);
   return found == refused.end() ? "" : path.string() + found->message;
 }
 
 TEST(AssimpCorpus, EveryFileLoadsOrIsRefusedForItsReason) {
-  if (!fs::is_directory(corpus)) GTEST_SKIP() << "install assimp-testmodels";
+  if (!fs::is_directory(assimp_corpus)) GTEST_SKIP() << "install assimp-testmodels";
   int loaded = 0;
   for (const fs::path& path : mesh_files()) {
     const std::string expected = expected_message(path);

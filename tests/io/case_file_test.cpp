@@ -54,7 +54,7 @@ std::vector<Vec3> points(Random& random, std::size_t count, bool extreme) {
 std::shared_ptr<const TriangleMesh> mesh(Random& random, bool extreme) {
   switch (random.below(4)) {
     case 0:
-      return std::make_shared<const TriangleMesh>(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+      return std::make_shared<const TriangleMesh>(test::box_between({-1, -1, -1}, {1, 1, 1}));
     case 1:  // a face of two triangles, and coordinates that text could lose
       return std::make_shared<const TriangleMesh>(points(random, 5, extreme),
                                                   std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}},
@@ -324,7 +324,7 @@ TEST(CaseFile, TellsWhereAnotherAnswerDiffers) {
 TEST(CaseFile, WhatIsInItsPlaceIsOnlyReplacedWhenItIsAScene) {
   const TemporaryFolder folder;
   const Case plain{scene_of(std::vector<Posed>{{Model(Sphere(1))}}), {}, {}};
-  folder.file("mesh.obj", "v 0 0 0\n");
+  folder.write("mesh.obj", "v 0 0 0\n");
   EXPECT_NE(message_of([&] { write_case(plain, folder / "mesh.obj"); }).find("is not a case of Toccata"),
             std::string::npos);
   EXPECT_EQ(text_of(folder / "mesh.obj"), "v 0 0 0\n");
@@ -367,7 +367,7 @@ TEST(CaseFile, WhatIsWrongIsNamed) {
       {R"("meshes": [], )", "/meshes: this is not an object"},
       {"", "there is no mesh named"}};
   for (const Fault& fault : faults) {
-    const auto file = folder.file(
+    const auto file = folder.write(
         "case.json", R"({"format": "toccata-scene", "version": 1, )" + std::string(fault.members) + object + "}");
     const std::string message = message_of([&] { (void)read_case(file); });
     EXPECT_NE(message.find(fault.part), std::string::npos) << fault.members << "\n" << message;
@@ -394,12 +394,12 @@ TEST(CaseFile, AWrongQuestionIsNamed) {
       {R"("query": {"question": "nearest", "points": [[0, 0, 0]], "k": 0})", "/query/k"},
       {R"("answer": {})", "answers no \"query\""}};
   for (const Fault& fault : faults) {
-    const auto file = folder.file(
+    const auto file = folder.write(
         "case.json", R"({"format": "toccata-scene", "version": 1, )" + ball + std::string(fault.members) + "}");
     const std::string message = message_of([&] { (void)read_case(file); });
     EXPECT_NE(message.find(fault.part), std::string::npos) << fault.members << "\n" << message;
   }
-  const auto newer = folder.file("newer.json", R"({"format": "toccata-scene", "version": 2, "objects": []})");
+  const auto newer = folder.write("newer.json", R"({"format": "toccata-scene", "version": 2, "objects": []})");
   EXPECT_NE(message_of([&] { (void)read_case(newer); }).find("this version is not known"), std::string::npos);
 }
 
@@ -414,7 +414,7 @@ TEST(CaseFile, CutShortItIsRefused) {
   write_case(made, folder / "case.json");
   const std::string text = text_of(folder / "case.json");
   for (std::size_t length = 1; length + 2 < text.size(); length += 997) {
-    const auto file = folder.file("cut.json", text.substr(0, length));
+    const auto file = folder.write("cut.json", text.substr(0, length));
     EXPECT_NE(message_of([&] { (void)read_case(file); }).find("not valid JSON"), std::string::npos) << length;
   }
 }
@@ -423,10 +423,10 @@ TEST(CaseFile, CutShortItIsRefused) {
 TEST(CaseFile, NestedTooDeepItIsRefused) {
   const TemporaryFolder folder;
   const auto message_for = [&](const std::string& answer) {
-    const auto file = folder.file("case.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    const auto file = folder.write("case.json", R"({"format": "toccata-scene", "version": 1, "objects": [
       {"name": "a", "shape": {"type": "sphere", "radius": 1}}],
       "query": {"question": "distance"}, "answer": )" +
-                                                   answer + "}");
+                                                    answer + "}");
     return message_of([&] { (void)read_case(file); });
   };
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };

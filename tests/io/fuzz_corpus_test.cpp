@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using fuzz::check_reader;
 
-const fs::path corpus = TOCCATA_FUZZ_CORPUS;
+const fs::path fuzz_corpus = TOCCATA_FUZZ_CORPUS;
 
 Scene parse_gltf(std::span<const char> bytes, std::string_view name) {
   return io::parse_gltf({bytes, std::string(name), "no/such/folder"});
@@ -24,7 +24,7 @@ Scene parse_scene(std::span<const char> bytes, std::string_view name) {
 template <typename Parse>
 void replay(const char* format, Parse parse) {
   int files = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(corpus / format)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(fuzz_corpus / format)) {
     const io::FileBytes bytes = io::read_file(entry.path());
     EXPECT_NO_THROW(check_reader(parse, bytes.span())) << entry.path();
     EXPECT_NO_THROW(check_reader(fuzz::parse_any, bytes.span())) << entry.path();

@@ -204,7 +204,7 @@ TEST(Gltf, ASmallFileCannotFillTheMemory) {
 
 TEST(Gltf, BuffersOfOneFileLoadItOnce) {
   const test::TemporaryFolder folder;
-  folder.file("square.bin", square + std::string(1 << 20, '\0'));
+  folder.write("square.bin", square + std::string(1 << 20, '\0'));
   const std::size_t begin = file.find("data:"), end = file.find('"', begin);
   const std::string named = file.substr(0, begin) + "square.bin" + file.substr(end);
   std::string buffers = R"({"byteLength": 64, "uri": "square.bin"})", views, accessors, primitives;
@@ -222,14 +222,14 @@ TEST(Gltf, BuffersOfOneFileLoadItOnce) {
   text = with(text, R"("byteLength": 16})", R"("byteLength": 16})" + views);
   const std::size_t list = text.find(R"("buffers": [)");
   text = text.substr(0, list) + R"("buffers": [)" + buffers + "]}";
-  folder.file("a.gltf", text);
+  folder.write("a.gltf", text);
   EXPECT_EQ(read_scene(folder / "a.gltf").objects[0].mesh()->triangles().size(), 26U);
   const std::string greedy = R"(, {"componentType": 5126, "count": 20000000, "type": "VEC3"}])";
   const std::size_t after = text.find("],", text.find(R"("accessors")"));
   text = text.substr(0, after) + greedy + text.substr(after + 1);
   text = with(text, R"({"attributes": {"POSITION": 13}, "indices": 1})",
               R"({"attributes": {"POSITION": 13}, "indices": 1}, {"attributes": {"POSITION": 14}, "indices": 1})");
-  folder.file("b.gltf", text);
+  folder.write("b.gltf", text);
   EXPECT_NE(test::message_of([&] { (void)read_scene(folder / "b.gltf"); }).find("far more numbers"), std::string::npos);
 }
 

@@ -18,7 +18,7 @@ namespace {
 using test::message_of;
 using test::TemporaryFolder;
 
-std::string error_of(const std::filesystem::path& path) {
+std::string error_of_mesh(const std::filesystem::path& path) {
   return message_of([&] { static_cast<void>(read_mesh(path)); });
 }
 
@@ -31,7 +31,7 @@ const std::string stl_triangle =
 TEST(MeshFile, FaceNumbersAreThoseOfTheFile) {
   const TemporaryFolder folder;
   const TriangleMesh mesh =
-      read_mesh(folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 4 3 2 1\nf 1 2 3\n"));
+      read_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 4 3 2 1\nf 1 2 3\n"));
   EXPECT_EQ(mesh.triangle_count(), 5u);
   EXPECT_EQ(mesh.face_count(), 3u);
   EXPECT_EQ(mesh.face_of(3), 1u);
@@ -40,36 +40,39 @@ TEST(MeshFile, FaceNumbersAreThoseOfTheFile) {
 
 TEST(MeshFile, ContentWithASignatureOverridesTheExtension) {
   const TemporaryFolder folder;
-  EXPECT_EQ(read_mesh(folder.file("a.obj", off_triangle)).triangle_count(), 1u);
-  EXPECT_EQ(read_mesh(folder.file("a.PLY", stl_triangle)).triangle_count(), 1u);
-  EXPECT_EQ(read_mesh(folder.file("noextension", off_triangle)).triangle_count(), 1u);
-  EXPECT_EQ(read_mesh(folder.file("a.OBJ", obj_triangle)).triangle_count(), 1u);
+  EXPECT_EQ(read_mesh(folder.write("a.obj", off_triangle)).triangle_count(), 1u);
+  EXPECT_EQ(read_mesh(folder.write("a.PLY", stl_triangle)).triangle_count(), 1u);
+  EXPECT_EQ(read_mesh(folder.write("noextension", off_triangle)).triangle_count(), 1u);
+  EXPECT_EQ(read_mesh(folder.write("a.OBJ", obj_triangle)).triangle_count(), 1u);
 }
 
 TEST(MeshFile, WhatCannotBeReadIsNamed) {
   const TemporaryFolder folder;
   const auto path = [&](const std::string& name) { return (folder / name).string(); };
-  EXPECT_EQ(error_of(folder / "none.obj"), path("none.obj") + ": there is no such file; check the name and the folder");
+  EXPECT_EQ(error_of_mesh(folder / "none.obj"),
+            path("none.obj") + ": there is no such file; check the name and the folder");
   std::filesystem::create_directory(folder / "folder.obj");
-  EXPECT_EQ(error_of(folder / "folder.obj"), path("folder.obj") + ": this is a directory; name a file in it");
+  EXPECT_EQ(error_of_mesh(folder / "folder.obj"), path("folder.obj") + ": this is a directory; name a file in it");
   for (const char* name : {"empty.obj", "empty.stl", "empty.ply", "empty.off"})
-    EXPECT_EQ(error_of(folder.file(name, "")), path(name) + ": the file is empty; export it again");
+    EXPECT_EQ(error_of_mesh(folder.write(name, "")), path(name) + ": the file is empty; export it again");
   EXPECT_EQ(
-      error_of(folder.file("a.xyz", obj_triangle)),
+      error_of_mesh(folder.write("a.xyz", obj_triangle)),
       path("a.xyz") +
           ": the format \".xyz\" is not read as a mesh; use an OBJ, STL, PLY or OFF file with its usual extension");
-  EXPECT_EQ(error_of(folder.file("obj", obj_triangle)), path("obj") +
-                                                            ": the format cannot be told without an extension; use an "
-                                                            "OBJ, STL, PLY or OFF file with its usual extension");
-  EXPECT_EQ(error_of(folder.file("a.glb", "glTF")),
+  EXPECT_EQ(error_of_mesh(folder.write("obj", obj_triangle)),
+            path("obj") +
+                ": the format cannot be told without an extension; use an "
+                "OBJ, STL, PLY or OFF file with its usual extension");
+  EXPECT_EQ(error_of_mesh(folder.write("a.glb", "glTF")),
             path("a.glb") + ": this is a scene of posed objects, not one mesh; read it with read_scene");
-  EXPECT_EQ(error_of(folder.file("a.ply", obj_triangle)),
+  EXPECT_EQ(error_of_mesh(folder.write("a.ply", obj_triangle)),
             path("a.ply") +
                 ":1: a PLY file begins with a line that says ply; check that the extension is that of the format");
+  EXPECT_TRUE(error_of_mesh(folder.write("a.off", obj_triangle))
+                  .starts_with(path("a.off") + ":1: an OFF file begins with OFF; "));
   EXPECT_TRUE(
-      error_of(folder.file("a.off", obj_triangle)).starts_with(path("a.off") + ":1: an OFF file begins with OFF; "));
-  EXPECT_TRUE(error_of(folder.file("a.stl", obj_triangle)).starts_with(path("a.stl") + ": this is no STL file: "));
-  EXPECT_TRUE(error_of("/dev/null").starts_with("/dev/null: this is not a regular file; "));
+      error_of_mesh(folder.write("a.stl", obj_triangle)).starts_with(path("a.stl") + ": this is no STL file: "));
+  EXPECT_TRUE(error_of_mesh("/dev/null").starts_with("/dev/null: this is not a regular file; "));
 }
 
 /// Every double there is may be a coordinate; +0 and −0 keep their sign.

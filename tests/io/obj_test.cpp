@@ -14,7 +14,7 @@ using test::message_of;
 using ::testing::Test;
 
 PolygonMesh obj(const std::string& text) { return parse_obj(bytes_of(text), "a.obj"); }
-std::string error_of(const std::string& text) {
+std::string error_of_obj(const std::string& text) {
   return message_of([&] { obj(text); });
 }
 
@@ -95,13 +95,13 @@ TEST(Obj, EveryErrorNamesFileAndLine) {
       {std::string("v 0 0 0\0\n", 9), "a.obj: this is binary data where text was expected; "},
       {"\xFF\xFEv", "a.obj: this is UTF-16 text; save it as UTF-8 or ASCII"},
   };
-  for (const auto& [text, message] : cases) EXPECT_EQ(error_of(text).substr(0, message.size()), message) << text;
+  for (const auto& [text, message] : cases) EXPECT_EQ(error_of_obj(text).substr(0, message.size()), message) << text;
 }
 
 TEST(Obj, EveryTruncationIsReadOrRefusedButNothingElse) {
   const std::string whole = triangle + "v 1 1 1 0.5 0.5 0.5\nf 1/1/1 2//2 -1\\\n 3\nf 1 2 3 # end\n";
   for (std::size_t size = 0; size <= whole.size(); ++size) {
-    const std::string message = error_of(whole.substr(0, size));
+    const std::string message = error_of_obj(whole.substr(0, size));
     EXPECT_TRUE(message.empty() || message.starts_with("a.obj:")) << size << message;
   }
 }

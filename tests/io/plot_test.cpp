@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/plots/plot_axis.hpp"
+#include "math/constants.hpp"
 #include "support/command.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
@@ -24,7 +25,6 @@ namespace {
 using Tree = boost::property_tree::ptree;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double greatest = std::numeric_limits<double>::max();
 
 double number_of(const Tree& element, const char* name) {

@@ -16,7 +16,7 @@ using test::bytes_of;
 using test::message_of;
 
 PolygonMesh ply(const std::string& text) { return parse_ply(bytes_of(text), "a.ply"); }
-std::string error_of(const std::string& text) {
+std::string error_of_ply(const std::string& text) {
   return message_of([&] { ply(text); });
 }
 
@@ -123,7 +123,7 @@ TEST(Ply, StripsAlternateAndBeginAnewAtMinusOne) {
   const PolygonMesh mesh = ply(text + "11 0 1 2 3 4 -1 5 4 -1 3 2\n4 3 2 2 1\n");
   EXPECT_EQ(mesh.corners, (std::vector<Index>{0, 1, 2, 2, 1, 3, 2, 3, 4, 3, 2, 2, 2, 2, 1}));
   EXPECT_EQ(mesh.first, (std::vector<Index>{0, 3, 6, 9, 12, 15}));
-  EXPECT_TRUE(error_of(text + "3 0 1 -2\n0\n").starts_with("a.ply:18: face 0 names vertex -2, but there are 6; "));
+  EXPECT_TRUE(error_of_ply(text + "3 0 1 -2\n0\n").starts_with("a.ply:18: face 0 names vertex -2, but there are 6; "));
 }
 
 TEST(Ply, EveryErrorNamesThePlace) {
@@ -167,7 +167,7 @@ TEST(Ply, EveryErrorNamesThePlace) {
       {head + four_vertices + "element face 1\n" + faces + "0 0 nan\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n",
        "a.ply:12: the z coordinate \"nan\" is not a finite decimal number; "},
   };
-  for (const auto& [text, message] : cases) EXPECT_EQ(error_of(text).substr(0, message.size()), message) << text;
+  for (const auto& [text, message] : cases) EXPECT_EQ(error_of_ply(text).substr(0, message.size()), message) << text;
 }
 
 TEST(Ply, BinaryErrorsNameTheByte) {
@@ -178,19 +178,19 @@ TEST(Ply, BinaryErrorsNameTheByte) {
   for (int i = 0; i < 9; ++i) body.add(i == 4 ? std::numeric_limits<float>::infinity() : 1.0f);
   body.add(std::uint8_t{3}).add(0).add(1).add(2);
   const std::string start = std::to_string(Binary(true).file(header).size() + 16);
-  EXPECT_EQ(error_of(body.file(header)),
+  EXPECT_EQ(error_of_ply(body.file(header)),
             "a.ply: at byte " + start + ": the y coordinate is not finite; export the mesh again");
 
   Binary good(false);
   for (int i = 0; i < 9; ++i) good.add(1.0f);
   const std::string corners_at = std::to_string(Binary(false).file(header).size() + 37);
-  EXPECT_TRUE(error_of(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(3).file(header))
+  EXPECT_TRUE(error_of_ply(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(3).file(header))
                   .find("face 0 names vertex 3, but there are 3; ") != std::string::npos);
-  EXPECT_EQ(error_of(Binary(good).add(std::uint8_t{255}).add(0).add(1).add(2).file(header)),
+  EXPECT_EQ(error_of_ply(Binary(good).add(std::uint8_t{255}).add(0).add(1).add(2).file(header)),
             "a.ply: at byte " + corners_at + ": the file is too short for a list of 255 values; export the mesh again");
-  EXPECT_TRUE(error_of(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(2).add(7).file(header))
+  EXPECT_TRUE(error_of_ply(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(2).add(7).file(header))
                   .find("there is more in the file than its header announces; ") != std::string::npos);
-  EXPECT_EQ(error_of(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(2).add('\n').file(header)), "");
+  EXPECT_EQ(error_of_ply(Binary(good).add(std::uint8_t{3}).add(0).add(1).add(2).add('\n').file(header)), "");
 }
 
 TEST(Ply, EveryTruncationIsAnError) {
@@ -201,7 +201,7 @@ TEST(Ply, EveryTruncationIsAnError) {
        {with_one_face("4 0 1 2 3"), body.file("element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                                               "element face 1\nproperty list uchar int vertex_indices\n")})
     for (std::size_t size = 0; size < whole.size(); ++size)
-      EXPECT_TRUE(error_of(whole.substr(0, size)).starts_with("a.ply:")) << size;
+      EXPECT_TRUE(error_of_ply(whole.substr(0, size)).starts_with("a.ply:")) << size;
 }
 
 }  // namespace

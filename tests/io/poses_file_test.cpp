@@ -14,7 +14,7 @@ using test::bytes_of;
 using test::message_of;
 
 std::vector<PairQuery> poses(const std::string& text) { return io::parse_poses(bytes_of(text), "p.txt"); }
-std::string error_of(const std::string& text) {
+std::string error_of_poses(const std::string& text) {
   return message_of([&] { (void)poses(text); });
 }
 
@@ -66,12 +66,12 @@ TEST(PosesFile, EveryErrorNamesFileAndLine) {
       {"1 0 0 0 1 0 0 0 1 0 0 0;\n", "p.txt:1: the number \"0;\" is not a finite decimal number; "},
       {std::string("1 0\0 0", 6), "p.txt: this is binary data where text was expected; "},
   };
-  for (const auto& [text, message] : cases) EXPECT_EQ(error_of(text).substr(0, message.size()), message) << text;
+  for (const auto& [text, message] : cases) EXPECT_EQ(error_of_poses(text).substr(0, message.size()), message) << text;
 }
 
 TEST(PosesFile, IsReadFromAFile) {
   const test::TemporaryFolder folder;
-  const auto path = folder.file("poses.txt", identity + "\n" + identity + "\n");
+  const auto path = folder.write("poses.txt", identity + "\n" + identity + "\n");
   EXPECT_EQ(read_poses(path).size(), 2U);
   const std::string missing = message_of([&] { (void)read_poses(folder / "none.txt"); });
   EXPECT_NE(missing.find("none.txt: there is no such file"), std::string::npos) << missing;

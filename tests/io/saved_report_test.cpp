@@ -77,7 +77,7 @@ std::string report_of(const Asked& asked) {
 TEST(SavedReport, SaysWhatWasAskedToTheBit) {
   const TemporaryFolder folder;
   const Asked asked = everything_asked();
-  const SavedReport saved = read_report(folder.file("report.json", report_of(asked)));
+  const SavedReport saved = read_report(folder.write("report.json", report_of(asked)));
   EXPECT_EQ(saved.asked.folder, asked.folder);
   ASSERT_EQ(saved.asked.files.size(), 2U);
   EXPECT_EQ(saved.asked.files[0].name, "a.stl");
@@ -96,7 +96,7 @@ TEST(SavedReport, SaysWhatWasAskedToTheBit) {
 TEST(SavedReport, WhatIsNoneIsRefused) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {
-    return message_of([&] { (void)read_report(folder.file("report.json", text)); });
+    return message_of([&] { (void)read_report(folder.write("report.json", text)); });
   };
   const std::string whole = report_of(everything_asked());
   const std::string older = whole.substr(0, whole.find(",\n  \"asked\"")) + "\n}\n";
@@ -113,8 +113,8 @@ TEST(SavedReport, WhatIsNoneIsRefused) {
   EXPECT_NE(replaced("\"solid\":\"none\"", "\"solid\":\"no\"").find("/asked/solid"), std::string::npos);
   EXPECT_NE(replaced("\"first_objects\"", "\"objects\"").find("/asked/query"), std::string::npos);
   EXPECT_NE(replaced("\"folder\"", "\"floder\"").find("floder"), std::string::npos);
-  EXPECT_TRUE(is_report(folder.file("report.json", whole)));
-  EXPECT_FALSE(is_report(folder.file("scene.json", "{\"format\": \"toccata-scene\"}")));
+  EXPECT_TRUE(is_report(folder.write("report.json", whole)));
+  EXPECT_FALSE(is_report(folder.write("scene.json", "{\"format\": \"toccata-scene\"}")));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using test::bytes_of;
 using test::message_of;
 
 TriangleMesh stl(const std::string& text) { return parse_stl(bytes_of(text), "a.stl"); }
-std::string error_of(const std::string& text) {
+std::string error_of_stl(const std::string& text) {
   return message_of([&] { static_cast<void>(stl(text)); });
 }
 
@@ -116,13 +116,13 @@ TEST(Stl, EveryErrorNamesThePlace) {
       {std::string(80, 'x') + "\xFF\xFF\xFF\xFF" + std::string(900, 'x'),
        "a.stl: at byte 80: a binary STL file with 4294967295 facets is announced, "},
   };
-  for (const auto& [text, message] : cases) EXPECT_EQ(error_of(text).substr(0, message.size()), message) << text;
+  for (const auto& [text, message] : cases) EXPECT_EQ(error_of_stl(text).substr(0, message.size()), message) << text;
 }
 
 TEST(Stl, EveryTruncationIsAnError) {
   for (const std::string& whole : {"solid x\n" + facet + "endsolid", binary(two_facets)})
     for (std::size_t size = 0; size < whole.size(); ++size)
-      EXPECT_TRUE(error_of(whole.substr(0, size)).starts_with("a.stl:")) << size;
+      EXPECT_TRUE(error_of_stl(whole.substr(0, size)).starts_with("a.stl:")) << size;
 }
 
 }  // namespace

@@ -26,14 +26,16 @@ std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh) {
 }
 
 std::shared_ptr<const TriangleMesh> knot() { return shared(generate_mesh("torus-knot")); }
-std::shared_ptr<const TriangleMesh> ball() { return shared(generate_mesh("noise-sphere", {{"subdivisions", 1}})); }
+std::shared_ptr<const TriangleMesh> noisy_ball() {
+  return shared(generate_mesh("noise-sphere", {{"subdivisions", 1}}));
+}
 
 /// The pairs of triangles that meet.
 std::vector<ItemPair> contacts_with_ball(const Model& model) {
   PairQuery query;
   query.pose_b = Pose::translation(0.9, 0.1, 0);
   std::vector<ItemPair> pairs;
-  for (const Contact& contact : contacts(model, Model(ball()), query))
+  for (const Contact& contact : contacts(model, Model(noisy_ball()), query))
     pairs.push_back({contact.triangle_a, contact.triangle_b});
   return pairs;
 }
@@ -47,7 +49,7 @@ std::string with_checksum(std::string bytes) {
 
 TEST(TreeFile, WhatIsLoadedIsWhatWasBuilt) {
   const TemporaryFolder folder;
-  for (const auto& mesh : {ball(), knot(), shared(generate_mesh("noise-sphere", {{"subdivisions", 6}}))}) {
+  for (const auto& mesh : {noisy_ball(), knot(), shared(generate_mesh("noise-sphere", {{"subdivisions", 6}}))}) {
     const Model built(mesh);
     save_tree(built, folder / "mesh.tree");
     const Model loaded = load_model(shared(TriangleMesh(*mesh)), folder / "mesh.tree");
@@ -59,7 +61,7 @@ TEST(TreeFile, WhatIsLoadedIsWhatWasBuilt) {
 
 TEST(TreeFile, ATreeThatWasRefittedIsSavedAsItIs) {
   const TemporaryFolder folder;
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   std::vector<Vec3> vertices(mesh->vertices().begin(), mesh->vertices().end());
   for (Vec3& v : vertices) v.x += 0.1 * v.y * v.z;
   Model model(mesh);
@@ -71,13 +73,13 @@ TEST(TreeFile, ATreeThatWasRefittedIsSavedAsItIs) {
 }
 
 TEST(TreeFile, ItsChecksumIsWhereItSays) {
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
   EXPECT_EQ(with_checksum(bytes), bytes);
 }
 
 TEST(TreeFile, AnyDamagedByteIsSeen) {
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
   for (std::size_t i = 0; i < bytes.size(); ++i)
     for (const int change : {0x01, 0x80}) {
@@ -90,7 +92,7 @@ TEST(TreeFile, AnyDamagedByteIsSeen) {
 }
 
 TEST(TreeFile, DamageThatTheChecksumHidesIsRefusedOrHarmless) {
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const Model built(mesh);
   const std::string bytes = io::tree_bytes(built.wide_tree(), *mesh);
   const auto right = contacts_with_ball(built);
@@ -110,7 +112,7 @@ TEST(TreeFile, DamageThatTheChecksumHidesIsRefusedOrHarmless) {
 }
 
 TEST(TreeFile, AFileCutShortAnywhereIsRefused) {
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::string text = bytes.substr(0, size);
@@ -121,13 +123,13 @@ TEST(TreeFile, AFileCutShortAnywhereIsRefused) {
 
 TEST(TreeFile, ATreeOfAnotherMeshIsRefusedAndBothAreNamed) {
   const TemporaryFolder folder;
-  save_tree(Model(ball()), folder / "ball.tree");
+  save_tree(Model(noisy_ball()), folder / "ball.tree");
   const auto message = [&](const TriangleMesh& mesh) {
     return message_of([&] { static_cast<void>(load_model(shared(mesh), folder / "ball.tree")); });
   };
   EXPECT_NE(message(*knot()).find("of one of 80 triangles"), std::string::npos) << message(*knot());
   EXPECT_NE(message(*knot()).find("ball.tree"), std::string::npos);
-  const auto own = ball();
+  const auto own = noisy_ball();
   std::vector<Vec3> vertices(own->vertices().begin(), own->vertices().end());
   const std::vector<std::array<Index, 3>> triangles(own->triangles().begin(), own->triangles().end());
   EXPECT_EQ(message(TriangleMesh(vertices, triangles)), "");
@@ -150,17 +152,17 @@ TEST(TreeFile, MinusZeroIsZero) {
 
 TEST(TreeFile, BadInputIsToldByName) {
   const TemporaryFolder folder;
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const auto message = [&](const std::filesystem::path& path) {
     return message_of([&] { static_cast<void>(load_model(mesh, path)); });
   };
   EXPECT_NE(message(folder / "none.tree").find("no such file"), std::string::npos);
   EXPECT_NE(message(folder / ".").find("directory"), std::string::npos);
-  EXPECT_NE(message(folder.file("empty.tree", "")).find("empty"), std::string::npos);
-  EXPECT_NE(message(folder.file("a.obj", "v 0 0 0\n")).find("no tree file"), std::string::npos);
+  EXPECT_NE(message(folder.write("empty.tree", "")).find("empty"), std::string::npos);
+  EXPECT_NE(message(folder.write("a.obj", "v 0 0 0\n")).find("no tree file"), std::string::npos);
   std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
   bytes[8] = 2;
-  EXPECT_NE(message(folder.file("new.tree", bytes)).find("version 2"), std::string::npos);
+  EXPECT_NE(message(folder.write("new.tree", bytes)).find("version 2"), std::string::npos);
   EXPECT_THROW(static_cast<void>(load_model(nullptr, folder / "new.tree")), Error);
   EXPECT_THROW(save_tree(Model(mesh), folder / "no-folder" / "a.tree"), Error);
   EXPECT_THROW(save_tree(Model(Sphere(1)), folder / "a.tree"), Error);
@@ -174,13 +176,13 @@ std::string content_of(const std::filesystem::path& path) {
 
 TEST(TreeFile, NothingButATreeIsWrittenOver) {
   const TemporaryFolder folder;
-  const Model model(ball()), other(knot());
+  const Model model(noisy_ball()), other(knot());
   const auto refused = [&](const std::filesystem::path& path) { return message_of([&] { save_tree(model, path); }); };
-  folder.file("mesh.off", "OFF\n0 0 0\n");
+  folder.write("mesh.off", "OFF\n0 0 0\n");
   EXPECT_NE(refused(folder / "mesh.off").find("mesh.off: the file exists and is no tree file; choose another name"),
             std::string::npos);
   EXPECT_EQ(content_of(folder / "mesh.off"), "OFF\n0 0 0\n");
-  EXPECT_NE(refused(folder.file("empty", "")).find("no tree file"), std::string::npos);
+  EXPECT_NE(refused(folder.write("empty", "")).find("no tree file"), std::string::npos);
   std::filesystem::create_symlink("mesh.off", folder / "link.tree");
   EXPECT_NE(refused(folder / "link.tree").find("no tree file"), std::string::npos);
 
@@ -198,7 +200,7 @@ TEST(TreeFile, NothingButATreeIsWrittenOver) {
 
 TEST(TreeFile, LinksAreFollowed) {
   const TemporaryFolder folder;
-  const Model model(ball());
+  const Model model(noisy_ball());
   std::filesystem::create_directory(folder / "far");
   std::filesystem::create_symlink("far/next.tree", folder / "near.tree");
   std::filesystem::create_symlink("end.tree", folder / "far/next.tree");
@@ -212,7 +214,7 @@ TEST(TreeFile, LinksAreFollowed) {
 }
 
 TEST(TreeFile, AModelTakesOnlyATreeOfItsMesh) {
-  const auto mesh = ball();
+  const auto mesh = noisy_ball();
   const Model built(mesh);
   EXPECT_EQ(Model(mesh, built.wide_tree()).element_count(), built.element_count());
   const std::string message = message_of([&] { Model(knot(), built.wide_tree()); });

@@ -81,7 +81,7 @@ Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptio
   return page;
 }
 
-CheckOptions everything() {
+CheckOptions contacts_and_penetration() {
   CheckOptions options;
   options.contacts = true;
   options.penetration = true;
@@ -113,7 +113,7 @@ double largest_difference(const Vec3& a, const Vec3& b) {
 
 TEST(ViewPage, HoldsTheReportAndTheMeshes) {
   const Scene scene = gear_train();
-  const Page page = page_of(scene, everything());
+  const Page page = page_of(scene, contacts_and_penetration());
   EXPECT_EQ(page.header["format"], "toccata/view/2");
   EXPECT_EQ(page.report["schema"], "toccata/check/1");
   EXPECT_EQ(page.report["pairs"].size(), page.header["words"].size());
@@ -128,7 +128,7 @@ TEST(ViewPage, HoldsTheReportAndTheMeshes) {
 }
 
 TEST(ViewPage, ShowsWhereFacesMeet) {
-  const Page page = page_of(gear_train(), everything());
+  const Page page = page_of(gear_train(), contacts_and_penetration());
   ASSERT_EQ(page.report["pairs"].size(), 1U);
   const Json& pair = page.report["pairs"][0];
   std::size_t curves = 0, faces = 0;
@@ -188,7 +188,7 @@ TEST(ViewPage, EveryShapeIsDrawn) {
   add("rounded", Rounded(Box({1, 1, 1}), 0.25));
   const std::vector<CompoundPart> parts{{Box({1, 1, 1}), Pose{}}, {Sphere(1), Pose::translation(3, 0, 0)}};
   add("compound", Compound(parts));
-  const Page page = page_of(scene, everything());
+  const Page page = page_of(scene, contacts_and_penetration());
   for (const Json& layer : page.header["layers"])  // of shapes, the compound alone has several faces
     EXPECT_TRUE(layer["kind"] != "faces" || layer["object"] == 11);
   const std::vector<std::size_t> triangles{0, 0, 1, 2, 0, 0, 12, 0, 4, 2, 0, 0};
@@ -212,7 +212,7 @@ TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
   scene.objects.push_back({"a", Sphere(1), {}, Solid::automatic, "", {}, ""});
   scene.objects.push_back({"b", Sphere(1), Pose::translation(1.5, 0, 0), Solid::automatic, "", {}, ""});
   scene.objects.push_back({"c", Sphere(1), Pose::translation(0, 0, 5), Solid::automatic, "", {}, ""});
-  CheckOptions options = everything();
+  CheckOptions options = contacts_and_penetration();
   options.clearance = 3.1;
   const Page page = page_of(scene, options);
   std::vector<std::string> labels;
@@ -225,7 +225,7 @@ TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
 
 TEST(ViewPage, TinyHugeAndEmptyScenesFitTheFloats) {
   for (const double scale : {1e-150, 1.0, 1e150}) {
-    const Page page = page_of(boxes_sharing_half({scale, 0}), everything());
+    const Page page = page_of(boxes_sharing_half({scale, 0}), contacts_and_penetration());
     for (const Json& layer : page.header["layers"]) {
       if (layer["kind"] != "segments") continue;
       for (const float x : page.numbers<float>(layer["data"])) EXPECT_LE(std::abs(x), 1.0F) << scale;
@@ -263,7 +263,7 @@ TEST(ViewPage, LengthsBeyondTheDoublesAreNull) {
   Scene scene;
   scene.objects.push_back({"a", Sphere(1.7e308), {}, Solid::automatic, "", {}, ""});
   scene.objects.push_back({"b", Sphere(1.7e308), Pose::translation(1, 0, 0), Solid::automatic, "", {}, ""});
-  const Page page = page_of(scene, everything());
+  const Page page = page_of(scene, contacts_and_penetration());
   EXPECT_TRUE(page.report["pairs"][0]["penetration"]["upper"].is_null());
   std::size_t lengths = 0;
   for (const Json& layer : page.header["layers"]) {
@@ -276,7 +276,7 @@ TEST(ViewPage, LengthsBeyondTheDoublesAreNull) {
 }
 
 TEST(ViewPage, TellsHowEachThingWasFound) {
-  CheckOptions options = everything();
+  CheckOptions options = contacts_and_penetration();
   options.clearance = 0;
   const Page page = page_of(boxes_sharing_half({1, 0}), options);
   const auto method = [&](const char* question) {

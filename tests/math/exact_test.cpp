@@ -8,13 +8,14 @@
 #include <limits>
 #include <string>
 
+#include "math/extreme_doubles.hpp"
 #include "toccata/core/random.hpp"
 
 namespace toccata {
 namespace {
 
-constexpr double least = 5e-324;
-constexpr double largest = std::numeric_limits<double>::max();
+using test::largest;
+using test::least;
 
 double random_finite(Random& random) {
   for (;;) {

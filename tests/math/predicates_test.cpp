@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "math/extreme_doubles.hpp"
 #include "math/filter.hpp"
 #include "math/orientation_families.hpp"
 #include "math/stages.hpp"
@@ -13,16 +14,15 @@ namespace toccata {
 namespace {
 
 using test::FourPoints;
-
-constexpr double least = 5e-324;
-constexpr double largest = 0x1.fffffffffffffp1023;
+using test::largest;
+using test::least;
 
 Sign orientation(const FourPoints& p) { return orient3d(p[0], p[1], p[2], p[3]); }
 
 TEST(Orientation, CounterClockwiseIsPositive) {
-  EXPECT_EQ(orient2d({0, 0}, {1, 0}, {0, 1}), Sign::positive);
-  EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), Sign::positive);
-  EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}), Sign::negative);
+  EXPECT_EQ(orient2d(Vec2{0, 0}, {1, 0}, {0, 1}), Sign::positive);
+  EXPECT_EQ(orient3d(Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), Sign::positive);
+  EXPECT_EQ(orient3d(Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}), Sign::negative);
   EXPECT_EQ(triple_product_sign({{1, 0, 0}, {}}, {{0, 1, 0}, {}}, {{0, 0, 1}, {}}), Sign::positive);
 }
 
@@ -33,15 +33,15 @@ TEST(Orientation, DroppingAnAxisKeepsTheTurnSeenAgainstIt) {
 }
 
 TEST(Orientation, NegativeZeroEqualsZero) {
-  EXPECT_EQ(orient3d({0, 0, -0.0}, {1, 0, 0}, {0, 1, -0.0}, {5, 7, 0}), Sign::zero);
-  EXPECT_EQ(orient2d({-0.0, 0}, {0, -0.0}, {1, 1}), Sign::zero);
+  EXPECT_EQ(orient3d(Vec3{0, 0, -0.0}, {1, 0, 0}, {0, 1, -0.0}, {5, 7, 0}), Sign::zero);
+  EXPECT_EQ(orient2d(Vec2{-0.0, 0}, {0, -0.0}, {1, 1}), Sign::zero);
 }
 
 // In plain doubles all of these products are zero, and so would be the answer.
 TEST(Orientation, UnderflowIsNotZero) {
-  EXPECT_EQ(orient2d({0, 0}, {least, 0}, {0, least}), Sign::positive);
-  EXPECT_EQ(orient3d({0, 0, 0}, {least, 0, 0}, {0, least, 0}, {0, 0, -least}), Sign::negative);
-  EXPECT_EQ(orient3d({0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}, {1, 1, 1e-200}), Sign::positive);
+  EXPECT_EQ(orient2d(Vec2{0, 0}, {least, 0}, {0, least}), Sign::positive);
+  EXPECT_EQ(orient3d(Vec3{0, 0, 0}, {least, 0, 0}, {0, least, 0}, {0, 0, -least}), Sign::negative);
+  EXPECT_EQ(orient3d(Vec3{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}, {1, 1, 1e-200}), Sign::positive);
 }
 
 // Here the products that underflow are multiplied by a huge number and decide against the one that does not.
@@ -55,11 +55,11 @@ TEST(Orientation, UnderflowTimesAHugeNumberStillCounts) {
 // differences were rounded too.
 TEST(Orientation, UnderflowDoesNotTurnTheSign) {
   const double above = 0x1.0000000000001p-537;
-  EXPECT_EQ(orient2d({0x1p-591, 0x1p-590}, {above, above}, {above / 2, above / 2}), Sign::negative);
+  EXPECT_EQ(orient2d(Vec2{0x1p-591, 0x1p-590}, {above, above}, {above / 2, above / 2}), Sign::negative);
 }
 
 TEST(Orientation, OverflowIsNotAnAnswer) {
-  EXPECT_EQ(orient2d({-largest, -largest}, {largest, -largest}, {-largest, largest}), Sign::positive);
+  EXPECT_EQ(orient2d(Vec2{-largest, -largest}, {largest, -largest}, {-largest, largest}), Sign::positive);
   const FourPoints corner{{{-largest, -largest, -largest},
                            {largest, -largest, -largest},
                            {-largest, largest, -largest},
@@ -74,9 +74,9 @@ TEST(Orientation, OverflowIsNotAnAnswer) {
 
 TEST(Orientation, AnUlpFarAwayIsSeen) {
   const double x = 1e15, next = std::nextafter(x, 1e16);
-  EXPECT_EQ(orient3d({x, x, x}, {x + 1, x, x}, {x, x + 1, x}, {x + 7, x - 3, x}), Sign::zero);
-  EXPECT_EQ(orient3d({x, x, x}, {x + 1, x, x}, {x, x + 1, x}, {x + 7, x - 3, next}), Sign::positive);
-  EXPECT_EQ(orient2d({x, x}, {x + 1, x + 1}, {x + 2, std::nextafter(x + 2, 0)}), Sign::negative);
+  EXPECT_EQ(orient3d(Vec3{x, x, x}, {x + 1, x, x}, {x, x + 1, x}, {x + 7, x - 3, x}), Sign::zero);
+  EXPECT_EQ(orient3d(Vec3{x, x, x}, {x + 1, x, x}, {x, x + 1, x}, {x + 7, x - 3, next}), Sign::positive);
+  EXPECT_EQ(orient2d(Vec2{x, x}, {x + 1, x + 1}, {x + 2, std::nextafter(x + 2, 0)}), Sign::negative);
 }
 
 TEST(Orientation, EveryPermutationHasItsSign) {

@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> kinds = {"point", "segment", "triangle", "sphere", "box", "capsule"};
 
-std::string fault_of(const ConvexCase& pair, Random&) {
+std::string fault_of_closed_forms(const ConvexCase& pair, Random&) {
   const PosedConvex a = posed(pair.a), b = posed(pair.b);
   const bool meet = oracle::overlap(set_of(pair.a), set_of(pair.b));
   const Nearness found = nearness_by_formula(a, b);
@@ -32,7 +32,7 @@ std::string fault_of(const ConvexCase& pair, Random&) {
 }
 
 SweepResult run_closed_forms(const std::string& cell, std::uint64_t seed, std::uint64_t cases) {
-  return run_cell(cell, seed, cases, fault_of);
+  return run_cell(cell, seed, cases, fault_of_closed_forms);
 }
 
 const bool closed_forms_known = register_sweep(

@@ -11,7 +11,7 @@ const std::vector<std::string> solid_kinds{"sphere",      "box",           "caps
                                            "needle-hull", "rounded-point", "rounded-segment", "rounded-triangle",
                                            "rounded-box", "rounded-hull"};
 
-bool same_but_flipped(const Penetration& p, const Penetration& q) {
+bool same_seen_from_b(const Penetration& p, const Penetration& q) {
   return p.lower == q.lower && p.upper == q.upper && p.direction == -q.direction && p.on_a == q.on_b &&
          p.on_b == q.on_a;
 }
@@ -26,12 +26,12 @@ std::string check_convex_penetration(const ConvexCase& pair, Random&) {
   const Penetration by_expansion = penetration_by_expansion(a, b);
   const std::string wrong = wrong_with(by_expansion, set_a, set_b, depth, size);
   if (!wrong.empty()) return "by expansion: " + wrong;
-  if (!same_shapes(set_a, set_b) && !same_but_flipped(by_expansion, penetration_by_expansion(b, a)))
+  if (!same_shapes(set_a, set_b) && !same_seen_from_b(by_expansion, penetration_by_expansion(b, a)))
     return "by expansion: exchanged";
   const Penetration by_axes = penetration_by_separating_axes(a, b);
   const std::string wrong_by_axes = wrong_with(by_axes, set_a, set_b, depth, size);
   if (!wrong_by_axes.empty()) return "by separating axes: " + wrong_by_axes;
-  if (!same_shapes(set_a, set_b) && !same_but_flipped(by_axes, penetration_by_separating_axes(b, a)))
+  if (!same_shapes(set_a, set_b) && !same_seen_from_b(by_axes, penetration_by_separating_axes(b, a)))
     return "by separating axes: exchanged";
   return "";
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -17,7 +18,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most = std::numeric_limits<double>::max();
 
 void expect_refused(const std::string& words, const std::function<void()>& make) {
@@ -158,7 +158,7 @@ TEST(PosedConvex, RoundShapesHaveTheTopologyOfTheirCore) {
 
 TEST(PosedConvex, PosesMustBeFinite) {
   Pose bad;
-  bad.linear[1][2] = infinity;
+  bad.linear[1][2] = HUGE_VAL;
   expect_refused("the point: the pose", [&] { static_cast<void>(PosedConvex(Point{}, bad)); });
   expect_refused("the sphere: the pose", [&] { static_cast<void>(PosedConvex(Sphere{1}, bad)); });
   expect_refused("not finite", [&] { static_cast<void>(PosedConvex(Box{{1, 1, 1}}, bad)); });

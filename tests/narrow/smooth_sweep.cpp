@@ -24,7 +24,7 @@ double largest_of(const oracle::FinePoint& v) {
 }
 
 /// How large the pair is, seen from A: what undecided is measured with.
-double size_of(const oracle::FineSet& a, const oracle::FineSet& b) {
+double size_of_both(const oracle::FineSet& a, const oracle::FineSet& b) {
   double largest = b.radius.convert_to<double>();
   for (const oracle::FineSet* set : {&a, &b})
     for (const auto& axis : set->axis) largest = std::max(largest, largest_of(axis));
@@ -61,7 +61,7 @@ std::string check_pair(const PlacedSmooth& placed_a, const B& placed_b) {
   if (overlap(a, b) != (contact != SmoothContact::apart) || smooth_contact(b, a) != contact) return "overlap";
   const oracle::FineSet set_a = fine_set(placed_a), set_b = fine_set(placed_b);
   const oracle::FineNearness truth = oracle::fine_nearness(set_a, set_b, 1e-14, 400);
-  return fault_of(d, contact, truth, size_of(set_a, set_b));
+  return fault_of(d, contact, truth, size_of_both(set_a, set_b));
 }
 
 std::string text_of(const PlacedSmooth& placed) {

@@ -11,9 +11,9 @@
 namespace toccata::oracle {
 namespace {
 
-using test::box_mesh;
+using test::box_between;
 
-const TriangleMesh unit_box = box_mesh({0, 0, 0}, {1, 1, 1});
+const TriangleMesh unit_box = box_between({0, 0, 0}, {1, 1, 1});
 
 MeshSet solid(const TriangleMesh& mesh, const Pose& pose = {}) { return solid_set(mesh, pose); }
 MeshSet surface(const TriangleMesh& mesh, const Pose& pose = {}) { return surface_set(mesh, pose); }
@@ -62,15 +62,15 @@ TEST(OracleMeshes, RelationsOfBoxes) {
   EXPECT_EQ(both_ways(box, solid(unit_box, Pose::translation(0.5, 0, 0))), overlapping());
   EXPECT_EQ(both_ways(box, solid(unit_box, Pose::translation(0.5, 0.5, 0.5))), overlapping());
   EXPECT_EQ(both_ways(box, solid(unit_box)), overlapping(Containment::equal));
-  EXPECT_EQ(both_ways(box, solid(box_mesh({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), overlapping(Containment::b_in_a));
-  EXPECT_EQ(both_ways(box, solid(box_mesh({0, 0, 0}, {1, 1, 0.5}))), overlapping(Containment::b_in_a));
-  EXPECT_EQ(both_ways(box, solid(box_mesh({0.25, 0, 0.25}, {0.5, 1, 0.5}))), overlapping(Containment::b_in_a));
+  EXPECT_EQ(both_ways(box, solid(box_between({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), overlapping(Containment::b_in_a));
+  EXPECT_EQ(both_ways(box, solid(box_between({0, 0, 0}, {1, 1, 0.5}))), overlapping(Containment::b_in_a));
+  EXPECT_EQ(both_ways(box, solid(box_between({0.25, 0, 0.25}, {0.5, 1, 0.5}))), overlapping(Containment::b_in_a));
 }
 
 TEST(OracleMeshes, AlignedHalvesOverlapWithoutCrossingFaces) {
   const MeshSet box = solid(unit_box);
   const MeshSet shifted = solid(unit_box, Pose::translation(0.5, 0, 0));
-  EXPECT_FALSE(surfaces_cross(solid(box_mesh({0, 0, 0}, {1, 1, 1})), solid(box_mesh({0, 0, 0}, {1, 1, 0.5}))));
+  EXPECT_FALSE(surfaces_cross(solid(box_between({0, 0, 0}, {1, 1, 1})), solid(box_between({0, 0, 0}, {1, 1, 0.5}))));
   EXPECT_EQ(both_ways(box, shifted).kind, RelationKind::overlapping);
 }
 
@@ -85,7 +85,7 @@ TEST(OracleMeshes, InsideOutAndMirroredSolidsAreSolids) {
 }
 
 TEST(OracleMeshes, WindingNumbers) {
-  const MeshSet shells = solid(joined(unit_box, box_mesh({0.25, 0.25, 0.25}, {2, 2, 2})));
+  const MeshSet shells = solid(joined(unit_box, box_between({0.25, 0.25, 0.25}, {2, 2, 2})));
   EXPECT_EQ(locate(exact(Vec3{0.125, 0.125, 0.125}), shells), (Location{false, 1}));
   EXPECT_EQ(locate(exact(Vec3{0.5, 0.5, 0.5}), shells), (Location{false, 2}));
   EXPECT_EQ(locate(exact(Vec3{1.5, 1.5, 1.5}), shells), (Location{false, 1}));
@@ -98,19 +98,20 @@ TEST(OracleMeshes, WindingNumbers) {
 }
 
 TEST(OracleMeshes, AHollowSolidHoldsWhatIsInItsWallOnly) {
-  const MeshSet hollow = solid(joined(box_mesh({0, 0, 0}, {4, 4, 4}), inverted_box_mesh({1, 1, 1}, {3, 3, 3})));
-  EXPECT_EQ(both_ways(hollow, solid(box_mesh({1.5, 1.5, 1.5}, {2, 2, 2}))), apart);
-  EXPECT_EQ(both_ways(hollow, solid(box_mesh({1, 1, 1}, {3, 3, 3}))), touching);
-  EXPECT_EQ(both_ways(hollow, solid(box_mesh({0.5, 0.5, 0.5}, {3.5, 3.5, 3.5}))), overlapping());
-  EXPECT_EQ(both_ways(hollow, solid(box_mesh({0, 0, 0}, {1, 1, 1}))), overlapping(Containment::b_in_a));
-  EXPECT_EQ(both_ways(hollow, solid(box_mesh({0, 0, 0}, {4, 4, 4}))), overlapping(Containment::a_in_b));
+  const MeshSet hollow = solid(joined(box_between({0, 0, 0}, {4, 4, 4}), inverted_box_mesh({1, 1, 1}, {3, 3, 3})));
+  EXPECT_EQ(both_ways(hollow, solid(box_between({1.5, 1.5, 1.5}, {2, 2, 2}))), apart);
+  EXPECT_EQ(both_ways(hollow, solid(box_between({1, 1, 1}, {3, 3, 3}))), touching);
+  EXPECT_EQ(both_ways(hollow, solid(box_between({0.5, 0.5, 0.5}, {3.5, 3.5, 3.5}))), overlapping());
+  EXPECT_EQ(both_ways(hollow, solid(box_between({0, 0, 0}, {1, 1, 1}))), overlapping(Containment::b_in_a));
+  EXPECT_EQ(both_ways(hollow, solid(box_between({0, 0, 0}, {4, 4, 4}))), overlapping(Containment::a_in_b));
 }
 
 TEST(OracleMeshes, FacesInsideASolidDoNotSplitWhatItHolds) {
   // Two boxes that share a slab, as one solid; its union is a box.
-  const MeshSet shells = solid(joined(box_mesh({0, 0, 0}, {2, 1, 1}), box_mesh({1, 0, 0}, {3, 1, 1})));
-  EXPECT_EQ(both_ways(shells, solid(box_mesh({0, 0, 0}, {3, 1, 1}))), overlapping(Containment::equal));
-  EXPECT_EQ(both_ways(shells, solid(box_mesh({0.5, 0.25, 0.25}, {2.5, 0.5, 0.5}))), overlapping(Containment::b_in_a));
+  const MeshSet shells = solid(joined(box_between({0, 0, 0}, {2, 1, 1}), box_between({1, 0, 0}, {3, 1, 1})));
+  EXPECT_EQ(both_ways(shells, solid(box_between({0, 0, 0}, {3, 1, 1}))), overlapping(Containment::equal));
+  EXPECT_EQ(both_ways(shells, solid(box_between({0.5, 0.25, 0.25}, {2.5, 0.5, 0.5}))),
+            overlapping(Containment::b_in_a));
   // A sheet in a plane where a face lies inside the solid is on its boundary there.
   const MeshSet sheet = surface(single_triangle({1, 0.25, 0.25}, {1, 0.5, 0.25}, {1, 0.25, 0.5}));
   EXPECT_EQ(both_ways(sheet, shells), touching);
@@ -133,12 +134,12 @@ TEST(OracleMeshes, SurfacesAndSolids) {
   EXPECT_EQ(both_ways(surface(single_triangle({-1, 0.5, 0.5}, {2, 0.5, 0.5}, {2, 0.5, 0.5})), box), crossing());
   EXPECT_EQ(both_ways(surface(single_triangle({2, 0.5, 0.5}, {3, 0.5, 0.5}, {3, 3, 0.5})), box), apart);
   EXPECT_EQ(both_ways(surface(unit_box), box), touching);
-  EXPECT_EQ(both_ways(surface(box_mesh({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5})), box), crossing(Containment::a_in_b));
+  EXPECT_EQ(both_ways(surface(box_between({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5})), box), crossing(Containment::a_in_b));
 }
 
 TEST(OracleMeshes, Surfaces) {
   const MeshSet box = surface(unit_box);
-  EXPECT_EQ(both_ways(box, surface(box_mesh({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), apart);
+  EXPECT_EQ(both_ways(box, surface(box_between({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), apart);
   EXPECT_EQ(both_ways(box, surface(unit_box)), surfaces_touching);
   EXPECT_EQ(both_ways(box, surface(unit_box, Pose::translation(0.5, 0.25, 0.125))), crossing());
   // An edge through a quad exactly along its diagonal only touches: the faces are the triangles.
@@ -163,8 +164,8 @@ TEST(OracleMeshes, PairsAscendAndSwap) {
 TEST(OracleMeshes, Distances) {
   const MeshSet box = solid(unit_box);
   EXPECT_EQ(squared_distance(box, solid(unit_box, Pose::translation(4, 5, 0))), 25);
-  EXPECT_EQ(squared_distance(box, solid(box_mesh({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), 0);
-  EXPECT_EQ(squared_distance(surface(unit_box), surface(box_mesh({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))),
+  EXPECT_EQ(squared_distance(box, solid(box_between({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))), 0);
+  EXPECT_EQ(squared_distance(surface(unit_box), surface(box_between({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}))),
             Rational(1, 16));
 }
 
@@ -203,7 +204,7 @@ TEST(OracleMeshes, RandomBoxesAgreeWithTheirCoordinates) {
     Relation expected = deep == 3 ? overlapping() : shallow == 3 ? touching : apart;
     if (a_in_b || b_in_a)
       expected.containment = a_in_b && b_in_a ? Containment::equal : a_in_b ? Containment::a_in_b : Containment::b_in_a;
-    EXPECT_EQ(both_ways(solid(box_mesh(low, high)), solid(box_mesh({}, other_high))), expected)
+    EXPECT_EQ(both_ways(solid(box_between(low, high)), solid(box_between({}, other_high))), expected)
         << "seed " << seed << " round " << round;
   }
 }

@@ -20,6 +20,8 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+Vec3 rounded(const RationalPoint& p) { return {p.x.to_double(), p.y.to_double(), p.z.to_double()}; }
+
 bool is_zero(const RationalPoint& a) { return a.x.is_zero() && a.y.is_zero() && a.z.is_zero(); }
 
 RationalPoint centroid(const std::vector<RationalPoint>& points) {

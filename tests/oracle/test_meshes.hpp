@@ -5,9 +5,9 @@
 
 namespace toccata::oracle {
 
-/// `test::box_mesh` with every triangle turned round: it winds −1 times around its inside.
+/// `test::box_between` with every triangle turned round: it winds −1 times around its inside.
 inline TriangleMesh inverted_box_mesh(const Vec3& lower, const Vec3& upper) {
-  const TriangleMesh box = test::box_mesh(lower, upper);
+  const TriangleMesh box = test::box_between(lower, upper);
   std::vector<std::array<Index, 3>> triangles;
   for (const auto& [i, j, k] : box.triangles()) triangles.push_back({i, k, j});
   return TriangleMesh({box.vertices().begin(), box.vertices().end()}, std::move(triangles));

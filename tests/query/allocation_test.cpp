@@ -115,7 +115,7 @@ TEST(Allocation, AWarmWorkspaceAnswersWithoutOnTwoThreads) {
 }
 
 TEST(Allocation, AWarmWorkspaceAnswersWithoutForMeshesInSpecialPosition) {
-  const Model box(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model box(test::box_between({0, 0, 0}, {1, 1, 1}));
   expect_none_when_warm("overlap", [&](Workspace& w) { EXPECT_TRUE(overlap(box, box, {}, w)); });
   expect_none_when_warm("contacts", [&](Workspace& w) { EXPECT_GT(contacts(box, box, {}, w).size(), 12U); });
 }

@@ -54,7 +54,7 @@ TEST(Batch, AnswersAsTheSingleQuestionsForAnyNumberOfThreads) {
 }
 
 TEST(Batch, SolidsAreTakenAsEachQuerySays) {
-  const Model box(test::box_mesh({0, 0, 0}, {1, 1, 1})), small(test::box_mesh({0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}));
+  const Model box(test::box_between({0, 0, 0}, {1, 1, 1})), small(test::box_between({0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}));
   const std::vector<PairQuery> queries{{}, {.solid_a = Solid::none}};
   EXPECT_EQ(overlap_each(box, small, queries), (std::vector<bool>{true, false}));
   EXPECT_EQ(relation_each(box, small, queries)[0].containment, Containment::b_in_a);

@@ -81,10 +81,10 @@ TEST(Boundaries, OfSurfacesHoldNothing) {
 
 /// The surface of a compound is that of all its parts; a point is inside when it is inside some part.
 TEST(Boundaries, OfACompoundAreThoseOfItsParts) {
-  const TriangleMesh shell = test::box_mesh({-4, -4, -4}, {4, 4, 4});
+  const TriangleMesh shell = test::box_between({-4, -4, -4}, {4, 4, 4});
   std::vector<std::array<Index, 3>> lidless(shell.triangles().begin() + 2, shell.triangles().end());
   const std::vector<CompoundPart> parts{
-      {std::make_shared<const TriangleMesh>(test::box_mesh({0, 0, 0}, {2, 2, 2})), {}},
+      {std::make_shared<const TriangleMesh>(test::box_between({0, 0, 0}, {2, 2, 2})), {}},
       {Sphere(1), Pose::translation(2, 1, 1)},
       {Box({1, 1, 1}), Pose::translation(20, 0, 0)}};
   const Model model((Compound(parts)));

@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-Model unit_box() { return Model(test::box_mesh({0, 0, 0}, {1, 1, 1})); }
+Model unit_box() { return Model(test::box_between({0, 0, 0}, {1, 1, 1})); }
 
 Posed posed(const Model& model, double x, const std::string& name = "", const std::string& group = "") {
   return {model, Pose::translation(x, 0, 0), Solid::automatic, name, group};

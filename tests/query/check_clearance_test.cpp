@@ -12,13 +12,11 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Posed at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
 
 /// A ground, shapes of all kinds over it, some of them in a group.
 std::vector<Posed> shelf() {
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1})), ball(icosphere_mesh(1, 2));
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1})), ball(icosphere_mesh(1, 2));
   const std::vector<CompoundPart> parts{{Sphere{0.5}, {}}, {Sphere{0.5}, Pose::translation(0, 0, 3)}};
   const Model pair{Compound(parts)};
   std::vector<Posed> models{at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
@@ -34,7 +32,7 @@ std::vector<Posed> shelf() {
 
 TEST(CheckClearance, TellsThePairsThatAreAsNear) {
   const std::vector<Posed> models = shelf();
-  for (const double clearance : {0.0, 0.25, std::nextafter(0.25, 0.0), 1.0, 2.5, infinity}) {
+  for (const double clearance : {0.0, 0.25, std::nextafter(0.25, 0.0), 1.0, 2.5, HUGE_VAL}) {
     SCOPED_TRACE(clearance);
     const CheckAnswer answer = check_all(models, {.clearance = clearance, .threads = 2});
     std::size_t next = 0;
@@ -54,7 +52,7 @@ TEST(CheckClearance, TellsThePairsThatAreAsNear) {
 }
 
 TEST(CheckClearance, ThatIsExactlyTheDistanceCounts) {
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const double gap = 0x1p-40;
   const std::vector<Posed> models{at(cube, 0, 0, 0), at(cube, 2 + gap, 0, 0)};
   EXPECT_EQ(check_all(models, {.clearance = gap}).pairs.size(), 1U);
@@ -66,7 +64,7 @@ TEST(CheckClearance, ThatIsExactlyTheDistanceCounts) {
 TEST(CheckClearance, WithinTheIntervalOfASmoothShapeIsUndecided) {
   const Model egg(Ellipsoid({1, 2, 3})), cone(Cone(1, 2)), box(Box({1, 1, 1}));
   const std::vector<CompoundPart> parts{{Sphere{0.1}, Pose::translation(9, 9, 9)}, {Cone{1, 2}, {}}};
-  for (const Model& other : {cone, egg, Model{Compound(parts)}, Model(test::box_mesh({-1, -1, -1}, {1, 1, 1}))}) {
+  for (const Model& other : {cone, egg, Model{Compound(parts)}, Model(test::box_between({-1, -1, -1}, {1, 1, 1}))}) {
     const std::vector<Posed> models{at(egg, 0, 0, 0), at(other, 4, 3, 2)};
     const Distance apart = distance(egg, other, {{}, models[1].pose});
     ASSERT_LT(apart.lower, apart.upper);
@@ -97,7 +95,7 @@ TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
   EXPECT_EQ(told(1, {{1, 0, 0.5}}), (Pairs{}));
   EXPECT_EQ(told(0, {{2, 1, 3}}), (Pairs{{1, 2}}));
   EXPECT_EQ(told(1, {{0, 2, 2}, {2, 0, 2}}), (Pairs{{0, 1}, {0, 2}}));
-  EXPECT_EQ(told(infinity, {}).size(), 3U);
+  EXPECT_EQ(told(HUGE_VAL, {}).size(), 3U);
 }
 
 TEST(CheckClearance, ContactHasADistanceUnderEveryLength) {
@@ -123,11 +121,11 @@ TEST(CheckClearance, CandidatesAreNearByTheClearanceOfThePair) {
   };
   EXPECT_EQ(candidates(0, {}), 0U);
   EXPECT_EQ(candidates(0, {{0, 2, 38}}), 1U);
-  EXPECT_EQ(candidates(0, {{2, 0, infinity}}), 1U);
+  EXPECT_EQ(candidates(0, {{2, 0, HUGE_VAL}}), 1U);
   EXPECT_EQ(candidates(2, {{0, 2, 38}}), 2U);
   EXPECT_EQ(candidates(2, {{0, 2, 37}}), 1U);
   EXPECT_EQ(candidates(2, {{0, 1, 1}}), 0U);
-  EXPECT_EQ(candidates(infinity, {{0, 1, 1}}), 2U);
+  EXPECT_EQ(candidates(HUGE_VAL, {{0, 1, 1}}), 2U);
 }
 
 std::string error_of(const std::vector<Posed>& models, const std::vector<PairClearance>& of_pairs) {
@@ -171,7 +169,7 @@ TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
 
 TEST(CheckClearance, RefusesWhatIsNoLengthAndPairsThatAreNot) {
   const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0)};
-  for (const double wrong : {-1.0, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double wrong : {-1.0, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(static_cast<void>(check_all(models, {.clearance = wrong})), Error);
     EXPECT_THROW(static_cast<void>(check_all(models, {.pair_clearances = {{0, 1, wrong}}})), Error);
   }

@@ -33,7 +33,7 @@ Pose snapped_pose(Random& random, std::uint64_t halves) {
 /// Instances of three meshes: a box, a tetrahedron and a sphere-like surface, in a cube of this size.
 std::vector<Posed> instances(std::size_t count, double size, std::uint64_t seed) {
   Random random(seed);
-  const std::array models{Model(test::box_mesh({0, 0, 0}, {1, 0.5, 0.5})),
+  const std::array models{Model(test::box_between({0, 0, 0}, {1, 0.5, 0.5})),
                           Model(test::tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})),
                           Model(test::sphere_mesh(0.5, 2))};
   std::vector<Posed> posed;
@@ -93,7 +93,7 @@ TEST(CheckMany, FiveThousandInstancesOfThreeMeshesAsByBruteForce) {
 /// More pairs of one object than are looked at at once.
 TEST(CheckMany, OneObjectUnderAllOthers) {
   Random random(2);
-  const Model plate(test::box_mesh({-1, -1, -1}, {400, 400, 0})), part(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model plate(test::box_between({-1, -1, -1}, {400, 400, 0})), part(test::box_between({0, 0, 0}, {1, 1, 1}));
   std::vector<Posed> models{{plate, Pose{}}};
   for (int i = 0; i < 4200; ++i)
     models.push_back({part, Pose::translation(4 * (i % 100), 4 * (i / 100), i % 3 == 0 ? -0.5 : 0)});

@@ -17,9 +17,9 @@ Posed placed_at(const Model& model, double x, double y, double z) { return {mode
 
 std::vector<Posed> playground() {
   const std::array<CompoundPart, 2> parts = {CompoundPart{Sphere{0.5}}, CompoundPart{Box{{0.25, 0.25, 0.25}}}};
-  return {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                        // 0: the ground, z ≤ 0
-          placed_at(Sphere{1}, 0, 0, 1),                                       // 1: lies on it
-          placed_at(Model(test::box_mesh({-1, -1, -1}, {1, 1, 1})), 5, 0, 0),  // 2: half in it
+  return {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                           // 0: the ground, z ≤ 0
+          placed_at(Sphere{1}, 0, 0, 1),                                          // 1: lies on it
+          placed_at(Model(test::box_between({-1, -1, -1}, {1, 1, 1})), 5, 0, 0),  // 2: half in it
           placed_at(Box{{1, 1, 1}}, 7, 0, 2),            // 3: touches 2 along an edge, above the ground
           placed_at(Model(Compound{parts}), 100, 0, 0),  // 4: half in the ground
           placed_at(Point{}, 0, 0, 1)};                  // 5: in the ball
@@ -92,7 +92,7 @@ TEST(CheckShapes, OnlyHalfSpacesHaveNoBoxesAndAreStillCompared) {
 }
 
 TEST(CheckShapes, ManyPosesOfAShapeAndAMesh) {
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const std::vector<PairQuery> queries = {{.pose_b = Pose::translation(0, 0, 1.5)},
                                           {.pose_b = Pose::translation(0, 0, 2)},
                                           {.pose_b = Pose::translation(0, 0, 2.5)}};

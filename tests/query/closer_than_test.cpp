@@ -72,7 +72,7 @@ TEST(CloserThan, OfRoundShapesAndHalfSpacesIsExact) {
 }
 
 TEST(CloserThan, AToleranceOfZeroIsOverlap) {
-  const Model a(test::box_mesh({0, 0, 0}, {1, 1, 1})), b(test::box_mesh({1, 0, 0}, {2, 1, 1}));
+  const Model a(test::box_between({0, 0, 0}, {1, 1, 1})), b(test::box_between({1, 0, 0}, {2, 1, 1}));
   EXPECT_TRUE(closer_than(a, b, 0));
   EXPECT_TRUE(closer_than(a, b, -0.0));
   EXPECT_EQ(distance_within(a, b, 0)->upper, 0);
@@ -97,7 +97,7 @@ TEST(CloserThan, OfACompoundIsThatOfItsParts) {
   const std::vector<CompoundPart> parts{{Sphere{1}, Pose::translation(9, 9, 9)},
                                         {Sphere{1}, Pose::translation(0, 0, 5)}};
   const Model compound{Compound(parts)};
-  const Model mesh(test::box_mesh({-1, -1, 0}, {1, 1, 1}));
+  const Model mesh(test::box_between({-1, -1, 0}, {1, 1, 1}));
   EXPECT_TRUE(closer_than(mesh, compound, 3));
   EXPECT_FALSE(closer_than(mesh, compound, below(3)));
   EXPECT_EQ(distance_within(mesh, compound, 3), distance(mesh, compound));

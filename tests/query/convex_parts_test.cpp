@@ -110,7 +110,7 @@ void expect_exact_parts(const TriangleMesh& mesh, std::size_t count) {
 }
 
 TEST(ConvexParts, OfAConvexSolidAreOne) {
-  expect_exact_parts(box_mesh({0, 0, 0}, {1, 2, 3}), 1);
+  expect_exact_parts(box_between({0, 0, 0}, {1, 2, 3}), 1);
   expect_exact_parts(sphere_mesh(1, 2), 1);
 }
 
@@ -128,13 +128,13 @@ TEST(ConvexParts, ContainSolidsOfManyKinds) {
 }
 
 TEST(ConvexParts, ContainSeveralComponentsAndAvoidCavities) {
-  const TriangleMesh two = joined({box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({5, 0, 0}, {6, 1, 1})});
+  const TriangleMesh two = joined({box_between({0, 0, 0}, {1, 1, 1}), box_between({5, 0, 0}, {6, 1, 1})});
   expect_exact_parts(two, 2);
 }
 
 TEST(ConvexParts, OfABoxWithACavityAreItsWalls) {
   const auto hollow = [](const Vec3& lower, const Vec3& upper) {
-    return joined({box_mesh({0, 0, 0}, {6, 6, 6}), inverted(test::box_mesh(lower, upper))});
+    return joined({box_between({0, 0, 0}, {6, 6, 6}), inverted(test::box_between(lower, upper))});
   };
   expect_exact_parts(hollow({2, 2, 2}, {4, 4, 4}), 6);
   expect_exact_parts(hollow({1, 2, 0.5}, {3, 3.5, 5}), 6);
@@ -143,7 +143,7 @@ TEST(ConvexParts, OfABoxWithACavityAreItsWalls) {
 }
 
 TEST(ConvexParts, OfAMeshThatCrossesItselfContainIt) {
-  checked(joined({box_mesh({0, 0, 0}, {2, 2, 2}), box_mesh({1, 1, 1}, {3, 3, 3})}), {.max_parts = 6});
+  checked(joined({box_between({0, 0, 0}, {2, 2, 2}), box_between({1, 1, 1}, {3, 3, 3})}), {.max_parts = 6});
 }
 
 TEST(ConvexParts, ContainRealMeshes) {
@@ -214,10 +214,10 @@ TEST(ConvexParts, ConcavitiesBracketTheFarthestOfManyPoints) {
 }
 
 TEST(ConvexParts, ThatStickOutByRoundingAreKnownToDoNoMore) {
-  const Model solid(box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model solid(box_between({0, 0, 0}, {1, 1, 1}));
   const SolidFrame frame(inspect(solid.mesh()));
   const auto found = [&](double out) {
-    const TriangleMesh larger = box_mesh({-out, -out, -out}, {1 + out, 1, 1});
+    const TriangleMesh larger = box_between({-out, -out, -out}, {1 + out, 1, 1});
     return ConcaveSolid(solid, frame).concavity_of(ConvexHull(larger.vertices()), 1e-3, std::nullopt);
   };
   EXPECT_EQ(found(0).upper, 0);

@@ -305,7 +305,7 @@ TEST(Cost, WhatIsNamedTwiceIsMeasuredOnce) {
 }
 
 TEST(Cost, VolumesOfAMeshAloneAreToldForEveryHierarchy) {
-  const std::vector<VolumeCost> costs = measure_volumes(test::box_mesh({0, 0, 0}, {1, 2, 3}));
+  const std::vector<VolumeCost> costs = measure_volumes(test::box_between({0, 0, 0}, {1, 2, 3}));
   EXPECT_EQ(costs.size(), 13U * 3 * 6);
   for (const VolumeCost& cost : costs) {
     SCOPED_TRACE(name_of(cost.volume));

@@ -26,7 +26,7 @@ bool is_in_some(const ConvexParts& parts, const Vec3& point) {
                              [&](const ConvexPart& part) { return is_behind_every_face(part.hull, point); });
 }
 
-std::string fault_of(const std::string& family, std::uint64_t seed) {
+std::string fault_of_decomposition(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const VoxelSolid solid = random_voxels(random, 8, 3);
   const Skin skin = family == "every-face" ? Skin::every : family == "inside-out" ? Skin::inside_out : Skin::outer;
@@ -58,7 +58,8 @@ std::string fault_of(const std::string& family, std::uint64_t seed) {
 }
 
 SweepResult run_decompositions(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  return run_cases(family, seed, cases, [&](std::uint64_t case_seed) { return fault_of(family, case_seed); });
+  return run_cases(family, seed, cases,
+                   [&](std::uint64_t case_seed) { return fault_of_decomposition(family, case_seed); });
 }
 
 const bool decompositions_known = register_sweep(

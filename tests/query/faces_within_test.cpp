@@ -30,7 +30,7 @@ Index count_within(const Region& region, const Model& model, const Pose& pose = 
 }
 
 TEST(FacesWithin, TouchingCountsAndTheNextDoubleDoesNot) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   const double next = std::nextafter(1, 2);
   EXPECT_EQ(count_within(Aabb{{1, 0.25, 0.25}, {2, 0.5, 0.3}}, cube), 1U);
   EXPECT_EQ(count_within(Aabb{{next, 0.25, 0.25}, {2, 0.5, 0.3}}, cube), 0U);
@@ -40,7 +40,7 @@ TEST(FacesWithin, TouchingCountsAndTheNextDoubleDoesNot) {
 }
 
 TEST(FacesWithin, InsideASolidThereAreNone) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   EXPECT_EQ(count_within(Aabb{{0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}}, cube), 0U);
   EXPECT_EQ(count_within(Aabb{{-9, -9, -9}, {9, 9, 9}}, cube), 12U);
   EXPECT_EQ(count_within(Ball{{0.5, 0.5, 0.5}, 1e200}, cube), 12U);
@@ -59,7 +59,7 @@ TEST(FacesWithin, AFaceOfTheFileIsToldOnce) {
 }
 
 TEST(FacesWithin, CountsTheElementsOfACompoundOn) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   const std::vector<CompoundPart> parts{{Sphere(1), Pose::translation(-5, 0, 0)},
                                         {cube.shape(), Pose::translation(5, 0, 0)},
                                         {HalfSpace({0, 0, -7}, {0, 0, 1}), {}}};
@@ -93,7 +93,7 @@ TEST(FacesWithin, ManyAtOnceAreTheSameAsOneByOne) {
 }
 
 TEST(FacesWithin, BadInputIsRefused) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Region> wrong{Aabb{},
                                   Aabb{{0, 0, 1}, {1, 1, 0}},

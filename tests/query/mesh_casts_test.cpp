@@ -59,7 +59,7 @@ TEST(MeshCasts, OfTwoMeshesAreTheFirstOfAllPairs) {
 }
 
 TEST(MeshCasts, ASolidThatHoldsTheOtherIsMetAtOnce) {
-  const Model room(test::box_mesh({-5, -5, -5}, {5, 5, 5})), crate(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model room(test::box_between({-5, -5, -5}, {5, 5, 5})), crate(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const Vec3 away{20, 0, 0};
   for (const Model& inner : {Model(Sphere(1)), Model(Box({1, 1, 1})), crate}) {
     const ShapeHit held = cast_shape(inner, away, room), holds = cast_shape(room, away, inner);
@@ -77,7 +77,7 @@ TEST(MeshCasts, ASolidThatHoldsTheOtherIsMetAtOnce) {
 }
 
 TEST(MeshCasts, TellElementsAndFacesOfCompounds) {
-  const Model crate(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model crate(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const std::vector<CompoundPart> parts{{Sphere(1), Pose::translation(0, 9, 0)},
                                         {crate.shape(), Pose::translation(0, 0, 0)},
                                         {Box({1, 1, 1}), Pose::translation(-9, 0, 0)}};

@@ -7,7 +7,7 @@
 namespace toccata::test {
 namespace {
 
-Model random_model(Random& random) {
+Model small_model(Random& random) {
   const auto triangles = static_cast<Index>(1 + random.below(random.below(8) == 0 ? 60 : 12));
   const double size = std::exp2(random.between(-6, 0));
   return Model(random_soup(random, triangles, size, random.below(2) == 0 ? 0 : 8));
@@ -18,7 +18,7 @@ std::string fault_of_mesh_distance(const std::string& family, std::uint64_t seed
   PairQuery query = random_poses(family, random);
   const double way = random.below(3) == 0 ? 0 : std::exp2(random.between(-20, 8));
   query.pose_b.offset = query.pose_b.offset + way * Vec3{random.between(-1, 1), random.between(-1, 1), 1};
-  const Model a = random_model(random), b = random_model(random);
+  const Model a = small_model(random), b = small_model(random);
   return fault_of_surface_distance(a, b, query);
 }
 

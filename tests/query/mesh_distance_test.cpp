@@ -92,7 +92,7 @@ TEST(MeshDistance, OfSolidsIsZeroWhereOneContainsTheOther) {
 }
 
 TEST(MeshDistance, OfBoxesIsThatOfTheBoxes) {
-  const Model a(test::box_mesh({0, 0, 0}, {1, 1, 1})), b(test::box_mesh({3, 0, 0}, {4, 1, 1}));
+  const Model a(test::box_between({0, 0, 0}, {1, 1, 1})), b(test::box_between({3, 0, 0}, {4, 1, 1}));
   const Distance d = distance(a, b);
   EXPECT_EQ(d.upper, 2);
   EXPECT_EQ(d.on_a.x, 1);

@@ -11,7 +11,7 @@ Index triangle_count(Random& random) {
   return static_cast<Index>(1 + random.below(greatest));
 }
 
-Model random_model(Random& random) {
+Model model_of_any_size(Random& random) {
   const Index triangles = triangle_count(random);
   const double size = random.below(2) == 0 ? 0.3 : 1.0 / (1.0 + static_cast<double>(triangles));
   const double grid = random.below(2) == 0 ? 0 : 8;
@@ -21,7 +21,7 @@ Model random_model(Random& random) {
 std::string fault_of_mesh_pairs(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const PairQuery query = random_poses(family, random);
-  const Model a = random_model(random), b = random_model(random);
+  const Model a = model_of_any_size(random), b = model_of_any_size(random);
   return fault_of_surface_queries(a, b, query);
 }
 

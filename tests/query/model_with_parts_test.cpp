@@ -53,7 +53,7 @@ TEST(ModelWithParts, AnswersAsTheMeshesDoAtManyPoses) {
 
 TEST(ModelWithParts, RulesOutNothingThatTouchesAfterRounding) {
   // Two boxes that touch exactly in the world, where the hulls are a unit in the last place larger or smaller.
-  const ModelWithParts box = with_parts(box_mesh({0, 0, 0}, {1, 1, 1}), 4);
+  const ModelWithParts box = with_parts(box_between({0, 0, 0}, {1, 1, 1}), 4);
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const double scale = random.between(0.1, 10), at = random.between(-100, 100);
@@ -125,7 +125,7 @@ TEST(ModelWithParts, PartsThatAreNotLookedAtChangeNoAnswer) {
 }
 
 TEST(ModelWithParts, RefusesWhatTheMeshRefuses) {
-  const ModelWithParts box = with_parts(box_mesh({0, 0, 0}, {1, 1, 1}), 4);
+  const ModelWithParts box = with_parts(box_between({0, 0, 0}, {1, 1, 1}), 4);
   PairQuery query;
   query.pose_b = Pose::translation(9, 9, 9);
   query.pose_b.linear[0] = {0, 0, 0};

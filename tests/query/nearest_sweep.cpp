@@ -5,7 +5,7 @@
 namespace toccata::test {
 namespace {
 
-std::string fault_of(const NearestCase& c, Random& random) {
+std::string fault_of_nearest(const NearestCase& c, Random& random) {
   const Model model(c.mesh);
   const NearestQuery query{.pose = c.pose};
   const SurfacePoint one = nearest_point(c.point, model, query);
@@ -27,7 +27,7 @@ std::string fault_of(const NearestCase& c, Random& random) {
 SweepResult run_nearest(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
-    return fault_of(nearest_case(family, random), random);
+    return fault_of_nearest(nearest_case(family, random), random);
   });
 }
 

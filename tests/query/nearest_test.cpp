@@ -130,7 +130,7 @@ TEST(NearestPoint, LiesOnTheSurfaceAlsoFromWithin) {
 }
 
 TEST(NearestPoint, OfEquallyNearElementsIsTheFirst) {
-  const Model box(test::box_mesh({0, 0, 0}, {2, 2, 2}));
+  const Model box(test::box_between({0, 0, 0}, {2, 2, 2}));
   const std::vector<SurfacePoint> all = nearest_points({1, 1, 1}, 99, box);
   ASSERT_EQ(all.size(), 12U);
   for (std::size_t i = 0; i < 12; ++i) {
@@ -141,7 +141,7 @@ TEST(NearestPoint, OfEquallyNearElementsIsTheFirst) {
 }
 
 TEST(NearestPoint, KeepsWithinTheGreatestDistance) {
-  const Model box(test::box_mesh({0, 0, 0}, {2, 2, 2}));
+  const Model box(test::box_between({0, 0, 0}, {2, 2, 2}));
   EXPECT_TRUE(nearest_point({1, 1, 5}, box, {.max_distance = 3}).found);
   EXPECT_EQ(nearest_point({1, 1, 5}, box, {.max_distance = 2.999999}), SurfacePoint{});
   EXPECT_TRUE(nearest_point({1, 1, 2}, box, {.max_distance = 0}).found);

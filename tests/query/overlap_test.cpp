@@ -10,28 +10,21 @@
 #include <string>
 #include <vector>
 
+#include "support/error_message.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
 namespace {
 
-Model box(double lower, double upper) { return Model(test::box_mesh({lower, lower, lower}, {upper, upper, upper})); }
+using test::message_of;
+
+Model box(double lower, double upper) { return Model(test::box_between({lower, lower, lower}, {upper, upper, upper})); }
 
 Model open_square() {
   return Model(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0}));
-}
-
-std::string message_of(const std::function<void()>& question) {
-  try {
-    question();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 void expect_message(const std::function<void()>& question, const std::vector<std::string>& parts) {

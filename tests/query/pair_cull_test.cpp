@@ -14,7 +14,6 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
-using oracle::Rational;
 
 Aabb point_box(const Vec3& p) { return {p, p}; }
 
@@ -25,11 +24,12 @@ const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_tree().bo
 /// The error of the culling test in one direction for two vertices, against its pad.
 double error_ratio(const CullDirection& d, const PosedMesh& a, Index vertex_a, const PosedMesh& b, Index vertex_b) {
   const Vec3 x = a.model().mesh().vertices()[vertex_a], y = b.model().mesh().vertices()[vertex_b];
-  const Rational truth = oracle::dot(exact(d.world), exact(a.vertices()[vertex_a]) - exact(b.vertices()[vertex_b]));
+  const oracle::Rational truth =
+      oracle::dot(exact(d.world), exact(a.vertices()[vertex_a]) - exact(b.vertices()[vertex_b]));
   const FormRange on_a = range_of(d.on_a, point_box(x)), on_b = range_of(d.on_b, point_box(y));
-  const Rational ahead = abs(exact((on_a.low + d.offset) - on_b.high) - truth);
-  const Rational behind = abs(exact((on_b.low - d.offset) - on_a.high) + truth);
-  return static_cast<double>(Rational((ahead > behind ? ahead : behind) / exact(d.pad)));
+  const oracle::Rational ahead = abs(exact((on_a.low + d.offset) - on_b.high) - truth);
+  const oracle::Rational behind = abs(exact((on_b.low - d.offset) - on_a.high) + truth);
+  return static_cast<double>(oracle::Rational((ahead > behind ? ahead : behind) / exact(d.pad)));
 }
 
 double worst_ratio(const std::string& family, std::uint64_t seed, double coordinate_scale) {
@@ -103,7 +103,7 @@ TEST(PairCull, NeverSeparatesTrianglesThatMeetUnderAnyPose) {
 }
 
 TEST(PairCull, SeparatesBoxesThatAreApart) {
-  const Model unit(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model unit(test::box_between({0, 0, 0}, {1, 1, 1}));
   const PosedMesh a(unit, Pose{}), b(unit, Pose::translation(1.001, 0, 0));
   EXPECT_TRUE(PairCull(a, b).disjoint(root_box(a), root_box(b)));
   EXPECT_EQ(PairCull(a, b).directions().size(), 3U) << "equal directions are kept once";
@@ -122,7 +122,7 @@ TEST(PairCull, WhatOverflowsIsNotSeparated) {
 }
 
 TEST(PairCull, ASingularPoseStillHasDirections) {
-  const Model unit(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model unit(test::box_between({0, 0, 0}, {1, 1, 1}));
   Pose flat;
   flat.linear[2] = {};
   const PosedMesh a(unit, flat), b(unit, Pose::translation(0, 0, 0.001));

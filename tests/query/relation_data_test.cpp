@@ -38,9 +38,9 @@ TEST_P(RelationOfRealModels, FollowHowTheyArePlaced) {
   EXPECT_EQ(asked(model, aside).containment, Containment::none);
   EXPECT_EQ(asked(model, Pose::translation(2 * size.x, 0, 0)).kind, RelationKind::apart);
 
-  const Model around(box_mesh(box.lower - size, box.upper + size));
+  const Model around(box_between(box.lower - size, box.upper + size));
   EXPECT_EQ(asked(around).containment, Containment::a_in_b);
-  const Model below(box_mesh(box.lower - size, {box.upper.x, box.upper.y, box.lower.z}));
+  const Model below(box_between(box.lower - size, {box.upper.x, box.upper.y, box.lower.z}));
   EXPECT_EQ(asked(below).kind, RelationKind::touching);
 }
 

@@ -58,7 +58,7 @@ Relation asked(const TriangleMesh& a, const TriangleMesh& b, const PairQuery& qu
   return asked(Model(a), Model(b), query);
 }
 
-TriangleMesh unit_box() { return box_mesh({0, 0, 0}, {1, 1, 1}); }
+TriangleMesh unit_box() { return box_between({0, 0, 0}, {1, 1, 1}); }
 
 PairQuery b_moved(double x, double y, double z) { return {Pose{}, Pose::translation(x, y, z)}; }
 
@@ -82,7 +82,7 @@ TEST(Relation, OfEqualSolids) {
   EXPECT_EQ(asked(unit_box(), unit_box()), overlapping(Containment::equal));
   EXPECT_EQ(asked(unit_box(), other_box_mesh({0, 0, 0}, {1, 1, 1})), overlapping(Containment::equal));
   EXPECT_EQ(asked(unit_box(), inverted(unit_box())), overlapping(Containment::equal));
-  EXPECT_EQ(asked(l_mesh(), joined({box_mesh({0, 0, 0}, {2, 1, 1}), box_mesh({0, 1, 0}, {1, 2, 1})})),
+  EXPECT_EQ(asked(l_mesh(), joined({box_between({0, 0, 0}, {2, 1, 1}), box_between({0, 1, 0}, {1, 2, 1})})),
             overlapping(Containment::equal));
   // Turned by 180° about its own middle, another numbering of the same triangles.
   const Pose turned{{{{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}}, {1, 1, 0}};
@@ -90,22 +90,22 @@ TEST(Relation, OfEqualSolids) {
 }
 
 TEST(Relation, OfASolidInAnother) {
-  const TriangleMesh large = box_mesh({0, 0, 0}, {4, 4, 4});
+  const TriangleMesh large = box_between({0, 0, 0}, {4, 4, 4});
   EXPECT_EQ(asked(unit_box(), large, {Pose::translation(1, 1, 1), Pose{}}), overlapping(Containment::a_in_b));
   EXPECT_EQ(asked(unit_box(), large), overlapping(Containment::a_in_b));
   EXPECT_EQ(asked(unit_box(), large, {Pose::translation(0, 1, 2), Pose{}}), overlapping(Containment::a_in_b));
   EXPECT_EQ(asked(sphere_mesh(1, 2), sphere_mesh(1.5, 1)), overlapping(Containment::a_in_b));
   // From face to face through the middle.
-  EXPECT_EQ(asked(large, box_mesh({1, 1, 0}, {2, 2, 4})), overlapping(Containment::b_in_a));
+  EXPECT_EQ(asked(large, box_between({1, 1, 0}, {2, 2, 4})), overlapping(Containment::b_in_a));
 }
 
 TEST(Relation, OfAHollowSolidAndItsCore) {
   const TriangleMesh core = sphere_mesh(1, 3);
-  const TriangleMesh hollow = joined({box_mesh({-2, -2, -2}, {2, 2, 2}), inverted(core)});
+  const TriangleMesh hollow = joined({box_between({-2, -2, -2}, {2, 2, 2}), inverted(core)});
   EXPECT_EQ(asked(core, hollow), touching);
   EXPECT_EQ(asked(placed(core, 0.999, {}), hollow), apart);
   EXPECT_EQ(asked(placed(core, 1.001, {}), hollow), overlapping());
-  EXPECT_EQ(asked(box_mesh({-2, -2, -2}, {2, 2, 2}), hollow), overlapping(Containment::b_in_a));
+  EXPECT_EQ(asked(box_between({-2, -2, -2}, {2, 2, 2}), hollow), overlapping(Containment::b_in_a));
 }
 
 TEST(Relation, OfNestedShells) {
@@ -123,22 +123,23 @@ TEST(Relation, OfNestedShells) {
 
 TEST(Relation, OfSeveralParts) {
   const TriangleMesh two = joined({unit_box(), placed(unit_box(), 1, {5, 0, 0})});
-  EXPECT_EQ(asked(two, box_mesh({2, 0, 0}, {3, 1, 1})), apart);
-  EXPECT_EQ(asked(two, box_mesh({4.5, -1, -1}, {7, 2, 2})), overlapping());
-  EXPECT_EQ(asked(two, box_mesh({-1, -1, -1}, {7, 2, 2})), overlapping(Containment::a_in_b));
-  EXPECT_EQ(asked(two, box_mesh({5.25, 0.25, 0.25}, {5.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
+  EXPECT_EQ(asked(two, box_between({2, 0, 0}, {3, 1, 1})), apart);
+  EXPECT_EQ(asked(two, box_between({4.5, -1, -1}, {7, 2, 2})), overlapping());
+  EXPECT_EQ(asked(two, box_between({-1, -1, -1}, {7, 2, 2})), overlapping(Containment::a_in_b));
+  EXPECT_EQ(asked(two, box_between({5.25, 0.25, 0.25}, {5.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
   EXPECT_EQ(asked(two, placed(two, 1, {1, 0, 0})), touching);
 }
 
 TEST(Relation, OfSolidsThatOverlapThemselves) {
-  const TriangleMesh crossed = joined({box_mesh({0, 0, 0}, {3, 1, 1}), box_mesh({1, -1, 0}, {2, 2, 1})});
-  EXPECT_EQ(asked(crossed, box_mesh({1.25, 0.25, 0.25}, {1.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
-  EXPECT_EQ(asked(crossed, box_mesh({0.5, 0.25, 0.25}, {2.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
-  EXPECT_EQ(asked(crossed, box_mesh({0, 1, 0}, {1, 2, 1})), touching);
+  const TriangleMesh crossed = joined({box_between({0, 0, 0}, {3, 1, 1}), box_between({1, -1, 0}, {2, 2, 1})});
+  EXPECT_EQ(asked(crossed, box_between({1.25, 0.25, 0.25}, {1.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
+  EXPECT_EQ(asked(crossed, box_between({0.5, 0.25, 0.25}, {2.5, 0.5, 0.5})), overlapping(Containment::b_in_a));
+  EXPECT_EQ(asked(crossed, box_between({0, 1, 0}, {1, 2, 1})), touching);
   // Where one part winds against the other there is nothing.
-  const TriangleMesh cancelled = joined({box_mesh({0, 0, 0}, {2, 1, 1}), inverted(box_mesh({1, 0, 0}, {3, 1, 1}))});
-  EXPECT_EQ(asked(cancelled, box_mesh({1, 0, 0}, {2, 1, 1})), touching);
-  EXPECT_EQ(asked(cancelled, box_mesh({1.25, 0.25, 0.25}, {1.5, 0.5, 0.5})), apart);
+  const TriangleMesh cancelled =
+      joined({box_between({0, 0, 0}, {2, 1, 1}), inverted(box_between({1, 0, 0}, {3, 1, 1}))});
+  EXPECT_EQ(asked(cancelled, box_between({1, 0, 0}, {2, 1, 1})), touching);
+  EXPECT_EQ(asked(cancelled, box_between({1.25, 0.25, 0.25}, {1.5, 0.5, 0.5})), apart);
 }
 
 TEST(Relation, OfSolidsWithoutVolume) {
@@ -198,7 +199,7 @@ TEST(Relation, OfATipThatTouchesATriangleAFewDoublesHigh) {
 TriangleMesh row_of_fins(int count, double distance, double length) {
   std::vector<TriangleMesh> fins;
   for (int i = 0; i < count; ++i)
-    fins.push_back(box_mesh({i * distance, 0, 0}, {i * distance + distance / 2, length, 1}));
+    fins.push_back(box_between({i * distance, 0, 0}, {i * distance + distance / 2, length, 1}));
   return joined(fins);
 }
 
@@ -222,7 +223,7 @@ TEST(Relation, OfManyPartsOnOneFace) {
       const PairQuery query{pose, pose};
       EXPECT_EQ(relation(model, Model(below), query), touching);
       EXPECT_EQ(relation(model, Model(above), query), overlapping(Containment::a_in_b));
-      EXPECT_EQ(relation(Model(joined({parts, box_mesh({-2, -2, -0x1p-40}, {-1, -1, 1})})), Model(below), query),
+      EXPECT_EQ(relation(Model(joined({parts, box_between({-2, -2, -0x1p-40}, {-1, -1, 1})})), Model(below), query),
                 overlapping());
       EXPECT_EQ(relation(model, Model(face), query),
                 (Relation{RelationKind::touching, Containment::none, false, true, false, Status::exact}));

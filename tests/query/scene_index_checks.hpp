@@ -49,7 +49,7 @@ inline Shape convex_in_crowd(Random& random) {
 inline Shape shape_in_crowd(Random& random) {
   const std::uint64_t kind = random.below(12);
   if (kind == 0) return HalfSpace({0, 0, -4}, {random.between(-1, 1), random.between(-1, 1), 1});
-  if (kind == 1) return std::make_shared<const TriangleMesh>(box_mesh({-1, -1, -1}, {1, 0.5, 0.75}));
+  if (kind == 1) return std::make_shared<const TriangleMesh>(box_between({-1, -1, -1}, {1, 0.5, 0.75}));
   if (kind == 2) return std::make_shared<const TriangleMesh>(random_soup(random, 8, 0.7, 0));
   if (kind == 3) {
     std::vector<double> heights(9);

@@ -5,9 +5,12 @@
 #include <thread>
 
 #include "query/scene_index_checks.hpp"
+#include "support/error_message.hpp"
 
 namespace toccata {
 namespace {
+
+using test::message_of;
 
 TEST(SceneIndex, AnswersAsEveryObjectByItself) {
   for (const std::string& family : test::crowd_families())
@@ -92,17 +95,8 @@ TEST(SceneIndex, NothingIsFoundWhereNothingIs) {
   EXPECT_TRUE(none.within({Model(Point{})}, HUGE_VAL).empty());
 }
 
-std::string message_of(const std::function<void()>& ask) {
-  try {
-    ask();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(SceneIndex, BadInputIsRefusedByName) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   const Model ball(Sphere(1));
   Pose lost;
   lost.offset.x = NAN;

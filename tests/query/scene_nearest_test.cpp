@@ -24,7 +24,7 @@ std::vector<Posed> some_scene(Random& random) {
                                   Model(Sphere(2)),
                                   Model(Capsule({0, 0, -1}, {0, 0, 1}, 0.5)),
                                   Model(Compound(parts)),
-                                  Model(test::box_mesh({-1, -1, -1}, {1, 1, 1})),
+                                  Model(test::box_between({-1, -1, -1}, {1, 1, 1})),
                                   Model(Point{})};
   std::vector<Posed> scene;
   for (int i = 0; i < 20; ++i) {

@@ -14,7 +14,7 @@ bool is_meeting_of(const Contact& contact, const Model& model, const Pose& pose)
          meeting(world_triangle(model, pose, contact.triangle_a), world_triangle(model, pose, contact.triangle_b));
 }
 
-std::string fault_of(const SelfMesh& made) {
+std::string fault_of_self_contacts(const SelfMesh& made) {
   const Model model(made.mesh);
   const auto expected = oracle::self_meeting_pairs(oracle::surface_set(made.mesh, made.pose));
   const std::vector<Contact> contacts = self_contacts(model, made.pose);
@@ -30,7 +30,7 @@ std::string fault_of(const SelfMesh& made) {
 SweepResult run_self_contacts(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     Random random(case_seed);
-    return fault_of(random_self_mesh(family, random));
+    return fault_of_self_contacts(random_self_mesh(family, random));
   });
 }
 

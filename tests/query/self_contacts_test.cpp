@@ -40,7 +40,7 @@ Pairs pairs_either_way(const TriangleMesh& mesh) {
 
 TEST(SelfContacts, ClosedMeshesMeetThemselvesNowhere) {
   EXPECT_EQ(pairs_either_way(icosphere_mesh(1, 2)), Pairs{});
-  EXPECT_EQ(pairs_either_way(test::box_mesh({0, 0, 0}, {1, 2, 3})), Pairs{});
+  EXPECT_EQ(pairs_either_way(test::box_between({0, 0, 0}, {1, 2, 3})), Pairs{});
   EXPECT_EQ(pairs_either_way(torus_mesh({})), Pairs{});
 }
 
@@ -217,7 +217,7 @@ TEST(SelfContacts, NothingOfNothing) {
 }
 
 TEST(SelfContacts, WhatIsNotFiniteIsAnError) {
-  const Model model(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model model(test::box_between({0, 0, 0}, {1, 1, 1}));
   EXPECT_THROW((void)self_contacts(model, Pose::translation(std::numeric_limits<double>::quiet_NaN(), 0, 0)), Error);
   EXPECT_THROW((void)self_overlap(model, scaled(Pose::translation(1e308, 0, 0), 1.7e308)), Error);
 }

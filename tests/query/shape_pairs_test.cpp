@@ -41,7 +41,7 @@ TEST(MeshAndHalfSpace, LieAsTheHullDoes) {
 
 TEST(ShapeQuestions, FirstCallsOfTheGuideWork) {
   const Model wall(Box{{1, 1, 0.1}});
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1}));
   EXPECT_TRUE(overlap(cube, wall));
   EXPECT_TRUE(overlap(cube, Box{{1, 1, 0.1}}, {.pose_b = Pose::translation(0, 0, 1.1)}));
   EXPECT_FALSE(overlap(cube, Box{{1, 1, 0.1}}, {.pose_b = Pose::translation(0, 0, 1.2)}));
@@ -53,7 +53,7 @@ TEST(ShapeQuestions, FirstCallsOfTheGuideWork) {
 }
 
 TEST(ShapeQuestions, ContactsOfAShapeAreTheTrianglesThatMeetIt) {
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const PairQuery above{.pose_b = Pose::translation(0, 0, 1.5)};
   const std::vector<Contact> hits = contacts(cube, Sphere{0.5}, above);
   ASSERT_FALSE(hits.empty());
@@ -98,7 +98,7 @@ TEST(Compounds, AreTheUnionOfTheirParts) {
 }
 
 TEST(Compounds, CountTheElementsOfTheirMeshes) {
-  const auto cube = std::make_shared<const TriangleMesh>(test::box_mesh({-1, -1, -1}, {1, 1, 1}));
+  const auto cube = std::make_shared<const TriangleMesh>(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const std::array<CompoundPart, 2> parts = {CompoundPart{cube, {}},
                                              CompoundPart{Sphere{1}, Pose::translation(2, 0, 0)}};
   const Model model(Compound{parts});
@@ -112,7 +112,8 @@ TEST(Compounds, CountTheElementsOfTheirMeshes) {
 
 TEST(SolidMeshAndBall, SeesHollowsAndSheets) {
   // A cube with a hollow in which a ball floats, touches and cuts.
-  const TriangleMesh outer = test::box_mesh({-3, -3, -3}, {3, 3, 3}), inner = test::box_mesh({-2, -2, -2}, {2, 2, 2});
+  const TriangleMesh outer = test::box_between({-3, -3, -3}, {3, 3, 3}),
+                     inner = test::box_between({-2, -2, -2}, {2, 2, 2});
   std::vector<Vec3> vertices(outer.vertices().begin(), outer.vertices().end());
   vertices.insert(vertices.end(), inner.vertices().begin(), inner.vertices().end());
   std::vector<std::array<Index, 3>> triangles(outer.triangles().begin(), outer.triangles().end());
@@ -136,7 +137,7 @@ TEST(SolidMeshAndBall, SeesHollowsAndSheets) {
 }
 
 TEST(ShapeQuestions, WhatIsNotDefinedIsAnErrorWithTheReason) {
-  const Model cube(test::box_mesh({-1, -1, -1}, {1, 1, 1})), point(Point{}), ball(Sphere{1});
+  const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1})), point(Point{}), ball(Sphere{1});
   const Model ground(HalfSpace{{}, {0, 0, 1}});
   const auto expect_refused = [](const std::string& words, const std::function<void()>& ask) {
     try {

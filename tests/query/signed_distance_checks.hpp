@@ -24,9 +24,9 @@ inline TriangleMesh closed_mesh(const std::string& family, Random& random) {
   const VoxelSolid solid = random_voxels(random, 5, 3);
   if (family == "cells") return mesh_of(solid, Skin::every, random);
   if (family == "inside out") return mesh_of(solid, Skin::inside_out, random);
-  const TriangleMesh large = box_mesh({-1, -1, -1}, {3, 3, 3});
+  const TriangleMesh large = box_between({-1, -1, -1}, {3, 3, 3});
   if (family == "nested") return oracle::joined(large, oracle::inverted_box_mesh({0, 0, 0}, {1.5, 1.75, 2}));
-  if (family == "overlapping") return oracle::joined(large, box_mesh({0.5, 1, -2}, {4, 2, 5}));
+  if (family == "overlapping") return oracle::joined(large, box_between({0.5, 1, -2}, {4, 2, 5}));
   return mesh_of(solid, Skin::outer, random);
 }
 

@@ -27,7 +27,7 @@ TEST(SignedDistances, AgreeWithTheOracleAtEverySimdLevel) {
 }
 
 TEST(SignedDistances, OfACube) {
-  const Model cube(test::box_mesh({0, 0, 0}, {4, 4, 4}));
+  const Model cube(test::box_between({0, 0, 0}, {4, 4, 4}));
   const SignedDistance inside = signed_distance({1, 2, 2}, cube);
   EXPECT_EQ(inside.side, Side::inside);
   EXPECT_NEAR(inside.lower, -1, 1e-12);
@@ -45,7 +45,7 @@ TEST(SignedDistances, OfACube) {
 
 TEST(SignedDistances, OfAnOpenBoxAreToldByTheGeneralisedWindingNumber) {
   // Without the two triangles of its top.
-  const TriangleMesh box = test::box_mesh({0, 0, 0}, {2, 2, 2});
+  const TriangleMesh box = test::box_between({0, 0, 0}, {2, 2, 2});
   std::vector<std::array<Index, 3>> kept;
   for (const auto& corner : box.triangles())
     if (box.vertices()[corner[0]].z + box.vertices()[corner[1]].z + box.vertices()[corner[2]].z < 5.5)
@@ -92,7 +92,7 @@ TEST(SignedDistances, ManyAtOnceAreTheSameAsOneByOne) {
 }
 
 TEST(SignedDistances, BadInputIsRefused) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(static_cast<void>(signed_distance({infinity, 0, 0}, cube)), Error);
   Pose flat;

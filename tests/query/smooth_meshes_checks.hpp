@@ -48,13 +48,13 @@ inline const std::vector<std::string>& smooth_mesh_regimes() {
 }
 
 inline Model smooth_mesh_of(const std::string& kind, Random& random) {
-  if (kind == "box") return Model(box_mesh({-1, -2, -1.5}, {1, 2, 1.5}));
+  if (kind == "box") return Model(box_between({-1, -2, -1.5}, {1, 2, 1.5}));
   if (kind == "channel") {
     const std::vector<Vec2> outline = {{-2, -1}, {2, -1}, {2, 2}, {1, 2}, {1, 0}, {-1, 0}, {-1, 2}, {-2, 2}};
     return Model(extruded_mesh(outline, 2));
   }
   if (kind == "shells") {  // two that overlap, and inner faces with them
-    const TriangleMesh one = box_mesh({-1, -1, -1}, {1, 1, 1}), other = box_mesh({0, -0.5, -1}, {2, 1.5, 1});
+    const TriangleMesh one = box_between({-1, -1, -1}, {1, 1, 1}), other = box_between({0, -0.5, -1}, {2, 1.5, 1});
     std::vector<Vec3> vertices(one.vertices().begin(), one.vertices().end());
     std::vector<std::array<Index, 3>> triangles(one.triangles().begin(), one.triangles().end());
     const Index first = static_cast<Index>(vertices.size());

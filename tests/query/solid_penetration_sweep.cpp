@@ -16,11 +16,11 @@ namespace {
 
 constexpr double full_turn = 360;
 
-Vec3 random_vector(Random& random) { return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; }
+Vec3 vector_in_cube(Random& random) { return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; }
 
 Vec3 random_unit(Random& random) {
   for (;;) {
-    const Vec3 v = random_vector(random);
+    const Vec3 v = vector_in_cube(random);
     if (const double length = std::sqrt(dot(v, v)); length > 0.1) return (1 / length) * v;
   }
 }
@@ -28,9 +28,9 @@ Vec3 random_unit(Random& random) {
 TriangleMesh convex_mesh(Random& random) {
   switch (random.below(4)) {
     case 0:
-      return box_mesh({random.between(0.2, 1), random.between(0.2, 1), random.between(0.2, 1)});
+      return toccata::box_mesh({random.between(0.2, 1), random.between(0.2, 1), random.between(0.2, 1)});
     case 1:
-      return tetrahedron_mesh(random.between(0.5, 1));
+      return toccata::tetrahedron_mesh(random.between(0.5, 1));
     case 2:
       return prism_mesh(random.between(0.3, 1), random.between(0.3, 2), static_cast<int>(3 + random.below(6)));
     default:
@@ -56,13 +56,14 @@ TriangleMesh any_mesh(Random& random) {
 
 /// Pairs far from the origin have fewer digits left.
 PairQuery random_query(const std::string& family, Random& random) {
-  const Vec3 origin = family == "far" ? 1e4 * random_vector(random) : Vec3{};
+  const Vec3 origin = family == "far" ? 1e4 * vector_in_cube(random) : Vec3{};
   PairQuery query;
   query.pose_a = {rotation_about(random_unit(random), random.between(0, full_turn)), origin};
   query.pose_b = {rotation_about(random_unit(random), random.between(0, full_turn)),
                   origin + random.between(0.2, 1.8) * random_unit(random)};
   if (family == "sheared")
-    for (int row = 0; row < 3; ++row) query.pose_b.linear[row] = query.pose_b.linear[row] + 0.3 * random_vector(random);
+    for (int row = 0; row < 3; ++row)
+      query.pose_b.linear[row] = query.pose_b.linear[row] + 0.3 * vector_in_cube(random);
   return query;
 }
 

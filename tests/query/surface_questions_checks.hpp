@@ -155,10 +155,6 @@ inline SurfaceCase surface_case(std::string family, const std::string& place, Ra
   return c;
 }
 
-inline Vec3 rounded(const oracle::RationalPoint& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
-
 /// Near some element, or far off.
 inline Vec3 point_of(const SurfaceCase& c, Random& random) {
   const std::vector<oracle::RationalPoint>& corners = c.elements[random.below(c.elements.size())].set.vertices;

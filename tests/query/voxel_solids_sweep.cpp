@@ -7,10 +7,8 @@
 #include "support/voxel_solids.hpp"
 #include "toccata/query/overlap.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
-
-using namespace test;
 
 struct Case {
   TriangleMesh a;
@@ -51,7 +49,7 @@ Case make_case(const std::string& family, Random& random) {
   return sheet_and_solid(random);
 }
 
-Relation flipped(Relation relation) {
+Relation other_way_round(Relation relation) {
   std::swap(relation.a_solid, relation.b_solid);
   if (relation.containment == Containment::a_in_b)
     relation.containment = Containment::b_in_a;
@@ -63,7 +61,7 @@ Relation flipped(Relation relation) {
 bool is_right(const Case& c) {
   const Model a(c.a), b(c.b);
   const PairQuery swapped{c.query.pose_b, c.query.pose_a, c.query.solid_b, c.query.solid_a};
-  return relation(a, b, c.query) == c.truth && relation(b, a, swapped) == flipped(c.truth) &&
+  return relation(a, b, c.query) == c.truth && relation(b, a, swapped) == other_way_round(c.truth) &&
          overlap(a, b, c.query) == (c.truth.kind != RelationKind::apart);
 }
 
@@ -88,4 +86,4 @@ const bool voxel_solids_known =
                     .shard = 1000});
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

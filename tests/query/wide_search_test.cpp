@@ -17,36 +17,35 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
-using oracle::Rational;
 
 std::vector<Contact> copied(std::span<const Contact> contacts) { return {contacts.begin(), contacts.end()}; }
 
 TriangleMesh one_triangle(const Triangle& t) { return {{t[0], t[1], t[2]}, {{0, 1, 2}}}; }
 
-Rational dot_of(const std::array<float, 3>& form, const std::array<Rational, 3>& q) {
+oracle::Rational dot_of(const std::array<float, 3>& form, const std::array<oracle::Rational, 3>& q) {
   return (exact(static_cast<double>(form[0])) * q[0] + exact(static_cast<double>(form[1])) * q[1]) +
          exact(static_cast<double>(form[2])) * q[2];
 }
 
 /// A local point in a tree's units, as a real number.
-std::array<Rational, 3> in_tree(const WideTree& tree, const Vec3& x) {
+std::array<oracle::Rational, 3> in_tree(const WideTree& tree, const Vec3& x) {
   const auto one = [&](double value, double origin) {
-    return Rational((exact(value) - exact(origin)) / exact(tree.unit));
+    return oracle::Rational((exact(value) - exact(origin)) / exact(tree.unit));
   };
   return {one(x.x, tree.origin.x), one(x.y, tree.origin.y), one(x.z, tree.origin.z)};
 }
 
 /// How far the number of one axis is from the truth for two points that are one in the world, against its pad. What the
 /// floats of the walk round is not part of it.
-double error_ratio(const WideAxes& axes, std::size_t axis, const std::array<Rational, 3>& own,
-                   const std::array<Rational, 3>& other) {
-  const Rational at_own = axis < WideAxes::straight ? own[axis] : dot_of(axes.slanted[axis].own, own);
-  Rational at_other = exact(axes.offset[axis]);
+double error_ratio(const WideAxes& axes, std::size_t axis, const std::array<oracle::Rational, 3>& own,
+                   const std::array<oracle::Rational, 3>& other) {
+  const oracle::Rational at_own = axis < WideAxes::straight ? own[axis] : dot_of(axes.slanted[axis].own, own);
+  oracle::Rational at_other = exact(axes.offset[axis]);
   for (std::size_t i = 0; i < 3; ++i) at_other += exact(axes.other[i][axis]) * other[i];
-  const Rational error = at_own > at_other ? at_own - at_other : at_other - at_own;
+  const oracle::Rational error = at_own > at_other ? at_own - at_other : at_other - at_own;
   // Of a slanted axis the form itself is rounded to floats, which the walk's slack covers.
   const double slack = axis < WideAxes::straight ? 0 : 0x1p-20 * static_cast<double>(axes.own_size[axis]);
-  return static_cast<double>(Rational(error / (exact(static_cast<double>(axes.pad[axis])) + exact(slack))));
+  return static_cast<double>(oracle::Rational(error / (exact(static_cast<double>(axes.pad[axis])) + exact(slack))));
 }
 
 /// The worst over all axes, for meshes that have a world point in common: vertex 0 of both.

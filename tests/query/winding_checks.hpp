@@ -37,11 +37,6 @@ inline std::vector<Triangle> world_triangles(const TriangleMesh& mesh, const Pos
   return triangles;
 }
 
-inline Vec3 random_vector(Random& random, double size) {
-  const double x = random.between(-size, size), y = random.between(-size, size);
-  return {x, y, random.between(-size, size)};
-}
-
 /// A point of the family near one of the triangles; `size` is that of the mesh.
 inline Vec3 some_point_at(const std::string& family, const Triangle& t, double size, Random& random) {
   const double s = random.unit(), r = random.unit() * (1 - s);

@@ -130,7 +130,7 @@ TEST(WindingNumbers, ManyAtOnceAreTheSameAsOneByOne) {
 }
 
 TEST(WindingNumbers, BadInputIsRefused) {
-  const Model cube(test::box_mesh({0, 0, 0}, {1, 1, 1}));
+  const Model cube(test::box_between({0, 0, 0}, {1, 1, 1}));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(static_cast<void>(generalized_winding_number({infinity, 0, 0}, cube)), Error);
   EXPECT_THROW(static_cast<void>(generalized_winding_number({0, 0, 0}, Sphere(1))), Error);

@@ -125,14 +125,14 @@ TEST(WorldSearch, LooksOnlyAtWhatLiesBesideARay) {
 }
 
 TEST(WorldSearch, EndsWhenToldTo) {
-  const PosedMesh mesh(Model(test::box_mesh({0, 0, 0}, {1, 1, 1})), Pose{});
+  const PosedMesh mesh(Model(test::box_between({0, 0, 0}, {1, 1, 1})), Pose{});
   int visited = 0;
   visit_triangles_near(mesh, mesh.box(), [&](Index) { return ++visited < 3; });
   EXPECT_EQ(visited, 3);
 }
 
 TEST(WorldSearch, AnEmptyRegionHasNoTriangles) {
-  const PosedMesh mesh(Model(test::box_mesh({0, 0, 0}, {1, 1, 1})), Pose{});
+  const PosedMesh mesh(Model(test::box_between({0, 0, 0}, {1, 1, 1})), Pose{});
   EXPECT_TRUE(near(mesh, Aabb{}).empty());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -13,7 +14,6 @@
 namespace toccata {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The message of the Error that `make` throws; empty when it throws none.
@@ -32,7 +32,7 @@ void expect_refused(const std::string& words, const std::function<void()>& make)
 }
 
 TEST(Shapes, NumbersThatAreNotFiniteAreRefused) {
-  for (const double bad : {infinity, -infinity, not_a_number}) {
+  for (const double bad : {HUGE_VAL, -HUGE_VAL, not_a_number}) {
     expect_refused("position of a point", [&] { static_cast<void>(Point({bad, 0, 0})); });
     expect_refused("start of a segment", [&] { static_cast<void>(Segment({0, bad, 0}, {})); });
     expect_refused("end of a segment", [&] { static_cast<void>(Segment({}, {0, bad, 0})); });
@@ -49,7 +49,7 @@ TEST(Shapes, NumbersThatAreNotFiniteAreRefused) {
 }
 
 TEST(Shapes, SizesMustBePositiveAndFinite) {
-  for (const double bad : {0.0, -0.0, -1.0, infinity, not_a_number}) {
+  for (const double bad : {0.0, -0.0, -1.0, HUGE_VAL, not_a_number}) {
     expect_refused("radius of a sphere is", [&] { static_cast<void>(Sphere(bad)); });
     expect_refused("radius of a capsule is", [&] { static_cast<void>(Capsule({}, {1, 0, 0}, bad)); });
     expect_refused("radius of a rounded shape is", [&] { static_cast<void>(Rounded(Point{}, bad)); });
@@ -111,7 +111,7 @@ TEST(HeightField, IsTheTrianglesThatItsHeaderSays) {
 
 TEST(Compound, RefusesNoPartsAndBadPoses) {
   expect_refused("at least one part", [] { static_cast<void>(Compound({})); });
-  const std::vector<CompoundPart> moved_away = {{Sphere{1}}, {Sphere{1}, Pose::translation(0, infinity, 0)}};
+  const std::vector<CompoundPart> moved_away = {{Sphere{1}}, {Sphere{1}, Pose::translation(0, HUGE_VAL, 0)}};
   expect_refused("of part 1", [&] { static_cast<void>(Compound(moved_away)); });
   const std::vector<CompoundPart> null = {{std::shared_ptr<const TriangleMesh>()}};
   expect_refused("null", [&] { static_cast<void>(Compound(null)); });

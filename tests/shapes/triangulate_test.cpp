@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
+#include "support/error_message.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/predicates.hpp"
@@ -12,6 +12,7 @@
 namespace toccata {
 namespace {
 
+using test::message_of;
 using Triangles = std::vector<std::array<Index, 3>>;
 
 PolygonMesh one_face(std::vector<Vec3> corners) {
@@ -155,15 +156,6 @@ TEST(Triangulate, KeepsFaceNumbers) {
   EXPECT_EQ(mesh.face_count(), 3U);
   EXPECT_EQ((std::array{mesh.face_of(0), mesh.face_of(1), mesh.face_of(2), mesh.face_of(3)}),
             (std::array<Index, 4>{0, 1, 1, 2}));
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Triangulate, ErrorsNameTheFace) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace toccata::test {
 
 /// What a run of the `toccata` command left behind. `exit_code` is 128 + n when signal n ended it.
@@ -19,23 +21,6 @@ CommandResult run_command(const std::vector<std::string>& words, const std::file
 /// Runs it with a terminal for its standard error, until `awaited` is seen there or it ends; then it is killed. Gives
 /// what was seen.
 [[nodiscard]] std::string seen_on_terminal(const std::vector<std::string>& words, const std::string& awaited);
-
-/// A fresh folder that is removed with everything in it at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  /// Writes a file with this text and returns its path.
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// All that is in a file; nothing where there is none.
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);

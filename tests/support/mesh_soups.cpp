@@ -6,10 +6,6 @@
 namespace toccata::test {
 namespace {
 
-Vec3 random_vector(Random& random, double size) {
-  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
-}
-
 double snap(double value, double grid) { return grid == 0 ? value : std::round(value * grid) / grid; }
 
 Vec3 snap(const Vec3& v, double grid) { return {snap(v.x, grid), snap(v.y, grid), snap(v.z, grid)}; }
@@ -72,6 +68,10 @@ Pose random_pose(const std::string& family, Random& random) {
 
 }  // namespace
 
+Vec3 random_vector(Random& random, double size) {
+  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+}
+
 Mat3 random_rotation(Random& random) {
   std::array<double, 4> q{};
   double squared = 0;
@@ -107,7 +107,7 @@ TriangleMesh random_soup(Random& random, Index triangles, double size, double gr
   return {std::move(vertices), std::move(corners)};
 }
 
-TriangleMesh box_mesh(const Vec3& lower, const Vec3& upper) {
+TriangleMesh box_between(const Vec3& lower, const Vec3& upper) {
   std::vector<Vec3> corner;
   for (int i = 0; i < 8; ++i)
     corner.push_back(

@@ -23,7 +23,7 @@ Vec3 grid_point(Random& random, int steps) {
 
 TriangleMesh grid_box(Random& random) {
   const Vec3 lower = grid_point(random, 3), size = grid_point(random, 2) + Vec3{1, 1, 1};
-  return random.below(2) == 0 ? box_mesh(lower, lower + size) : other_box_mesh(lower, lower + size);
+  return random.below(2) == 0 ? box_between(lower, lower + size) : other_box_mesh(lower, lower + size);
 }
 
 TriangleMesh grid_tetrahedron(Random& random) {
@@ -58,8 +58,8 @@ TriangleMesh some_parts(Random& random) {
 
 /// A box with a box-shaped hole; sometimes the hole sticks out, or is filled twice.
 TriangleMesh hollow(Random& random) {
-  const TriangleMesh hole = box_mesh({1, 1, 1}, Vec3{2, 2, 2} + grid_point(random, 2));
-  return joined({box_mesh({0, 0, 0}, {4, 4, 3}), random.below(4) == 0 ? hole : inverted(hole)});
+  const TriangleMesh hole = box_between({1, 1, 1}, Vec3{2, 2, 2} + grid_point(random, 2));
+  return joined({box_between({0, 0, 0}, {4, 4, 3}), random.below(4) == 0 ? hole : inverted(hole)});
 }
 
 /// A turn by multiples of 90°, perhaps mirrored, by 1/2, 1 or 2, moved by halves.

@@ -11,7 +11,7 @@ namespace toccata::test {
 
 // Small closed meshes with known insides, and random pairs of them that touch, overlap and coincide often.
 
-/// A closed box whose faces are cut along the other diagonals than those of box_mesh.
+/// A closed box whose faces are cut along the other diagonals than those of box_between.
 TriangleMesh other_box_mesh(const Vec3& lower, const Vec3& upper);
 
 /// The prism over an L: the square [0, 2]² without (1, 2]², from z = 0 to 1.

@@ -109,8 +109,8 @@ SelfMesh mesh_of(const std::string& family, Random& random) {
   if (family == "needles") return {needle_mesh(random), {}};
   if (family == "duplicates") return {with_duplicates(any_mesh(random), random), {}};
   if (family == "soups") return {random_soup(random, 12, 0.4, random.below(2) == 0 ? 0 : 4), any_pose(random)};
-  if (family == "tiny") return {any_mesh(random), scaled({}, 1e-300)};
-  if (family == "huge") return {any_mesh(random), scaled({}, 1e305)};
+  if (family == "tiny") return {any_mesh(random), scaled(Pose{}, 1e-300)};
+  if (family == "huge") return {any_mesh(random), scaled(Pose{}, 1e305)};
   Pose far = any_pose(random);
   far.offset = {1e15, -1e15, 3e14};
   return {any_mesh(random), far};

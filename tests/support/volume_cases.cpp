@@ -9,8 +9,6 @@
 namespace toccata::test {
 namespace {
 
-Vec3 random_vector(Random& random) { return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; }
-
 Vec3 small_whole_numbers(Random& random) {
   const auto number = [&] { return static_cast<double>(random.below(5)) - 2; };
   const double x = number(), y = number(), z = number();
@@ -20,7 +18,7 @@ Vec3 small_whole_numbers(Random& random) {
 /// One point of a cloud of the regime, of about size 1, but for the needles.
 Vec3 cloud_point(const std::string& regime, Random& random, const Mat3& axes) {
   if (regime == "grid") return small_whole_numbers(random);
-  Vec3 s = random_vector(random);
+  Vec3 s = random_vector(random, 1);
   if (regime == "flat") s.z = 0;
   if (regime == "line") s.y = s.z = 0;
   if (regime == "point") s = {};
@@ -30,7 +28,7 @@ Vec3 cloud_point(const std::string& regime, Random& random, const Mat3& axes) {
 
 std::vector<Vec3> cloud(const std::string& regime, Random& random) {
   const Mat3 axes = random_rotation(random);
-  const Vec3 offset = regime == "grid" ? small_whole_numbers(random) : 1.5 * random_vector(random);
+  const Vec3 offset = regime == "grid" ? small_whole_numbers(random) : 1.5 * random_vector(random, 1);
   // Whole numbers, so that differences of clouds that share it need not be rounded much.
   const Vec3 origin = regime == "far" ? Vec3{0x1p30, -0x1p31, 0x1p29} : Vec3{};
   const int exponent = regime == "tiny" ? -995 : regime == "huge" ? 995 : 0;
@@ -43,7 +41,7 @@ std::vector<Vec3> cloud(const std::string& regime, Random& random) {
   return points;
 }
 
-Pose random_pose(const std::string& regime, Random& random) {
+Pose cloud_pose(const std::string& regime, Random& random) {
   static const std::vector<std::string> families = {"rigid", "rigid", "scaled", "sheared", "mirrored", "singular"};
   const std::uint64_t kind = random.below(families.size() + 1);
   if (kind == families.size()) return {};
@@ -73,7 +71,7 @@ VolumeCase volume_case(const std::string& regime, Random& random) {
     const Vec3 p = corner(), q = corner(), r = corner();
     input.triangles.push_back({{p, q, r}});
   }
-  input.pose = random_pose(regime, random);
+  input.pose = cloud_pose(regime, random);
   return input;
 }
 

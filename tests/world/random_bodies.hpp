@@ -74,7 +74,7 @@ inline Model random_smooth(Random& random) {
 inline Model random_any(Random& random) {
   switch (random.below(12)) {
     case 0:
-      return Model(box_mesh({-0.5, -0.5, -0.5}, {0.5, 0.25, 0.5}));
+      return Model(box_between({-0.5, -0.5, -0.5}, {0.5, 0.25, 0.5}));
     case 1:
       return Model(random_soup(random, 6, 0.7, 8));
     case 2:

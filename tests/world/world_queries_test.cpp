@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 #include <thread>
 
-#include "toccata/core/error.hpp"
+#include "support/error_message.hpp"
 #include "world/world_queries_checks.hpp"
 
 namespace toccata {
 namespace {
+
+using test::message_of;
 
 TEST(WorldQueries, AnswerAsEveryBodyByItselfThroughALife) {
   for (const std::string& family : test::crowd_families())
@@ -106,15 +107,6 @@ TEST(WorldQueries, AreAskedFromTwoThreadsAtOnce) {
   }
   EXPECT_EQ(found[0]->body.index, 0U);
   EXPECT_EQ(found[0], found[1]);
-}
-
-std::string message_of(const std::function<void()>& ask) {
-  try {
-    ask();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(WorldQueries, AreNotAskedAboutBodiesThatHaveChanged) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <thread>
 
@@ -16,8 +15,6 @@
 
 namespace toccata {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Body ball_at(double x, double radius = 1) { return {Sphere(radius), Pose::translation(x, 0, 0)}; }
 
@@ -93,7 +90,7 @@ TEST(World, RulesOfAPairComeBeforeMargins) {
   world.set_rule({ids[0], ids[1], false, {}});
   world.move(ids[1], Pose::translation(1, 0, 0));
   EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
-  world.set_rule({ids[2], ids[0], false, infinity});
+  world.set_rule({ids[2], ids[0], false, HUGE_VAL});
   EXPECT_EQ(names_of(world.step().begun), (Names{{0, 2}}));
   world.remove(ids[2]);
   EXPECT_EQ(world.step().ended.size(), 1U);
@@ -223,7 +220,7 @@ TEST_F(BadInput, OfAddedBodiesChangesNothing) {
                  "body 1 of the 3 to add: its margin is nan; it has to be a length of 0 or more");
   bodies[1].margin = 0;
   bodies[2].name = "leg";
-  bodies[2].pose.offset.y = infinity;
+  bodies[2].pose.offset.y = HUGE_VAL;
   const std::string offset = complaint_of([&] { world_.add(bodies); });
   EXPECT_EQ(offset.substr(0, 42), "body 2 of the 3 to add (\"leg\"): the sphere") << offset;
   expect_refused([&] { world_.add(bodies); }, offset);
@@ -301,7 +298,7 @@ TEST(World, HalfSpacesAndInfiniteMarginsAreBodiesLikeOthers) {
   Body ground{HalfSpace({0, 0, 0}, {0, 0, 1})};
   ground.motion = Motion::fixed;
   Body watcher{Point({1e9, 0, 1e9})};
-  watcher.margin = infinity;
+  watcher.margin = HUGE_VAL;
   world.add(std::array{ground, Body{Sphere(1), Pose::translation(5e8, 0, 1)},
                        Body{Sphere(1), Pose::translation(5e8, 9, 1.5)}, watcher});
   const WorldStep& step = world.step();
