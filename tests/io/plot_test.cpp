@@ -22,26 +22,26 @@
 namespace toccata {
 namespace {
 
-using Tree = boost::property_tree::ptree;
+using PropertyTree = boost::property_tree::ptree;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double greatest = std::numeric_limits<double>::max();
 
-double number_of(const Tree& element, const char* name) {
+double number_of(const PropertyTree& element, const char* name) {
   return element.get<double>(std::string("<xmlattr>.") + name);
 }
 
 /// Throws unless it is XML.
-Tree parsed(const std::string& svg) {
+PropertyTree parsed(const std::string& svg) {
   std::istringstream stream(svg);
-  Tree tree;
+  PropertyTree tree;
   boost::property_tree::read_xml(stream, tree);
   return tree.get_child("svg");
 }
 
 /// What is drawn lies in the picture.
 void expect_inside(const std::string& svg) {
-  const Tree picture = parsed(svg);
+  const PropertyTree picture = parsed(svg);
   const double width = number_of(picture, "width"), height = number_of(picture, "height");
   EXPECT_EQ(width, 760);
   const auto inside = [&](double x, double y) {
