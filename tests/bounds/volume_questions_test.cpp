@@ -58,8 +58,6 @@ TEST(VolumeQuestion, TheBoxAroundTheRotatedBoxHoldsTheOneThatIsFittedAnew) {
   }
 }
 
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 /// The radius of the circle through three points if its centre is within the triangle, else 0.
 double acute_radius(const Vec3& p, const Vec3& q, const Vec3& r) {
   const bool acute = dot(q - p, r - p) > 0 && dot(p - q, r - q) > 0 && dot(p - r, q - r) > 0;
