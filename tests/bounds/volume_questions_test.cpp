@@ -10,6 +10,7 @@
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {

@@ -8,6 +8,7 @@
 #include "support/coherence.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
+#include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {
