@@ -56,7 +56,7 @@ std::vector<Vec3> copied(const Number* first, const PositionBuffer& positions, d
 }
 
 template <class Number>
-std::vector<std::array<Index, 3>> triples(const Number* first, std::size_t count) {
+std::vector<std::array<Index, 3>> corners_by_triangle(const Number* first, std::size_t count) {
   if (count % 3 != 0)
     throw Error("triangle " + std::to_string(count / 3) + " has " + std::to_string(count % 3) + " corners: there are " +
                 std::to_string(count) + " indices; give three a triangle");
@@ -75,7 +75,8 @@ TriangleMesh TriangleMesh::from_buffers(const PositionBuffer& positions, const I
     throw Error("the pointer to " + std::to_string(indices.count) + " indices is null");
   return {positions.floats != nullptr ? copied(positions.floats, positions, scale)
                                       : copied(positions.doubles, positions, scale),
-          indices.narrow != nullptr ? triples(indices.narrow, indices.count) : triples(indices.wide, indices.count)};
+          indices.narrow != nullptr ? corners_by_triangle(indices.narrow, indices.count)
+                                    : corners_by_triangle(indices.wide, indices.count)};
 }
 
 TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
