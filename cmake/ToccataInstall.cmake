@@ -17,5 +17,11 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ToccataConfig.cmake ${CMAKE_CURRENT_BI
 
 # From <prefix>/<libdir>/pkgconfig back to the prefix, so that the installed tree can be moved.
 file(RELATIVE_PATH TOCCATA_PREFIX_FROM_PKGCONFIG /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+# A static library does not bring what it needs, so who links it names that too.
+if(BUILD_SHARED_LIBS)
+  set(TOCCATA_PC_REQUIRES Requires.private)
+else()
+  set(TOCCATA_PC_REQUIRES Requires)
+endif()
 configure_file(cmake/toccata.pc.in toccata.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/toccata.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,4 +1,5 @@
 // Two meshes approach each other: how far apart, when do they touch, and where?
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <cstdio>

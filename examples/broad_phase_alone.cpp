@@ -1,4 +1,5 @@
 // The broad phase by itself: boxes that move, and which of them overlap. What the boxes stand for is yours.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Bullets, rays and moving shapes in a World: nothing is missed, however fast it flies.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <cstdio>

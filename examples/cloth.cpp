@@ -1,4 +1,5 @@
 // A cloth falls onto a ball: a mesh that deforms in each step, its tree refitted, contacts and self-contacts.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Two thousand bodies fall onto the ground and onto each other. The library finds the contacts; the physics here is the
 // simplest that there is: each contact moves the two apart.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <algorithm>

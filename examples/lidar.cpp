@@ -1,4 +1,5 @@
 // A lidar turns in a yard: 64 × 360 rays, the first thing that each hits, and how far away it is.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Meshes from buffers of your own, poses from quaternions, and what bad input gets told.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <array>

@@ -1,4 +1,5 @@
 // A robot arm of three links beside a table: which joint angles are free, and with how much clearance?
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <array>

@@ -1,4 +1,5 @@
 // The nearest points of a surface, and the signed distance on a grid: negative inside.
+#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <cstdio>

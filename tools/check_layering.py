@@ -3,7 +3,8 @@
 
 A file of a room (include/toccata/<room>/, src/<room>/) includes only its own room and those before it in
 tools/rooms.txt. A public header includes only public headers and the standard library. The command includes only public
-headers and its own. include/toccata/toccata.hpp names every public header, and no folder is a room without a name.
+headers and its own. Every public header is named by one of the umbrellas in include/toccata, and no folder is a room
+without a name.
 """
 import pathlib
 import re
@@ -13,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOMS = (ROOT / "tools/rooms.txt").read_text().split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
-# Rooms that exist to meet other libraries: their headers include them and are not part of toccata.hpp.
+# Rooms that exist to meet other libraries: their headers include them and are in no umbrella.
 GUEST_ROOMS = {"interop", "distributed"}
 
 
@@ -50,7 +51,7 @@ def check_rooms(base, public):
     for path in sources(base):
         parts = path.relative_to(ROOT / base).parts
         if len(parts) == 1 and public:
-            continue  # toccata.hpp, checked on its own
+            continue  # an umbrella, checked on its own
         if parts[0] not in ROOMS:
             yield f"{path}: {parts[0]} is not in tools/rooms.txt"
         else:
@@ -67,17 +68,18 @@ def check_command():
                 yield f'{path}: the command includes the private "{included}"'
 
 
-def check_umbrella():
-    umbrella = ROOT / "include/toccata/toccata.hpp"
-    named = {included for _, included in includes(umbrella)}
-    public = {str(p.relative_to(ROOT / "include")) for p in sources("include/toccata")}
-    expected = {p for p in public - {"toccata/toccata.hpp"} if p.split("/")[1] not in GUEST_ROOMS}
-    for missing in sorted(expected - named):
-        yield f'{umbrella}: does not include "{missing}"'
+def check_umbrellas():
+    umbrellas = sorted((ROOT / "include/toccata").glob("*.hpp"))
+    named = [included for umbrella in umbrellas for _, included in includes(umbrella)]
+    public = {str(p.relative_to(ROOT / "include")) for p in sources("include/toccata") if p not in umbrellas}
+    for missing in sorted(p for p in public - set(named) if p.split("/")[1] not in GUEST_ROOMS):
+        yield f'{ROOT}/include/toccata: no umbrella includes "{missing}"'
+    for twice in sorted({name for name in named if named.count(name) > 1}):
+        yield f'{ROOT}/include/toccata: more than one umbrella includes "{twice}"'
 
 
 def main():
-    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrella()]
+    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrellas()]
     for complaint in complaints:
         print(complaint.replace(f"{ROOT}/", ""))
     print(f"layering: {len(complaints)} complaints")

@@ -86,7 +86,7 @@ WorldWork work_at_mesh(const WorldQueriesArguments& arguments) {
   WorldWork work;
   work.task = WorldTask::cast;
   const Model mesh = hundred_long(*single_mesh(arguments.mesh));
-  const Aabb box = mesh.vertex_box();
+  const Aabb box = mesh.bounds();
   const double reach = 100;
   work.bodies.push_back({mesh, {}, Solid::none, ""});
   Random random(arguments.seed);

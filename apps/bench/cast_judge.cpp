@@ -11,8 +11,6 @@ namespace {
 
 using oracle::Fine;
 
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 /// By so much of the way two answers differ that tell a hit.
 double apart(const CastAnswer& x, const CastAnswer& ours) {
   const double error = std::max({0.0, ours.lower - x.upper, x.lower - ours.upper});

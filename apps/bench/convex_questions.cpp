@@ -66,9 +66,7 @@ void add_walk(std::size_t number, const ConvexPair& pair, std::size_t steps, Ran
   const Mat3 first_a = random_rotation(random), first_b = random_rotation(random);
   for (std::size_t step = 0; step < steps; ++step) {
     const double angle = degrees * static_cast<double>(step);
-    const auto turned = [&](const Vec3& axis, const Mat3& first) {
-      return compose({rotation_about(axis, angle), {}}, {first, {}}).linear;
-    };
+    const auto turned = [&](const Vec3& axis, const Mat3& first) { return rotation_about(axis, angle) * first; };
     const Vec3 centre = reach * transform({rotation_about(across, angle / 2), {}}, start);
     work.questions.push_back({number, {turned(axis_a, first_a), {}}, {turned(axis_b, first_b), centre}, step > 0});
   }

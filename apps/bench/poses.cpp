@@ -118,7 +118,7 @@ Step random_step(Random& random, double length, double diagonal) {
 
 Pose moved_on(const Pose& pose, const Vec3& centre, const Step& step) {
   const Vec3 at = transform(pose, centre);
-  const Pose turned = compose({step.turn, {}}, {pose.linear, {}});
+  const Pose turned = Pose{step.turn, {}} * Pose{pose.linear, {}};
   return {turned.linear, at + step.translation - transform(turned, centre)};
 }
 
@@ -185,7 +185,7 @@ std::vector<PosePair> moved_together(const std::vector<PosePair>& poses, std::si
   for (std::size_t i = 0; i < count; ++i) {
     const Pose motion{uniform_rotation(random), random_vector(random, 10)};
     const PosePair& pair = poses[i % poses.size()];
-    moved.push_back({compose(motion, pair.a), compose(motion, pair.b)});
+    moved.push_back({motion * pair.a, motion * pair.b});
   }
   return moved;
 }

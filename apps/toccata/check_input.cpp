@@ -24,7 +24,7 @@ void apply_poses(LoadedScene& loaded, const PosedArguments& arguments) {
   for (std::size_t file = 0; file < 2; ++file) {
     if (!poses[file]) continue;
     for (std::size_t i = loaded.first_object[file]; i < loaded.first_object[file + 1]; ++i)
-      loaded.scene.objects[i].pose = compose(*poses[file], loaded.scene.objects[i].pose);
+      loaded.scene.objects[i].pose = *poses[file] * loaded.scene.objects[i].pose;
   }
 }
 
@@ -53,8 +53,7 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
                             models.size() == 1 ? "is" : "are", models.size()));
   std::vector<PairQuery> queries = read_poses(arguments.poses);
   for (PairQuery& query : queries)
-    query = {compose(query.pose_a, models[0].pose), compose(query.pose_b, models[1].pose), models[0].solid,
-             models[1].solid};
+    query = {query.pose_a * models[0].pose, query.pose_b * models[1].pose, models[0].solid, models[1].solid};
   return queries;
 }
 

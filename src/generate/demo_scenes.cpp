@@ -6,6 +6,7 @@
 
 #include "generate/mesh_building.hpp"
 #include "generate/scene_building.hpp"
+#include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -25,8 +26,7 @@ Index add_link(Scene& scene, std::optional<Index> parent, const Pose& joint, con
   const Index node = static_cast<Index>(scene.nodes.size());
   scene.nodes.push_back({name, parent, joint});
   Pose world = joint;
-  for (std::optional<Index> up = parent; up; up = scene.nodes[*up].parent)
-    world = compose(scene.nodes[*up].pose, world);
+  for (std::optional<Index> up = parent; up; up = scene.nodes[*up].parent) world = scene.nodes[*up].pose * world;
   SceneObject& object = add(scene, name, std::move(mesh), world);
   object.node = node;
   object.group = "arm";
@@ -40,8 +40,8 @@ SharedMesh beam(double half_width, double length) {
 
 /// A rotation that takes the z axis to a direction.
 Mat3 along(const Vec3& direction) {
-  const Vec3 z = normalized(direction);
-  const Vec3 x = normalized(std::abs(z.x) < 0.5 ? cross({1, 0, 0}, z) : cross({0, 1, 0}, z));
+  const Vec3 z = plain_unit_or_zero(direction);
+  const Vec3 x = plain_unit_or_zero(std::abs(z.x) < 0.5 ? cross({1, 0, 0}, z) : cross({0, 1, 0}, z));
   const Vec3 y = cross(z, x);
   return {{{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}}};
 }

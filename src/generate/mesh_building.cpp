@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -34,10 +35,8 @@ Vec3 random_direction(Random& random) {
   for (;;) {
     const Vec3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const double squared = dot(v, v);
-    if (squared > 0.01 && squared <= 1) return normalized(v);
+    if (squared > 0.01 && squared <= 1) return plain_unit_or_zero(v);
   }
 }
-
-Vec3 normalized(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 }  // namespace toccata

@@ -32,6 +32,4 @@ void require_range(const std::string& what, double value, double least, double g
 /// Uniform on the unit sphere.
 [[nodiscard]] Vec3 random_direction(Random& random);
 
-[[nodiscard]] Vec3 normalized(const Vec3& v);
-
 }  // namespace toccata

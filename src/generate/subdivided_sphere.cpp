@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generate/mesh_building.hpp"
+#include "math/vec3_measures.hpp"
 
 namespace toccata {
 namespace {
@@ -19,7 +20,7 @@ SubdividedSphere icosahedron() {
         Vec3 v;
         v[(axis + 1) % 3] = s;
         v[(axis + 2) % 3] = t;
-        sphere.directions.push_back(normalized(v));
+        sphere.directions.push_back(plain_unit_or_zero(v));
       }
   // Faces join three directions that are pairwise nearest; of each triple, the order that turns outward.
   const auto near = [&](Index a, Index b) { return dot(sphere.directions[a], sphere.directions[b]) > 0.4; };
@@ -39,7 +40,7 @@ SubdividedSphere cut_into_four(const SubdividedSphere& coarse) {
   std::map<std::pair<Index, Index>, Index> middles;
   const auto middle = [&](Index a, Index b) {
     const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(fine.directions.size()));
-    if (is_new) fine.directions.push_back(normalized(coarse.directions[a] + coarse.directions[b]));
+    if (is_new) fine.directions.push_back(plain_unit_or_zero(coarse.directions[a] + coarse.directions[b]));
     return found->second;
   };
   for (const auto& [a, b, c] : coarse.triangles) {

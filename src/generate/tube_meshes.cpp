@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "generate/mesh_building.hpp"
+#include "math/vec3_measures.hpp"
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/trigonometry.hpp"
 
@@ -30,7 +31,7 @@ KnotFrame knot_frame(const TorusKnotShape& shape, const SineCosine& around, cons
   const Vec3 n = through.cosine * outward + through.sine * up;
   const Vec3 across = through.cosine * up - through.sine * outward;
   const Vec3 t = shape.p * distance * forward + shape.q * shape.second_radius * across;
-  return {distance * outward + shape.second_radius * through.sine * up, n, normalized(t)};
+  return {distance * outward + shape.second_radius * through.sine * up, n, plain_unit_or_zero(t)};
 }
 
 void add_ring(Rings& rings, const KnotFrame& frame, double tube_radius, int sides) {

@@ -1,8 +1,11 @@
 #include "toccata/math/rotation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/math/predicates.hpp"
 #include "toccata/math/trigonometry.hpp"
 
 namespace toccata {
@@ -14,7 +17,47 @@ Vec3 direction_of(const Vec3& axis) {
   return {axis.x / length, axis.y / length, axis.z / length};
 }
 
+/// The largest of the numbers.
+double size_of(const Mat3& m) {
+  return std::max({largest_magnitude(m[0]), largest_magnitude(m[1]), largest_magnitude(m[2])});
+}
+
+double frobenius_norm(const Mat3& m) { return std::sqrt((dot(m[0], m[0]) + dot(m[1], m[1])) + dot(m[2], m[2])); }
+
+Mat3 combined(double s, const Mat3& a, double t, const Mat3& b) {
+  return {{s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]}};
+}
+
+Mat3 inverse_transpose(const Mat3& m) {
+  const Vec3 x = cross(m[1], m[2]), y = cross(m[2], m[0]), z = cross(m[0], m[1]);
+  const double determinant = dot(m[0], x);
+  return {{x / determinant, y / determinant, z / determinant}};
+}
+
+/// More than any matrix needs of which something can be told: nine steps of a condition of 2^52.
+constexpr int most_polar_steps = 30;
+
 }  // namespace
+
+Mat3 nearest_rotation(const Mat3& m) {
+  if (!is_finite(m)) throw Error("the matrix to turn into a rotation has a number that is not finite");
+  if (triple_product_sign({m[0], {}}, {m[1], {}}, {m[2], {}}) != Sign::positive)
+    throw Error("the matrix to turn into a rotation mirrors or flattens: its determinant is not positive");
+  const int exponent = -std::ilogb(size_of(m));
+  Mat3 x = m;
+  for (Vec3& row : x.row)
+    for (int axis = 0; axis < 3; ++axis) row[axis] = std::scalbn(row[axis], exponent);
+  for (int step = 0; step < most_polar_steps; ++step) {
+    const Mat3 back = inverse_transpose(x);
+    const double factor = std::sqrt(frobenius_norm(back) / frobenius_norm(x));
+    const Mat3 next = combined(0.5 * factor, x, 0.5 / factor, back);
+    const double change = size_of(combined(1, next, -1, x));
+    x = next;
+    if (change < 0x1p-30) return combined(0.5, x, 0.5, inverse_transpose(x));  // one step more squares what is left
+    if (!is_finite(x)) break;
+  }
+  throw Error("the matrix to turn into a rotation is so nearly singular that doubles do not tell the rotation");
+}
 
 Mat3 rotation_about(const Vec3& axis, double degrees) {
   if (!std::isfinite(degrees)) throw Error("a rotation's angle must be finite");

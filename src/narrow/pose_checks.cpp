@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-constexpr double deformation_limit = 0x1p-40;
+constexpr double deformation_limit = 0x1p-10;
 
 // Where no number of R is above 1.01, each computed entry of RᵀR − I is off by less than 2^-49 (three products of sum
 // at most 3.1, four roundings of 2^-53 each, and underflow), and a sum of three of them by less than 2^-47.
@@ -59,9 +59,10 @@ void require_finite(const Pose& pose, std::string_view who) {
 void require_undeformed(const Pose& pose, std::string_view who) {
   if (!deforms(pose.linear)) return;
   throw Error(fmt::format(
-      "{}: the pose ({}) deforms it: the largest row sum of |RᵀR − I| is more than 2⁻⁴⁰; give a rotation or "
-      "a mirrored one and put a scale into the numbers of the shape, or use an ellipsoid",
-      who, fmt::join(pose.numbers(), ", ")));
+      "{}: the pose ({}) deforms it: the largest row sum of |RᵀR − I| is {:.3g}, and at most 2⁻¹⁰ = {} is allowed; "
+      "make "
+      "a rotation of what drifted (nearest_rotation), put a scale into the numbers of the shape, or use an ellipsoid",
+      who, fmt::join(pose.numbers(), ", "), deformation(pose.linear), deformation_limit));
 }
 
 void require_regular(const Pose& pose, std::string_view who) {

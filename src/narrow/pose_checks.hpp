@@ -9,7 +9,8 @@
 // What a pose has to be for a shape (docs/truth.md). `who` names the shape in messages: "the sphere".
 namespace toccata {
 
-/// The largest row sum of |RᵀR − I| is more than 2⁻⁴⁰, exactly: a ball would not stay a ball. Precondition: finite.
+/// The largest row sum of |RᵀR − I| is more than 2⁻¹⁰, exactly: no rotation that drifted or was rounded to
+/// floats, but one that was meant to stretch. Precondition: finite.
 [[nodiscard]] bool deforms(const Mat3& linear);
 
 /// A rotation, or a mirrored one, but for a few roundings; such a matrix is finite, does not deform and is not
@@ -30,7 +31,8 @@ namespace toccata {
 /// Throws Error unless all twelve numbers are finite.
 void require_finite(const Pose& pose, std::string_view who);
 
-/// Throws Error, naming the ellipsoid as the shape to use, when the pose deforms. Precondition: finite.
+/// Throws Error, telling by how much and naming `nearest_rotation` and the ellipsoid, when the pose deforms.
+/// Precondition: finite.
 void require_undeformed(const Pose& pose, std::string_view who);
 
 /// Throws Error when the determinant is 0: the pose would flatten a solid. Precondition: finite.

@@ -145,7 +145,7 @@ const WideTree& Model::wide_tree() const {
   return parts_->wide_tree;
 }
 
-const Aabb& Model::vertex_box() const {
+const Aabb& Model::bounds() const {
   static_cast<void>(mesh());
   return parts_->vertex_box;
 }

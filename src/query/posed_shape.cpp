@@ -80,7 +80,7 @@ void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_vi
   for (std::size_t i = 0; i < model.parts().size(); ++i) {
     fmt::memory_buffer name;  // a string would be allocated
     fmt::format_to(std::back_inserter(name), "{}, part {}", who, i);
-    add_parts(model.parts()[i], compose(pose, compound->parts()[i].pose), solid, {name.data(), name.size()}, posed);
+    add_parts(model.parts()[i], pose * compound->parts()[i].pose, solid, {name.data(), name.size()}, posed);
   }
 }
 

@@ -132,6 +132,8 @@ ConvexHull::ConvexHull(std::span<const Vec3> points) {
   fill_guide(*this, parts->at(parts->guide_offset(), parts->guides));
 }
 
+ConvexHull::ConvexHull(std::initializer_list<Vec3> points) : ConvexHull(std::span(points.begin(), points.size())) {}
+
 Index ConvexHull::vertex_count() const { return parts_->vertices; }
 
 Vec3 ConvexHull::vertex(Index i) const {

@@ -1,5 +1,6 @@
 #include "toccata/shapes/shape.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -24,13 +25,26 @@ void require_part(const CompoundPart& part, std::size_t number) {
 
 struct Compound::Parts {
   std::vector<CompoundPart> all;
+  int levels = 0;  ///< of compounds, this one included
 };
 
+int Compound::levels_of(std::span<const CompoundPart> parts) {
+  int below = 0;
+  for (const CompoundPart& part : parts)
+    if (const auto* compound = std::get_if<Compound>(&part.shape)) below = std::max(below, compound->parts_->levels);
+  return below + 1;
+}
+
 Compound::Compound(std::span<const CompoundPart> parts)
-    : parts_(std::make_shared<const Parts>(Parts{{parts.begin(), parts.end()}})) {
+    : parts_(std::make_shared<const Parts>(Parts{{parts.begin(), parts.end()}, levels_of(parts)})) {
   if (parts.empty()) throw Error("a compound needs at least one part");
+  if (parts_->levels > most_compound_levels)
+    throw Error(fmt::format("compounds are nested more than {} deep; put their parts side by side into one",
+                            most_compound_levels));
   for (std::size_t i = 0; i < parts.size(); ++i) require_part(parts[i], i);
 }
+
+Compound::Compound(std::initializer_list<CompoundPart> parts) : Compound(std::span(parts.begin(), parts.size())) {}
 
 std::span<const CompoundPart> Compound::parts() const { return parts_->all; }
 

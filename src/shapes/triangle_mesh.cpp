@@ -1,5 +1,8 @@
 #include "toccata/shapes/triangle_mesh.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -36,7 +39,45 @@ void check_faces(std::span<const Index> face_of_triangle, std::size_t triangle_c
                   "triangles by face");
 }
 
+/// By memcpy, as a stride need not keep numbers aligned.
+template <class Number>
+std::vector<Vec3> copied(const Number* first, const PositionBuffer& positions, double scale) {
+  if (positions.stride < 3 * sizeof(Number))
+    throw Error("positions have a stride of " + std::to_string(positions.stride) + " bytes, and three numbers take " +
+                std::to_string(3 * sizeof(Number)));
+  std::vector<Vec3> vertices(positions.count);
+  const auto* bytes = reinterpret_cast<const std::byte*>(first);
+  for (std::size_t i = 0; i < positions.count; ++i) {
+    std::array<Number, 3> p;
+    std::memcpy(p.data(), bytes + i * positions.stride, sizeof p);
+    vertices[i] = {scale * p[0], scale * p[1], scale * p[2]};
+  }
+  return vertices;
+}
+
+template <class Number>
+std::vector<std::array<Index, 3>> corners_by_triangle(const Number* first, std::size_t count) {
+  if (count % 3 != 0)
+    throw Error("triangle " + std::to_string(count / 3) + " has " + std::to_string(count % 3) + " corners: there are " +
+                std::to_string(count) + " indices; give three a triangle");
+  std::vector<std::array<Index, 3>> triangles(count / 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t) triangles[t] = {first[3 * t], first[3 * t + 1], first[3 * t + 2]};
+  return triangles;
+}
+
 }  // namespace
+
+TriangleMesh TriangleMesh::from_buffers(const PositionBuffer& positions, const IndexBuffer& indices, double scale) {
+  if (!(scale > 0) || !std::isfinite(scale)) throw Error("the scale of a mesh has to be positive and finite");
+  if (positions.floats == nullptr && positions.doubles == nullptr && positions.count > 0)
+    throw Error("the pointer to " + std::to_string(positions.count) + " positions is null");
+  if (indices.narrow == nullptr && indices.wide == nullptr && indices.count > 0)
+    throw Error("the pointer to " + std::to_string(indices.count) + " indices is null");
+  return {positions.floats != nullptr ? copied(positions.floats, positions, scale)
+                                      : copied(positions.doubles, positions, scale),
+          indices.narrow != nullptr ? corners_by_triangle(indices.narrow, indices.count)
+                                    : corners_by_triangle(indices.wide, indices.count)};
+}
 
 TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
                            std::vector<Index> face_of_triangle)

@@ -10,6 +10,7 @@
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
+#include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {
@@ -57,8 +58,6 @@ TEST(VolumeQuestion, TheBoxAroundTheRotatedBoxHoldsTheOneThatIsFittedAnew) {
     EXPECT_TRUE(contains(posed(fit<Aabb>(points), pose), fit<Aabb>(transform(pose, points))));
   }
 }
-
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 /// The radius of the circle through three points if its centre is within the triangle, else 0.
 double acute_radius(const Vec3& p, const Vec3& q, const Vec3& r) {

@@ -79,8 +79,8 @@ TEST(Gltf, NodesPoseSharedMeshes) {
   EXPECT_EQ(scene.objects[1].name, "part #2");
   EXPECT_EQ(scene.objects[0].mesh(), scene.objects[1].mesh());
   const Pose root = pose_of({1, 2, 3}, rotation_of({0, 0, 1, 1}), {1, 1, 1});
-  EXPECT_EQ(scene.objects[0].pose, compose(root, scaled(Pose{}, 2)));
-  EXPECT_EQ(scene.objects[1].pose, compose(root, Pose::from_numbers({0, -1, 0, 1, 0, 0, 0, 0, 1, 7, 8, 9})));
+  EXPECT_EQ(scene.objects[0].pose, root * scaled(Pose{}, 2));
+  EXPECT_EQ(scene.objects[1].pose, root * Pose::from_numbers({0, -1, 0, 1, 0, 0, 0, 0, 1, 7, 8, 9}));
   EXPECT_EQ(scene.nodes[1].parent, 0U);
   EXPECT_EQ(scene.objects[0].mesh()->vertices()[3].y, static_cast<double>(0.1F));
   EXPECT_EQ(triangles_of(scene), (std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}}));

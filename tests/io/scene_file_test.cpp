@@ -84,7 +84,7 @@ TEST_F(SceneFile, PosesAndParentsAreComposedFromTheRoot) {
   EXPECT_EQ(scene.nodes[0].name, "shoulder");
   EXPECT_EQ(scene.nodes[1].parent, 0U);
   EXPECT_EQ(scene.objects[0].node, 2U);
-  EXPECT_EQ(scene.objects[0].pose, scaled(compose(compose(shoulder, elbow), hand), 0.0254 / 0.001));
+  EXPECT_EQ(scene.objects[0].pose, scaled(shoulder * elbow * hand, 0.0254 / 0.001));
 }
 
 TEST_F(SceneFile, UnitsScaleTheShapeOnly) {

@@ -41,6 +41,49 @@ TEST(Rotation, RefusesWhatHasNoDirection) {
   EXPECT_THROW((void)rotation_of({0, 0, 0, 0}), Error);
 }
 
+double deviation(const Mat3& m) {
+  double largest = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      largest = std::fmax(largest, std::fabs(dot(m.column(i), m.column(j)) - (i == j ? 1 : 0)));
+  return largest;
+}
+
+TEST(Rotation, NearestOfAStretchedRotationIsTheRotation) {
+  Random random(7);
+  const auto number = [&] { return random.between(-1, 1); };
+  for (int i = 0; i < 300; ++i) {
+    const Mat3 turn = rotation_about({number(), number(), 2}, 180 * number());
+    const Mat3 along = rotation_about({number(), 2, number()}, 180 * number());
+    Mat3 stretch;  // symmetric and positive: turn is the polar factor of turn * stretched
+    for (int axis = 0; axis < 3; ++axis) stretch[axis][axis] = std::exp2(3 * number());
+    const Mat3 stretched = along * stretch * transpose(along);
+    const double scale = std::exp2(900 * number());
+    Mat3 given = turn * stretched;
+    for (Vec3& row : given.row) row *= scale;
+    const Mat3 found = nearest_rotation(given);
+    EXPECT_LT(deviation(found), 1e-15);
+    for (int row = 0; row < 3; ++row) EXPECT_LT(length(found[row] - turn[row]), 1e-13) << i;
+  }
+}
+
+TEST(Rotation, NearestOfARotationIsNearlyItself) {
+  EXPECT_EQ(nearest_rotation({}), Mat3{});
+  const Mat3 quarter = rotation_about({0, 1, 0}, 90);
+  EXPECT_EQ(nearest_rotation(quarter), quarter);
+}
+
+TEST(Rotation, NearestRefusesWhatMirrorsOrFlattens) {
+  EXPECT_THROW((void)nearest_rotation({{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}}), Error);
+  EXPECT_THROW((void)nearest_rotation({{{{1, 2, 3}, {2, 4, 6}, {0, 0, 1}}}}), Error);
+  EXPECT_THROW((void)nearest_rotation({{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}}), Error);
+  EXPECT_THROW((void)nearest_rotation({{{{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}}}), Error);
+  try {  // nearly flat: an answer is a rotation, or there is none
+    EXPECT_LT(deviation(nearest_rotation({{{{1, 0, 0}, {0, 1e-200, 0}, {0, 0, 1e-250}}}})), 1e-15);
+  } catch (const Error&) {
+  }
+}
+
 TEST(Rotation, PoseScalesFirst) {
   const Pose pose = pose_of({10, 0, 0}, rotation_about({0, 0, 1}, 90), {2, 3, 4});
   EXPECT_EQ(transform(pose, {1, 1, 1}), (Vec3{7, 2, 4}));

@@ -12,8 +12,6 @@
 namespace toccata {
 namespace {
 
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
-
 VertexPairs pairs(std::initializer_list<std::pair<Index, Index>> list) {
   VertexPairs result;
   for (const auto& [a, b] : list) result.append(a, b);

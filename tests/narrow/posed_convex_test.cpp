@@ -45,20 +45,20 @@ void expect_consistent(const HullTopology& t) {
 }
 
 TEST(Deformation, ALimitIsDecidedExactly) {
-  // RᵀR − I of 1 + x along one axis is 2x + x²; with x = 2^-41 that is above 2^-40, with the double below it is not.
-  EXPECT_TRUE(deforms(of_diagonal(1 + 0x1p-41, 1, 1).linear));
-  EXPECT_FALSE(deforms(of_diagonal(1 + 0x1p-41 - 0x1p-52, 1, 1).linear));
-  // −2x + x² with x = 2^-41 stays within, and one step farther not.
-  EXPECT_FALSE(deforms(of_diagonal(1, 1 - 0x1p-41, 1).linear));
-  EXPECT_TRUE(deforms(of_diagonal(1, 1, 1 - 0x1p-41 - 0x1p-53).linear));
+  // RᵀR − I of a stretch x along one axis is x² − 1, of which fma tells the sign exactly.
+  for (const double limit : {1 + 0x1p-10, 1 - 0x1p-10}) {
+    const double near = std::sqrt(limit);
+    for (const double x : {std::nextafter(near, 0), near, std::nextafter(near, 2)})
+      EXPECT_EQ(deforms(of_diagonal(1, x, 1).linear), std::fma(x, x, -limit) * (limit - 1) > 0) << x;
+  }
 }
 
 TEST(Deformation, RowSumsCountAllThreeEntries) {
   // A shear s: the entries off the diagonal are s, one on it s².
-  EXPECT_FALSE(deforms(Mat3{{Vec3{1, 0x1p-41, 0}, {0, 1, 0}, {0, 0, 1}}}));
-  // Two shears in one column: a sum of 2^-40 in another row and the squares on the diagonal.
-  EXPECT_FALSE(deforms(Mat3{{Vec3{1, 0x1p-41, 0x1p-41}, {0, 1, 0}, {0, 0, 1}}}));
-  EXPECT_TRUE(deforms(Mat3{{Vec3{1, 0x1p-41, 0x1.0000000000001p-41}, {0, 1, 0}, {0, 0, 1}}}));
+  EXPECT_FALSE(deforms(Mat3{{Vec3{1, 0x1p-11, 0}, {0, 1, 0}, {0, 0, 1}}}));
+  // Two shears in one column: a sum of 2^-10 in another row and the squares on the diagonal.
+  EXPECT_FALSE(deforms(Mat3{{Vec3{1, 0x1p-11, 0x1p-11}, {0, 1, 0}, {0, 0, 1}}}));
+  EXPECT_TRUE(deforms(Mat3{{Vec3{1, 0x1p-11, 0x1.0000000000001p-11}, {0, 1, 0}, {0, 0, 1}}}));
 }
 
 TEST(Deformation, RotationsAndMirrorsAreNone) {

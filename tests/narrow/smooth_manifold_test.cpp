@@ -117,7 +117,7 @@ TEST(SmoothManifold, OfLinesThatNearlyLieAlongEachOtherIsOnBothSides) {
     const auto set_b = oracle::smooth_set(oracle::FineKind::cylinder, other.half(), leaning);
     EXPECT_EQ(smooth_manifold_fault(beside, set, set_b, 3), "") << degrees;
     EXPECT_GE(beside.count, 2) << degrees;
-    const Pose turned = compose({leaning.linear, {0.5625, 0, 0.5}}, {rotation_about({0, 0, 1}, 45), {}});
+    const Pose turned = Pose{leaning.linear, {0.5625, 0, 0.5}} * Pose{rotation_about({0, 0, 1}, 45), {}};
     for (const PlacedConvex& bar :
          {PlacedConvex{Capsule({0, 0, -2}, {0, 0, 2}, 0.25), leaning}, PlacedConvex{Box({0.25, 0.25, 2}), turned}}) {
       const Manifold m = manifold(pin, posed(bar));

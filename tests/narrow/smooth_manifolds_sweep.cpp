@@ -162,7 +162,7 @@ SmoothCase manifold_case(const std::string& kind_a, const std::string& kind_b, c
   SmoothCase pair = smooth_case(kind_a, kind_b, "aligned", random);
   Pose& pose = pair.pose_of_b();
   const Mat3 turn = rotation_about(smooth_direction(random), std::pow(10.0, random.between(-9, 0.5)));
-  pose = compose({turn, {}}, {pose.linear, {}});
+  pose = Pose{turn, {}} * Pose{pose.linear, {}};
   const int up = static_cast<int>(random.below(3));
   for (int i = 0; i < 3; ++i) pose.offset[i] = i == up ? 10 : random.between(-1, 1);
   leave_smooth_gap(pair, (random.below(2) == 0 ? -1 : 1) * std::pow(10.0, random.between(-14, -1)));

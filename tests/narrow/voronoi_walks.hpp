@@ -68,7 +68,7 @@ struct WalkedMotion {
 
   [[nodiscard]] Pose b(int i) const {
     Pose pose{turn_b, from + i * step};
-    if (degrees != 0) pose.linear = compose({rotation_about(axis, i * degrees), {}}, {turn_b, {}}).linear;
+    if (degrees != 0) pose.linear = rotation_about(axis, i * degrees) * turn_b;
     return pose;
   }
 };

@@ -18,7 +18,7 @@ Rational reach(const RationalPoint& n, const ConvexSet& a, const ConvexSet& b) {
          along(*std::ranges::min_element(b.vertices, {}, along));
 }
 
-double length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+double hypotenuse(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// A − B in doubles, near enough to leave out normals along which it reaches much farther than along others.
 class RoundedDifference {
@@ -26,8 +26,8 @@ class RoundedDifference {
   RoundedDifference(const ConvexSet& a, const ConvexSet& b) {
     for (const RationalPoint& v : a.vertices) a_.push_back(rounded(v - a.vertices[0]));
     for (const RationalPoint& v : b.vertices) b_.push_back(rounded(v - a.vertices[0]));
-    for (const Vec3& v : a_) size_ = std::max(size_, length(v));
-    for (const Vec3& v : b_) size_ = std::max(size_, length(v));
+    for (const Vec3& v : a_) size_ = std::max(size_, hypotenuse(v));
+    for (const Vec3& v : b_) size_ = std::max(size_, hypotenuse(v));
   }
 
   /// With an error below a tenth of `tolerance` when the direction of n is known to 1e-11.
@@ -35,7 +35,7 @@ class RoundedDifference {
     double most = -std::numeric_limits<double>::infinity(), least = -most;
     for (const Vec3& v : a_) most = std::max(most, dot(v, n));
     for (const Vec3& v : b_) least = std::min(least, dot(v, n));
-    return (most - least) / length(n);
+    return (most - least) / hypotenuse(n);
   }
   double tolerance() const { return 1e-9 * size_; }
 
@@ -56,7 +56,7 @@ Candidate candidate(const RationalPoint& first, const RationalPoint& second, con
   const Vec3 p = rounded(first), q = rounded(second);
   const bool one = is_zero(second);
   const Vec3 n = one ? p : cross(p, q);
-  const bool known = length(n) > (one ? 0 : 1e-4 * length(p) * length(q)) && length(n) > 1e-200;
+  const bool known = hypotenuse(n) > (one ? 0 : 1e-4 * hypotenuse(p) * hypotenuse(q)) && hypotenuse(n) > 1e-200;
   const double way = known ? std::min(difference.reach(n), difference.reach(-n)) : -1;
   return {first, second, known ? way : -std::numeric_limits<double>::infinity()};
 }

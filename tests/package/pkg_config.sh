@@ -10,5 +10,5 @@ cp -r "$prefix" "$folder/moved"
 PKG_CONFIG_PATH=$(dirname "$(find "$folder/moved" -name toccata.pc)")
 export PKG_CONFIG_PATH
 # shellcheck disable=SC2046
-"$compiler" -std=c++20 -Wall -Wextra -Werror "$consumer" -o "$folder/consumer" $(pkg-config --static --cflags --libs toccata)
+"$compiler" -std=c++20 -Wall -Wextra -Werror "$consumer" -o "$folder/consumer" $(pkg-config --cflags --libs toccata)
 "$folder/consumer"

@@ -9,6 +9,7 @@
 
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
+#include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 
 // Every operator new of this program is counted. The sanitizers bring their own.

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "support/mesh_soups.hpp"
+#include "toccata/methods.hpp"
+#include "toccata/reports.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {

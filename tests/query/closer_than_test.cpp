@@ -9,6 +9,7 @@
 #include "support/closeness.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
+#include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {

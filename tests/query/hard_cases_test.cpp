@@ -37,7 +37,7 @@ struct PosedScene {
 
 PosedScene posed(const Scene& scene, const Pose& pose, Solid solid) {
   const SceneObject &a = scene.objects[0], &b = scene.objects[1];
-  return {Model(a.mesh()), Model(b.mesh()), {compose(pose, a.pose), compose(pose, b.pose), solid, solid}};
+  return {Model(a.mesh()), Model(b.mesh()), {pose * a.pose, pose * b.pose, solid, solid}};
 }
 
 Relation relation_of(const Scene& scene, const Pose& pose) {

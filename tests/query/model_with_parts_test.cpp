@@ -74,8 +74,8 @@ Distance distance_of_every_pair(const Model& a, const Model& b, const PairQuery&
   for (Index i = 0; i < a.parts().size(); ++i)
     for (Index j = 0; j < b.parts().size(); ++j) {
       PairQuery pair = query;
-      pair.pose_a = compose(query.pose_a, compound_a.parts()[i].pose);
-      pair.pose_b = compose(query.pose_b, compound_b.parts()[j].pose);
+      pair.pose_a = query.pose_a * compound_a.parts()[i].pose;
+      pair.pose_b = query.pose_b * compound_b.parts()[j].pose;
       Distance found = distance(a.parts()[i], b.parts()[j], pair);
       found.element_a = found.face_a = i;
       found.element_b = found.face_b = j;

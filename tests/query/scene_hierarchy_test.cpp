@@ -133,7 +133,7 @@ Scene heaps() {
     const auto node = static_cast<Index>(all.nodes.size());
     all.nodes.push_back({"heap " + std::to_string(heap), std::nullopt, Pose::translation(100 * heap, 0, 0)});
     for (SceneObject object : many_parts(20, 1 + static_cast<std::uint64_t>(heap)).objects) {
-      object.pose = compose(all.nodes[node].pose, object.pose);
+      object.pose = all.nodes[node].pose * object.pose;
       object.node = node;
       all.objects.push_back(std::move(object));
     }

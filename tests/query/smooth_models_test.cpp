@@ -137,8 +137,7 @@ TEST(SmoothModels, CompoundsAreTheUnionOfTheirParts) {
     const Ellipsoid egg({0.25, 0.5, 0.375});
     const Pose pose{smooth_linear("affine", random), turned.offset + 2.0 * smooth_direction(random)};
     const PairQuery query = poses_of(turned, pose);
-    const Distance first = distance(post, egg, query),
-                   second = distance(shade, egg, poses_of(compose(turned, up), pose));
+    const Distance first = distance(post, egg, query), second = distance(shade, egg, poses_of(turned * up, pose));
     const Distance all = distance(lamp, egg, query);
     EXPECT_EQ(all.upper, std::min(first.upper, second.upper));
     EXPECT_EQ(overlap(lamp, egg, query), all.upper == 0 || all.status == Status::undecided);

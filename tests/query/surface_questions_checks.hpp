@@ -127,7 +127,7 @@ inline Compound random_compound(const std::string& family, const Pose& pose, boo
   std::vector<CompoundPart> parts;
   for (std::uint64_t i = 1 + random.below(4); i > 0; --i) {
     const Pose own{random_rotation(random), random_vector(random, 1.5)};
-    const Pose world = compose(pose, own);
+    const Pose world = pose * own;
     if (family == "compound of compounds" && random.below(2) == 0)
       parts.push_back({random_compound("compound of solids", world, false, random, c), own});
     else if (family == "compound of surfaces")

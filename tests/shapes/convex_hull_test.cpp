@@ -54,6 +54,12 @@ TEST(ConvexHull, KeepsTheOrderOfThePoints) {
   for (Index v = 0; v < 8; ++v) EXPECT_EQ(hull.source_of(v), 1 + 2 * v);
 }
 
+TEST(ConvexHull, TakesItsPointsAsAList) {
+  EXPECT_EQ(ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).dimension(), 3);
+  EXPECT_EQ(ConvexHull({{0, 0, 0}, {1, 0, 0}}).dimension(), 1);
+  EXPECT_EQ(ConvexHull({{1, 2, 3}}).vertex_count(), 1U);
+}
+
 TEST(ConvexHull, MayBeFlat) {
   const ConvexHull point(std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}});
   EXPECT_EQ(point.dimension(), 0);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -109,6 +110,42 @@ TEST(HeightField, IsTheTrianglesThatItsHeaderSays) {
   EXPECT_EQ(mesh.face_of(3), 1U);
 }
 
+struct DrawnVertex {
+  float colour = 0, x = 0, y = 0, z = 0;
+};
+
+TEST(TriangleMesh, IsCopiedFromBuffers) {
+  const std::vector<DrawnVertex> drawn = {{9, 0, 0, 0}, {9, 1, 0, 0}, {9, 0, 2, 0}, {9, 0, 0, 0.1F}};
+  const std::array<std::uint16_t, 6> narrow = {0, 1, 2, 0, 1, 3};
+  const TriangleMesh mesh = TriangleMesh::from_buffers({&drawn[0].x, 4, sizeof(DrawnVertex)}, {narrow}, 0.5);
+  ASSERT_EQ(mesh.vertices().size(), 4U);
+  EXPECT_EQ(mesh.vertices()[2], (Vec3{0, 1, 0}));
+  EXPECT_EQ(mesh.vertices()[3].z, 0.5 * static_cast<double>(0.1F));
+  EXPECT_EQ(mesh.triangles()[1], (std::array<Index, 3>{0, 1, 3}));
+  const std::vector<double> numbers = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::vector<std::uint32_t> wide = {2, 1, 0};
+  EXPECT_EQ(TriangleMesh::from_buffers({numbers.data(), 3}, {wide}).triangles()[0], (std::array<Index, 3>{2, 1, 0}));
+  EXPECT_EQ(TriangleMesh::from_buffers({numbers.data(), 3}, {wide.data(), 3}).vertices()[1], (Vec3{1, 0, 0}));
+}
+
+TEST(TriangleMesh, RefusesBuffersThatAreNoMesh) {
+  const std::vector<float> numbers = {0, 0, 0, 1, 0, 0, 0, NAN, 0};
+  const std::vector<std::uint32_t> wide = {0, 1, 1, 0, 7, 1, 1};
+  const auto made = [&](std::size_t vertices, std::size_t indices, std::size_t stride = 12, double scale = 1) {
+    return [&numbers, &wide, vertices, indices, stride, scale] {
+      static_cast<void>(TriangleMesh::from_buffers({numbers.data(), vertices, stride}, {wide.data(), indices}, scale));
+    };
+  };
+  expect_refused("vertex 2 ", made(3, 3));
+  expect_refused("triangle 1 names vertex 7", made(2, 6));
+  expect_refused("triangle 2 has 1 corners", made(2, 7));
+  expect_refused("stride of 8 bytes", made(2, 3, 8));
+  expect_refused("at least one triangle", made(2, 0));
+  expect_refused("scale", made(2, 3, 12, 0));
+  const float* none = nullptr;
+  expect_refused("2 positions is null", [&] { static_cast<void>(TriangleMesh::from_buffers({none, 2}, {wide})); });
+}
+
 TEST(Compound, RefusesNoPartsAndBadPoses) {
   expect_refused("at least one part", [] { static_cast<void>(Compound({})); });
   const std::vector<CompoundPart> moved_away = {{Sphere{1}}, {Sphere{1}, Pose::translation(0, HUGE_VAL, 0)}};
@@ -125,6 +162,15 @@ TEST(Compound, KeepsItsPartsInOrder) {
   EXPECT_EQ(name_of(compound.parts()[0].shape), "sphere");
   EXPECT_EQ(compound.parts()[0].pose, Pose::translation(1, 2, 3));
   EXPECT_EQ(name_of(compound.parts()[1].shape), "compound");
+}
+
+TEST(Compound, IsRefusedBeyondAThousandLevels) {
+  Shape nested = Sphere(1);
+  for (int level = 0; level < most_compound_levels; ++level) nested = Compound({{nested}});
+  expect_refused("nested more than 1000 deep", [&] { static_cast<void>(Compound({{Box({1, 1, 1})}, {nested}})); });
+  int levels = 0;
+  EXPECT_THROW(for (Shape s = Sphere(1); levels < 12000; ++levels) s = Compound({{s}}), Error);
+  EXPECT_EQ(levels, most_compound_levels);
 }
 
 TEST(Shape, HasAName) {

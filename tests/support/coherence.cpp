@@ -17,7 +17,7 @@ namespace {
 Pose moved(const Pose& pose, Random& random, double share) {
   const Vec3 axis = random_vector(random, 1) + Vec3{0, 0, 2};
   const Pose turn{rotation_about(axis, random.between(-1, 1) * share * 60), random_vector(random, share)};
-  return compose(turn, pose);
+  return turn * pose;
 }
 
 Model random_model(const std::string& family, Random& random) {

@@ -66,8 +66,6 @@ Blueprint scaled(Blueprint shape, double factor) {
   return shape;
 }
 
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-
 // Every number is drawn in a statement of its own: the order in which arguments are evaluated is not specified.
 
 Vec3 random_point(Random& random, double size) {
@@ -472,7 +470,7 @@ Mat3 sheared(const Mat3& linear, Random& random) {
     stretch[i][i] = random.below(2) == 0 ? factor : -factor;
     stretch[i][(i + 1) % 3] = random.between(-0.5, 0.5);
   }
-  const Pose product = compose({linear, {}}, {stretch, {}});
+  const Pose product = Pose{linear, {}} * Pose{stretch, {}};
   return is_singular(product.linear) ? linear : product.linear;
 }
 

@@ -10,7 +10,7 @@ double snap(double value, double grid) { return grid == 0 ? value : std::round(v
 
 Vec3 snap(const Vec3& v, double grid) { return {snap(v.x, grid), snap(v.y, grid), snap(v.z, grid)}; }
 
-Mat3 product(const Mat3& a, const Mat3& b) { return compose({a, {}}, {b, {}}).linear; }
+Mat3 product(const Mat3& a, const Mat3& b) { return a * b; }
 
 Mat3 diagonal(double x, double y, double z) { return {{{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}}; }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <unordered_set>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,33 @@ TEST(World, TellsWhatBeginsStaysAndEnds) {
   EXPECT_EQ(step.ended.size(), 1U);
   EXPECT_EQ(step.ended[0].a, ids[0]);
   EXPECT_EQ(names_of({world.pairs().begin(), world.pairs().end()}), (Names{{1, 2}}));
+}
+
+TEST(World, TakesShapesAtTheirPlacesAndListsOfBodies) {
+  World world;
+  const BodyId ball = world.add(Sphere(1), Pose::translation(1, 0, 0));
+  const std::vector<BodyId> two = world.add({ball_at(0), {Box({1, 1, 1}), Pose::translation(9, 0, 0), Motion::fixed}});
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
+  EXPECT_EQ(world.body(world.add(Box({1, 1, 1}), {}, Motion::fixed)).motion, Motion::fixed);
+  const std::unordered_set<BodyId> set{ball, two[0], two[1], ball};
+  EXPECT_EQ(set.size(), 3U);
+}
+
+TEST(World, BodiesMayBeRemovedWhileThePairsOfAStepAreGoneThrough) {
+  World world({.distance = true});
+  for (int i = 0; i < 20; ++i) world.add(ball_at(i));
+  const WorldStep& step = world.step();
+  const std::size_t count = step.begun.size();
+  std::size_t seen = 0;
+  for (const PairReport& pair : step.begun) {
+    ++seen;
+    EXPECT_TRUE(pair.details->distance.has_value());
+    if (world.contains(pair.a)) world.remove(pair.a);
+    world.add(ball_at(100.0 + static_cast<double>(seen)));
+  }
+  EXPECT_EQ(seen, count);
+  EXPECT_EQ(world.pairs().size(), count);
 }
 
 TEST(World, DecidesByTheShapesAndNotTheirBoxes) {

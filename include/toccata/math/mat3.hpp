@@ -18,6 +18,16 @@ struct Mat3 {
   friend constexpr bool operator==(const Mat3&, const Mat3&) = default;
 };
 
+/// Each number of a product is summed in the order of `dot`.
+constexpr Vec3 operator*(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
+
+constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
+  const Vec3 x = a * b.column(0), y = a * b.column(1), z = a * b.column(2);
+  return {{Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}}};
+}
+
+constexpr Mat3 transpose(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
+
 inline bool is_finite(const Mat3& m) { return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]); }
 
 }  // namespace toccata

@@ -19,7 +19,7 @@ namespace toccata {
 class PosedConvex {
  public:
   // Throw Error when the pose or a world vertex is not finite, the pose of a shape with a radius deforms it (the
-  // largest row sum of |RᵀR − I| is more than 2⁻⁴⁰; the message names the ellipsoid), or that of a solid is singular.
+  // largest row sum of |RᵀR − I| is more than 2⁻¹⁰; the message names the ellipsoid), or that of a solid is singular.
   explicit PosedConvex(const Point& shape, const Pose& pose = {});
   explicit PosedConvex(const Segment& shape, const Pose& pose = {});
   explicit PosedConvex(const Triangle& shape, const Pose& pose = {});

@@ -42,4 +42,9 @@ struct Contact {
 /// elements. Throws Error when the element is no triangle.
 [[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> std::vector<Contact> contacts(const A&, const B&, const PairQuery& = {})
+= delete;
+
 }  // namespace toccata

@@ -16,4 +16,9 @@ namespace toccata {
 /// The same, for a caller who asks often.
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> Distance distance(const A&, const B&, const PairQuery& = {})
+= delete;
+
 }  // namespace toccata

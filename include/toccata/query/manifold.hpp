@@ -17,12 +17,19 @@ namespace toccata {
 [[nodiscard]] Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
 /// The manifold of one of their `contacts`: of two elements, of which a triangle counts as a convex shape. Throws like
-/// `overlap`; and Error when an element is not there, or both are half-spaces.
-[[nodiscard]] Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query = {});
+/// `overlap`; and Error when an element is not there, or both are half-spaces. A template, so that `manifold(a, b, {})`
+/// is the first.
+template <std::same_as<Contact> C>
+[[nodiscard]] Manifold manifold(const Model& a, const Model& b, const C& contact, const PairQuery& query = {});
 
 /// Shapes of types for which it is not defined are refused by the compiler.
 template <PlainShape A, PlainShape B>
 requires(!Answered<ShapeQuestion::manifold, A, B>) Manifold manifold(const A&, const B&, const PairQuery& = {})
+= delete;
+
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> Manifold manifold(const A&, const B&, const PairQuery& = {})
 = delete;
 
 }  // namespace toccata

@@ -31,6 +31,14 @@ concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::
     std::same_as<S, HalfSpace> || std::same_as<S, Sphere> || std::same_as<S, Box> || std::same_as<S, Capsule> ||
     std::same_as<S, ConvexHull> || std::same_as<S, Rounded> || SmoothShape<S>;
 
+/// A shape with a tree to build, or any. Questions take a Model of it, made once: `Model(mesh)`.
+template <class S>
+concept ShapeOfAModel = std::same_as<S, TriangleMesh> || std::same_as<S, std::shared_ptr<const TriangleMesh>> ||
+    std::same_as<S, HeightField> || std::same_as<S, Compound> || std::same_as<S, Shape>;
+
+template <class A, class B>
+concept NeedAModel = ShapeOfAModel<A> || ShapeOfAModel<B>;
+
 /// A shape made ready for questions: the shape and the trees over it. Copies share all, until one is deformed. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.
 ///
@@ -103,7 +111,7 @@ class Model {
   [[nodiscard]] const Tree<Aabb>& tree() const;
 
   /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
-  [[nodiscard]] const Aabb& vertex_box() const;
+  [[nodiscard]] const Aabb& bounds() const;
 
   /// The connected parts of the mesh; found out when first asked for.
   [[nodiscard]] const MeshParts& mesh_parts() const;

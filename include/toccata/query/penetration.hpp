@@ -27,4 +27,9 @@ template <PlainShape A, PlainShape B>
 requires(!Answered<ShapeQuestion::penetration, A, B>) Penetration penetration(const A&, const B&, const PairQuery& = {})
 = delete;
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> Penetration penetration(const A&, const B&, const PairQuery& = {})
+= delete;
+
 }  // namespace toccata

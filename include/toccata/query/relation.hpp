@@ -16,4 +16,9 @@ namespace toccata {
 /// numbers; these take memory of their own.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> Relation relation(const A&, const B&, const PairQuery& = {})
+= delete;
+
 }  // namespace toccata

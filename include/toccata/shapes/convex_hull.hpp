@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <span>
 
@@ -28,6 +29,7 @@ class ConvexHull {
  public:
   /// Throws Error when there is no point or more than `most_hull_points`, or one is not finite.
   explicit ConvexHull(std::span<const Vec3> points);
+  explicit ConvexHull(std::initializer_list<Vec3> points);
 
   [[nodiscard]] Index vertex_count() const;
   /// In the shape's own frame. Vertices keep the order of the points; of equal points the first counts.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -27,16 +28,23 @@ namespace toccata {
 
 struct CompoundPart;
 
+/// How deep compounds may stand in compounds: what walks them calls itself once a level, and the stack is finite.
+inline constexpr int most_compound_levels = 1000;
+
 /// The union of posed shapes; solid if all parts are. Shared and immutable; copies share all. A part may be a compound.
 class Compound {
  public:
-  /// The part's pose is relative to the compound. Throws Error when there is no part, or a pose is not finite.
+  /// The part's pose is relative to the compound. Throws Error when there is no part, a pose is not finite, or there
+  /// are more than `most_compound_levels` levels of compounds.
   explicit Compound(std::span<const CompoundPart> parts);
+  explicit Compound(std::initializer_list<CompoundPart> parts);
 
   [[nodiscard]] std::span<const CompoundPart> parts() const;
 
  private:
   struct Parts;
+  [[nodiscard]] static int levels_of(std::span<const CompoundPart> parts);
+
   std::shared_ptr<const Parts> parts_;
 };
 

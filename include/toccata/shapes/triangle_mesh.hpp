@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toccata/core/index.hpp"
+#include "toccata/shapes/mesh_buffers.hpp"
 #include "toccata/shapes/triangle.hpp"
 
 namespace toccata {
@@ -18,6 +19,11 @@ class TriangleMesh {
   /// or `face_of_triangle` is neither empty (triangle i is face i) nor as long as `triangles` and ascending.
   TriangleMesh(std::vector<Vec3> vertices, std::vector<std::array<Index, 3>> triangles,
                std::vector<Index> face_of_triangle = {});
+
+  /// Copied from the buffers of another program, each coordinate multiplied by `scale`: 0.001 of millimetres makes
+  /// metres. Throws Error as the constructor does, and when a buffer is null, the positions overlap (a stride of less
+  /// than three numbers), the indices are no triples, or the scale is not positive and finite.
+  static TriangleMesh from_buffers(const PositionBuffer& positions, const IndexBuffer& indices, double scale = 1);
 
   /// The same triangles and faces with other vertices, as many as before. Throws Error as the constructor does, and for
   /// another number of vertices.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -18,6 +19,17 @@ struct BodyId {
   std::uint32_t generation = 0;  ///< from 1
   friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
 };
+
+}  // namespace toccata
+
+template <>
+struct std::hash<toccata::BodyId> {
+  std::size_t operator()(const toccata::BodyId& id) const noexcept {
+    return std::hash<std::uint64_t>()(std::uint64_t{id.generation} << 32 | id.index);
+  }
+};
+
+namespace toccata {
 
 /// Which pairs are of interest. Any body may be given another pose at any time.
 enum class Motion : std::uint8_t {

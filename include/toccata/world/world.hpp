@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -80,7 +81,8 @@ struct PairRule {
 /// them may name another body there.
 ///
 /// Whatever throws Error has changed nothing; the message names the body. Const functions may be called from many
-/// threads at once. What they refer to is valid until the bodies change or the next step.
+/// threads at once. What they refer to is valid until the bodies change or the next step; but what a step found stays
+/// as it is until the next one, so bodies may be added, moved and removed while its pairs are gone through.
 class World {
  public:
   explicit World(const WorldOptions& options = {});
@@ -92,7 +94,9 @@ class World {
   /// The ids given to the bodies, in their order. Throws Error naming the first of them that has a margin which is no
   /// length, a pose that is not finite or that its shape may not have, or a `solid` that its shape is not.
   std::vector<BodyId> add(std::span<const Body> bodies);
+  std::vector<BodyId> add(std::initializer_list<Body> bodies);
   BodyId add(const Body& body);
+  BodyId add(const Model& model, const Pose& pose, Motion motion = Motion::moving);
 
   /// With their rules. Throws Error naming an id that is of no body here, or given twice.
   void remove(std::span<const BodyId> ids);

@@ -224,7 +224,7 @@ class SceneReader {
       json.fail("the node has two parents, or is its own ancestor", "nodes must form a tree; export the file again");
     check_supported(json);
     SceneNode node{json.text_or("name", fmt::format("node {}", visit.node)), visit.parent, pose_of_node(json)};
-    world_.push_back(node.parent ? compose(world_[*node.parent], node.pose) : node.pose);
+    world_.push_back(node.parent ? world_[*node.parent] * node.pose : node.pose);
     const Index index = static_cast<Index>(scene_.nodes.size());
     scene_.nodes.push_back(std::move(node));
     if (json.has("mesh")) add_object(json, index);

@@ -54,7 +54,7 @@ class HierarchyNodes {
     if (!model.has_mesh()) return;
     const DrawnHierarchy& hierarchy = hierarchies_.at(&model.mesh());
     const GlbPlace place = GlbPlace::of(glb_.models()[object].pose);
-    const GlbFrame frame = place.is_plain() ? GlbFrame::around(DisplayFrame::around(model.vertex_box()))
+    const GlbFrame frame = place.is_plain() ? GlbFrame::around(DisplayFrame::around(model.bounds()))
                                             : GlbFrame::around(place.placed(model.mesh().vertices()));
     const std::vector<std::size_t> meshes = meshes_of(model.mesh(), hierarchy, place, frame);
     std::vector<std::size_t> levels;

@@ -61,7 +61,7 @@ std::string GlbScene::name_of(std::size_t object) const { return as_utf8(models_
 
 Pose GlbScene::pose_of(std::size_t object) const {
   const std::optional<Pose>& fit = meshes_.drawn()[object].fit;
-  return fit ? compose(models_[object].pose, *fit) : models_[object].pose;
+  return fit ? models_[object].pose * *fit : models_[object].pose;
 }
 
 std::size_t GlbScene::material(const GlbPaint& paint) {

@@ -112,10 +112,10 @@ void scale_scene(Scene& scene, double factor) {
   if (factor == 1) return;
   const Pose larger = scaled(Pose{}, factor);
   for (SceneNode& node : scene.nodes)
-    if (!node.parent) node.pose = compose(larger, node.pose);
+    if (!node.parent) node.pose = larger * node.pose;
   for (SceneObject& object : scene.objects) {
     const Pose before = object.pose;
-    object.pose = compose(larger, before);
+    object.pose = larger * before;
     if (keeps_its_form(object.shape)) {
       object.shape = scaled_in_itself(object.shape, factor);
       object.pose.linear = before.linear;

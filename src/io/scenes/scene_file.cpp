@@ -99,8 +99,7 @@ class NodeTree {
   }
 
   static ScaledPose composed(const ScaledPose& outer, const ScaledPose& inner) {
-    return {compose(outer.pose, inner.pose), compose({outer.unscaled, {}}, {inner.unscaled, {}}).linear,
-            outer.scale * inner.scale};
+    return {outer.pose * inner.pose, outer.unscaled * inner.unscaled, outer.scale * inner.scale};
   }
 
   void add_node(std::size_t entry) {
@@ -258,7 +257,7 @@ void put(SceneObject& object, const SceneObject& part, const Place& place, const
   if (is_collapsed(world, pose))
     entry.value.fail("the scale of its pose times its unit leaves no shape", "change \"pose\" or \"unit\"");
   object.shape = part.shape;
-  object.pose = is_left_out(part.pose) ? pose : compose(pose, part.pose);  // which would take the sign from a zero
+  object.pose = is_left_out(part.pose) ? pose : pose * part.pose;  // which would take the sign from a zero
 }
 
 void add_objects_of_entry(Scene& scene, const Entry& entry, const Scene& shapes, const SceneObject& common,

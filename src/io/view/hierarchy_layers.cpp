@@ -80,7 +80,7 @@ Json steps_of(const DrawnHierarchy& hierarchy) {
 }
 
 Json layer_of(const Model& model, const DrawnHierarchy& hierarchy, ViewData& data) {
-  const MeshFrame frame(model.vertex_box());
+  const MeshFrame frame(model.bounds());
   const auto numbers = [&](const std::vector<Index>& all) { return data.add(std::span<const std::uint32_t>(all)); };
   Json layer = {{"kind", "hierarchy"},
                 {"role", "hierarchy"},

@@ -31,7 +31,7 @@ struct BoxView {
 [[nodiscard]] inline BoxView view_of(const PosedConvex& box) { return {&box.pose().linear, &box.as_box()}; }
 [[nodiscard]] inline BoxView view_of(const PosedBox& box) { return {&box.pose.linear, &box.rigid}; }
 
-/// As rigid as a shape with a radius has to be, and squares neither over- nor underflow: numbers are as good as if
+/// Rigid but for what a long product rounds, and squares neither over- nor underflow: numbers are as good as if
 /// edges were normals. And thicker than rounding, so that there is an interior: the centre is in it.
 [[nodiscard]] inline bool is_rigid_and_plain(const BoxView& box) {
   const auto [x, y, z] = box.box->half_extents;

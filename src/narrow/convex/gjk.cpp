@@ -13,10 +13,6 @@ namespace {
 /// More than any search that gets somewhere was seen to need.
 constexpr int most_gjk_steps = 64;
 
-Vec3 times(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-
-Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
-
 bool has(const VertexPairs& pairs, Index a, Index b) {
   for (std::size_t i = 0; i < pairs.size; ++i)
     if (pairs.a[i] == a && pairs.b[i] == b) return true;
@@ -130,7 +126,7 @@ SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& ker
     : shape_(&shape),
       kernels_(&kernels),
       plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},
-      world_in_local_(shape.in_world() ? Mat3{} : transposed(shape.pose().linear)),
+      world_in_local_(shape.in_world() ? Mat3{} : transpose(shape.pose().linear)),
       stretch_{sum_of_magnitudes(world_in_local_[0]), sum_of_magnitudes(world_in_local_[1]),
                sum_of_magnitudes(world_in_local_[2])},
       offset_(shape.in_world() ? Vec3{} : shape.pose().offset),
@@ -172,7 +168,7 @@ auto SupportSearch::walked(const SupportScan& scan, Question question) const {
 
 Index SupportSearch::least(const Vec3& direction) const {
   SupportScan scan = plain_;
-  scan.direction = times(world_in_local_, direction);
+  scan.direction = world_in_local_ * direction;
   if (trail_.walks) return walked_least(scan);
   trail_.heights += scan.count;
   return kernels_->least(scan);
@@ -180,7 +176,7 @@ Index SupportSearch::least(const Vec3& direction) const {
 
 SupportScan SupportSearch::scan(const Vec3& direction, double spread) const {
   SupportScan scan = plain_;
-  scan.direction = times(world_in_local_, direction);
+  scan.direction = world_in_local_ * direction;
   scan.spread = spread * stretch_ + Vec3{lost_per_coordinate, lost_per_coordinate, lost_per_coordinate};
   return scan;
 }

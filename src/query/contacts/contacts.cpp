@@ -49,7 +49,7 @@ Triangle world_triangle(const Model& model, const Pose& pose, Index triangle) {
     const Model& part = model.parts()[i];
     const Index count = part.element_count();
     if (triangle - first < count)
-      return world_triangle(part, compose(pose, std::get<Compound>(model.shape()).parts()[i].pose), triangle - first);
+      return world_triangle(part, pose * std::get<Compound>(model.shape()).parts()[i].pose, triangle - first);
     first += count;
   }
   const auto vertices = model.mesh().vertices();

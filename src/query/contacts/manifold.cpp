@@ -31,11 +31,14 @@ Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Worksp
   return ask_single<AskManifold>(a, b, query, workspace.scratch());
 }
 
-Manifold manifold(const Model& a, const Model& b, const Contact& contact, const PairQuery& query) {
+template <std::same_as<Contact> C>
+Manifold manifold(const Model& a, const Model& b, const C& contact, const PairQuery& query) {
   SearchScratch scratch;
   const PosedModels models(a, b, query, scratch);
   return manifold_of(posed_element(models.a, contact.triangle_a), posed_element(models.b, contact.triangle_b), scratch);
 }
+
+template Manifold manifold(const Model&, const Model&, const Contact&, const PairQuery&);
 
 Manifold manifold_of(const PosedPart& a, const PosedPart& b, SearchScratch& scratch) {
   return ask(AskManifold{scratch}, a, b);

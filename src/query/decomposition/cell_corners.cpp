@@ -44,7 +44,7 @@ std::optional<RationalPoint> common_point(const ThreePlanes& three) {
 /// How far from the corner the surface is that does not go through it. None where that is not certain.
 std::optional<double> clearance(const Model& solid, const RationalPoint& corner, const Vec3& rounded) {
   constexpr std::size_t few = 256;
-  const Vec3 lower = solid.vertex_box().lower, upper = solid.vertex_box().upper;
+  const Vec3 lower = solid.bounds().lower, upper = solid.bounds().upper;
   const double near = 0x1p-30 * std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
   for (const SurfacePoint& at : nearest_points(rounded, few, solid)) {
     if (at.lower > near) return at.lower;
@@ -88,7 +88,7 @@ std::vector<RationalPoint> solid_corners(const Model& solid, std::span<const Cut
       for (std::size_t k = j + 1; k < sides.size(); ++k) {
         const ThreePlanes three{sides[i], sides[j], sides[k]};
         const auto corner = common_point(three);
-        if (!corner || !is_in(solid.vertex_box(), *corner)) continue;
+        if (!corner || !is_in(solid.bounds(), *corner)) continue;
         if (!std::ranges::all_of(sides, [&](const InwardPlane& side) { return side.height(*corner) >= 0; })) continue;
         if (is_solid_near(solid, *corner, three, sides)) corners.push_back(*corner);
       }

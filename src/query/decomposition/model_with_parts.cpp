@@ -11,7 +11,7 @@ namespace {
 /// How far a rounded world point of the model may be from the exact one: three products and three sums a coordinate,
 /// each off by 2^-53 of what is added up so far, with room to spare; the floor is for underflow.
 double moved_by_rounding(const Model& model, const Pose& pose) {
-  const Aabb& box = model.vertex_box();
+  const Aabb& box = model.bounds();
   double most = 0;
   for (int row = 0; row < 3; ++row) {
     double sum = std::fabs(pose.offset[row]);

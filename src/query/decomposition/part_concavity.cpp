@@ -264,7 +264,7 @@ Concavity ConcaveSolid::concavity_of(const ConvexHull& hull, double resolution, 
   if (lies_within(hull, solid_)) return {};
   const ShrunkHull shrunk = shrink(hull);
   if (lies_within(shrunk.hull, solid_)) return {0, shrunk.off};
-  const double largest = std::fmax(largest_of(solid_.vertex_box()), largest_of(hull));
+  const double largest = std::fmax(largest_of(solid_.bounds()), largest_of(hull));
   return ConcavitySearch(hull, {solid_, nearest_, sides_, frame_, largest, resolution, limit}).narrowed();
 }
 

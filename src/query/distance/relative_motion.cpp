@@ -79,7 +79,7 @@ double as_seen(const Pose& own_before, const Pose& own_after, const Aabb& own_bo
 
 double relative_motion(const Model& a, const Model& b, const Pose& a_before, const Pose& b_before, const Pose& a_after,
                        const Pose& b_after) {
-  const Aabb &box_a = a.vertex_box(), &box_b = b.vertex_box();
+  const Aabb &box_a = a.bounds(), &box_b = b.bounds();
   double motion = in_world(a_before, a_after, box_a) + in_world(b_before, b_after, box_b);
   motion = std::min(motion, as_seen(a_before, a_after, box_a, b_before, b_after, box_b));
   motion = std::min(motion, as_seen(b_before, b_after, box_b, a_before, a_after, box_a));
