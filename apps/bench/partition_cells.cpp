@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using CellBox = GridBox<3>;
-using Point = std::array<double, 3>;
+using CellPoint = std::array<double, 3>;
 
 /// Boxes that fly straight, each its own way, `step` cells a frame.
 class FlyingBoxes {
@@ -43,7 +43,7 @@ class FlyingBoxes {
 
  private:
   std::vector<CellBox> boxes_;
-  std::vector<Point> motions_;
+  std::vector<CellPoint> motions_;
 };
 
 /// Per move of an object; times in nanoseconds.
@@ -117,7 +117,7 @@ struct WalkRow {
 };
 
 /// Whether the way comes into the closed cell, by clipping it; a hair is left on every side for rounding.
-bool passes(const Point& from, const Point& to, const CellBox& cell) {
+bool passes(const CellPoint& from, const CellPoint& to, const CellBox& cell) {
   double first = 0, last = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double hair = 1e-12 * (std::fabs(cell.lower[axis]) + std::fabs(cell.upper[axis]));
@@ -156,7 +156,7 @@ WalkRow walked(std::span<const Aabb> objects, double length, const PartitionsArg
                      seconds_of(
                          [&] {
                            for (std::size_t i = 0; i < from.size(); ++i) {
-                             const Point &a = from[i].lower, &b = flying.boxes()[i].lower;
+                             const CellPoint &a = from[i].lower, &b = flying.boxes()[i].lower;
                              CellBox around;
                              for (std::size_t axis = 0; axis < 3; ++axis) {
                                around.lower[axis] = std::min(a[axis], b[axis]);

@@ -8,7 +8,7 @@
 #include "support/mesh_soups.hpp"
 #include "toccata/core/random.hpp"
 
-namespace toccata::oracle {
+namespace toccata::oracle::of_meshes {
 namespace {
 
 using test::box_between;
@@ -210,4 +210,4 @@ TEST(OracleMeshes, RandomBoxesAgreeWithTheirCoordinates) {
 }
 
 }  // namespace
-}  // namespace toccata::oracle
+}  // namespace toccata::oracle::of_meshes
