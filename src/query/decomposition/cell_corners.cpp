@@ -50,7 +50,7 @@ std::optional<double> clearance(const Model& solid, const RationalPoint& corner,
     if (at.lower > near) return at.lower;
     const auto& t = solid.mesh().triangles()[at.element];
     const auto v = solid.mesh().vertices();
-    if (!contains({v[t[0]], v[t[1]], v[t[2]]}, corner)) return {};
+    if (!contains(std::array{v[t[0]], v[t[1]], v[t[2]]}, corner)) return {};
   }
   return {};
 }
