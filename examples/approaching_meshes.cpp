@@ -15,9 +15,9 @@ int main() {
 
   for (const double x : {4.0, 3.0, 2.5, 2.25, 2.0}) {
     const Distance gap = distance(knot, ball, ball_at(x));
-    // closer_than is cheaper than the distance where only a threshold matters; it means "at most".
+    // within_distance is cheaper than the distance where only a threshold matters; it means "at most".
     std::printf("x = %.2f: %.4f apart, %s 0.5\n", x, gap.upper,
-                closer_than(knot, ball, 0.5, ball_at(x)) ? "within" : "beyond");
+                within_distance(knot, ball, 0.5, ball_at(x)) ? "within" : "beyond");
   }
 
   // Not in steps, between which a contact could hide: the first time on the way, as an interval that contains it.

@@ -39,7 +39,7 @@ int main() {
               overlapping_pairs(crowd.boxes(), {.method = BroadPhaseMethod::sort_and_sweep}).size());
 
   // Questions of one box to many.
-  const BoxTree tree(crowd.boxes());
-  const Aabb region = grown(crowd.boxes()[0], 5);
+  const BoxBvh tree(crowd.boxes());
+  const Aabb region = offset_outward(crowd.boxes()[0], 5);
   std::printf("%zu boxes within 5 of the first along every axis\n", tree.overlapping(region).size());
 }

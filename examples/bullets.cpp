@@ -12,7 +12,7 @@ int main() {
   constexpr std::uint64_t scenery = 1, players = 2;
   World world;
   Body wall{Box({0.01, 5, 5}), Pose::translation(10, 0, 0)};  // 2 cm thin
-  wall.name = "wall", wall.group = scenery, wall.motion = Motion::fixed;
+  wall.name = "wall", wall.group = scenery, wall.type = BodyType::static_body;
   const BodyId wall_id = world.add(wall);
   for (int i = 0; i < 5; ++i) {
     Body player{Capsule({0, 0, -0.5}, {0, 0, 0.5}, 0.3), Pose::translation(3 + i, 0.15 * i - 0.3, 0)};
@@ -38,7 +38,7 @@ int main() {
     std::printf("behind them: the %s\n", name_of_body(hit->body));
 
   // A grenade: who is within 2 m of it, and who is nearest?
-  const Posed grenade{.model = Sphere(0.05), .pose = Pose::translation(4.5, 0, 0)};
+  const SceneInstance grenade{.model = Sphere(0.05), .pose = Pose::translation(4.5, 0, 0)};
   for (const BodyId id : queries.within(grenade, 2, {.mask = players}))
     std::printf("within 2 m: %s\n", name_of_body(id));
   if (const auto nearest = queries.nearest(grenade))

@@ -72,7 +72,7 @@ int main() {
                   gap.upper == 0           ? "touches"
                   : gap.upper <= thickness ? "lies on"
                                            : "is above",
-                  self_overlap(cloth) ? "meets itself" : "does not meet itself");
+                  self_overlap(cloth) ? "intersects itself" : "does not intersect itself");
     }
   }
   std::printf("the tree was %s\n", rebuilt > 0 ? "built anew at times" : "only refitted");

@@ -47,7 +47,7 @@ int main() {
   World world({.manifold = true});  // contact points and a normal of each pair
   std::vector<Flight> flights = add_bodies(world);
   Body ground{HalfSpace({0, 0, 0}, {0, 0, 1})};
-  ground.motion = Motion::fixed;
+  ground.type = BodyType::static_body;
   const BodyId floor = world.add(ground);
 
   std::size_t begun = 0;

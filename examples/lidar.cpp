@@ -11,7 +11,7 @@
 using namespace toccata;
 
 int main() {
-  std::vector<Posed> yard = {
+  std::vector<SceneInstance> yard = {
       {.model = HalfSpace({0, 0, 0}, {0, 0, 1}), .name = "ground"},
       {.model = Box({0.2, 10, 1.5}), .pose = Pose::translation(8, 0, 1.5), .name = "wall"},
       {.model = Model(generate_mesh("torus-knot")), .pose = Pose::translation(-4, 3, 1.2), .name = "sculpture"},

@@ -40,7 +40,7 @@ int main() {
   }
   Body table{Box({1, 1, 0.05}), Pose::translation(1.5, 0, 0.75)};
   table.name = "table";
-  table.motion = Motion::fixed;
+  table.type = BodyType::static_body;
   world.add(table);
 
   // Neighbours share a joint, so they always touch: they are no pair.

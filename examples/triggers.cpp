@@ -33,7 +33,7 @@ int main() {
   World world;
   // Both masks have to allow a pair: a zone is compared with players only, and bullets with players only.
   Body zone = make(Box({2, 2, 2}), zones, players, "zone");
-  zone.motion = Motion::fixed;
+  zone.type = BodyType::static_body;
   world.add(zone);
   const BodyId runner = world.add(make(Sphere(0.5), players, zones | bullets | players, "runner"));
   const BodyId friend_of = world.add(make(Sphere(0.5), players, zones | bullets | players, "friend"));

@@ -34,8 +34,8 @@ struct Builder {
 };
 
 Builder of_model(const std::shared_ptr<const TriangleMesh>& mesh) {
-  const auto tree = std::make_shared<WideTree>();
-  return {"Model, eight wide", [=](int threads) { *tree = Model(mesh, threads).wide_tree(); },
+  const auto tree = std::make_shared<WideBvh>();
+  return {"Model, eight wide", [=](int threads) { *tree = Model(mesh, threads).wide_bvh(); },
           [=] {
             Fingerprint found{tree->items, tree->built_size};
             for (const WideBlock& block : tree->blocks)
@@ -48,11 +48,11 @@ Builder of_model(const std::shared_ptr<const TriangleMesh>& mesh) {
 }
 
 template <class Volume>
-Builder of_method(const std::vector<Triangle>& triangles, TreeMethod method, CostVolume kind) {
-  const auto tree = std::make_shared<Tree<Volume>>();
+Builder of_method(const std::vector<Triangle>& triangles, BvhMethod method, CostVolume kind) {
+  const auto tree = std::make_shared<Bvh<Volume>>();
   return {
       fmt::format("{}, {}", name_of(method), name_of(kind)),
-      [=, &triangles](int threads) { *tree = build_tree<Volume>(triangles, {.method = method, .threads = threads}); },
+      [=, &triangles](int threads) { *tree = build_bvh<Volume>(triangles, {.method = method, .threads = threads}); },
       [=] {
         Fingerprint found{tree->items, tree->built_size};
         for (const auto& node : tree->nodes)
@@ -60,15 +60,15 @@ Builder of_method(const std::vector<Triangle>& triangles, TreeMethod method, Cos
         return found;
       },
       [=] {
-        return static_cast<double>(tree->nodes.size() * sizeof(TreeNode<Volume>) + tree->items.size() * sizeof(Index));
+        return static_cast<double>(tree->nodes.size() * sizeof(BvhNode<Volume>) + tree->items.size() * sizeof(Index));
       }};
 }
 
 std::vector<Builder> all_builders(const std::shared_ptr<const TriangleMesh>& mesh,
                                   const std::vector<Triangle>& triangles) {
   std::vector<Builder> builders{of_model(mesh)};
-  for (const TreeMethod method : {TreeMethod::mean, TreeMethod::median, TreeMethod::heuristic,
-                                  TreeMethod::agglomeration, TreeMethod::insertion, TreeMethod::morton}) {
+  for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median, BvhMethod::heuristic, BvhMethod::agglomeration,
+                                 BvhMethod::insertion, BvhMethod::morton}) {
     builders.push_back(of_method<Aabb>(triangles, method, CostVolume::aabb));
     builders.push_back(of_method<Obb>(triangles, method, CostVolume::obb));
   }

@@ -24,7 +24,7 @@ struct PartsRow {
   std::size_t invented = 0;
 };
 
-PartsRow measured(PartsLibrary& library, std::span<const Posed> parts, int threads, int rounds) {
+PartsRow measured(PartsLibrary& library, std::span<const SceneInstance> parts, int threads, int rounds) {
   PartsRow row{library.description(), threads};
   library.build(parts);
   std::vector<double> times;
@@ -37,8 +37,8 @@ PartsRow measured(PartsLibrary& library, std::span<const Posed> parts, int threa
 }
 
 std::vector<PartsRow> rows_of(const PartsArguments& arguments) {
-  std::vector<Posed> parts = scene_models(many_parts(arguments.count, arguments.seed));
-  for (Posed& part : parts) part.solid = Solid::none;
+  std::vector<SceneInstance> parts = scene_models(many_parts(arguments.count, arguments.seed));
+  for (SceneInstance& part : parts) part.solid = Solid::none;
   std::vector<PartsRow> rows;
   for (const auto& library : toccata_parts(arguments.threads))
     rows.push_back(measured(*library, parts, rows.empty() ? arguments.threads : 1, arguments.rounds));

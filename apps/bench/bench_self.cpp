@@ -38,7 +38,7 @@ TrianglePairs only_in(const TrianglePairs& some, const TrianglePairs& others) {
 
 /// In rational arithmetic.
 bool meet(const oracle::MeshSet& mesh, Index i, Index j) {
-  return !oracle::self_meeting_pairs({{mesh.triangles[i], mesh.triangles[j]}}).empty();
+  return !oracle::self_intersecting_pairs({{mesh.triangles[i], mesh.triangles[j]}}).empty();
 }
 
 /// Counts the pairs that differ, and judges each.

@@ -16,8 +16,8 @@
 /// Between its call and its return valgrind counts; found by this name. Not inlined, for that.
 [[gnu::noinline]] toccata::bench::Walked toccata_bench_counted_walk(toccata::bench::Walk walk,
                                                                     toccata::bench::Method method,
-                                                                    const toccata::bench::BoxTree& a,
-                                                                    const toccata::bench::BoxTree& b) {
+                                                                    const toccata::bench::BoxBvh& a,
+                                                                    const toccata::bench::BoxBvh& b) {
   return toccata::bench::walked(walk, method, a, b);
 }
 
@@ -37,17 +37,17 @@ std::string word_of(const NamedWalk& walk, Method method) {
 }
 
 struct Trees {
-  BoxTree a;
-  BoxTree b;
+  BoxBvh a;
+  BoxBvh b;
 };
 
-BoxTree box_tree_of(const std::string& file) {
+BoxBvh box_bvh_of(const std::string& file) {
   const auto mesh = single_mesh(file);
   std::vector<Aabb> boxes;
   for (const auto& corner : mesh->triangles())
     boxes.push_back(
         fit_aabb(std::array{mesh->vertices()[corner[0]], mesh->vertices()[corner[1]], mesh->vertices()[corner[2]]}));
-  return BoxTree(std::move(boxes));
+  return BoxBvh(std::move(boxes));
 }
 
 /// The number behind "summary:" in what callgrind wrote.
@@ -155,7 +155,7 @@ void walk_once(const std::string& word, const Trees& trees) {
 }  // namespace
 
 int run_walker(const WalkerArguments& arguments) {
-  const Trees trees{box_tree_of(arguments.mesh_a), box_tree_of(arguments.mesh_b)};
+  const Trees trees{box_bvh_of(arguments.mesh_a), box_bvh_of(arguments.mesh_b)};
   if (!arguments.only.empty()) {
     walk_once(arguments.only, trees);
     return 0;

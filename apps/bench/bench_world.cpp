@@ -33,7 +33,7 @@ BodyCrowd crowd_of(const WorldArguments& arguments) {
 /// The pairs in contact, frame by frame, by `check_all`, which knows nothing of worlds.
 std::vector<Pairs> truth_of(const WorldArguments& arguments) {
   BodyCrowd crowd = crowd_of(arguments);
-  std::vector<Posed> bodies;
+  std::vector<SceneInstance> bodies;
   for (const Shape& shape : crowd.shapes()) bodies.push_back({Model(shape)});
   std::vector<Pairs> truth;
   for (int frame = 0; frame < arguments.frames; ++frame) {

@@ -112,7 +112,7 @@ WorldWork work_of(const WorldQueriesArguments& arguments) {
     if (work.task == WorldTask::nearest) work.shapes.push_back({Model(Sphere(0.1)), places.pose()});
     if (work.task == WorldTask::overlap) work.shapes.push_back({Model(Box({1, 1, 1})), places.pose()});
     if (work.task == WorldTask::cast) {
-      const Posed shape{moving_model(arguments.shape, work.size(), 0.2), places.pose()};
+      const SceneInstance shape{moving_model(arguments.shape, work.size(), 0.2), places.pose()};
       const Vec3 motion = places.place() - shape.pose.offset;
       if (index.overlapping(shape).empty()) work.moving.push_back({shape, motion});
     }
@@ -151,7 +151,7 @@ MeasuredQueries measured(WorldQueryLibrary& library, const WorldWork& work, int 
 bool agree(double a, double b) { return std::fabs(a - b) <= 1e-4 * (1 + std::fabs(b)); }
 
 /// Every body is within a unit of the origin of its frame.
-bool is_beside(const Ray& ray, const Posed& body) {
+bool is_beside(const Ray& ray, const SceneInstance& body) {
   const Vec3 to_body = body.pose.offset - ray.origin;
   const double time = std::clamp(dot(to_body, ray.motion) / dot(ray.motion, ray.motion), 0.0, 1.0);
   const Vec3 apart = to_body - time * ray.motion;
@@ -160,7 +160,7 @@ bool is_beside(const Ray& ray, const Posed& body) {
 
 double time_of(const WorldWork& work, const Ray& ray) {
   double first = 1;
-  for (const Posed& body : work.bodies) {
+  for (const SceneInstance& body : work.bodies) {
     if (is_beside(ray, body)) continue;
     const RayHit hit = cast_ray(ray.origin, ray.motion, body.model, body.pose);
     if (hit.hit) first = std::min(first, hit.upper);
@@ -170,7 +170,7 @@ double time_of(const WorldWork& work, const Ray& ray) {
 
 double time_of(const WorldWork& work, const MovingShape& moving) {
   double first = 1;
-  for (const Posed& body : work.bodies) {
+  for (const SceneInstance& body : work.bodies) {
     if (!body.model.has_mesh() && is_beside({moving.shape.pose.offset, moving.motion}, body)) continue;
     const PairQuery query{moving.shape.pose, body.pose, Solid::automatic, body.solid};
     const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, body.model, query);
@@ -183,9 +183,9 @@ double time_of(const WorldWork& work, const MovingShape& moving) {
 double truth(const WorldWork& work, std::size_t i) {
   if (work.task == WorldTask::ray) return time_of(work, work.rays[i]);
   if (work.task == WorldTask::cast) return time_of(work, work.moving[i]);
-  const Posed& shape = work.shapes[i];
+  const SceneInstance& shape = work.shapes[i];
   double nearest = std::numeric_limits<double>::infinity(), count = 0;
-  for (const Posed& body : work.bodies) {
+  for (const SceneInstance& body : work.bodies) {
     const PairQuery query{shape.pose, body.pose};
     if (work.task == WorldTask::overlap)
       count += overlap(shape.model, body.model, query) ? 1 : 0;

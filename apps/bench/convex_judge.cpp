@@ -12,7 +12,7 @@
 namespace toccata::bench {
 namespace {
 
-oracle::ConvexSet set_of(const PosedConvex& shape) {
+oracle::ConvexSet set_of(const PosedPolytope& shape) {
   oracle::ConvexSet set;
   for (Index i = 0; i < shape.vertex_count(); ++i) set.vertices.push_back(oracle::exact(shape.vertex(i)));
   set.radius = oracle::exact(shape.radius());
@@ -25,12 +25,12 @@ double error_of(const ConvexAnswer& answer, const ConvexAnswer& ours) {
 }
 
 /// The contact of shapes with round sides is compared as a depth and a normal.
-bool is_manifold_of_smooth(const ConvexWork& work) {
-  return work.task == ConvexTask::manifold && has_smooth(work.pair);
+bool is_manifold_of_quadric(const ConvexWork& work) {
+  return work.task == ConvexTask::manifold && has_quadric(work.pair);
 }
 
 bool has_number(const ConvexWork& work) {
-  return work.task == ConvexTask::distance || work.task == ConvexTask::penetration || is_manifold_of_smooth(work);
+  return work.task == ConvexTask::distance || work.task == ConvexTask::penetration || is_manifold_of_quadric(work);
 }
 
 bool is_along(const Vec3& x, const Vec3& y) {
@@ -40,7 +40,7 @@ bool is_along(const Vec3& x, const Vec3& y) {
 
 bool differ(const ConvexWork& work, const ConvexAnswer& x, const ConvexAnswer& ours) {
   return x.overlap != ours.overlap || (has_number(work) && error_of(x, ours) > convex_tolerance) ||
-         (is_manifold_of_smooth(work) && ours.overlap && !is_along(x.direction, ours.direction));
+         (is_manifold_of_quadric(work) && ours.overlap && !is_along(x.direction, ours.direction));
 }
 
 /// What is allowed of Toccata's own number: nothing of an interval; the depth of a manifold is a single number.
@@ -90,7 +90,7 @@ class Truth {
   oracle::ConvexSet b_;
 };
 
-/// The two shapes of a question of which one is smooth, with 60 digits.
+/// The two shapes of a question of which one is a quadric, with 60 digits.
 class FineTruth {
  public:
   FineTruth(const ConvexWork& work, const ConvexQuestion& question)
@@ -153,7 +153,7 @@ void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& res
     }
     if (any) ++results.front().disagreements;
     if (any || judged == Judged::all)
-      has_smooth(work.pair) ? judge_one<FineTruth>(work, query, results) : judge_one<Truth>(work, query, results);
+      has_quadric(work.pair) ? judge_one<FineTruth>(work, query, results) : judge_one<Truth>(work, query, results);
   }
 }
 

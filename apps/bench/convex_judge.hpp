@@ -14,7 +14,7 @@ struct ConvexResult {
   double bytes_per_vertex = 0;
   std::size_t disagreements = 0;  ///< as of `Result`
   std::size_t wrong = 0;
-  /// Of a distance or a depth, also that of a smooth pair's manifold: the largest difference to Toccata's.
+  /// Of a distance or a depth, also that of a quadric pair's manifold: the largest difference to Toccata's.
   double worst_error = 0;
   std::vector<ConvexAnswer> answers{};
 };
@@ -23,7 +23,7 @@ struct ConvexResult {
 inline constexpr double convex_tolerance = 1e-4;
 
 /// Counts disagreements and wrong answers into the results, of which the first is Toccata's. Toccata's intervals have
-/// to hold the exact number, the depths of its manifolds of smooth pairs to be within 2⁻²⁰ of it; a peer's number has
+/// to hold the exact number, the depths of its manifolds of quadric pairs to be within 2⁻²⁰ of it; a peer's number has
 /// to be within the tolerance of it, and its direction has to part the shapes.
 void judge(const ConvexWork& work, Judged judged, std::vector<ConvexResult>& results);
 

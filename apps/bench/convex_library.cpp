@@ -28,7 +28,9 @@ std::vector<std::string> convex_pairs() {
           "ellipsoid",      "sphere-6-dop", "sphere-14-dop", "sphere-18-dop", "sphere-26-dop"};
 }
 
-bool has_smooth(const std::string& pair) { return pair == "cylinder-box" || pair == "cone-box" || pair == "ellipsoid"; }
+bool has_quadric(const std::string& pair) {
+  return pair == "cylinder-box" || pair == "cone-box" || pair == "ellipsoid";
+}
 
 std::vector<std::string> convex_peers() {
   std::vector<std::string> names;

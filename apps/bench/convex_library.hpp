@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "library.hpp"
-#include "toccata/narrow/posed_convex.hpp"
-#include "toccata/narrow/posed_smooth.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
+#include "toccata/narrow/posed_quadric.hpp"
 
 // Questions about pairs of convex shapes, and who answers them.
 namespace toccata::bench {
@@ -21,11 +21,11 @@ using ConvexBody = std::variant<Sphere, Box, Capsule, Triangle, ConvexHull, Cyli
 
 /// A cylinder, a cone or an ellipsoid.
 template <class Shape>
-concept Smooth = std::is_constructible_v<PosedSmooth, const Shape&, const Pose&>;
+concept Quadric = std::is_constructible_v<PosedQuadric, const Shape&, const Pose&>;
 
 /// What the library takes a shape at its place as.
 template <class Shape>
-using PosedAs = std::conditional_t<Smooth<Shape>, PosedSmooth, PosedConvex>;
+using PosedAs = std::conditional_t<Quadric<Shape>, PosedQuadric, PosedPolytope>;
 
 struct ConvexPair {
   ConvexBody a;
@@ -86,7 +86,7 @@ struct ConvexOffer {
 };
 
 /// A shape of the pairs is a cylinder, a cone or an ellipsoid.
-bool has_smooth(const std::string& pair);
+bool has_quadric(const std::string& pair);
 
 /// The pairs that --pair takes.
 std::vector<std::string> convex_pairs();

@@ -9,7 +9,7 @@
 #include "toccata/core/random.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -74,13 +74,13 @@ void add_walk(std::size_t number, const ConvexPair& pair, std::size_t steps, Ran
 
 }  // namespace
 
-PosedConvex posed(const ConvexBody& body, const Pose& pose) {
+PosedPolytope posed(const ConvexBody& body, const Pose& pose) {
   return std::visit(
-      [&]<class Shape>(const Shape& shape) -> PosedConvex {
-        if constexpr (Smooth<Shape>)
+      [&]<class Shape>(const Shape& shape) -> PosedPolytope {
+        if constexpr (Quadric<Shape>)
           throw Error("a shape with round sides has no vertices");
         else
-          return PosedConvex(shape, pose);
+          return PosedPolytope(shape, pose);
       },
       body);
 }

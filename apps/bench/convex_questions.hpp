@@ -9,6 +9,6 @@ namespace toccata::bench {
 ConvexWork convex_work(const ConvexArguments& arguments);
 
 /// The shape in the world. Throws Error for one with round sides.
-PosedConvex posed(const ConvexBody& body, const Pose& pose);
+PosedPolytope posed(const ConvexBody& body, const Pose& pose);
 
 }  // namespace toccata::bench

@@ -7,16 +7,16 @@
 
 namespace toccata::bench {
 
-oracle::FineSet fine_set_of(const PosedConvex& shape) {
+oracle::FineSet fine_set_of(const PosedPolytope& shape) {
   std::vector<Vec3> vertices;
   for (Index i = 0; i < shape.vertex_count(); ++i) vertices.push_back(shape.vertex(i));
   return oracle::hull_set_of(vertices, shape.radius());
 }
 
-oracle::FineSet fine_set_of(const PosedSmooth& shape) {
+oracle::FineSet fine_set_of(const PosedQuadric& shape) {
   constexpr oracle::FineKind kinds[] = {oracle::FineKind::cylinder, oracle::FineKind::cone,
                                         oracle::FineKind::ellipsoid};
-  return oracle::smooth_set(kinds[static_cast<std::size_t>(shape.kind())], shape.half(), shape.pose());
+  return oracle::quadric_set(kinds[static_cast<std::size_t>(shape.kind())], shape.half(), shape.pose());
 }
 
 oracle::FineSet fine_set_of(const ConvexBody& body, const Pose& pose) {

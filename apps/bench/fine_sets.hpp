@@ -1,13 +1,13 @@
 #pragma once
 
 #include "convex_library.hpp"
-#include "oracle/smooth.hpp"
+#include "oracle/quadrics.hpp"
 
 // Posed shapes with 60 digits, and how deep they overlap.
 namespace toccata::bench {
 
-oracle::FineSet fine_set_of(const PosedConvex& shape);
-oracle::FineSet fine_set_of(const PosedSmooth& shape);
+oracle::FineSet fine_set_of(const PosedPolytope& shape);
+oracle::FineSet fine_set_of(const PosedQuadric& shape);
 oracle::FineSet fine_set_of(const ConvexBody& body, const Pose& pose);
 
 /// Heights of A − B with 60 digits, of which the least is the depth.

@@ -116,12 +116,12 @@ struct WalkRow {
   std::size_t wrong = 0;    ///< ways on which a cell walked through is not found so
 };
 
-/// Whether the way comes into the closed cell, by clipping it; a hair is left on every side for rounding.
+/// Whether the way comes into the closed cell, by clipping it; a tolerance is left on every side for rounding.
 bool passes(const CellPoint& from, const CellPoint& to, const CellBox& cell) {
   double first = 0, last = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double hair = 1e-12 * (std::fabs(cell.lower[axis]) + std::fabs(cell.upper[axis]));
-    const double lower = cell.lower[axis] - hair, upper = cell.upper[axis] + hair, by = to[axis] - from[axis];
+    const double tolerance = 1e-12 * (std::fabs(cell.lower[axis]) + std::fabs(cell.upper[axis]));
+    const double lower = cell.lower[axis] - tolerance, upper = cell.upper[axis] + tolerance, by = to[axis] - from[axis];
     if (by == 0) {
       if (from[axis] < lower || from[axis] > upper) return false;
       continue;
@@ -181,7 +181,7 @@ WalkRow walked(std::span<const Aabb> objects, double length, const PartitionsArg
 
 void print_tables(const std::vector<TrackRow>& tracks, const std::vector<WalkRow>& walks) {
   fmt::print("a move of an object, in ns\n{:>12}{:>10}{:>18}{:>10}{:>12}{:>18}{:>8}\n", "step, cells", "cells in",
-             "entered and left", "kept", "put anew", "all rasterised", "wrong");
+             "entered and left", "persist", "put anew", "all rasterised", "wrong");
   for (const TrackRow& row : tracks)
     fmt::print("{:>12}{:>10.2f}{:>18.3f}{:>10.0f}{:>12.0f}{:>18.0f}{:>8}\n", row.step, row.cells, row.changed,
                row.kept_ns, row.put_anew_ns, row.all_rasterised_ns, row.wrong);

@@ -16,7 +16,7 @@ class PartsLibrary {
   virtual ~PartsLibrary() = default;
   [[nodiscard]] virtual Description description() const = 0;
   /// Not measured: the trees over the meshes.
-  virtual void build(std::span<const Posed> parts) = 0;
+  virtual void build(std::span<const SceneInstance> parts) = 0;
   /// Measured: from the poses to all pairs that meet, in any order.
   [[nodiscard]] virtual std::vector<IndexPair> pairs() = 0;
 };

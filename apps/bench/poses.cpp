@@ -8,8 +8,8 @@
 #include "toccata/core/random.hpp"
 #include "toccata/io/poses_file.hpp"
 #include "toccata/math/rotation.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -128,7 +128,7 @@ Pose next_on_the_way(const PairWithExtents& pair, const PosePair& now, double le
   for (int attempt = 0; attempt < 100; ++attempt) {
     const Pose next = moved_on(now.b, pair.extent_b.centre, step);
     const PairQuery query{now.a, next, Solid::none, Solid::none};
-    if (!overlap(pair.a, pair.b, query) && closer_than(pair.a, pair.b, 0.04 * diagonal, query)) return next;
+    if (!overlap(pair.a, pair.b, query) && within_distance(pair.a, pair.b, 0.04 * diagonal, query)) return next;
     step = random_step(random, length, pair.extent_b.diagonal);
   }
   return now.b;

@@ -61,9 +61,9 @@ Triangle random_triangle(Random& random) {
   return {{p, q, unit_vector(random)}};
 }
 
-double reach_of(const PosedSmooth& shape) { return std::sqrt(dot(shape.half(), shape.half())); }
+double reach_of(const PosedQuadric& shape) { return std::sqrt(dot(shape.half(), shape.half())); }
 
-double reach_of(const PosedConvex& shape) {
+double reach_of(const PosedPolytope& shape) {
   double reach = 0;
   for (Index i = 0; i < shape.vertex_count(); ++i)
     reach = std::max(reach, std::sqrt(dot(shape.vertex(i), shape.vertex(i))));

@@ -10,9 +10,9 @@
 #include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/pair_arrays.hpp"
-#include "toccata/narrow/smooth.hpp"
-#include "toccata/narrow/smooth_manifold.hpp"
-#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/narrow/quadric_manifold.hpp"
+#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/narrow/sphere.hpp"
 
 namespace toccata::bench {
@@ -23,7 +23,7 @@ double bytes_of(const std::vector<ConvexPair>& pairs) {
   return hull == nullptr ? 0 : static_cast<double>(hull->memory()) / hull->vertex_count();
 }
 
-ConvexAnswer asked(ConvexTask task, const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+ConvexAnswer asked(ConvexTask task, const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (task == ConvexTask::overlap) return {overlap(a, b, workspace)};
   if (task == ConvexTask::distance) {
     const Distance d = distance(a, b, workspace);
@@ -38,11 +38,11 @@ ConvexAnswer asked(ConvexTask task, const PosedConvex& a, const PosedConvex& b, 
 }
 
 template <class A, class B>
-concept OneIsSmooth = std::is_same_v<A, PosedSmooth> || std::is_same_v<B, PosedSmooth>;
+concept OneIsAQuadric = std::is_same_v<A, PosedQuadric> || std::is_same_v<B, PosedQuadric>;
 
 /// Of shapes with round sides a manifold tells how deep it is too.
 template <class A, class B>
-requires OneIsSmooth<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, ConvexWorkspace*) {
+requires OneIsAQuadric<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, SimplexCache*) {
   if (task == ConvexTask::overlap) return {overlap(a, b)};
   if (task == ConvexTask::penetration) {
     const Penetration p = penetration(a, b);
@@ -90,7 +90,7 @@ class ToccataConvex : public ConvexLibrary {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const ConvexQuestion& question = work_->questions[first + i];
       if (!question.follows) workspace_ = {};
-      ConvexWorkspace* const workspace = work_->coherent ? &workspace_ : nullptr;
+      SimplexCache* const workspace = work_->coherent ? &workspace_ : nullptr;
       answers[i] = posing_ == ConvexPosing::before
                        ? asked(work_->task, posed_a_[first + i], posed_b_[first + i], workspace)
                        : asked(work_->task, PosedAs<A>(a_[question.pair], question.a),
@@ -105,7 +105,7 @@ class ToccataConvex : public ConvexLibrary {
   std::vector<B> b_;
   std::vector<PosedAs<A>> posed_a_;
   std::vector<PosedAs<B>> posed_b_;
-  ConvexWorkspace workspace_;
+  SimplexCache workspace_;
   double bytes_per_vertex_ = 0;
 };
 

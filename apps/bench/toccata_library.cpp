@@ -21,7 +21,7 @@ Description described(const std::string& variant) {
 /// How distances of meshes on their way are asked for; of everything else there is one way.
 enum class DistanceWay { alone, cached };
 
-std::size_t bytes_of(const WideTree& tree) {
+std::size_t bytes_of(const WideBvh& tree) {
   return tree.blocks.capacity() * sizeof tree.blocks[0] + tree.items.capacity() * sizeof tree.items[0];
 }
 
@@ -46,7 +46,7 @@ class ToccataMeshes : public MeshLibrary {
     cache_.clear();
   }
 
-  std::size_t bytes() const override { return bytes_of(a_->wide_tree()) + bytes_of(b_->wide_tree()); }
+  std::size_t bytes() const override { return bytes_of(a_->wide_bvh()) + bytes_of(b_->wide_bvh()); }
 
   bool spreads_queries(Task task, int threads) override {
     threads_ = task == Task::contacts ? threads : 1;
@@ -102,7 +102,7 @@ class ToccataTriangles : public TriangleLibrary {
   std::span<const TriangleQuestion> questions_;
 };
 
-bool meets(const Triangle& a, const Triangle& b) { return meeting(a, b).kind != MeetingKind::none; }
+bool meets(const Triangle& a, const Triangle& b) { return intersect(a, b).kind != IntersectionKind::none; }
 
 }  // namespace
 

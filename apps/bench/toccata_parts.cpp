@@ -16,7 +16,7 @@ class CheckAll final : public PartsLibrary {
  public:
   explicit CheckAll(int threads) : threads_(threads) {}
   Description description() const override { return described("check_all"); }
-  void build(std::span<const Posed> parts) override { parts_ = parts; }
+  void build(std::span<const SceneInstance> parts) override { parts_ = parts; }
   std::vector<IndexPair> pairs() override {
     std::vector<IndexPair> found;
     for (const PairAnswer& pair : check_all(parts_, {.threads = threads_}).pairs) found.push_back({pair.a, pair.b});
@@ -25,7 +25,7 @@ class CheckAll final : public PartsLibrary {
 
  private:
   int threads_;
-  std::span<const Posed> parts_;
+  std::span<const SceneInstance> parts_;
 };
 
 /// What a program without a broad phase does: a box around each part, every pair of boxes, and a question for each that
@@ -33,26 +33,26 @@ class CheckAll final : public PartsLibrary {
 class EveryPair final : public PartsLibrary {
  public:
   Description description() const override { return described("every pair"); }
-  void build(std::span<const Posed> parts) override { parts_ = parts; }
+  void build(std::span<const SceneInstance> parts) override { parts_ = parts; }
   std::vector<IndexPair> pairs() override {
     std::vector<Aabb> boxes;
-    for (const Posed& part : parts_) boxes.push_back(box_of(part));
+    for (const SceneInstance& part : parts_) boxes.push_back(box_of(part));
     std::vector<IndexPair> found;
     Workspace workspace;
     for (const IndexPair& pair : overlapping_pairs_by_brute_force(boxes)) {
-      const Posed &a = parts_[pair.first], &b = parts_[pair.second];
+      const SceneInstance &a = parts_[pair.first], &b = parts_[pair.second];
       if (overlap(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace)) found.push_back(pair);
     }
     return found;
   }
 
  private:
-  static Aabb box_of(const Posed& part) {
+  static Aabb box_of(const SceneInstance& part) {
     Aabb box;
     for (const Vec3& vertex : part.model.mesh().vertices()) box = merge(box, transform(part.pose, vertex));
     return box;
   }
-  std::span<const Posed> parts_;
+  std::span<const SceneInstance> parts_;
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ class ToccataTree : public RefitLibrary {
   Description description() const override { return described("the tree's boxes"); }
   void build(const TriangleMesh& mesh) override {
     mesh_.emplace(mesh);
-    tree_ = Model(mesh).wide_tree();
+    tree_ = Model(mesh).wide_bvh();
   }
   void give(const TriangleMesh& mesh) override { mesh_.emplace(mesh); }
   void refit() override { static_cast<void>(toccata::refit(tree_, *mesh_, threads_)); }
@@ -43,7 +43,7 @@ class ToccataTree : public RefitLibrary {
  private:
   int threads_;
   std::optional<TriangleMesh> mesh_;
-  WideTree tree_;
+  WideBvh tree_;
 };
 
 /// Model::deform: also what copies the triangles and looks whether all vertices are finite.

@@ -27,9 +27,9 @@ class ByOverlay final : public OfHulls {
  public:
   [[nodiscard]] Description description() const override { return as_toccata("overlay, SumLocator"); }
   Index make(std::size_t i) override {
-    return minkowski_sum(PosedConvex(pair(i).a), PosedConvex(pair(i).b)).vertex_count();
+    return minkowski_sum(PosedPolytope(pair(i).a), PosedPolytope(pair(i).b)).vertex_count();
   }
-  void make_ready() override { ready_.emplace(minkowski_sum(PosedConvex(pair(0).a), PosedConvex(pair(0).b))); }
+  void make_ready() override { ready_.emplace(minkowski_sum(PosedPolytope(pair(0).a), PosedPolytope(pair(0).b))); }
   [[nodiscard]] bool contains(const Vec3& point) override { return ready_->contains(point); }
 
  private:
@@ -53,12 +53,12 @@ class ByHullOfAll final : public OfHulls {
   }
   /// A and −B moved there.
   [[nodiscard]] bool contains(const Vec3& point) override {
-    return overlap(PosedConvex(pair(0).a), PosedConvex(*mirrored_, Pose{Mat3{}, point}), &workspace_);
+    return overlap(PosedPolytope(pair(0).a), PosedPolytope(*mirrored_, Pose{Mat3{}, point}), &workspace_);
   }
 
  private:
   std::optional<ConvexHull> mirrored_;
-  ConvexWorkspace workspace_;
+  SimplexCache workspace_;
 };
 
 }  // namespace

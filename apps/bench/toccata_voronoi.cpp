@@ -36,13 +36,13 @@ class OfTracked : public ConvexLibrary {
     return {"toccata", variant + ", posed before", version,
             fmt::format("{}, {} -ffp-contract=off{}", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS, more)};
   }
-  virtual ConvexAnswer asked(const ConvexQuestion& q, const PosedConvex& a, const PosedConvex& b) = 0;
+  virtual ConvexAnswer asked(const ConvexQuestion& q, const PosedPolytope& a, const PosedPolytope& b) = 0;
 
   const ConvexWork* work_ = nullptr;
 
  private:
-  std::vector<PosedConvex> posed_a_;
-  std::vector<PosedConvex> posed_b_;
+  std::vector<PosedPolytope> posed_a_;
+  std::vector<PosedPolytope> posed_b_;
 };
 
 ConvexAnswer answer_of(const Distance& d) { return {d.upper == 0, d.lower, d.upper}; }
@@ -54,7 +54,7 @@ class ByVoronoiWalk : public OfTracked {
     const double asked = std::max(1.0, static_cast<double>(c.questions));
     const auto share = [=](std::uint64_t part) { return static_cast<double>(part) / asked; };
     return as("by Voronoi walk", fmt::format("; a question: {:.2f} kept, {:.2f} walked, {:.3f} searched, {:.2f} steps",
-                                             share(c.kept), share(c.walked), share(c.searched), share(c.steps)));
+                                             share(c.persist), share(c.walked), share(c.searched), share(c.steps)));
   }
   void prepare(const ConvexWork& work) override {
     OfTracked::prepare(work);
@@ -68,7 +68,7 @@ class ByVoronoiWalk : public OfTracked {
   }
 
  private:
-  ConvexAnswer asked(const ConvexQuestion& q, const PosedConvex& a, const PosedConvex& b) override {
+  ConvexAnswer asked(const ConvexQuestion& q, const PosedPolytope& a, const PosedPolytope& b) override {
     if (!q.follows) tracked_.state = TrackedPair::State::unknown, tracked_.cores_meet = false;
     return answer_of(distance_by_voronoi_walk(a, regions_a_[q.pair], b, regions_b_[q.pair], tracked_));
   }
@@ -82,7 +82,7 @@ class ByColdGjk : public OfTracked {
   Description description() const override { return as("by GJK, cold"); }
 
  private:
-  ConvexAnswer asked(const ConvexQuestion&, const PosedConvex& a, const PosedConvex& b) override {
+  ConvexAnswer asked(const ConvexQuestion&, const PosedPolytope& a, const PosedPolytope& b) override {
     return answer_of(distance_by_gjk(a, b));
   }
 };
@@ -93,12 +93,12 @@ class ByKeptAxis : public OfTracked {
   Description description() const override { return as("overlap by separating axes, the last first"); }
 
  private:
-  ConvexAnswer asked(const ConvexQuestion& q, const PosedConvex& a, const PosedConvex& b) override {
+  ConvexAnswer asked(const ConvexQuestion& q, const PosedPolytope& a, const PosedPolytope& b) override {
     if (!q.follows) workspace_ = {};
     return {overlap_by_separating_axes(a, b, &workspace_)};
   }
 
-  ConvexWorkspace workspace_;
+  SimplexCache workspace_;
 };
 
 }  // namespace

@@ -67,7 +67,7 @@ OneWay::Way asked_by(SphereBox way) {
   };
 }
 
-using Depth = Penetration (*)(const PosedConvex&, const PosedConvex&);
+using Depth = Penetration (*)(const PosedPolytope&, const PosedPolytope&);
 
 OneWay::Way asked_by(Depth way) {
   return [way](const ConvexPair& pair, const ConvexQuestion& q) {
@@ -108,7 +108,7 @@ class ByGjk : public ConvexLibrary {
   }
 
  private:
-  ConvexAnswer asked(const PosedConvex& a, const PosedConvex& b) {
+  ConvexAnswer asked(const PosedPolytope& a, const PosedPolytope& b) {
     if (work_->task == ConvexTask::overlap) return {overlap_by_gjk(a, b, options_, &workspace_)};
     const Distance d = distance_by_gjk(a, b, options_, &workspace_);
     return {d.upper == 0, d.lower, d.upper};
@@ -116,7 +116,7 @@ class ByGjk : public ConvexLibrary {
 
   GjkOptions options_;
   const ConvexWork* work_ = nullptr;
-  ConvexWorkspace workspace_;
+  SimplexCache workspace_;
   std::size_t asked_ = 0;
 };
 
@@ -128,7 +128,7 @@ void add(std::string name, OneWay::Way way, ConvexOffer& offer) {
 
 ConvexOffer toccata_ways(const ConvexWork& work) {
   ConvexOffer offer;
-  if (has_smooth(work.pair)) return offer;
+  if (has_quadric(work.pair)) return offer;
   if (work.task == ConvexTask::penetration) {
     add("by separating axes", asked_by(penetration_by_separating_axes), offer);
     add("by expansion", asked_by(penetration_by_expansion), offer);

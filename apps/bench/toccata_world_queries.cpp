@@ -19,7 +19,7 @@ class ToccataWorldQueries : public WorldQueryLibrary {
   void build(const WorldWork& work) override {
     std::vector<Body> bodies;
     bodies.reserve(work.bodies.size());
-    for (const Posed& body : work.bodies) {
+    for (const SceneInstance& body : work.bodies) {
       bodies.push_back({body.model, body.pose});
       bodies.back().solid = body.solid;
     }

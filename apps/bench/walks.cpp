@@ -35,27 +35,27 @@ struct ItemsIn {
   }
 };
 
-Walked generic_two_trees(const BoxTree& a, const BoxTree& b) {
+Walked generic_two_trees(const BoxBvh& a, const BoxBvh& b) {
   PairsOf question{a.boxes, b.boxes};
   const WalkCounts counts = walk_pair(a.tree, b.tree, question);
   return {std::move(question.found), counts};
 }
 
-Walked generic_self(const BoxTree& a) {
+Walked generic_self(const BoxBvh& a) {
   PairsOf question{a.boxes, a.boxes};
   const WalkCounts counts = walk_self(a.tree, question);
   return {std::move(question.found), counts};
 }
 
-Walked generic_one_tree(const BoxTree& a, const Aabb& wanted) {
+Walked generic_one_tree(const BoxBvh& a, const Aabb& wanted) {
   ItemsIn question{a.boxes, wanted};
   const WalkCounts counts = walk(a.tree, question);
   return {std::move(question.found), counts};
 }
 
-using Node = TreeNode<Aabb>;
+using Node = BvhNode<Aabb>;
 
-Walked by_hand_two_trees(const BoxTree& a, const BoxTree& b) {
+Walked by_hand_two_trees(const BoxBvh& a, const BoxBvh& b) {
   Walked walked;
   std::vector<ItemPair> stack;
   const auto consider = [&](Index i, Index j) {
@@ -85,7 +85,7 @@ Walked by_hand_two_trees(const BoxTree& a, const BoxTree& b) {
   return walked;
 }
 
-Walked by_hand_self(const BoxTree& a) {
+Walked by_hand_self(const BoxBvh& a) {
   Walked walked;
   std::vector<ItemPair> stack{{0, 0}};
   const auto consider = [&](Index i, Index j) {
@@ -122,7 +122,7 @@ Walked by_hand_self(const BoxTree& a) {
   return walked;
 }
 
-Walked by_hand_one_tree(const BoxTree& a, const Aabb& wanted) {
+Walked by_hand_one_tree(const BoxBvh& a, const Aabb& wanted) {
   Walked walked;
   std::vector<Index> stack;
   const auto consider = [&](Index i) {
@@ -148,7 +148,7 @@ Walked by_hand_one_tree(const BoxTree& a, const Aabb& wanted) {
 
 }  // namespace
 
-Walked walked(Walk walk, Method method, const BoxTree& a, const BoxTree& b) {
+Walked walked(Walk walk, Method method, const BoxBvh& a, const BoxBvh& b) {
   const bool generic = method == Method::generic;
   switch (walk) {
     case Walk::two_trees:

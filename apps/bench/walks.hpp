@@ -10,11 +10,11 @@
 namespace toccata::bench {
 
 /// Boxes, and the binary tree over them.
-struct BoxTree {
-  explicit BoxTree(std::vector<Aabb> of) : boxes(std::move(of)), tree(build_tree(boxes)) {}
+struct BoxBvh {
+  explicit BoxBvh(std::vector<Aabb> of) : boxes(std::move(of)), tree(build_bvh(boxes)) {}
 
   std::vector<Aabb> boxes;
-  Tree<Aabb> tree;
+  Bvh<Aabb> tree;
 };
 
 /// The same question asked through the library's walkers and by loops written for it alone: which boxes overlap.
@@ -32,6 +32,6 @@ struct Walked {
   friend bool operator==(const Walked&, const Walked&) = default;
 };
 
-[[nodiscard]] Walked walked(Walk walk, Method method, const BoxTree& a, const BoxTree& b);
+[[nodiscard]] Walked walked(Walk walk, Method method, const BoxBvh& a, const BoxBvh& b);
 
 }  // namespace toccata::bench

@@ -17,10 +17,10 @@ enum class WorldTask { ray, cast, nearest, overlap };
 /// Boxes, spheres and capsules, or one mesh taken as a surface, and questions to all of them.
 struct WorldWork {
   WorldTask task = WorldTask::ray;
-  std::vector<Posed> bodies;
-  std::vector<Ray> rays;            ///< of `ray`
-  std::vector<MovingShape> moving;  ///< of `cast`
-  std::vector<Posed> shapes;        ///< of `nearest` and `overlap`
+  std::vector<SceneInstance> bodies;
+  std::vector<Ray> rays;              ///< of `ray`
+  std::vector<MovingShape> moving;    ///< of `cast`
+  std::vector<SceneInstance> shapes;  ///< of `nearest` and `overlap`
   [[nodiscard]] std::size_t size() const { return rays.size() + moving.size() + shapes.size(); }
 };
 

@@ -11,7 +11,7 @@
 #include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/cost.hpp"
-#include "toccata/query/faces_within.hpp"
+#include "toccata/query/faces_in_region.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::command {

@@ -20,12 +20,12 @@ namespace {
 struct ExitCode {
   int operator()(const CheckReport& r) const { return r.pairs.empty() ? 0 : 1; }
   int operator()(const PosesReport& r) const { return contact_count(r) == 0 ? 0 : 1; }
-  int operator()(const SelfReport& r) const { return self_meeting_count(r) == 0 ? 0 : 1; }
+  int operator()(const SelfReport& r) const { return self_intersecting_count(r) == 0 ? 0 : 1; }
   int operator()(const DistanceReport& r) const {
     const auto meet = [](const ReportedDistance& pair) { return pair.distance.upper == 0; };
     return std::any_of(r.pairs.begin(), r.pairs.end(), meet) ? 1 : 0;
   }
-  int operator()(const DistancePosesReport& r) const { return meeting_count(r) == 0 ? 0 : 1; }
+  int operator()(const DistancePosesReport& r) const { return intersecting_count(r) == 0 ? 0 : 1; }
   int operator()(const RayReport& r) const {
     return std::any_of(r.rays.begin(), r.rays.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
   }

@@ -47,7 +47,7 @@ CheckInput read_check_input(const PosedArguments& arguments) {
 }
 
 std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArguments& arguments) {
-  const std::vector<Posed>& models = input.models;
+  const std::vector<SceneInstance>& models = input.models;
   if (models.size() != 2)
     throw Error(fmt::format("--poses asks about two objects, the first placed as A and the second as B; here {} {}",
                             models.size() == 1 ? "is" : "are", models.size()));
@@ -60,7 +60,7 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
 void warn_of_open_meshes(CheckInput& input) {
   constexpr std::size_t most_names = 5;
   std::vector<std::string> open;
-  for (const Posed& posed : input.models)
+  for (const SceneInstance& posed : input.models)
     if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) open.push_back(posed.name);
   if (open.empty()) return;
   const std::size_t shown = std::min(open.size(), most_names);

@@ -13,7 +13,7 @@ namespace toccata::command {
 /// Everything that is asked about, ready for questions.
 struct CheckInput {
   LoadedScene loaded;
-  std::vector<Posed> models;  ///< of the scene's objects, in their order
+  std::vector<SceneInstance> models;  ///< of the scene's objects, in their order
 };
 
 /// Reads the files and applies what the options say about poses and solids.

@@ -18,13 +18,13 @@ std::string table_of(const CheckInput& input, const SelfReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < report.objects.size(); ++i) {
     const std::size_t pairs = report.objects[i].face_pairs;
-    rows.push_back({names[i], pairs == 0 ? "does not meet itself"
-                                         : fmt::format("meets itself in {} of faces", counted(pairs, "pair"))});
+    rows.push_back({names[i], pairs == 0 ? "does not intersect itself"
+                                         : fmt::format("self-intersects in {} of faces", counted(pairs, "pair"))});
   }
-  const std::size_t meeting = self_meeting_count(report);
-  const std::string last = meeting == 0 ? "Nothing meets itself, decided exactly.\n"
-                                        : fmt::format("{} {} itself, decided exactly.\n", counted(meeting, "object"),
-                                                      meeting == 1 ? "meets" : "meet");
+  const std::size_t intersection = self_intersecting_count(report);
+  const std::string last = intersection == 0 ? "Nothing intersects itself, decided exactly.\n"
+                                             : fmt::format("{} {}, decided exactly.\n", counted(intersection, "object"),
+                                                           intersection == 1 ? "self-intersects" : "self-intersect");
   std::string text = fmt::format("{} with {}, each against itself.\n", counted(rows.size(), "object"),
                                  counted(triangle_count(scene), "triangle"));
   if (!report.has_faces) return text + columns(rows, 2) + last;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t most_listed = 10;  // per pair of objects; JSON and CSV list all
 
-std::string points_text(const ReportedMeeting& meeting) {
+std::string points_text(const ReportedIntersection& intersection) {
   std::string text;
-  for (const Vec3& point : meeting.points) text += (text.empty() ? "" : " ") + point_text(point);
+  for (const Vec3& point : intersection.points) text += (text.empty() ? "" : " ") + point_text(point);
   return text;
 }
 
@@ -28,7 +28,7 @@ std::string near_text(const ReportedPair& pair) {
 
 std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  return {names[pair.a], is_near ? "is near" : verb_of(pair.relation), names[pair.b],
+  return {names[pair.a], is_near ? "clearance clash" : verb_of(pair.relation), names[pair.b],
           is_near ? near_text(pair) : remark_on(pair.relation)};
 }
 
@@ -116,11 +116,12 @@ std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
   const std::size_t shown = std::min(pairs.size(), most_listed);
   for (std::size_t i = 0; i < shown; ++i) {
     const ReportedFacePair& faces = pairs[i];
-    if (faces.meetings.empty())  // with a shape that is no mesh
+    if (faces.intersections.empty())  // with a shape that is no mesh
       rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b), "meet", ""});
-    for (const ReportedMeeting& meeting : faces.meetings)
+    for (const ReportedIntersection& intersection : faces.intersections)
       rows.push_back({fmt::format("face {}", faces.face_a), fmt::format("face {}", faces.face_b),
-                      (faces.crossing ? "cross in a " : "touch in a ") + name_of(meeting.kind), points_text(meeting)});
+                      (faces.crossing ? "cross in a " : "touch in a ") + name_of(intersection.kind),
+                      points_text(intersection)});
   }
   std::string text = columns(rows, 6);
   if (shown < pairs.size())

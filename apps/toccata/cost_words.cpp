@@ -46,7 +46,7 @@ std::string megabytes(std::size_t bytes) { return fmt::format("{:.3g} MB", stati
 CostOptions cost_options_of(const CostWords& words) {
   CostOptions options;
   if (words.quick) {
-    options.methods = {TreeMethod::heuristic, TreeMethod::median};
+    options.methods = {BvhMethod::heuristic, BvhMethod::median};
     options.arities = {2, 8};
     options.most_work = 1e6;
   }
@@ -54,7 +54,7 @@ CostOptions cost_options_of(const CostWords& words) {
   options.task = value_of(words.task, std::array{CostTask::overlap, CostTask::contacts, CostTask::distance}, "task");
   if (options.task == CostTask::distance) options.most_rigid = 2;  // walks are some hundred times as long
   take(options.volumes, words.volumes, all_cost_volumes, "volume");
-  take(options.methods, words.builders, all_tree_methods, "builder");
+  take(options.methods, words.builders, all_bvh_methods, "builder");
   take(options.workloads, words.workloads, all_cost_workloads, "workload");
   if (!words.arities.empty()) options.arities = words.arities;
   options.leaf_size = words.leaf_size;
@@ -65,7 +65,7 @@ CostOptions cost_options_of(const CostWords& words) {
 
 std::string remark_on_wide(const CostOptions& options) {
   const bool measured = std::any_of(options.volumes.begin(), options.volumes.end(), is_wide);
-  if (!measured || !(lacks(options.methods, TreeMethod::heuristic) || lacks(options.arities, 8))) return "";
+  if (!measured || !(lacks(options.methods, BvhMethod::heuristic) || lacks(options.arities, 8))) return "";
   return "wide, the library's own tree, has eight children a node and its own builder, by heuristic, whatever "
          "--arities "
          "and --builders say";

@@ -77,11 +77,11 @@ std::string table_of(const CheckInput&, const CrowdReport& report) {
   const CrowdQuestion& question = report.question;
   std::string text = fmt::format("{}, {}, {}\n{:<20}{:>13}{:>11}{:>11}{:>10}{:>10}{:>9}\n", crowd_words(question),
                                  question.scene, counted(question.frames, "frame"), "method", "ms per frame", "worst",
-                                 "pairs", "begun", "ended", "B/body");
+                                 "pairs", "begin", "end", "B/body");
   for (const CrowdRun& run : report.runs)
     text +=
         fmt::format("{:<20}{:>13.3f}{:>11.3f}{:>11}{:>10}{:>10}{:>9.0f}\n", name_of(run.method), run.frames.median_ms(),
-                    run.frames.worst_ms(), run.pairs(), run.begun, run.ended, run.bytes_per_body);
+                    run.frames.worst_ms(), run.pairs(), run.begin, run.end, run.bytes_per_body);
   for (const CrowdRun& run : report.runs)
     if (!run.reason.empty()) text += fmt::format("{}: {}\n", name_of(run.method), run.reason);
   return text;
@@ -91,8 +91,8 @@ std::string table_of(const CheckInput&, const CrowdWorldReport& report) {
   const CrowdWorldQuestion& question = report.question;
   return fmt::format("{}, {}\n{:<20}{:>12}{:>11}{:>11}{:>10}{:>9}\n{:<20}{:>12.3f}{:>11.3f}{:>11}{:>10}{:>9}\n",
                      crowd_words(question), counted(question.frames, "frame"), "broad phase", "ms per step", "worst",
-                     "in contact", "begun", "ended", name_of(report.used), report.frames.median_ms(),
-                     report.frames.worst_ms(), report.pairs(), report.begun, report.ended);
+                     "in contact", "begin", "end", name_of(report.used), report.frames.median_ms(),
+                     report.frames.worst_ms(), report.pairs(), report.begin, report.end);
 }
 
 int run_crowd(const CrowdArguments& arguments) {

@@ -22,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-CheckReport report_of(const std::vector<Posed>& models, const DemoArguments& arguments) {
+CheckReport report_of(const std::vector<SceneInstance>& models, const DemoArguments& arguments) {
   CheckOptions options;
   options.threads = arguments.threads;
   return make_check_report(models, check_all(models, options));
@@ -32,7 +32,7 @@ std::string demo_json(const DemoArguments& arguments) {
   std::vector<NamedReport> reports;
   for (const NamedScene& named : demo_scenes()) {
     const Scene scene = demo_scene(named.name);
-    const std::vector<Posed> models = scene_models(scene, arguments.threads);
+    const std::vector<SceneInstance> models = scene_models(scene, arguments.threads);
     reports.push_back({named.name, check_report_json(scene, models, report_of(models, arguments), {})});
   }
   return joined_reports_json(reports);

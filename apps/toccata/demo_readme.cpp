@@ -18,7 +18,7 @@ std::string demo_readme() {
       "toccata check a.obj b.stl --faces          # which faces, and where\n"
       "toccata check a.obj b.stl --json --faces   # the same for a program\n"
       "toccata check a.obj b.stl --pose-b 1 0 0  0 1 0  0 0 1  9 0 0   # b moved by 9 along x\n"
-      "toccata inspect a.obj                      # is it closed? how large?\n"
+      "toccata inspect a.obj                      # is it watertight? how large?\n"
       "```\n\n"
       "Whole scenes, each a folder with a `scene.json` and its meshes:\n\n"
       "| command | what it shows |\n|---|---|\n";

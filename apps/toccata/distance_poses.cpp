@@ -18,7 +18,7 @@ std::string table_of(const CheckInput& input, const DistancePosesReport& report)
     rows.push_back({fmt::format("query {}", i), names[0], names[1], distance_text(report.distances[i]),
                     nearest_text(report.distances[i])});
   return columns(rows, 2) +
-         fmt::format("{} of {} meet.\n", grouped(meeting_count(report)), counted(rows.size(), "query", "queries"));
+         fmt::format("{} of {} meet.\n", grouped(intersecting_count(report)), counted(rows.size(), "query", "queries"));
 }
 
 int run_distance_poses(const DistanceArguments& arguments) {

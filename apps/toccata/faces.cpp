@@ -16,12 +16,12 @@ namespace toccata::command {
 namespace {
 
 /// One that touches within 10⁻¹² of its size is counted as within, undecided (docs/truth.md).
-bool has_smooth(const Shape& shape) {
+bool has_quadric(const Shape& shape) {
   const ShapeKind kind = kind_of(shape);
   if (kind == ShapeKind::cylinder || kind == ShapeKind::cone || kind == ShapeKind::ellipsoid) return true;
   const auto* compound = std::get_if<Compound>(&shape);
   return compound != nullptr && std::any_of(compound->parts().begin(), compound->parts().end(),
-                                            [](const CompoundPart& part) { return has_smooth(part.shape); });
+                                            [](const CompoundPart& part) { return has_quadric(part.shape); });
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::string table_of(const CheckInput& input, const FacesReport& report) {
   for (const ReportedFaces& of_object : report.found) {
     const std::vector<Index> faces = distinct_faces(of_object.found);
     total += faces.size();
-    is_exact = is_exact && (faces.empty() || !has_smooth(input.loaded.scene.objects[of_object.object].shape));
+    is_exact = is_exact && (faces.empty() || !has_quadric(input.loaded.scene.objects[of_object.object].shape));
     std::string list;
     for (std::size_t i = 0; i < std::min(shown, faces.size()); ++i)
       list += fmt::format("{}{}", i == 0 ? "" : " ", faces[i]);

@@ -20,9 +20,8 @@ std::string box_text(const Aabb& box) { return point_text(box.lower) + " to " + 
 
 std::string closed_text(const MeshHealth& h) {
   if (h.closed) return h.signed_volume < 0 ? "yes, inside out (the normals point inward)" : "yes: may be a solid";
-  return fmt::format("no: {} ({} boundary, {} flipped, {} non-manifold); taken as a surface",
-                     counted(h.unbalanced_edges, "unbalanced edge"), grouped(h.boundary_edges),
-                     grouped(h.flipped_edges), grouped(h.non_manifold_edges));
+  return fmt::format("no: {} boundary, {} flipped and {} non-manifold edges; taken as a surface",
+                     grouped(h.boundary_edges), grouped(h.flipped_edges), grouped(h.non_manifold_edges));
 }
 
 /// Only what is there is worth a line.
@@ -40,7 +39,7 @@ void add_mesh_rows(Rows& rows, const InspectedObject& object) {
       {"vertices", fmt::format("{} ({} distinct)", grouped(h.vertices), grouped(h.distinct_vertices))},
       {"parts", grouped(h.components)},
       {"box", box_text({h.lower, h.upper}) + " in file units"},
-      {"closed", closed_text(h)}};
+      {"watertight", closed_text(h)}};
   rows.insert(rows.end(), described.begin(), described.end());
   if (h.closed) rows.push_back({"volume", fmt::format("{:.6g} in file units cubed", h.signed_volume)});
   add_finding(rows, h.closed ? h.non_manifold_edges : 0, "non-manifold edges", "used by more than two triangles");

@@ -33,7 +33,7 @@ std::string side_text(const std::optional<SignedDistance>& from) {
   return (from->side == Side::inside ? "inside" : "outside") + by;
 }
 
-std::vector<std::string> row_of(const Posed& surface, const std::string& name, const ReportedSurfacePoint& one,
+std::vector<std::string> row_of(const SceneInstance& surface, const std::string& name, const ReportedSurfacePoint& one,
                                 const std::string& point) {
   return {point,
           name,

@@ -90,7 +90,7 @@ void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, con
 CLI::Option* add_solid(CLI::App& app, Options& options) {
   return app
       .add_option("--solid", options.solid,
-                  "auto: closed meshes are solids; all: an open mesh is an error; none: all are surfaces "
+                  "auto: watertight meshes are solids; all: an open mesh is an error; none: all are surfaces "
                   "(default: as the scene says, else auto)")
       ->check(CLI::IsMember({"auto", "all", "none"}));
 }

@@ -106,7 +106,7 @@ void add_pairs(CLI::App& app, Options& options) {
 }
 
 void add_inspect(CLI::App& app, Options& options) {
-  CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: closed? degenerate? how large?");
+  CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: watertight? degenerate? how large?");
   add_input(*inspect, options.inspect.input, "mesh or scene files");
   CLI::Option* volumes =
       inspect->add_flag("--volumes", options.inspect.volumes,
@@ -127,7 +127,7 @@ void add_inspect(CLI::App& app, Options& options) {
   add_glb(*inspect, options.inspect);
   add_save_case(*inspect, options.inspect.save_case);
   inspect->footer(
-      with_name("Nothing is repaired; everything is counted exactly. Where a mesh meets itself is told "
+      with_name("Nothing is repaired; everything is counted exactly. Where a mesh intersects itself is told "
                 "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"
                 "  {0} inspect machine.glb --hierarchy"));
 }

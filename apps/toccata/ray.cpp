@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "ask.hpp"
@@ -13,6 +15,8 @@
 
 namespace toccata::command {
 namespace {
+
+double ray_length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 std::vector<RayQuery> rays_asked(const RayArguments& arguments) {
   if (!arguments.rays.empty()) return read_rays(arguments.rays);
@@ -40,10 +44,11 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
     if (!ray.hit.hit) continue;
     ++met;
     if (ray.hit.status == Status::undecided) ++undecided;
-    const Posed& target = input.models[ray.object];
+    const SceneInstance& target = input.models[ray.object];
     const std::string where = target.model.has_mesh() ? fmt::format("face {}", ray.hit.face) : "";
     rows.back() = {rows.back()[0], "meets " + names[ray.object], where, "at " + point_text(ray.hit.point),
-                   fmt::format("after {:.12g} of the way", ray.hit.upper)};
+                   fmt::format("hit distance {:.12g}, fraction {:.12g}", ray.hit.upper * ray_length(ray.query.motion),
+                               ray.hit.upper)};
   }
   for (auto& row : rows) row.resize(5);
   return columns(rows, 2) + fmt::format("{} of {} met something, {}.\n", grouped(met), counted(rows.size(), "ray"),

@@ -26,7 +26,7 @@ std::shared_ptr<const TriangleMesh> only_mesh(const Scene& scene, const std::str
   return mesh;
 }
 
-int depth_of(const WideTree& tree) {
+int depth_of(const WideBvh& tree) {
   std::vector<int> depths(tree.blocks.size(), 1);
   for (std::size_t i = 0; i < tree.blocks.size(); ++i)
     for (std::size_t lane = 0; lane < tree.blocks[i].count; ++lane)
@@ -35,7 +35,7 @@ int depth_of(const WideTree& tree) {
 }
 
 std::string tree_text(const Model& model, const std::string& file, bool saved) {
-  const WideTree& tree = model.wide_tree();
+  const WideBvh& tree = model.wide_bvh();
   return fmt::format("{}: {} tree of {}, {} in {}, {}\n", printable(file), saved ? "saved a" : "the",
                      counted(model.mesh().triangle_count(), "triangle"), counted(tree.blocks.size(), "block"),
                      counted(static_cast<std::size_t>(depth_of(tree)), "level"),

@@ -144,7 +144,7 @@ void require_drawable(const ViewOptions& options, const Drawn& drawn) {
                                                 : "--voronoi-walk";
   if (is_of_crowd(drawn.question))
     throw Error(named + " is about the objects of a scene, and a crowd has none: leave it out");
-  const auto has_mesh = [](const Posed& posed) { return posed.model.has_mesh(); };
+  const auto has_mesh = [](const SceneInstance& posed) { return posed.model.has_mesh(); };
   if (is_mesh_wanted && std::none_of(drawn.input.models.begin(), drawn.input.models.end(), has_mesh))
     throw Error(named + " is about meshes, and here is none: leave it out");
 }
@@ -163,7 +163,7 @@ struct FindingsTold {
   std::string operator()(const CheckReport& r) const { return counted(r.pairs.size(), "pair"); }
   std::string operator()(const PosesReport& r) const { return counted(r.queries.size(), "pose"); }
   std::string operator()(const SelfReport& r) const {
-    return counted(self_meeting_count(r), "object") + " meeting itself";
+    return counted(self_intersecting_count(r), "object") + " self-intersecting";
   }
   std::string operator()(const DistanceReport& r) const { return counted(r.pairs.size(), "pair"); }
   std::string operator()(const DistancePosesReport& r) const { return counted(r.queries.size(), "pose"); }

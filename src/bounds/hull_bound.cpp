@@ -94,20 +94,20 @@ HullBound merge(const HullBound& a, const HullBound& b) {
 
 bool contains(const HullBound& v, const Vec3& point) {
   if (is_empty(v) || !is_finite(point)) return false;
-  const PosedConvex hull(*v.hull), place(Point{point});
+  const PosedPolytope hull(*v.hull), place(Point{point});
   return v.margin > 0 ? distance(place, hull).upper <= v.margin : overlap(place, hull);
 }
 
 bool overlap(const HullBound& a, const HullBound& b) {
   if (is_empty(a) || is_empty(b)) return false;
-  const PosedConvex hull_a(*a.hull), hull_b(*b.hull);
+  const PosedPolytope hull_a(*a.hull), hull_b(*b.hull);
   const double margins = a.margin + b.margin;
   return margins > 0 ? distance(hull_a, hull_b).lower <= rounded_up(margins) : overlap(hull_a, hull_b);
 }
 
 double gap(const HullBound& a, const HullBound& b) {
   if (is_empty(a) || is_empty(b)) return infinity;
-  return less_margins(distance(PosedConvex(*a.hull), PosedConvex(*b.hull)).lower, a.margin + b.margin);
+  return less_margins(distance(PosedPolytope(*a.hull), PosedPolytope(*b.hull)).lower, a.margin + b.margin);
 }
 
 HullBound posed(const HullBound& v, const Pose& pose) {

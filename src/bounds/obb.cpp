@@ -15,7 +15,7 @@ namespace toccata {
 namespace {
 
 /// Grown by what `contains` may be off by: for boxes that are known by their supports, and not by points it has seen.
-Vec3 grown(const Vec3& half) {
+Vec3 offset_outward(const Vec3& half) {
   const double slack = 0x1p-43 * largest_magnitude(half);
   return {rounded_up(half.x + slack), rounded_up(half.y + slack), rounded_up(half.z + slack)};
 }
@@ -30,7 +30,7 @@ Obb around(const Mat3& axes, const Vec3& near, const Support& support) {
   // Anew from the centre, which rounding need not have left in the middle.
   for (int axis = 0; axis < 3; ++axis)
     half[axis] = std::max({0.0, support(axes[axis], centre), support(-axes[axis], centre)});
-  half = grown(half);
+  half = offset_outward(half);
   if (!is_finite(centre) || !is_finite(half)) return {{}, {}, {infinity, infinity, infinity}};
   return {centre, axes, half};
 }

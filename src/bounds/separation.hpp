@@ -29,7 +29,7 @@ concept IsOriented = HasNormals<V> && requires(const V& v) {
 
 /// The least of (b − a) · direction over the points of both is at least this; −∞ when that is unknown.
 template <class A, class B>
-double parting(const A& a, const B& b, const Vec3& direction) {
+double separation(const A& a, const B& b, const Vec3& direction) {
   const Vec3 from = middle(a);
   // The sign of a sum of two doubles is not rounded.
   return -(support_bound(a, direction, from) + support_bound(b, -direction, from));
@@ -38,7 +38,7 @@ double parting(const A& a, const B& b, const Vec3& direction) {
 /// A lower bound of the distance by what one direction shows of it. Its components are at most 1 in magnitude.
 template <class A, class B>
 double gap_along(const A& a, const B& b, const Vec3& direction) {
-  const double parted = parting(a, b, direction);
+  const double parted = separation(a, b, direction);
   return parted > 0 ? rounded_down(parted / length_bound(direction)) : 0;
 }
 
@@ -110,7 +110,7 @@ Vec3 search_point(const V& volume, const Vec3& direction) {
 
 /// Where the search of E. G. Gilbert, D. W. Johnson, S. S. Keerthi ("A fast procedure for computing the distance
 /// between complex objects in three-dimensional space", 1988) leads, in doubles: the directions from a to b of ever
-/// nearer points, handed to `use` until it returns true; a is moved before. Smooth volumes need more steps than these
+/// nearer points, handed to `use` until it returns true; a is moved before. quadric volumes need more steps than these
 /// to reach the last place.
 template <class A, class B, class Use>
 void search_directions(const A& a, const B& b, const Vec3& a_moved, Vec3 direction, const Use& use) {
@@ -139,7 +139,7 @@ requires VolumePair<A, B>
 bool overlap(const A& a, const B& b) {
   if (is_empty(a) || is_empty(b)) return false;
   bool apart = false;
-  const auto parts = [&](const Vec3& direction) { return apart = parting(a, b, direction) > 0; };
+  const auto parts = [&](const Vec3& direction) { return apart = separation(a, b, direction) > 0; };
   const Vec3 first = first_direction(a, b);
   if (!(first == Vec3{}) && parts(first)) return false;
   if constexpr (found_at_once<A, B>) return true;
@@ -187,7 +187,7 @@ struct TimeSpan {
 };
 
 /// Cuts by planes that touch the volumes where they are nearest, first at the start and then where the last cuts have
-/// led: for smooth volumes that is Newton's method, and stays before the meeting as they are convex.
+/// led: for quadric volumes that is Newton's method, and stays before the meeting as they are convex.
 template <class A, class B>
 requires VolumePair<A, B>
 double sweep_entry(const A& a, const Vec3& motion, const B& b) {
@@ -198,7 +198,7 @@ double sweep_entry(const A& a, const Vec3& motion, const B& b) {
   const auto cut = [&](const Vec3& direction) {
     UpperSum rate;
     rate.add(direction, motion);
-    times.cut(parting(a, b, direction), rate.bound());
+    times.cut(separation(a, b, direction), rate.bound());
     return times.is_empty();
   };
   const Vec3 first = first_direction(a, b);

@@ -210,7 +210,7 @@ bool overlap_exactly(const PosedSphere& sphere, const Kdop<k>& kdop) {
 }
 
 template <std::size_t k>
-std::optional<bool> overlap_quickly(const PosedSphere& sphere, const Kdop<k>& kdop) {
+std::optional<bool> overlap_fast(const PosedSphere& sphere, const Kdop<k>& kdop) {
   const auto h = heights<double>(sphere.centre, kdop, [](double value) { return value; });
   const RoundedHeights arithmetic = arithmetic_of(sphere.centre, kdop, h);
   if (std::ranges::all_of(h, [&](double height) { return arithmetic.not_positive(height); })) return true;
@@ -246,7 +246,7 @@ std::uint32_t kdop_region(const Vec3& p, const Kdop<k>& kdop) {
 template <std::size_t k>
 bool overlap_by_regions(const PosedSphere& sphere, const Kdop<k>& kdop) {
   if (is_empty(kdop)) return false;
-  if (const std::optional<bool> quick = overlap_quickly(sphere, kdop)) return *quick;
+  if (const std::optional<bool> quick = overlap_fast(sphere, kdop)) return *quick;
   return overlap_exactly(sphere, kdop);
 }
 

@@ -191,17 +191,17 @@ void of_cells(const CellRows& rows, std::size_t begin, std::size_t end, PairBuff
 }
 
 /// The pairs of a box with those from place `behind` on.
-HWY_INLINE void put_from_tree(const TreeColumns& tree, const LaidOut& items, const Boxes& box, Index number,
+HWY_INLINE void put_from_tree(const BvhColumns& tree, const LaidOut& items, const Boxes& box, Index number,
                               std::size_t behind, PairWriter& out) {
-  constexpr std::size_t width = TreeColumns::width;
+  constexpr std::size_t width = BvhColumns::width;
   struct Node {
     std::size_t level, first;
   };
   // At each level all nodes of a block may wait, one of which is gone into.
-  Node stack[TreeColumns::most_levels * width];
+  Node stack[BvhColumns::most_levels * width];
   std::size_t waiting = 0;
   stack[waiting++] = {tree.depth - 1, 0};
-  std::size_t reach[TreeColumns::most_levels];  // the node of each level that place `behind` is in
+  std::size_t reach[BvhColumns::most_levels];  // the node of each level that place `behind` is in
   for (std::size_t level = 0, place = behind; level < tree.depth; ++level, place /= width) reach[level] = place;
   while (waiting > 0) {
     const Node node = stack[--waiting];
@@ -222,7 +222,7 @@ HWY_INLINE void put_from_tree(const TreeColumns& tree, const LaidOut& items, con
   }
 }
 
-void in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end, PairBuffer& pairs) {
+void in_tree(const BvhColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end, PairBuffer& pairs) {
   PairWriter out{pairs};
   const LaidOut items{tree.levels[0], boxes};
   for (std::size_t i = begin; i < end; ++i)
@@ -230,7 +230,7 @@ void in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std:
   out.flush();
 }
 
-void with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) {
+void with_tree(const BvhColumns& tree, const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs) {
   PairWriter out{pairs};
   for (const FlatBox& box : boxes) put_from_tree(tree, {tree.levels[0], all}, everywhere(box), box.number, 0, out);
   out.flush();
@@ -265,11 +265,11 @@ void add_overlaps_of_cells(const CellRows& rows, std::size_t begin, std::size_t 
   HWY_DYNAMIC_DISPATCH(of_cells)(rows, begin, end, pairs);
 }
 
-void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
+void add_overlaps_in_tree(const BvhColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
                           PairBuffer& pairs) {
   HWY_DYNAMIC_DISPATCH(in_tree)(tree, boxes, begin, end, pairs);
 }
-void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes,
+void add_overlaps_with_tree(const BvhColumns& tree, const Aabb* all, std::span<const FlatBox> boxes,
                             PairBuffer& pairs) {
   HWY_DYNAMIC_DISPATCH(with_tree)(tree, all, boxes, pairs);
 }

@@ -44,7 +44,7 @@ void add_overlaps_of_cells(const CellRows& rows, std::size_t begin, std::size_t 
 
 /// A tree whose nodes are the boxes around every sixteen of the level below; level 0 are the boxes themselves. Behind
 /// the last of each level there are boxes that overlap nothing, to the next sixteen.
-struct TreeColumns {
+struct BvhColumns {
   static constexpr std::size_t width = 16;
   static constexpr std::size_t most_levels = 8;
   std::array<BoxColumns, most_levels> levels;
@@ -53,11 +53,10 @@ struct TreeColumns {
 };
 
 /// The pairs of boxes from `begin` to `end` with those behind them.
-void add_overlaps_in_tree(const TreeColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
+void add_overlaps_in_tree(const BvhColumns& tree, const Aabb* boxes, std::size_t begin, std::size_t end,
                           PairBuffer& pairs);
 
 /// The pairs of boxes that are not in the tree with those that are. `all` are the boxes by number.
-void add_overlaps_with_tree(const TreeColumns& tree, const Aabb* all, std::span<const FlatBox> boxes,
-                            PairBuffer& pairs);
+void add_overlaps_with_tree(const BvhColumns& tree, const Aabb* all, std::span<const FlatBox> boxes, PairBuffer& pairs);
 
 }  // namespace toccata

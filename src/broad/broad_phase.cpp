@@ -67,7 +67,7 @@ void require_margin(double margin) {
 
 }  // namespace
 
-Aabb grown(const Aabb& box, double margin) {
+Aabb offset_outward(const Aabb& box, double margin) {
   require_margin(margin);
   if (is_empty(box)) return box;
   const auto down = [&](double value) { return moved_down(value, margin); };
@@ -76,12 +76,12 @@ Aabb grown(const Aabb& box, double margin) {
           {up(box.upper.x), up(box.upper.y), up(box.upper.z)}};
 }
 
-Ball grown(const Ball& ball, double margin) {
+Ball offset_outward(const Ball& ball, double margin) {
   require_margin(margin);
   return is_empty(ball) ? ball : Ball{ball.centre, moved_up(ball.radius, margin)};
 }
 
-Obb grown(const Obb& box, double margin) {
+Obb offset_outward(const Obb& box, double margin) {
   require_margin(margin);
   if (is_empty(box)) return box;
   // Axes are of unit length and at right angles but for 2^-46 each.

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "broad/finders.hpp"
-#include "broad/kept_tree.hpp"
 #include "broad/method_cells.hpp"
+#include "broad/persistent_tree.hpp"
 #include "core/no_index.hpp"
 
 namespace toccata {
@@ -18,13 +18,13 @@ namespace {
 Aabb enlarged(const Aabb& box) {
   const Vec3 size = box.upper - box.lower;
   const double longest = std::max({size.x, size.y, size.z});
-  return longest <= std::numeric_limits<double>::max() ? grown(box, 0.1 * longest) : box;
+  return longest <= std::numeric_limits<double>::max() ? offset_outward(box, 0.1 * longest) : box;
 }
 
 /// A binary tree of boxes that is never made anew as a whole while few of them leave their enlarged ones: what does is
 /// taken out, and put in again where the boxes above grow least. (After E. Catto, "Dynamic bounding volume
 /// hierarchies", 2019.)
-class EnlargedBoxTree {
+class EnlargedBoxBvh {
  public:
   void build(std::span<const Aabb> boxes) {
     nodes_.clear();
@@ -204,6 +204,6 @@ class EnlargedBoxTree {
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<KeptTree<EnlargedBoxTree>>(); }
+std::unique_ptr<PairFinder> make_dynamic_tree() { return std::make_unique<PersistentTree<EnlargedBoxBvh>>(); }
 
 }  // namespace toccata

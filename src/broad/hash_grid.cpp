@@ -15,7 +15,7 @@
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/packed_tree.hpp"
+#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -222,7 +222,7 @@ class HashGrid final : public PairFinder {
   std::vector<std::uint8_t> levels_;  ///< by number
   std::vector<Keyed<std::uint64_t>> entries_, sorted_;
   std::vector<FlatBox> large_, ordinary_;
-  PackedTree tree_;
+  PackedBvh tree_;
   BoxSweep sweep_;
   std::vector<PairBuffer> found_{parts};
 };

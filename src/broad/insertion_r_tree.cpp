@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "broad/finders.hpp"
-#include "broad/kept_tree.hpp"
 #include "broad/method_cells.hpp"
+#include "broad/persistent_tree.hpp"
 #include "partitions/r_tree_nodes.hpp"
 
 namespace toccata {
@@ -61,6 +61,6 @@ class ChangedRTree {
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_r_tree() { return std::make_unique<KeptTree<ChangedRTree>>(); }
+std::unique_ptr<PairFinder> make_r_tree() { return std::make_unique<PersistentTree<ChangedRTree>>(); }
 
 }  // namespace toccata

@@ -6,7 +6,7 @@
 #include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/packed_tree.hpp"
+#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -164,8 +164,8 @@ class Layers final : public PairFinder {
   std::size_t wasted_ = 0;                  ///< how often a mover was looked for that had not moved
   std::size_t updates_since_order_ = 0;
   FloatFrame frame_;
-  PackedTree resting_;
-  PackedTree moving_;          ///< of many movers
+  PackedBvh resting_;
+  PackedBvh moving_;           ///< of many movers
   std::vector<Role> roles_;    ///< by number
   std::vector<Index> places_;  ///< in the tree, by number
   std::vector<Index> movers_;

@@ -14,7 +14,7 @@
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/packed_tree.hpp"
+#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -185,7 +185,7 @@ class LooseOctree final : public PairFinder {
   std::vector<Keyed<std::uint64_t>> entries_, sorted_;
   std::vector<Node> table_;
   std::vector<FlatBox> large_, ordinary_;
-  PackedTree tree_;
+  PackedBvh tree_;
   BoxSweep sweep_;
   std::vector<PairBuffer> found_{parts};
 };

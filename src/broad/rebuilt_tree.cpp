@@ -2,16 +2,16 @@
 #include <vector>
 
 #include "broad/finders.hpp"
-#include "broad/packed_tree.hpp"
+#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
 namespace {
 
 /// A packed tree over all boxes, built anew in each update; each box is looked for among those behind it.
-class RebuiltTree final : public PairFinder {
+class RebuiltBvh final : public PairFinder {
  public:
-  explicit RebuiltTree(PackingOrder order) : order_(order) {}
+  explicit RebuiltBvh(PackingOrder order) : order_(order) {}
 
   PairList find(const BoxesNow& now, PairList storage) override {
     frame_ = FloatFrame(finite_bounds(now.boxes));
@@ -52,13 +52,13 @@ class RebuiltTree final : public PairFinder {
   PackingOrder order_;
   FloatFrame frame_;
   std::vector<FlatBox> flat_;
-  PackedTree tree_;
+  PackedBvh tree_;
   std::vector<PairBuffer> found_{parts};
 };
 
 }  // namespace
 
-std::unique_ptr<PairFinder> make_morton_tree() { return std::make_unique<RebuiltTree>(PackingOrder::morton); }
-std::unique_ptr<PairFinder> make_packed_r_tree() { return std::make_unique<RebuiltTree>(PackingOrder::sort_and_tile); }
+std::unique_ptr<PairFinder> make_morton_tree() { return std::make_unique<RebuiltBvh>(PackingOrder::morton); }
+std::unique_ptr<PairFinder> make_packed_r_tree() { return std::make_unique<RebuiltBvh>(PackingOrder::sort_and_tile); }
 
 }  // namespace toccata

@@ -99,11 +99,11 @@ template <SpacePartition P>
 Answers ask(const P& partition, const PartitionItems& items, std::span<const Aabb> boxes, PartitionCost& cost) {
   Answers answers;
   const Stopwatch questions;
-  for (const Aabb& box : boxes) answers.in_boxes.push_back(items_meeting(partition, items, box));
+  for (const Aabb& box : boxes) answers.in_boxes.push_back(items_intersecting(partition, items, box));
   const auto count = static_cast<double>(std::max<std::size_t>(boxes.size(), 1));
   cost.question_ns = questions.ns() / count;
   const Stopwatch all;
-  answers.pairs = pairs_meeting(partition, items);
+  answers.pairs = pairs_intersecting(partition, items);
   cost.pairs_ns = all.ns();
   cost.pairs = answers.pairs.size();
   cost.candidate_pairs = partition.candidate_pairs().size();

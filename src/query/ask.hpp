@@ -25,7 +25,7 @@ inline constexpr ShapeClass posed_class<PosedHalfSpace> = ShapeClass::half_space
 template <>
 inline constexpr ShapeClass posed_class<PosedTriangles> = ShapeClass::triangles;
 template <>
-inline constexpr ShapeClass posed_class<PosedSmooth> = ShapeClass::smooth;
+inline constexpr ShapeClass posed_class<PosedQuadric> = ShapeClass::quadric;
 
 /// Some pair of kinds of these classes has a defined answer.
 constexpr bool table_defines(ShapeQuestion question, ShapeClass a, ShapeClass b) {
@@ -58,7 +58,7 @@ auto ask(const Asked& question, const A& a, const B& b) {
     return flipped(question(b, a));
   } else {
     static_assert(!defined, "no algorithm for this pair");
-    using Answer = decltype(question(std::declval<const PosedConvex&>(), std::declval<const PosedConvex&>()));
+    using Answer = decltype(question(std::declval<const PosedPolytope&>(), std::declval<const PosedPolytope&>()));
     // The table was asked before.
     return Answer{};
   }
@@ -72,17 +72,17 @@ auto ask(const Asked& question, const PosedPart& a, const PosedPart& b) {
 }
 
 /// Two models at their places, each the union of its parts. The parts lie in memory that is lent by a scratch.
-struct PosedModels {
-  PosedModels(const Model& model_a, const Model& model_b, const PairQuery& query, SearchScratch& scratch)
+struct PosedModelPair {
+  PosedModelPair(const Model& model_a, const Model& model_b, const PairQuery& query, SearchScratch& scratch)
       : a(pose_model(model_a, query.pose_a, query.solid_a, "model a", std::move(scratch.posed[0]))),
         b(pose_model(model_b, query.pose_b, query.solid_b, "model b", std::move(scratch.posed[1]))),
         lender_(scratch) {}
-  ~PosedModels() {
+  ~PosedModelPair() {
     give_back(a, lender_.posed[0]);
     give_back(b, lender_.posed[1]);
   }
-  PosedModels(const PosedModels&) = delete;
-  PosedModels& operator=(const PosedModels&) = delete;
+  PosedModelPair(const PosedModelPair&) = delete;
+  PosedModelPair& operator=(const PosedModelPair&) = delete;
 
   /// Calls `see(part of a, part of b)` for all pairs, ascending, until it returns false.
   template <class See>
@@ -123,7 +123,7 @@ struct PosedModels {
 template <class Asked>
 auto ask_single(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
   require_answered(Asked::question, kind_of(a.shape()), kind_of(b.shape()));
-  const PosedModels models(a, b, query, scratch);
+  const PosedModelPair models(a, b, query, scratch);
   return ask(Asked{scratch}, models.a.parts[0], models.b.parts[0]);
 }
 

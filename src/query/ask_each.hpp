@@ -36,9 +36,9 @@ inline std::size_t row_length(std::size_t count, int threads) {
 }
 
 /// Throws Error when something is kept, and not for each question.
-inline void require_one_each(std::span<const ConvexWorkspace> kept, std::size_t count, std::string_view noun) {
+inline void require_one_each(std::span<const SimplexCache> kept, std::size_t count, std::string_view noun) {
   if (!kept.empty() && kept.size() != count)
-    throw Error(fmt::format("{} ConvexWorkspaces are kept for {} {}; give one for each, or none", kept.size(), count,
+    throw Error(fmt::format("{} SimplexCaches are kept for {} {}; give one for each, or none", kept.size(), count,
                             noun == "query" ? "queries" : fmt::format("{}s", noun)));
 }
 
@@ -47,7 +47,7 @@ inline void require_one_each(std::span<const ConvexWorkspace> kept, std::size_t 
 template <class Answer, class Question, class Ask>
 std::vector<Answer> ask_each(std::span<const Question> questions, std::string_view noun, const BatchOptions& options,
                              const Ask& ask) {
-  require_one_each(options.kept, questions.size(), noun);
+  require_one_each(options.warm_start, questions.size(), noun);
   std::vector<Answer> answers(questions.size());
   TaskReporter reporter(options.progress, questions.size());
   WorkspacePool workspaces;
@@ -55,9 +55,9 @@ std::vector<Answer> ask_each(std::span<const Question> questions, std::string_vi
   const auto answer = [&](std::size_t i, Workspace& workspace) {
     if (reporter.cancelled() || i > first_failure) return;
     try {
-      if (!options.kept.empty()) workspace.scratch().convex = options.kept[i];
+      if (!options.warm_start.empty()) workspace.scratch().convex = options.warm_start[i];
       answers[i] = ask(questions[i], workspace);
-      if (!options.kept.empty()) options.kept[i] = workspace.scratch().convex;
+      if (!options.warm_start.empty()) options.warm_start[i] = workspace.scratch().convex;
     } catch (const Error& error) {
       lower_to(first_failure, i);
       throw Error(fmt::format("{} {}: {}", noun, i, error.what()));
@@ -78,7 +78,7 @@ std::vector<Answer> ask_each(std::span<const Question> questions, std::string_vi
 /// are asked together and that only points which are not finite can fail.
 template <class Answer, class Ask>
 std::vector<Answer> ask_in_rows(std::span<const Vec3> points, const BatchOptions& options, const Ask& ask) {
-  require_one_each(options.kept, points.size(), "point");
+  require_one_each(options.warm_start, points.size(), "point");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i])) throw Error(fmt::format("point {}: the point is not finite", i));
   constexpr std::size_t enough_together = 64;

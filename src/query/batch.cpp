@@ -9,8 +9,8 @@
 #include "query/nearest/nearest_search.hpp"
 #include "query/rays/ray_search.hpp"
 #include "query/search_scratch.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/within_distance.hpp"
 #include "trees/chunks.hpp"
 
 namespace toccata {
@@ -70,10 +70,10 @@ struct AskDistanceOfModels {
   }
 };
 
-struct AskCloserThanOfModels {
+struct AskWithinDistanceOfModels {
   using Answer = char;
   char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return closer_than(a, b, tolerance, query, workspace) ? 1 : 0;
+    return within_distance(a, b, tolerance, query, workspace) ? 1 : 0;
   }
   double tolerance;
 };
@@ -228,13 +228,14 @@ std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const Batc
   return ask_of_pairs<AskDistanceOfModels>(pairs, options);
 }
 
-std::vector<bool> closer_than_each(const Model& a, const Model& b, double tolerance, std::span<const PairQuery> queries,
-                                   const BatchOptions& options) {
-  return as_bits(ask_at_poses(a, b, queries, options, AskCloserThanOfModels{tolerance}));
+std::vector<bool> within_distance_each(const Model& a, const Model& b, double tolerance,
+                                       std::span<const PairQuery> queries, const BatchOptions& options) {
+  return as_bits(ask_at_poses(a, b, queries, options, AskWithinDistanceOfModels{tolerance}));
 }
 
-std::vector<bool> closer_than_each(std::span<const ModelPair> pairs, double tolerance, const BatchOptions& options) {
-  return as_bits(ask_of_pairs(pairs, options, AskCloserThanOfModels{tolerance}));
+std::vector<bool> within_distance_each(std::span<const ModelPair> pairs, double tolerance,
+                                       const BatchOptions& options) {
+  return as_bits(ask_of_pairs(pairs, options, AskWithinDistanceOfModels{tolerance}));
 }
 
 std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
@@ -276,7 +277,7 @@ std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const Bat
 }
 
 std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
-  require_one_each(options.kept, queries.size(), "query");
+  require_one_each(options.warm_start, queries.size(), "query");
   if (const std::unique_ptr<const RaySearch> common = common_search(queries, target))
     return hits_of(*common, prepared(queries), options);
   return ask_each<RayHit>(queries, "query", options, [&](const RayQuery& query, Workspace&) {

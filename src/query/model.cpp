@@ -35,7 +35,7 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
   return mesh;
 }
 
-WideTree require_tree(WideTree tree, const TriangleMesh& mesh) {
+WideBvh require_tree(WideBvh tree, const TriangleMesh& mesh) {
   if (const std::string fault = fault_of(tree, boxes_of(mesh)); !fault.empty())
     throw Error(fmt::format("this is no tree over the mesh of {} triangles: {}; build one from the mesh",
                             mesh.triangle_count(), fault));
@@ -45,14 +45,14 @@ WideTree require_tree(WideTree tree, const TriangleMesh& mesh) {
 }  // namespace
 
 struct Model::Parts {
-  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, WideTree given_tree)
+  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, WideBvh given_tree)
       : shape(std::move(given)),
         mesh(std::move(given_mesh)),
-        wide_tree(std::move(given_tree)),
+        wide_bvh(std::move(given_tree)),
         vertex_box(fit_aabb(mesh->vertices())) {}
 
   Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
-      : Parts(std::move(given), given_mesh, build_wide_tree(boxes_of(*given_mesh), {.threads = threads})) {}
+      : Parts(std::move(given), given_mesh, build_wide_bvh(boxes_of(*given_mesh), {.threads = threads})) {}
 
   Parts(Compound given, int threads) : shape(given) {
     for (const CompoundPart& part : given.parts()) models.push_back(Model(part.shape, threads));
@@ -60,13 +60,13 @@ struct Model::Parts {
 
   Shape shape;
   std::shared_ptr<const TriangleMesh> mesh;  ///< not of a compound
-  WideTree wide_tree;
+  WideBvh wide_bvh;
   Aabb vertex_box;
   std::vector<Model> models;  ///< of a compound
 
   // What not every question needs, made by the first that does.
   mutable std::once_flag tree_made, oriented_made, moments_made, leaves_made, parts_found, closed_known;
-  mutable Tree<Aabb> tree;
+  mutable Bvh<Aabb> tree;
   mutable std::vector<OrientedBlock> oriented_boxes;
   mutable std::vector<WindingMoments> winding_moments;
   mutable LeafTriangles leaf_triangles;
@@ -81,7 +81,7 @@ Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const Tria
 Model::Model(std::shared_ptr<const TriangleMesh> mesh, int threads)
     : parts_(std::make_shared<Parts>(Shape(mesh), require_mesh(mesh), threads)) {}
 
-Model::Model(std::shared_ptr<const TriangleMesh> mesh, WideTree tree)
+Model::Model(std::shared_ptr<const TriangleMesh> mesh, WideBvh tree)
     : parts_(std::make_shared<Parts>(Shape(mesh), mesh, require_tree(std::move(tree), *require_mesh(mesh)))) {}
 
 Model::Model(HeightField field, int threads) : parts_(std::make_shared<Parts>(Shape(field), field.mesh(), threads)) {}
@@ -103,13 +103,13 @@ Refit Model::deform(std::vector<Vec3> vertices, int threads) {
   if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(shape()))
     throw Error(fmt::format("a mesh can be deformed, and the model is a {}", name_of(shape())));
   const auto moved = std::make_shared<const TriangleMesh>(mesh().with_vertices(std::move(vertices)));
-  const auto next = std::make_shared<Parts>(Shape(moved), moved, WideTree{});
+  const auto next = std::make_shared<Parts>(Shape(moved), moved, WideBvh{});
   const bool alone = parts_.use_count() == 1;
-  if (!alone) next->wide_tree = parts_->wide_tree;
-  const Refit done = refit(alone ? parts_->wide_tree : next->wide_tree, *next->mesh, threads);
-  if (alone) next->wide_tree = std::move(parts_->wide_tree);
+  if (!alone) next->wide_bvh = parts_->wide_bvh;
+  const Refit done = refit(alone ? parts_->wide_bvh : next->wide_bvh, *next->mesh, threads);
+  if (alone) next->wide_bvh = std::move(parts_->wide_bvh);
   parts_ = next;
-  if (done.should_rebuild()) parts_->wide_tree = build_wide_tree(boxes_of(mesh()), {.threads = threads});
+  if (done.should_rebuild()) parts_->wide_bvh = build_wide_bvh(boxes_of(mesh()), {.threads = threads});
   return done;
 }
 
@@ -140,9 +140,9 @@ const TriangleMesh& Model::mesh() const {
   return *parts_->mesh;
 }
 
-const WideTree& Model::wide_tree() const {
+const WideBvh& Model::wide_bvh() const {
   static_cast<void>(mesh());
-  return parts_->wide_tree;
+  return parts_->wide_bvh;
 }
 
 const Aabb& Model::bounds() const {
@@ -150,30 +150,30 @@ const Aabb& Model::bounds() const {
   return parts_->vertex_box;
 }
 
-const Tree<Aabb>& Model::tree() const {
+const Bvh<Aabb>& Model::tree() const {
   const TriangleMesh& triangles = mesh();
-  std::call_once(parts_->tree_made, [&] { parts_->tree = build_tree(boxes_of(triangles)); });
+  std::call_once(parts_->tree_made, [&] { parts_->tree = build_bvh(boxes_of(triangles)); });
   return parts_->tree;
 }
 
 std::span<const OrientedBlock> Model::oriented_boxes() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->oriented_made,
-                 [&] { parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_tree, triangles); });
+                 [&] { parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_bvh, triangles); });
   return parts_->oriented_boxes;
 }
 
 std::span<const WindingMoments> Model::winding_moments() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->moments_made,
-                 [&] { parts_->winding_moments = toccata::winding_moments(parts_->wide_tree, triangles); });
+                 [&] { parts_->winding_moments = toccata::winding_moments(parts_->wide_bvh, triangles); });
   return parts_->winding_moments;
 }
 
 const LeafTriangles& Model::leaf_triangles() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->leaves_made, [&] {
-    parts_->leaf_triangles = toccata::leaf_triangles(parts_->wide_tree, triangles);
+    parts_->leaf_triangles = toccata::leaf_triangles(parts_->wide_bvh, triangles);
     parts_->has_leaf_triangles.store(true, std::memory_order_release);
   });
   return parts_->leaf_triangles;

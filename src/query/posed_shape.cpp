@@ -37,12 +37,12 @@ struct PosedShapeMaker {
   PosedShape operator()(const std::shared_ptr<const TriangleMesh>&) const { return triangles(); }
   template <PlainShape S>
   PosedShape operator()(const S& shape) const {
-    return PosedShape(std::in_place_type<PosedConvex>, shape, pose);
+    return PosedShape(std::in_place_type<PosedPolytope>, shape, pose);
   }
 
-  template <SmoothShape S>
+  template <QuadricShape S>
   PosedShape operator()(const S& shape) const {
-    return PosedShape(std::in_place_type<PosedSmooth>, shape, pose);
+    return PosedShape(std::in_place_type<PosedQuadric>, shape, pose);
   }
 
   PosedShape triangles() const {
@@ -87,7 +87,7 @@ void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_vi
 }  // namespace
 
 bool is_solid(const PosedShape& shape) {
-  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->solid();
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return convex->solid();
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->solid;
   return true;
 }
@@ -115,7 +115,7 @@ PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::st
   return posed;
 }
 
-Aabb world_box(const PosedConvex& shape) {
+Aabb world_box(const PosedPolytope& shape) {
   const double *x = shape.along(0), *y = shape.along(1), *z = shape.along(2);
   Aabb box;
   for (Index i = 0; i < shape.vertex_count(); ++i) {
@@ -125,7 +125,7 @@ Aabb world_box(const PosedConvex& shape) {
   return widened(box, shape.radius());
 }
 
-Aabb world_box(const PosedSmooth& shape) {
+Aabb world_box(const PosedQuadric& shape) {
   Aabb box;
   const Vec3& half = shape.half();
   for (int axis = 0; axis < 3; ++axis) {
@@ -133,10 +133,10 @@ Aabb world_box(const PosedSmooth& shape) {
     const double x = row.x * half.x, y = row.y * half.y, z = row.z * half.z, offset = shape.pose().offset[axis];
     const auto reach = [](double exact) { return exact * (1 + 0x1p-48) + 0x1p-1070; };  // of four roundings
     const double disc = std::hypot(x, y);
-    const double upwards = shape.kind() == PosedSmooth::Kind::cylinder ? disc + std::abs(z)
-                           : shape.kind() == PosedSmooth::Kind::cone   ? std::max(disc - z, z)
-                                                                       : std::hypot(x, y, z);
-    const double downwards = shape.kind() == PosedSmooth::Kind::cone ? std::max(disc + z, -z) : upwards;
+    const double upwards = shape.kind() == PosedQuadric::Kind::cylinder ? disc + std::abs(z)
+                           : shape.kind() == PosedQuadric::Kind::cone   ? std::max(disc - z, z)
+                                                                        : std::hypot(x, y, z);
+    const double downwards = shape.kind() == PosedQuadric::Kind::cone ? std::max(disc + z, -z) : upwards;
     box.lower[axis] = -clamped_sum_not_less(-offset, reach(downwards));
     box.upper[axis] = clamped_sum_not_less(offset, reach(upwards));
   }
@@ -159,9 +159,9 @@ Aabb widened(Aabb box, double by) {
 }
 
 Aabb world_box(const PosedShape& shape) {
-  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return world_box(*convex);
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return world_box(*convex);
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.box();
-  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return world_box(*smooth);
+  if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return world_box(*quadric);
   return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 }
 

@@ -8,8 +8,8 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/posed_convex.hpp"
-#include "toccata/narrow/posed_smooth.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
+#include "toccata/narrow/posed_quadric.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pairs.hpp"
 
@@ -22,12 +22,12 @@ struct PosedTriangles {
 };
 
 /// A shape at its place, as the pair questions see it: everything but a compound.
-using PosedShape = std::variant<PosedConvex, PosedHalfSpace, PosedTriangles, PosedSmooth>;
+using PosedShape = std::variant<PosedPolytope, PosedHalfSpace, PosedTriangles, PosedQuadric>;
 
 /// Convex sets, of whatever class.
 template <class S>
 concept PosedConvexSet =
-    std::same_as<S, PosedConvex> || std::same_as<S, PosedHalfSpace> || std::same_as<S, PosedSmooth>;
+    std::same_as<S, PosedPolytope> || std::same_as<S, PosedHalfSpace> || std::same_as<S, PosedQuadric>;
 
 /// A shape within a posed model, and where its elements and faces begin to be counted.
 struct PosedPart {
@@ -54,8 +54,8 @@ struct PosedModel {
 
 /// Contains the shape; of a half-space all space. Finite otherwise.
 [[nodiscard]] Aabb world_box(const PosedShape& shape);
-[[nodiscard]] Aabb world_box(const PosedConvex& shape);
-[[nodiscard]] Aabb world_box(const PosedSmooth& shape);
+[[nodiscard]] Aabb world_box(const PosedPolytope& shape);
+[[nodiscard]] Aabb world_box(const PosedQuadric& shape);
 [[nodiscard]] Aabb world_box(const PosedModel& model);
 
 /// The box with all that is as near to it along every axis, and a little more where that is no double; an empty box

@@ -15,7 +15,7 @@
 #include "query/posed_shape.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
-#include "toccata/query/faces_within.hpp"
+#include "toccata/query/faces_in_region.hpp"
 #include "trees/near_walk.hpp"
 #include "trees/swept_walk.hpp"
 #include "trees/wide_point.hpp"
@@ -84,10 +84,10 @@ struct SearchScratch {
   std::vector<std::pair<Index, Index>> faces;   ///< that meet
   NearFrontier near;
   SweptFrontier swept;
-  std::vector<WaitingCast> casts;         ///< of smooth shapes, still to be asked: a heap
+  std::vector<WaitingCast> casts;         ///< of quadrics, still to be asked: a heap
   std::vector<NearCandidate> candidates;  ///< for the nearest pair
   WalkCounts counts;
-  ConvexWorkspace convex;                    ///< of the last pair of convex shapes
+  SimplexCache convex;                       ///< of the last pair of convex shapes
   std::vector<FoundElement> found_elements;  ///< that meet a region
   WindingEntries winding;
   std::vector<SurfacePoint> surface_points;  ///< the nearest so far

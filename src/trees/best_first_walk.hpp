@@ -21,7 +21,7 @@ namespace walking {
 template <class Volume, int Arity, class Q>
 class BestFirstWalk {
  public:
-  BestFirstWalk(const Tree<Volume, Arity>& tree, std::span<const LooseItem> loose, Q& question)
+  BestFirstWalk(const Bvh<Volume, Arity>& tree, std::span<const LooseItem> loose, Q& question)
       : tree_(tree), loose_(loose), question_(question) {
     waiting_.reserve(64);
     for (Index i = 0; i < loose.size(); ++i) wait({node_count() + i, loose[i].bound});
@@ -66,7 +66,7 @@ class BestFirstWalk {
     if (number >= node_count()) return visit({&loose_[number - node_count()].item, 1});
     // The least child goes on at once where nothing that waits comes before it.
     while (true) {
-      const TreeNode<Volume>& node = tree_.nodes[number];
+      const BvhNode<Volume>& node = tree_.nodes[number];
       if (node.is_leaf()) return visit(items_of(node, tree_.items));
       PendingNode least = bounded(node.first);
       for (Index i = 1; i < node.child_count; ++i) {
@@ -85,7 +85,7 @@ class BestFirstWalk {
     question_.visit(items);
   }
 
-  const Tree<Volume, Arity>& tree_;
+  const Bvh<Volume, Arity>& tree_;
   std::span<const LooseItem> loose_;
   Q& question_;
   std::vector<PendingNode> waiting_;
@@ -98,7 +98,7 @@ class BestFirstWalk {
 /// tree with one item in each leaf exactly those are visited whose bound is at most the limit as it is at the end,
 /// whatever the shape of the tree. Volumes below another have no lesser bounds, and none is NaN.
 template <class Volume, int Arity, Question<Volume> Q>
-WalkCounts walk_best_first(const Tree<Volume, Arity>& tree, Q& question, std::span<const LooseItem> loose = {}) {
+WalkCounts walk_best_first(const Bvh<Volume, Arity>& tree, Q& question, std::span<const LooseItem> loose = {}) {
   return walking::BestFirstWalk<Volume, Arity, Q>(tree, loose, question).run();
 }
 

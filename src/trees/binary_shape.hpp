@@ -41,7 +41,7 @@ struct ShapeItems {
 };
 
 /// On up to `threads` threads; none of the shapes depends on how many.
-[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const TreeOptions& options);
+[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const BvhOptions& options);
 [[nodiscard]] BinaryShape shape_by_heuristic(const ShapeItems& items);
 [[nodiscard]] BinaryShape shape_by_agglomeration(const ShapeItems& items, int threads);
 [[nodiscard]] BinaryShape shape_by_insertion(const ShapeItems& items);

@@ -10,7 +10,7 @@
 #include <cstddef>
 
 #include "math/lanes.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {

@@ -143,7 +143,7 @@ class Builder {
     for (const Aabb& box : boxes) items_.push_back({box, static_cast<Index>(items_.size())});
   }
 
-  Tree<Aabb> build() {
+  Bvh<Aabb> build() {
     if (items_.empty()) return {};
     tree_.nodes.reserve(items_.size());
     add_node(0, extent_of(items_), 0);
@@ -171,7 +171,7 @@ class Builder {
     const CentreSlabs slabs(task.extent.centres, bin_count_for(task.extent.count));
     const bool by_heuristic = slabs.usable() && task.depth < greatest_heuristic_depth;
     const Split split = by_heuristic ? split_by_heuristic(items, slabs) : split_in_halves(items);
-    TreeNode<Aabb>& node = tree_.nodes[task.node];
+    BvhNode<Aabb>& node = tree_.nodes[task.node];
     node.first = static_cast<Index>(tree_.nodes.size());
     node.child_count = 2;
     add_node(task.first, split.left, task.depth + 1);
@@ -181,12 +181,12 @@ class Builder {
   Index leaf_size_;
   std::vector<Item> items_;
   std::vector<SplitTask> tasks_;
-  Tree<Aabb> tree_;
+  Bvh<Aabb> tree_;
 };
 
 }  // namespace
 
-Tree<Aabb> build_tree(std::span<const Aabb> boxes, const BuildOptions& options) {
+Bvh<Aabb> build_bvh(std::span<const Aabb> boxes, const BuildOptions& options) {
   return Builder(boxes, options.leaf_size).build();
 }
 

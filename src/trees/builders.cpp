@@ -32,18 +32,18 @@ ShapeItems items_of(std::span<const Triangle> triangles, int threads) {
   return items;
 }
 
-BinaryShape binary_shape(const ShapeItems& items, const TreeOptions& options) {
+BinaryShape binary_shape(const ShapeItems& items, const BvhOptions& options) {
   switch (options.method) {
-    case TreeMethod::mean:
-    case TreeMethod::median:
+    case BvhMethod::mean:
+    case BvhMethod::median:
       return shape_from_top(items, options);
-    case TreeMethod::heuristic:
+    case BvhMethod::heuristic:
       return shape_by_heuristic(items);
-    case TreeMethod::agglomeration:
+    case BvhMethod::agglomeration:
       return shape_by_agglomeration(items, options.threads);
-    case TreeMethod::insertion:
+    case BvhMethod::insertion:
       return shape_by_insertion(items);
-    case TreeMethod::morton:
+    case BvhMethod::morton:
       break;
   }
   return shape_by_codes(items, options.threads);
@@ -75,7 +75,7 @@ class Arranger {
   Arranger(const BinaryShape& binary, Index arity, Index leaf_size)
       : binary_(binary), counts_(counts_below(binary)), arity_(arity), leaf_size_(std::max<Index>(leaf_size, 1)) {}
 
-  TreeShape arrange() {
+  BvhShape arrange() {
     add_node();
     std::vector<Task> tasks{{binary_.root, 0}};
     while (!tasks.empty()) {
@@ -86,7 +86,7 @@ class Arranger {
         continue;
       }
       const std::vector<Index> children = children_of(task.fork);
-      TreeNode<NoVolume>& node = shape_.nodes[task.node];
+      BvhNode<NoVolume>& node = shape_.nodes[task.node];
       node.first = static_cast<Index>(shape_.nodes.size());
       node.child_count = static_cast<Index>(children.size());
       const Index first = node.first;
@@ -121,7 +121,7 @@ class Arranger {
   }
 
   void make_leaf(const Task& task) {
-    TreeNode<NoVolume>& node = shape_.nodes[task.node];
+    BvhNode<NoVolume>& node = shape_.nodes[task.node];
     node.first = static_cast<Index>(shape_.items.size());
     node.count = counts_[task.fork];
     std::vector<Index> open{task.fork};
@@ -141,12 +141,12 @@ class Arranger {
   std::vector<Index> counts_;
   Index arity_;
   Index leaf_size_;
-  TreeShape shape_;
+  BvhShape shape_;
 };
 
 }  // namespace
 
-TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const TreeOptions& options) {
+BvhShape build_bvh_shape(std::span<const Triangle> triangles, int arity, const BvhOptions& options) {
   if (arity < 2 || arity > 8)
     throw Error("a tree has 2 to 8 children a node, not " + std::to_string(arity) + "; choose another arity");
   if (triangles.empty()) return {};
@@ -154,10 +154,10 @@ TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const
   return Arranger(binary, static_cast<Index>(arity), options.leaf_size).arrange();
 }
 
-std::vector<ItemRun> item_runs(const TreeShape& shape) {
+std::vector<ItemRun> item_runs(const BvhShape& shape) {
   std::vector<ItemRun> runs(shape.nodes.size());
   for (std::size_t i = shape.nodes.size(); i-- > 0;) {
-    const TreeNode<NoVolume>& node = shape.nodes[i];
+    const BvhNode<NoVolume>& node = shape.nodes[i];
     if (node.is_leaf()) {
       runs[i] = {node.first, node.count};
       continue;
@@ -168,13 +168,13 @@ std::vector<ItemRun> item_runs(const TreeShape& shape) {
   return runs;
 }
 
-TreeBalance balance_of(const TreeShape& shape, int arity) {
-  TreeBalance balance;
+BvhBalance balance_of(const BvhShape& shape, int arity) {
+  BvhBalance balance;
   balance.nodes = shape.nodes.size();
   std::vector<int> depths(shape.nodes.size(), 0);
   double sum = 0;
   for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
-    const TreeNode<NoVolume>& node = shape.nodes[i];
+    const BvhNode<NoVolume>& node = shape.nodes[i];
     for (Index k = 0; k < node.child_count; ++k) depths[node.first + k] = depths[i] + 1;
     if (!node.is_leaf()) continue;
     balance.least_depth = balance.leaves == 0 ? depths[i] : std::min(balance.least_depth, depths[i]);

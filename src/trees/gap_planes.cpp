@@ -137,7 +137,7 @@ HWY_INLINE WayOut way_out_of(const TurnedBox& own, const TurnedBox& other, const
 }
 
 /// The direction in which they seem to be farthest apart, of length 1; 0 where there is none.
-HWY_INLINE Vector parting_direction(const TurnedBox& own, const TurnedBox& other, const Vector& between) {
+HWY_INLINE Vector separating_direction(const TurnedBox& own, const TurnedBox& other, const Vector& between) {
   const WayOut by_own = way_out_of(own, other, between);
   const WayOut by_other = way_out_of(other, own, between);
   const Number squared = dot(between, between);
@@ -170,7 +170,7 @@ void part_paired_boxes(const NearView& view, const PairedBoxes& boxes, GapPlaneL
   for (std::size_t lane = 0; lane < GapPlaneLanes::width; lane += hn::Lanes(tag)) {
     const TurnedBox own = box_of(boxes.side[0], lane), local = box_of(boxes.side[1], lane), other = seen(view, local);
     const Vector between = minus(other.centre, own.centre);
-    const Vector normal = rounded(parting_direction(own, other, between), planes.normal, lane);
+    const Vector normal = rounded(separating_direction(own, other, between), planes.normal, lane);
     const Vector turned_now = times(hn::Set(tag, view.ratio), transposed_times(view.rotation, normal));
     const Vector turned = rounded(turned_now, planes.turned, lane), turn = minus(turned_now, turned);
     // The axes are orthonormal up to 2^-21.
@@ -198,7 +198,7 @@ namespace {
 HWY_EXPORT(near_planes);
 HWY_EXPORT(part_paired_boxes);
 
-void put_box(const NearTree& tree, std::uint32_t box, std::size_t lane, PairedBoxes::Side& side) {
+void put_box(const NearBvh& tree, std::uint32_t box, std::size_t lane, PairedBoxes::Side& side) {
   const OrientedBlock& block = tree.blocks[box >> 3];
   const std::size_t from = box & 7U;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -209,7 +209,7 @@ void put_box(const NearTree& tree, std::uint32_t box, std::size_t lane, PairedBo
   }
 }
 
-void put_everywhere(const NearTree& tree, std::uint32_t box, PairedBoxes::Side& side) {
+void put_everywhere(const NearBvh& tree, std::uint32_t box, PairedBoxes::Side& side) {
   const OrientedBlock& block = tree.blocks[box >> 3];
   const std::size_t from = box & 7U;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -9,7 +9,7 @@ constexpr float of_floats_to_1 = 0x1.00001p-25F, of_floats_to_2 = 0x1.00001p-24F
 /// How a mesh's vertices come into a tree's units. Scaled first: a difference may be too large for doubles.
 class IntoUnits {
  public:
-  explicit IntoUnits(const WideTree& tree) : scale_(1 / tree.unit), origin_(scale_ * tree.origin) {}
+  explicit IntoUnits(const WideBvh& tree) : scale_(1 / tree.unit), origin_(scale_ * tree.origin) {}
   [[nodiscard]] Vec3 operator()(const Vec3& vertex) const { return scale_ * vertex - origin_; }
 
  private:
@@ -28,7 +28,7 @@ void set_lane(TriangleLanes& lanes, std::size_t lane, const std::array<Vec3, 3>&
 
 }  // namespace
 
-LeafTriangles leaf_triangles(const WideTree& tree, const TriangleMesh& mesh) {
+LeafTriangles leaf_triangles(const WideBvh& tree, const TriangleMesh& mesh) {
   LeafTriangles all;
   all.off = tree.unit < 0x1p1023 ? of_floats_to_1 : of_floats_to_2;
   all.of_block.resize(tree.blocks.size());

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "toccata/shapes/triangle_mesh.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -26,6 +26,6 @@ struct LeafTriangles {
   float off = 0;
 };
 
-[[nodiscard]] LeafTriangles leaf_triangles(const WideTree& tree, const TriangleMesh& mesh);
+[[nodiscard]] LeafTriangles leaf_triangles(const WideBvh& tree, const TriangleMesh& mesh);
 
 }  // namespace toccata

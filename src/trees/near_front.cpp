@@ -21,9 +21,9 @@ double size_of(const OrientedBlock& block, std::size_t lane) {
   return (double{block.extent[0][lane]} + block.extent[1][lane]) + block.extent[2][lane];
 }
 
-std::int32_t child_of(const NearTree& tree, std::uint32_t box) { return tree.blocks[box >> 3].child[box & 7U]; }
-double size_of(const NearTree& tree, std::uint32_t box) { return size_of(tree.blocks[box >> 3], box & 7U); }
-Index item_of(const NearTree& tree, std::uint32_t box) {
+std::int32_t child_of(const NearBvh& tree, std::uint32_t box) { return tree.blocks[box >> 3].child[box & 7U]; }
+double size_of(const NearBvh& tree, std::uint32_t box) { return size_of(tree.blocks[box >> 3], box & 7U); }
+Index item_of(const NearBvh& tree, std::uint32_t box) {
   return tree.items[static_cast<std::uint32_t>(~child_of(tree, box))];
 }
 
@@ -163,7 +163,7 @@ void NearFront::open_pending(Step& step) {
 
 /// The larger of two boxes.
 void NearFront::open(const Step& step, const BoxPair& pair) {
-  const NearTree &first = step.walk.tree(0), &second = step.walk.tree(1);
+  const NearBvh &first = step.walk.tree(0), &second = step.walk.tree(1);
   const std::int32_t child = child_of(first, pair.first), other_child = child_of(second, pair.second);
   const bool opens_first =
       other_child < 0 ||

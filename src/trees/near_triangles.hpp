@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toccata/core/index.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 

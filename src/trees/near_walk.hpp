@@ -79,7 +79,7 @@ struct NearFrontier {
 };
 
 /// One of two trees: boxes, and the items at their places.
-struct NearTree {
+struct NearBvh {
   std::span<const OrientedBlock> blocks;
   std::span<const Index> items;
 };
@@ -96,7 +96,7 @@ struct NearBounds {
 class NearWalk {
  public:
   /// `view_of_a` sees boxes of b from a.
-  NearWalk(const NearTree& a, const NearTree& b, const NearView& view_of_a, const NearView& view_of_b)
+  NearWalk(const NearBvh& a, const NearBvh& b, const NearView& view_of_a, const NearView& view_of_b)
       : trees_{a, b}, views_{view_of_a, view_of_b} {}
 
   /// Shows the question every pair of items whose distance may be below its limit. Neither tree is empty.
@@ -105,11 +105,11 @@ class NearWalk {
   /// For one block of the tree `side` and one box of the other: block · 8 + lane.
   [[nodiscard]] NearBounds bounds(std::size_t side, std::uint32_t number, std::uint32_t other) const;
 
-  [[nodiscard]] const NearTree& tree(std::size_t side) const { return trees_[side]; }
+  [[nodiscard]] const NearBvh& tree(std::size_t side) const { return trees_[side]; }
   [[nodiscard]] const NearView& view(std::size_t side) const { return views_[side]; }
 
  private:
-  std::array<NearTree, 2> trees_;
+  std::array<NearBvh, 2> trees_;
   std::array<NearView, 2> views_;
 };
 

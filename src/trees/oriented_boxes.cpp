@@ -160,7 +160,7 @@ struct Run {
   }
 };
 
-std::vector<TriangleCorners> corners_in_order(const WideTree& tree, const TriangleMesh& mesh) {
+std::vector<TriangleCorners> corners_in_order(const WideBvh& tree, const TriangleMesh& mesh) {
   std::vector<TriangleCorners> corners;
   corners.reserve(tree.items.size());
   const double inverse = 1 / tree.unit;
@@ -176,7 +176,7 @@ std::vector<TriangleCorners> corners_in_order(const WideTree& tree, const Triang
 
 class Maker {
  public:
-  Maker(const WideTree& tree, const TriangleMesh& mesh)
+  Maker(const WideBvh& tree, const TriangleMesh& mesh)
       : tree_(tree), corners_(corners_in_order(tree, mesh)), runs_(tree.blocks.size()), boxes_(tree.blocks.size()) {}
 
   std::vector<OrientedBlock> boxes() {
@@ -206,7 +206,7 @@ class Maker {
     return {place, place + 1, moments_of(corners_[place])};
   }
 
-  const WideTree& tree_;
+  const WideBvh& tree_;
   std::vector<TriangleCorners> corners_;
   std::vector<Run> runs_;
   std::vector<OrientedBlock> boxes_;
@@ -223,7 +223,7 @@ void set_lane(OrientedBlock& block, std::size_t lane, const OrientedBox& box) {
   }
 }
 
-std::vector<OrientedBlock> oriented_boxes(const WideTree& tree, const TriangleMesh& mesh) {
+std::vector<OrientedBlock> oriented_boxes(const WideBvh& tree, const TriangleMesh& mesh) {
   return Maker(tree, mesh).boxes();
 }
 

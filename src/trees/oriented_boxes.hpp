@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toccata/shapes/triangle_mesh.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -38,6 +38,6 @@ void set_lane(OrientedBlock& block, std::size_t lane, const OrientedBox& box);
 /// Boxes for every lane of a mesh's tree, which say more than its straight ones of how near things can be: along the
 /// principal axes of the surface that they hold (S. Gottschalk, M. Lin, D. Manocha, "OBBTree", 1996, with the
 /// covariance of triangles as GAMMA's erratum has it).
-[[nodiscard]] std::vector<OrientedBlock> oriented_boxes(const WideTree& tree, const TriangleMesh& mesh);
+[[nodiscard]] std::vector<OrientedBlock> oriented_boxes(const WideBvh& tree, const TriangleMesh& mesh);
 
 }  // namespace toccata

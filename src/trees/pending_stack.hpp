@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 

@@ -4,18 +4,18 @@
 #include <span>
 
 #include "toccata/core/index.hpp"
+#include "toccata/trees/bvh.hpp"
 #include "toccata/trees/refit.hpp"
-#include "toccata/trees/tree.hpp"
 
 namespace toccata {
 
 /// Puts volumes around items that have moved: leaves by `volume_of(their items)`, inner nodes merged from their
 /// children, from the last node to the first. `built_size` is known.
 template <class Volume, int Arity, class VolumeOf>
-Refit refit_nodes(Tree<Volume, Arity>& tree, const VolumeOf& volume_of) {
+Refit refit_nodes(Bvh<Volume, Arity>& tree, const VolumeOf& volume_of) {
   double size = 0;
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    TreeNode<Volume>& node = tree.nodes[i];
+    BvhNode<Volume>& node = tree.nodes[i];
     if (node.is_leaf()) {
       node.volume = volume_of(std::span<const Index>(tree.items).subspan(node.first, node.count));
     } else {

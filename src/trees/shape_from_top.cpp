@@ -24,12 +24,12 @@ struct SplitRun {
 
 class TopDown {
  public:
-  TopDown(const ShapeItems& items, TreeMethod method) : items_(items), method_(method) {
+  TopDown(const ShapeItems& items, BvhMethod method) : items_(items), method_(method) {
     for (Index i = 0; i < items.boxes.size(); ++i) order_.push_back(i);
   }
 
   /// Runs of one depth side by side, each on one thread; none touches what is another's.
-  BinaryShape build(TreeDriver driver, int threads) {
+  BinaryShape build(BvhDriver driver, int threads) {
     shape_.forks.resize(2 * order_.size() - 1);
     shape_.root = 0;
     std::vector<SplitRun> tasks{{0, order_.size(), 0, 0}};
@@ -38,7 +38,7 @@ class TopDown {
       parallel_for(tasks.size(), threads, [&](std::size_t i) {
         if (tasks[i].count > most_of_a_task)
           halves[i] = split(tasks[i]);
-        else if (driver == TreeDriver::recursive)
+        else if (driver == BvhDriver::recursive)
           build_recursively(tasks[i]);
         else
           build_iteratively(tasks[i]);
@@ -86,7 +86,7 @@ class TopDown {
     const auto run = std::span(order_).subspan(task.first, task.count);
     std::size_t border = 0;
     if (task.depth < greatest_split_depth)
-      border = method_ == TreeMethod::mean ? split_at_mean(run) : split_at_median(run);
+      border = method_ == BvhMethod::mean ? split_at_mean(run) : split_at_median(run);
     if (border == 0 || border == run.size()) border = run.size() / 2;
     const Index left = task.fork + 1, right = task.fork + static_cast<Index>(2 * border);
     shape_.forks[task.fork] = {left, right, no_index};
@@ -122,21 +122,21 @@ class TopDown {
   }
 
   const ShapeItems& items_;
-  TreeMethod method_;
+  BvhMethod method_;
   std::vector<Index> order_;
   BinaryShape shape_;
 };
 
 }  // namespace
 
-BinaryShape shape_from_top(const ShapeItems& items, const TreeOptions& options) {
+BinaryShape shape_from_top(const ShapeItems& items, const BvhOptions& options) {
   return TopDown(items, options.method).build(options.driver, options.threads);
 }
 
 BinaryShape shape_by_heuristic(const ShapeItems& items) {
-  const Tree<Aabb> tree = build_tree(items.boxes, {.leaf_size = 1});
+  const Bvh<Aabb> tree = build_bvh(items.boxes, {.leaf_size = 1});
   BinaryShape shape;
-  for (const TreeNode<Aabb>& node : tree.nodes)
+  for (const BvhNode<Aabb>& node : tree.nodes)
     shape.forks.push_back(node.is_leaf() ? Fork{no_index, no_index, tree.items[node.first]}
                                          : Fork{node.first, node.first + 1, no_index});
   shape.root = 0;

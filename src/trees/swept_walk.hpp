@@ -8,7 +8,7 @@
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/trees/walk.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -43,7 +43,7 @@ struct SweptFrontier {
 class SweptWalk {
  public:
   /// A tree is null where the thing is one item, of number 0; else it is not empty.
-  SweptWalk(std::array<const WideTree*, 2> trees, std::span<const SweptDirection> directions)
+  SweptWalk(std::array<const WideBvh*, 2> trees, std::span<const SweptDirection> directions)
       : trees_(trees), directions_(directions) {}
 
   static constexpr std::size_t most_directions = 13;
@@ -65,7 +65,7 @@ class SweptWalk {
   [[nodiscard]] Times times(std::size_t side, const WideBlock& block, const Heights& other) const;
   void expand(const SweptFrontier::Entry& entry, double limit, SweptFrontier& frontier) const;
 
-  std::array<const WideTree*, 2> trees_;
+  std::array<const WideBvh*, 2> trees_;
   std::span<const SweptDirection> directions_;
 };
 

@@ -49,7 +49,7 @@ std::array<Float4, 3> by_axes(Float4 a, Float4 b, Float4 c, Float4 d) {
 
 }  // namespace
 
-Aabb box_of(const WideTree& tree, std::size_t block, std::size_t lane) {
+Aabb box_of(const WideBvh& tree, std::size_t block, std::size_t lane) {
   const WideBlock& b = tree.blocks[block];
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -5,7 +5,7 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/binary_build.hpp"
 #include "trees/chunks.hpp"
 #include "trees/wide_cells.hpp"
@@ -48,7 +48,7 @@ void set_order(std::span<Index> order, std::span<const FloatItem> items) {
   std::transform(items.begin(), items.end(), order.begin(), [](const FloatItem& item) { return item.number(); });
 }
 
-void build_at_once(WideTree& tree, const WideFrame& frame, std::span<const Aabb> boxes) {
+void build_at_once(WideBvh& tree, const WideFrame& frame, std::span<const Aabb> boxes) {
   std::vector<FloatItem> items;
   items.reserve(boxes.size());
   for (const Aabb& box : boxes) items.push_back(item_in(frame, box, static_cast<std::uint32_t>(items.size())));
@@ -104,7 +104,7 @@ void append(std::vector<WideBlock>& all, const Subtree& subtree) {
 }
 
 /// Puts the subtrees below the blocks over the cells.
-void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees) {
+void join(WideBvh& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees) {
   for (const Subtree& subtree : subtrees) nodes[subtree.node].count = BinaryNode::made_elsewhere;
   set_costs(nodes);
   const auto plans = nodes.size() > 1 ? plan_blocks(nodes) : std::vector<BlockPlan>{};
@@ -120,7 +120,7 @@ void join(WideTree& tree, std::vector<BinaryNode>& nodes, std::span<const Subtre
 }
 
 /// The first levels are found from the cells of a grid, and the subtrees below them each on one thread.
-void build_by_cells(WideTree& tree, const WideFrame& frame, std::span<const Aabb> boxes, int threads) {
+void build_by_cells(WideBvh& tree, const WideFrame& frame, std::span<const Aabb> boxes, int threads) {
   CellGrid grid = sort_into_cells(boxes, tree.box, frame, threads);
   auto nodes = build_binary(std::span(grid.cells), [](const Part& part) {
     return part.items <= most_items_of_a_subtree || part.count < fewest_cells_to_split;
@@ -133,12 +133,12 @@ void build_by_cells(WideTree& tree, const WideFrame& frame, std::span<const Aabb
 
 }  // namespace
 
-WideTree build_wide_tree(std::span<const Aabb> boxes, const WideBuildOptions& options) {
+WideBvh build_wide_bvh(std::span<const Aabb> boxes, const WideBuildOptions& options) {
   const std::size_t most = std::min(options.most_items, WideBuildOptions::greatest_item_count);
   if (boxes.size() > most)
     throw Error("a tree over " + std::to_string(boxes.size()) + " items was asked for, and it holds at most " +
                 std::to_string(most) + ": divide the mesh into parts, each with a tree of its own");
-  WideTree tree;
+  WideBvh tree;
   if (boxes.empty()) return tree;
   tree.box = box_around(boxes, options.threads);
   const WideFrame frame = frame_around(tree.box);

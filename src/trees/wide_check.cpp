@@ -53,7 +53,7 @@ struct Below {
 
 class WideChecker {
  public:
-  WideChecker(const WideTree& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
+  WideChecker(const WideBvh& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
 
   std::string fault() {
     if (tree_.items.size() != boxes_.size())
@@ -165,7 +165,7 @@ class WideChecker {
     return true;
   }
 
-  const WideTree& tree_;
+  const WideBvh& tree_;
   std::span<const Aabb> boxes_;
   WideFrame frame_;
   double reach_ = 1;
@@ -177,6 +177,6 @@ class WideChecker {
 
 }  // namespace
 
-std::string fault_of(const WideTree& tree, std::span<const Aabb> boxes) { return WideChecker(tree, boxes).fault(); }
+std::string fault_of(const WideBvh& tree, std::span<const Aabb> boxes) { return WideChecker(tree, boxes).fault(); }
 
 }  // namespace toccata

@@ -3,13 +3,13 @@
 #include <span>
 #include <string>
 
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
 /// Why this is no tree over items with these boxes (none empty, all finite), in a few words; empty when it is one. A
-/// tree without a fault keeps every promise of wide_tree.hpp, and the items below each block lie side by side in the
+/// tree without a fault keeps every promise of wide_bvh.hpp, and the items below each block lie side by side in the
 /// order of items. Takes time in proportion to the number of items, whatever the tree holds.
-[[nodiscard]] std::string fault_of(const WideTree& tree, std::span<const Aabb> boxes);
+[[nodiscard]] std::string fault_of(const WideBvh& tree, std::span<const Aabb> boxes);
 
 }  // namespace toccata

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/float_box.hpp"
 
 namespace toccata {

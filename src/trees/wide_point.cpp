@@ -43,7 +43,7 @@ HWY_INLINE void prefetch_all(const Value& value) {
 /// Shows items by their places.
 class VisitedLeaves {
  public:
-  VisitedLeaves(const WideTree& tree, FunctionRef<double(std::span<const Index>)> visit) : tree_(tree), visit_(visit) {}
+  VisitedLeaves(const WideBvh& tree, FunctionRef<double(std::span<const Index>)> visit) : tree_(tree), visit_(visit) {}
 
   /// Of a block the items in these lanes; returns the limit from then on.
   double see(std::size_t number, unsigned items) {
@@ -57,7 +57,7 @@ class VisitedLeaves {
   void prefetch(std::size_t /*number*/) const {}
 
  private:
-  const WideTree& tree_;
+  const WideBvh& tree_;
   FunctionRef<double(std::span<const Index>)> visit_;
 };
 
@@ -136,7 +136,7 @@ class BoundedLeaves {
 template <class Leaves>
 class PointWalk {
  public:
-  PointWalk(const WideTree& tree, const WidePoint& point, double limit, const Leaves& leaves)
+  PointWalk(const WideBvh& tree, const WidePoint& point, double limit, const Leaves& leaves)
       : tree_(tree), leaves_(leaves), at_(as_floats(point.at)), pad_(point.pad + rounding_of(point.at)) {
     keep_within(limit);
   }
@@ -242,7 +242,7 @@ class PointWalk {
     return ~bits_of(d, hn::Gt(sum, hn::Set(d, limit_squared_))) & part_mask;
   }
 
-  const WideTree& tree_;
+  const WideBvh& tree_;
   Leaves leaves_;
   std::array<float, 3> at_;
   double pad_;
@@ -252,7 +252,7 @@ class PointWalk {
   PendingStack pending_;
 };
 
-std::size_t run_point(const WideTree& tree, const WidePoint& point, double limit,
+std::size_t run_point(const WideBvh& tree, const WidePoint& point, double limit,
                       FunctionRef<double(std::span<const Index>)> visit) {
   PointWalk walk(tree, point, limit, VisitedLeaves(tree, visit));
   walk.run();
@@ -263,7 +263,7 @@ using NearPointWalk = PointWalk<BoundedLeaves>;
 
 PointCounts counts_of(const NearPointWalk& walk) { return {walk.boxes(), walk.leaves().count()}; }
 
-PointCounts run_near_point(const WideTree& tree, const LeafTriangles& triangles, const WidePoint& point,
+PointCounts run_near_point(const WideBvh& tree, const LeafTriangles& triangles, const WidePoint& point,
                            NearTriangles& near) {
   NearPointWalk walk(tree, point, static_cast<double>(near.limit()), BoundedLeaves(triangles, point, near));
   walk.run();
@@ -273,7 +273,7 @@ PointCounts run_near_point(const WideTree& tree, const LeafTriangles& triangles,
 /// Points that walk side by side, the next one in the place of one that is done.
 class NearPointWalks {
  public:
-  NearPointWalks(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+  NearPointWalks(const WideBvh& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
                  std::array<NearTriangles::Memory, points_abreast>& memory)
       : tree_(tree), leaves_(leaves), starts_(starts), memory_(memory) {}
 
@@ -319,7 +319,7 @@ class NearPointWalks {
     start_next(i);
   }
 
-  const WideTree& tree_;
+  const WideBvh& tree_;
   const LeafTriangles& leaves_;
   std::span<const NearStart> starts_;
   std::array<NearTriangles::Memory, points_abreast>& memory_;
@@ -328,7 +328,7 @@ class NearPointWalks {
   std::array<Place, points_abreast> places_;
 };
 
-PointCounts run_near_points(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+PointCounts run_near_points(const WideBvh& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
                             std::array<NearTriangles::Memory, points_abreast>& memory,
                             FunctionRef<void(std::size_t, NearTriangles&)> done) {
   return NearPointWalks(tree, leaves, starts, memory).run(done);
@@ -348,18 +348,18 @@ HWY_EXPORT(run_near_points);
 
 }  // namespace
 
-std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limit,
+std::size_t walk_point(const WideBvh& tree, const WidePoint& point, double limit,
                        FunctionRef<double(std::span<const Index>)> visit) {
   if (tree.blocks.empty()) return 0;
   return HWY_DYNAMIC_DISPATCH(run_point)(tree, point, limit, visit);
 }
 
-PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near) {
+PointCounts find_near(const WideBvh& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near) {
   if (tree.blocks.empty()) return {};
   return HWY_DYNAMIC_DISPATCH(run_near_point)(tree, leaves, point, near);
 }
 
-PointCounts find_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+PointCounts find_near_each(const WideBvh& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
                            std::array<NearTriangles::Memory, points_abreast>& memory,
                            FunctionRef<void(std::size_t, NearTriangles&)> done) {
   if (tree.blocks.empty()) return {};

@@ -6,7 +6,7 @@
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/leaf_triangles.hpp"
 #include "trees/near_triangles.hpp"
 
@@ -23,7 +23,7 @@ struct WidePoint {
 /// the limit, told by their places in the tree's item order: near boxes before farther ones, as far as their blocks
 /// tell. `visit` returns the limit from then on, in the tree's units. No item within it is left out. Returns how many
 /// boxes were compared.
-std::size_t walk_point(const WideTree& tree, const WidePoint& point, double limit,
+std::size_t walk_point(const WideBvh& tree, const WidePoint& point, double limit,
                        FunctionRef<double(std::span<const Index>)> visit);
 
 /// What a walk compared.
@@ -37,7 +37,7 @@ inline constexpr double greatest_near_coordinate = 0x1p30;
 
 /// Finds the triangles that may be among the k nearest; lengths are in the tree's units, and limits and bounds are of
 /// distances that differ from those of the tree's triangles and the point by at most `point.pad`, and 2⁻³⁵ of them.
-PointCounts find_near(const WideTree& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near);
+PointCounts find_near(const WideBvh& tree, const LeafTriangles& leaves, const WidePoint& point, NearTriangles& near);
 
 /// So many points walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
 inline constexpr std::size_t points_abreast = 6;
@@ -50,7 +50,7 @@ struct NearStart {
 
 /// The same for the nearest of each of many points, of which a few walk at a time, a step each in turn: while one waits
 /// for memory, another is worked on. Calls `done(i, near)` as each ends, with what it finds alone.
-PointCounts find_near_each(const WideTree& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
+PointCounts find_near_each(const WideBvh& tree, const LeafTriangles& leaves, std::span<const NearStart> starts,
                            std::array<NearTriangles::Memory, points_abreast>& memory,
                            FunctionRef<void(std::size_t, NearTriangles&)> done);
 

@@ -61,7 +61,7 @@ RayLanes lanes_told(const RayLine& line, const WideBlock& block, const TriangleL
 /// A ray on its way through a tree.
 class RayWalk {
  public:
-  void start(const WideTree& tree, const LeafTriangles* leaves, const WideRay& ray, std::size_t number) {
+  void start(const WideBvh& tree, const LeafTriangles* leaves, const WideRay& ray, std::size_t number) {
     tree_ = &tree;
     slabs_.set(ray);
     line_.set(ray, slabs_.pad());
@@ -197,7 +197,7 @@ class RayWalk {
     return false;
   }
 
-  const WideTree* tree_;
+  const WideBvh* tree_;
   const TriangleLanes* leaves_;
   std::size_t number_;
   RaySlabs slabs_;
@@ -214,7 +214,7 @@ class RayWalk {
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
 constexpr std::size_t rays_abreast = 12;
 
-void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& ray, const VisitCandidates& visit) {
+void run_ray(const WideBvh& tree, const LeafTriangles* leaves, const WideRay& ray, const VisitCandidates& visit) {
   RayWalk walk;
   walk.start(tree, leaves, ray, 0);
   while (walk.step(visit)) {
@@ -222,7 +222,7 @@ void run_ray(const WideTree& tree, const LeafTriangles* leaves, const WideRay& r
 }
 
 /// Rays that walk side by side, the next one in the place of one that is done.
-void run_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
+void run_rays(const WideBvh& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
   if (rays.size() == 1) return run_ray(tree, leaves, rays[0], visit);
   std::array<RayWalk, rays_abreast> walks;
   std::array<RayWalk*, rays_abreast> walking;
@@ -268,8 +268,7 @@ HWY_EXPORT(run_lanes);
 
 }  // namespace
 
-void walk_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays,
-               VisitCandidates visit) {
+void walk_rays(const WideBvh& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
   if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_rays)(tree, leaves, rays, visit);
 }
 

@@ -7,7 +7,7 @@
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/leaf_triangles.hpp"
 
 namespace toccata {
@@ -42,7 +42,7 @@ using VisitCandidates = FunctionRef<float(std::size_t, std::span<const RayCandid
 /// Shows, for every ray, triangles of which its first one is one: with what is later than another is met for certain,
 /// or than what `visit` returned, left out. `leaves` are those of the tree or null; without them a triangle may be met
 /// where its box is. A few rays walk at a time, a step each in turn: while one waits for memory, another is worked on.
-void walk_rays(const WideTree& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit);
+void walk_rays(const WideBvh& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit);
 
 /// What is told of the triangles in the lanes of a block that a ray's line meets the boxes of, by their places as bits.
 struct RayLanes {

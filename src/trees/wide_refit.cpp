@@ -180,7 +180,7 @@ std::size_t lane_count(std::span<const WideBlock> blocks) {
   return lanes;
 }
 
-void move_to(WideTree& tree, const WideFrame& frame) {
+void move_to(WideBvh& tree, const WideFrame& frame) {
   const double ratio = tree.unit / frame.unit;
   tree.built_size *= ratio * ratio;
   tree.origin = frame.origin;
@@ -189,7 +189,7 @@ void move_to(WideTree& tree, const WideFrame& frame) {
 
 }  // namespace
 
-Refit refit(WideTree& tree, const TriangleMesh& mesh, int threads) {
+Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads) {
   if (tree.items.size() != mesh.triangle_count())
     throw Error("a tree over " + std::to_string(tree.items.size()) + " triangles is to be refitted to a mesh of " +
                 std::to_string(mesh.triangle_count()) + ": build one for that mesh");

@@ -417,7 +417,7 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   run_all(walk, f, visitor);
 }
 
-void run_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
+void run_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
   // As much as the usual walk needs; a deeper one takes memory from elsewhere.
   alignas(std::int32_t) std::array<std::byte, 2048> first_memory;
   std::pmr::monotonic_buffer_resource memory(first_memory.data(), first_memory.size());
@@ -504,7 +504,7 @@ void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, WideVis
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
 }
 
-void walk_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
+void walk_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
   if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_probe)(tree, probe, visit);
 }
 

@@ -10,7 +10,7 @@
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/trees/walk.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -67,7 +67,7 @@ struct WideProbe {
 
 /// Calls `visit(item)` until it returns false: with all items whose boxes may meet the region, each
 /// once.
-void walk_probe(const WideTree& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit);
+void walk_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit);
 
 /// What a walk finds: pairs (item of the first tree, item of the second), in batches. Of one tree with itself: two
 /// different items, the lesser first.
@@ -103,8 +103,7 @@ struct WideFrontier {
 class WideWalk {
  public:
   /// The trees and constants must outlive the walk.
-  WideWalk(const WideTree& a, const WideTree& b, const WideCull& cull)
-      : trees_{&a, &b}, axes_{&cull.of_a, &cull.of_b} {}
+  WideWalk(const WideBvh& a, const WideBvh& b, const WideCull& cull) : trees_{&a, &b}, axes_{&cull.of_a, &cull.of_b} {}
 
   static constexpr std::size_t largest_batch = 256;
 
@@ -120,11 +119,11 @@ class WideWalk {
   /// Both trees being one: visits each unordered pair of different items whose boxes meet once.
   void run_self(WideFrontier& frontier, std::size_t first_batch, WideVisitor& visitor) const;
 
-  [[nodiscard]] const WideTree& tree(std::size_t side) const { return *trees_[side]; }
+  [[nodiscard]] const WideBvh& tree(std::size_t side) const { return *trees_[side]; }
   [[nodiscard]] const WideAxes& axes(std::size_t side) const { return *axes_[side]; }
 
  private:
-  std::array<const WideTree*, 2> trees_;
+  std::array<const WideBvh*, 2> trees_;
   std::array<const WideAxes*, 2> axes_;
 };
 

@@ -105,7 +105,7 @@ double reach(const WideBlock& block, const Vec3& centre) {
 }
 
 /// The corners of the triangle, scaled first: a difference may be too large for doubles.
-std::array<Vec3, 3> corners_of(const WideTree& tree, const TriangleMesh& mesh, Index triangle) {
+std::array<Vec3, 3> corners_of(const WideBvh& tree, const TriangleMesh& mesh, Index triangle) {
   const double inverse = 1 / tree.unit;
   const Vec3 origin = inverse * tree.origin;
   std::array<Vec3, 3> corners;
@@ -115,7 +115,7 @@ std::array<Vec3, 3> corners_of(const WideTree& tree, const TriangleMesh& mesh, I
 
 }  // namespace
 
-std::vector<WindingMoments> winding_moments(const WideTree& tree, const TriangleMesh& mesh) {
+std::vector<WindingMoments> winding_moments(const WideBvh& tree, const TriangleMesh& mesh) {
   std::vector<WindingMoments> all(tree.blocks.size());
   // Children come after their parents.
   for (std::size_t number = all.size(); number-- > 0;) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "toccata/shapes/triangle_mesh.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -30,7 +30,7 @@ struct WindingMoments {
 };
 
 /// Of every block. For a tree without blocks none.
-[[nodiscard]] std::vector<WindingMoments> winding_moments(const WideTree& tree, const TriangleMesh& mesh);
+[[nodiscard]] std::vector<WindingMoments> winding_moments(const WideBvh& tree, const TriangleMesh& mesh);
 
 /// A bracket of the part of the sphere around a point that a surface covers.
 struct WindingPart {

@@ -38,7 +38,7 @@ std::pair<double, double> range_along(const ConvexHull& hull, const Vec3& row, d
 
 /// Boxes of shapes under a pose that is a rotation but for a few roundings, so that it is one which they may all have;
 /// none where numbers are so great that more has to be looked at, or for a shape that is seldom.
-struct QuickBox {
+struct FastBox {
   std::optional<Aabb> operator()(const Sphere& sphere) const {
     if (!is_surely_finite(sphere.centre()) || !(sphere.radius() < 0x1p1000)) return {};
     const Vec3 centre = world_vertex(pose, sphere.centre());
@@ -86,7 +86,7 @@ struct QuickBox {
 
 Aabb posed_box(const Body& body, const Pose& pose, std::string_view who) {
   if (is_surely_rigid(pose.linear) && is_surely_finite(pose.offset))
-    if (const std::optional<Aabb> box = std::visit(QuickBox{pose}, body.model.shape())) return *box;
+    if (const std::optional<Aabb> box = std::visit(FastBox{pose}, body.model.shape())) return *box;
   if (std::holds_alternative<Compound>(body.model.shape()))
     return world_box(pose_model(body.model, pose, body.solid, who));
   return world_box(pose_shape(body.model, pose, body.solid, who));

@@ -9,9 +9,9 @@
 #include "query/ask_each.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/pairs.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {
@@ -48,7 +48,7 @@ struct PlaceConvex {
   void operator()(const S& shape) const {
     placed.emplace(shape, pose);
   }
-  template <SmoothShape S>
+  template <QuadricShape S>
   void operator()(const S&) const {}
   void operator()(const HalfSpace&) const {}
   void operator()(const HeightField&) const {}
@@ -56,23 +56,23 @@ struct PlaceConvex {
   void operator()(const Compound&) const {}
 
   const Pose& pose;
-  std::optional<PosedConvex>& placed;
+  std::optional<PosedPolytope>& placed;
 };
 
-BodyNearness nearness_of(const PosedConvex& a, const PosedConvex& b, double margin, ConvexWorkspace& workspace) {
+BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, double margin, SimplexCache& workspace) {
   if (margin > 0 && !std::isinf(margin) && !is_within(a, b, margin, &workspace)) return BodyNearness::apart;
   if (overlap(a, b, &workspace)) return BodyNearness::contact;
   return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }
 
-/// What `closer_than` and `overlap` answer.
+/// What `within_distance` and `overlap` answer.
 BodyNearness nearness_of(const Body& a, const Body& b, double margin, Workspace& workspace) {
-  std::optional<PosedConvex> placed_a, placed_b;
+  std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
   if (placed_b) return nearness_of(*placed_a, *placed_b, margin, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
-  if (margin > 0 && !closer_than(a.model, b.model, margin, query, cleared(workspace))) return BodyNearness::apart;
+  if (margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace))) return BodyNearness::apart;
   if (overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
   return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }

@@ -15,7 +15,7 @@ World::~World() = default;
 
 std::vector<BodyId> World::add(std::span<const Body> bodies) { return state_->add(bodies); }
 std::vector<BodyId> World::add(std::initializer_list<Body> bodies) { return state_->add(bodies); }
-BodyId World::add(const Model& model, const Pose& pose, Motion motion) { return add(Body{model, pose, motion}); }
+BodyId World::add(const Model& model, const Pose& pose, BodyType type) { return add(Body{model, pose, type}); }
 BodyId World::add(const Body& body) { return state_->add({&body, 1})[0]; }
 void World::remove(std::span<const BodyId> ids) { state_->remove(ids); }
 void World::remove(BodyId id) { state_->remove({&id, 1}); }

@@ -54,13 +54,13 @@ class Named {
 
 /// `ask(objects)` of all bodies that pass the filter.
 template <class Ask>
-auto ask_all(const World& world, const BoxTree& boxes, std::uint64_t revision, const BodyFilter& filter,
+auto ask_all(const World& world, const BoxBvh& boxes, std::uint64_t revision, const BodyFilter& filter,
              const Ask& ask) {
   if (world.revision() != revision)
     throw Error("the bodies of the World have changed since these WorldQueries looked; call update() before asking");
   const auto at = [&](Index object) {
     const Body& body = body_of(world, object);
-    return PlacedModel{body.model, body.pose, body.solid};
+    return InstanceView{body.model, body.pose, body.solid};
   };
   const auto name_of = [&](Index object) { return name_of_body(world, object); };
   const auto accepts = [&](Index object) { return passes(world, filter, object); };
@@ -92,19 +92,19 @@ std::optional<BodyCast> WorldQueries::cast_shape(const MovingShape& moving, cons
                  [&](const SearchedObjects& objects) { return first_cast(objects, moving, workspace); });
 }
 
-std::vector<BodyId> WorldQueries::overlapping(const Posed& shape, const BodyFilter& filter) const {
+std::vector<BodyId> WorldQueries::overlapping(const SceneInstance& shape, const BodyFilter& filter) const {
   Workspace workspace;
   return ask_all(*world_, boxes_, revision_, filter,
                  [&](const SearchedObjects& objects) { return overlapping_objects(objects, shape, workspace); });
 }
 
-std::vector<BodyRelation> WorldQueries::relations(const Posed& shape, const BodyFilter& filter) const {
+std::vector<BodyRelation> WorldQueries::relations(const SceneInstance& shape, const BodyFilter& filter) const {
   Workspace workspace;
   return ask_all(*world_, boxes_, revision_, filter,
                  [&](const SearchedObjects& objects) { return related_objects(objects, shape, workspace); });
 }
 
-std::optional<BodyDistance> WorldQueries::nearest(const Posed& shape, double max_distance,
+std::optional<BodyDistance> WorldQueries::nearest(const SceneInstance& shape, double max_distance,
                                                   const BodyFilter& filter) const {
   Workspace workspace;
   return ask_all(*world_, boxes_, revision_, filter, [&](const SearchedObjects& objects) {
@@ -112,7 +112,7 @@ std::optional<BodyDistance> WorldQueries::nearest(const Posed& shape, double max
   });
 }
 
-std::vector<BodyId> WorldQueries::within(const Posed& shape, double distance, const BodyFilter& filter) const {
+std::vector<BodyId> WorldQueries::within(const SceneInstance& shape, double distance, const BodyFilter& filter) const {
   Workspace workspace;
   return ask_all(*world_, boxes_, revision_, filter,
                  [&](const SearchedObjects& objects) { return objects_within(objects, shape, distance, workspace); });
@@ -131,21 +131,22 @@ std::vector<std::optional<BodyCast>> WorldQueries::cast_shape_each(std::span<con
                  [&](const SearchedObjects& objects) { return first_casts(objects, moving, options); });
 }
 
-std::vector<std::vector<BodyId>> WorldQueries::overlapping_each(std::span<const Posed> shapes, const BodyFilter& filter,
+std::vector<std::vector<BodyId>> WorldQueries::overlapping_each(std::span<const SceneInstance> shapes,
+                                                                const BodyFilter& filter,
                                                                 const BatchOptions& options) const {
   return ask_all(*world_, boxes_, revision_, filter,
                  [&](const SearchedObjects& objects) { return objects_overlapping_each(objects, shapes, options); });
 }
 
-std::vector<std::optional<BodyDistance>> WorldQueries::nearest_each(std::span<const Posed> shapes, double max_distance,
-                                                                    const BodyFilter& filter,
+std::vector<std::optional<BodyDistance>> WorldQueries::nearest_each(std::span<const SceneInstance> shapes,
+                                                                    double max_distance, const BodyFilter& filter,
                                                                     const BatchOptions& options) const {
   return ask_all(*world_, boxes_, revision_, filter, [&](const SearchedObjects& objects) {
     return nearest_objects(objects, shapes, max_distance, options);
   });
 }
 
-std::vector<std::vector<BodyId>> WorldQueries::within_each(std::span<const Posed> shapes, double distance,
+std::vector<std::vector<BodyId>> WorldQueries::within_each(std::span<const SceneInstance> shapes, double distance,
                                                            const BodyFilter& filter,
                                                            const BatchOptions& options) const {
   return ask_all(*world_, boxes_, revision_, filter, [&](const SearchedObjects& objects) {

@@ -92,7 +92,7 @@ void World::State::place(std::span<const Index> indices) {
   reached_boxes_.clear();
   for (const Index index : indices) {
     const double by = reach(index, slots_[index].margin);
-    reached_boxes_.push_back(by > 0 ? grown(boxes_[index], by) : boxes_[index]);
+    reached_boxes_.push_back(by > 0 ? offset_outward(boxes_[index], by) : boxes_[index]);
   }
   phase_.move(indices, reached_boxes_);
 }
@@ -106,7 +106,7 @@ void World::State::put(Index index, Body&& body, const Aabb& box) {
   slot.group = body.group;
   slot.mask = body.mask;
   slot.margin = body.margin;
-  slot.motion = body.motion;
+  slot.type = body.type;
   slot.is_used = true;
   boxes_[index] = box;
   bodies_[index] = std::move(body);
@@ -124,7 +124,8 @@ std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
   std::vector<Body> copies(bodies.begin(), bodies.end());
   reached_boxes_ = new_boxes_;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (const double by = reach_of_margin(bodies[i].margin); by > 0) reached_boxes_[i] = grown(new_boxes_[i], by);
+    if (const double by = reach_of_margin(bodies[i].margin); by > 0)
+      reached_boxes_[i] = offset_outward(new_boxes_[i], by);
   const std::vector<Index> indices = phase_.add(reached_boxes_);
   bodies_.resize(phase_.size(), Body{Point{}});
   slots_.resize(phase_.size());

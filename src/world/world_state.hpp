@@ -48,7 +48,7 @@ class World::State {
     double margin = 0;
     double rule_margin = 0;  ///< the largest of its rules
     std::uint32_t generation = 1;
-    Motion motion = Motion::moving;
+    BodyType type = BodyType::dynamic_body;
     bool is_used = false;
     bool has_rules = false;
     bool has_changed = false;  ///< it is among those that did

@@ -14,9 +14,9 @@ std::pair<BodyId, BodyId> key_of(const PairReport& report) { return {report.a, r
 }  // namespace
 
 bool World::State::may_meet(const Slot& a, const Slot& b) const {
-  if (a.motion != Motion::moving && b.motion != Motion::moving) {
-    const bool both_fixed = a.motion == Motion::fixed && b.motion == Motion::fixed;
-    if (both_fixed || !options_.kinematic_pairs) return false;
+  if (a.type != BodyType::dynamic_body && b.type != BodyType::dynamic_body) {
+    const bool both_static = a.type == BodyType::static_body && b.type == BodyType::static_body;
+    if (both_static || !options_.kinematic_pairs) return false;
   }
   return (a.group & b.mask) != 0 && (b.group & a.mask) != 0;
 }
@@ -42,7 +42,7 @@ std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& un
     if (!margin) continue;
     // Other pairs of the two may have larger margins.
     const Aabb &a = boxes_[pair.first], &b = boxes_[pair.second];
-    if (!overlap(a, b) && (*margin == 0 || !overlap(grown(a, *margin), b))) continue;
+    if (!overlap(a, b) && (*margin == 0 || !overlap(offset_outward(a, *margin), b))) continue;
     while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
     const bool is_known = known != decided_.end() && known->pair == pair && !slots_[pair.first].has_changed &&
                           !slots_[pair.second].has_changed;
@@ -62,17 +62,17 @@ std::vector<PairReport> World::State::reports() const {
 }
 
 void World::State::tell(std::vector<PairReport> now) {
-  last_.begun.clear();
-  last_.kept.clear();
-  last_.ended.clear();
+  last_.begin.clear();
+  last_.persist.clear();
+  last_.end.clear();
   auto before = pairs_.begin();
   for (const PairReport& report : now) {
-    for (; before != pairs_.end() && key_of(*before) < key_of(report); ++before) last_.ended.push_back(*before);
+    for (; before != pairs_.end() && key_of(*before) < key_of(report); ++before) last_.end.push_back(*before);
     const bool is_kept = before != pairs_.end() && key_of(*before) == key_of(report);
-    (is_kept ? last_.kept : last_.begun).push_back(report);
+    (is_kept ? last_.persist : last_.begin).push_back(report);
     if (is_kept) ++before;
   }
-  last_.ended.insert(last_.ended.end(), before, pairs_.end());
+  last_.end.insert(last_.end.end(), before, pairs_.end());
   pairs_ = std::move(now);
 }
 

@@ -19,7 +19,7 @@ bool overlap_of_convex_shapes(const Aabb& box, const Triangle& triangle) {
     for (const double y : {box.lower.y, box.upper.y})
       for (const double z : {box.lower.z, box.upper.z}) corners.push_back({x, y, z});
   const ConvexHull hull(corners);
-  return overlap(PosedConvex(hull), PosedConvex(triangle));
+  return overlap(PosedPolytope(hull), PosedPolytope(triangle));
 }
 
 double whole(Random& random, std::uint64_t count) { return static_cast<double>(random.below(count)); }

@@ -151,16 +151,16 @@ TEST(BodyBounds, GrowByAMargin) {
     if (length == 0) continue;
     const Vec3 outward = (1 / length) * direction;
     const Ball ball{test::vector_between(random, 0, 7), random.between(0, 2)};
-    EXPECT_TRUE(contains(grown(ball, margin), ball.centre + ((ball.radius + margin) * (1 - 1e-13)) * outward));
+    EXPECT_TRUE(contains(offset_outward(ball, margin), ball.centre + ((ball.radius + margin) * (1 - 1e-13)) * outward));
     Obb box = test::random_oriented_box(random);
     if (is_empty(box)) continue;
-    EXPECT_TRUE(contains(grown(box, margin), farthest_point(box, outward) + (margin * (1 - 1e-6)) * outward));
+    EXPECT_TRUE(contains(offset_outward(box, margin), farthest_point(box, outward) + (margin * (1 - 1e-6)) * outward));
   }
-  EXPECT_EQ(grown(Ball{}, 2), Ball{});
-  EXPECT_EQ(grown(Obb{}, 2), Obb{});
-  EXPECT_EQ(grown(Ball{{1, 2, 3}, 4}, 0), (Ball{{1, 2, 3}, 4}));
-  EXPECT_THROW(static_cast<void>(grown(Ball{{1, 2, 3}, 4}, -1)), Error);
-  EXPECT_THROW(static_cast<void>(grown(Obb{{}, {}, {1, 1, 1}}, std::nan(""))), Error);
+  EXPECT_EQ(offset_outward(Ball{}, 2), Ball{});
+  EXPECT_EQ(offset_outward(Obb{}, 2), Obb{});
+  EXPECT_EQ(offset_outward(Ball{{1, 2, 3}, 4}, 0), (Ball{{1, 2, 3}, 4}));
+  EXPECT_THROW(static_cast<void>(offset_outward(Ball{{1, 2, 3}, 4}, -1)), Error);
+  EXPECT_THROW(static_cast<void>(offset_outward(Obb{{}, {}, {1, 1, 1}}, std::nan(""))), Error);
 }
 
 TEST(BodyBounds, CostNothingWhereThereAreNone) {

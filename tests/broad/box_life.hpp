@@ -87,11 +87,11 @@ class BoxLife {
     std::vector<Aabb> all(phase_.size());
     for (const auto& [number, box] : boxes_) all[number] = box;
     if (now != overlapping_pairs_by_brute_force(all)) return "other pairs than those of brute force";
-    Pairs begun, ended;
-    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(begun));
-    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(ended));
+    Pairs begin, end;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(begin));
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(end));
     const PairChanges changes = phase_.changes();
-    return changes.begun == begun && changes.ended == ended ? "" : "other changes than those of the pairs";
+    return changes.begin == begin && changes.end == end ? "" : "other changes than those of the pairs";
   }
 
   std::string_view family_;

@@ -196,7 +196,7 @@ TEST(BroadPhase, GivesTheLeastNumbersOutAgainAfterAnUpdate) {
   phase.remove(std::vector<Index>{3, 1});
   EXPECT_EQ(phase.add(std::vector<Aabb>{cube_at(0)}), (std::vector<Index>{4}));
   EXPECT_EQ(list_of(phase.update()), (Pairs{{0, 2}, {0, 4}, {2, 4}}));
-  EXPECT_EQ(phase.changes().ended, (Pairs{{0, 1}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+  EXPECT_EQ(phase.changes().end, (Pairs{{0, 1}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
   EXPECT_EQ(phase.add(std::vector<Aabb>(3, cube_at(0))), (std::vector<Index>{1, 3, 5}));
   EXPECT_EQ(phase.size(), 6U);
 }
@@ -205,15 +205,15 @@ TEST(BroadPhase, TellsWhatAnUpdateChanged) {
   BroadPhase phase;
   phase.add(std::vector<Aabb>{cube_at(0), cube_at(1), cube_at(9)});
   phase.update();
-  EXPECT_EQ(phase.changes().begun, (Pairs{{0, 1}}));
+  EXPECT_EQ(phase.changes().begin, (Pairs{{0, 1}}));
   phase.update();
-  EXPECT_TRUE(phase.changes().begun.empty());
-  EXPECT_TRUE(phase.changes().ended.empty());
+  EXPECT_TRUE(phase.changes().begin.empty());
+  EXPECT_TRUE(phase.changes().end.empty());
   phase.move(std::vector<Index>{1}, std::vector<Aabb>{cube_at(8)});
   EXPECT_EQ(phase.pairs().size(), 1U);  // of the last update
   phase.update();
-  EXPECT_EQ(phase.changes().begun, (Pairs{{1, 2}}));
-  EXPECT_EQ(phase.changes().ended, (Pairs{{0, 1}}));
+  EXPECT_EQ(phase.changes().begin, (Pairs{{1, 2}}));
+  EXPECT_EQ(phase.changes().end, (Pairs{{0, 1}}));
 }
 
 TEST(BroadPhase, ACopyLivesOnByItself) {
@@ -221,7 +221,7 @@ TEST(BroadPhase, ACopyLivesOnByItself) {
   phase.add(std::vector<Aabb>{cube_at(0), cube_at(1), cube_at(9)});
   phase.update();
   BroadPhase copy = phase;
-  EXPECT_EQ(copy.changes().begun, (Pairs{{0, 1}}));
+  EXPECT_EQ(copy.changes().begin, (Pairs{{0, 1}}));
   phase.move(std::vector<Index>{1}, std::vector<Aabb>{cube_at(8)});
   phase.update();
   EXPECT_EQ(list_of(copy.pairs()), (Pairs{{0, 1}}));
@@ -284,19 +284,20 @@ TEST(BroadPhase, KnowsItsMethodsByName) {
             "there is no broad phase 'brute-forse'; did you mean 'brute-force'?");
 }
 
-TEST(Grown, BoxesReachAtLeastAsFarAsAsked) {
+TEST(Offset, BoxesReachAtLeastAsFarAsAsked) {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {
     const Aabb box = test::random_box("decades", 0, random);
     const double margin = std::pow(10, random.between(-20, 20));
-    const Aabb larger = grown(box, margin);
+    const Aabb larger = offset_outward(box, margin);
     EXPECT_LT(larger.lower.x, box.lower.x);
     EXPECT_GT(larger.upper.z, box.upper.z);
     EXPECT_GE(box.lower.y - larger.lower.y, margin * (1 - 1e-15));
   }
-  EXPECT_EQ(grown(cube_at(0), 0), cube_at(0));
-  EXPECT_EQ(grown(Aabb{}, 5), Aabb{});
-  EXPECT_EQ(message_of([] { static_cast<void>(grown(cube_at(0), -1)); }), "a margin of -1: it must not be negative");
+  EXPECT_EQ(offset_outward(cube_at(0), 0), cube_at(0));
+  EXPECT_EQ(offset_outward(Aabb{}, 5), Aabb{});
+  EXPECT_EQ(message_of([] { static_cast<void>(offset_outward(cube_at(0), -1)); }),
+            "a margin of -1: it must not be negative");
 }
 
 }  // namespace

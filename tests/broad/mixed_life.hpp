@@ -92,9 +92,9 @@ class MixedLife {
     const std::span<const IndexPair> found = phase_.update();
     const Pairs now(found.begin(), found.end());
     if (now != expected()) return "other pairs than those of brute force";
-    Pairs begun;
-    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(begun));
-    if (phase_.changes().begun != begun) return "other changes than those of the pairs";
+    Pairs begin;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(begin));
+    if (phase_.changes().begin != begin) return "other changes than those of the pairs";
     for (const auto& [number, bound] : bounds_)
       if (phase_.bound(number) != bound) return "a bound is not as it was given";
     std::vector<Aabb> around;

@@ -55,7 +55,7 @@ TEST_F(CheckClearanceCommand, TellsTheDistance) {
   EXPECT_NEAR(pair["distance"]["upper"], 2, 1e-11);
   EXPECT_NEAR(pair["distance"]["on_b"][2], 12, 1e-9);
   const auto table = run_command({"check", file, "--clearance", "2mm"});
-  EXPECT_NE(table.out.find("table  is near  tool, left  2 apart"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("table  clearance clash  tool, left  2 apart"), std::string::npos) << table.out;
   EXPECT_NE(table.out.find("0 pairs in contact and 1 not farther apart than asked"), std::string::npos) << table.out;
   const auto csv = run_command({"check", file, "--clearance", "2mm", "--csv"});
   EXPECT_NE(csv.out.find("status,distance_lower,distance_upper"), std::string::npos) << csv.out;

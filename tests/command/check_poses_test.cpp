@@ -62,7 +62,7 @@ TEST_F(CheckPoses, CsvHasALinePerQuery) {
 
 TEST_F(CheckPoses, JsonTellsThePosesThatWereUsed) {
   const Json json = Json::parse(check({"--json", "--faces"}).out);
-  EXPECT_EQ(json["schema"], "toccata/check-poses/1");
+  EXPECT_EQ(json["schema"], "toccata/check-poses/2");
   EXPECT_EQ(json["in_contact"], 2);
   EXPECT_EQ(json["objects"][1]["name"], "b");
   ASSERT_EQ(json["queries"].size(), 4U);

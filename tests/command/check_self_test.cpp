@@ -42,17 +42,17 @@ TEST_F(CheckSelf, TableNamesEveryObject) {
   const std::string text = check({"soup.off", "bow.off", "--faces"}).out;
   EXPECT_EQ(text,
             "2 objects with 4 triangles, each against itself.\n"
-            "  soup  does not meet itself\n"
-            "  bow  meets itself in 1 pair of faces\n"
+            "  soup  does not intersect itself\n"
+            "  bow  self-intersects in 1 pair of faces\n"
             "      face 0  face 1  cross in a segment  (0, 0, 0) (1, 1, 0)\n"
-            "1 object meets itself, decided exactly.\n");
-  EXPECT_NE(check({"soup.off"}).out.find("Nothing meets itself"), std::string::npos);
+            "1 object self-intersects, decided exactly.\n");
+  EXPECT_NE(check({"soup.off"}).out.find("Nothing intersects itself"), std::string::npos);
 }
 
 TEST_F(CheckSelf, JsonListsEveryObject) {
   const Json json = Json::parse(check({"soup.off", "bow.off", "--json", "--faces"}).out);
-  EXPECT_EQ(json["schema"], "toccata/check-self/1");
-  EXPECT_EQ(json["meeting_themselves"], 1);
+  EXPECT_EQ(json["schema"], "toccata/check-self/2");
+  EXPECT_EQ(json["self_intersecting"], 1);
   ASSERT_EQ(json["self_contacts"].size(), 2U);
   EXPECT_EQ(json["self_contacts"][0]["triangle_pairs"], 0);
   EXPECT_TRUE(json["self_contacts"][0]["faces"].empty());
@@ -60,7 +60,7 @@ TEST_F(CheckSelf, JsonListsEveryObject) {
   EXPECT_EQ(bow["object"], "bow");
   EXPECT_EQ(bow["face_pairs"], 1);
   EXPECT_EQ(bow["faces"][0]["crossing"], true);
-  EXPECT_EQ(bow["faces"][0]["meetings"][0]["points"], Json::parse("[[0,0,0],[1,1,0]]"));
+  EXPECT_EQ(bow["faces"][0]["intersections"][0]["points"], Json::parse("[[0,0,0],[1,1,0]]"));
 }
 
 TEST_F(CheckSelf, CsvHasALinePerObjectOrPair) {

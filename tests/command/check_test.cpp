@@ -57,14 +57,14 @@ TEST_F(Check, ExitCodeTellsWhetherSomethingTouches) {
 TEST_F(Check, TableNamesTheRelationInWords) {
   EXPECT_NE(check({"a.obj", "half.obj"}).out.find("overlaps"), std::string::npos);
   EXPECT_NE(check({"a.obj", "face.obj"}).out.find("touches"), std::string::npos);
-  EXPECT_NE(check({"a.obj", "open.off"}).out.find("crosses"), std::string::npos);
+  EXPECT_NE(check({"a.obj", "open.off"}).out.find("intersects"), std::string::npos);
   EXPECT_NE(check({"a.obj", "a.obj"}).out.find("equals"), std::string::npos);
   EXPECT_NE(check({"a.obj", "far.obj"}).out.find("Nothing collides"), std::string::npos);
 }
 
 TEST_F(Check, JsonSaysWhatWasChecked) {
   const Json json = report({"a.obj", "half.obj"});
-  EXPECT_EQ(json["schema"], "toccata/check/1");
+  EXPECT_EQ(json["schema"], "toccata/check/2");
   ASSERT_EQ(json["objects"].size(), 2U);
   EXPECT_EQ(json["objects"][0]["name"], "a");
   EXPECT_EQ(json["objects"][0]["faces"], 6);
@@ -79,24 +79,24 @@ TEST_F(Check, JsonSaysWhatWasChecked) {
 
 TEST_F(Check, FacesAreTheFilesOwn) {
   const Json json = report({"a.obj", "face.obj", "--faces"});
-  bool the_meeting_faces = false;
+  bool the_intersecting_faces = false;
   for (const Json& pair : json["pairs"][0]["faces"]) {
     EXPECT_LT(pair["face_a"].get<int>(), 6);
     EXPECT_LT(pair["face_b"].get<int>(), 6);
     EXPECT_FALSE(pair["crossing"].get<bool>());
-    if (pair["face_a"] == 5 && pair["face_b"] == 4) the_meeting_faces = true;
+    if (pair["face_a"] == 5 && pair["face_b"] == 4) the_intersecting_faces = true;
   }
-  EXPECT_TRUE(the_meeting_faces);
+  EXPECT_TRUE(the_intersecting_faces);
 }
 
-TEST_F(Check, CoordinatesOfMeetingsAreGiven) {
+TEST_F(Check, CoordinatesOfIntersectionsAreGiven) {
   const Json json = report({"a.obj", "open.off", "--faces"});
   ASSERT_FALSE(json["pairs"][0]["faces"].empty());
   for (const Json& pair : json["pairs"][0]["faces"])
-    for (const Json& meeting : pair["meetings"]) {
-      EXPECT_EQ(meeting["kind"], "segment");
-      ASSERT_EQ(meeting["points"].size(), 2U);
-      EXPECT_TRUE(meeting["points"][0][2] == 0.0 || meeting["points"][0][2] == 1.0) << meeting;
+    for (const Json& intersection : pair["intersections"]) {
+      EXPECT_EQ(intersection["kind"], "segment");
+      ASSERT_EQ(intersection["points"].size(), 2U);
+      EXPECT_TRUE(intersection["points"][0][2] == 0.0 || intersection["points"][0][2] == 1.0) << intersection;
     }
 }
 

@@ -58,14 +58,14 @@ TEST(CrowdCommand, FindsTheSamePairsInAWorldByEveryMethod) {
     const auto run = run_command(all);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json json = Json::parse(run.out);
-    EXPECT_EQ(json["schema"], "toccata/crowd-world/1");
+    EXPECT_EQ(json["schema"], "toccata/crowd-world/2");
     EXPECT_EQ(json["count"], 400);
     EXPECT_EQ(json["frames"], 30);
     EXPECT_GT(json["pairs"], 0);
-    EXPECT_GT(json["begun"], 0);
-    EXPECT_GT(json["ended"], 0);
+    EXPECT_GT(json["begin"], 0);
+    EXPECT_GT(json["end"], 0);
     EXPECT_LE(json["median_ms"], json["worst_ms"]);
-    answers.insert(Json({json["pairs"], json["begun"], json["ended"], json["digest"]}).dump());
+    answers.insert(Json({json["pairs"], json["begin"], json["end"], json["digest"]}).dump());
   }
   EXPECT_EQ(answers.size(), 1U);
 }

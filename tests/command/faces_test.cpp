@@ -33,7 +33,7 @@ TEST(FacesCommand, TellsTheFacesOfTheFileOnce) {
   EXPECT_EQ(run_command({"faces", file, "--ball", "50", "50", "50", "1"}).exit_code, 0);
 }
 
-TEST(FacesCommand, DoesNotCallSmoothShapesExact) {
+TEST(FacesCommand, DoesNotCallQuadricShapesExact) {
   const TemporaryFolder folder;
   const std::string can =
       folder

@@ -39,7 +39,7 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
   const std::vector<std::pair<Asking, std::string>> questions = {
       {{"check", "gen:box", "bow.off", "--solid", "none"}, "2 objects and 1 pair"},
       {{"check", "gen:box", "bow.off", "--poses", "poses.txt"}, "2 objects and 2 poses"},
-      {{"check", "bow.off", "--self"}, "1 object and 1 object meeting itself"},
+      {{"check", "bow.off", "--self"}, "1 object and 1 object self-intersecting"},
       {{"distance", "gen:box", "bow.off", "--scale", "3", "--unit", "mm"}, "2 objects and 1 pair"},
       {{"distance", "gen:box", "bow.off", "--poses", "poses.txt"}, "2 objects and 2 poses"},
       {{"ray", "bow.off", "--from", "1", "1", "9", "--to", "1", "1", "-9"}, "1 object and 1 ray"},
@@ -59,7 +59,7 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
     const auto result = drawn(report_of(folder, elsewhere, words));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find(told), std::string::npos) << result.out;
-    EXPECT_NE(text_of(elsewhere.path() / "page.html").find("toccata/view/2"), std::string::npos);
+    EXPECT_NE(text_of(elsewhere.path() / "page.html").find("toccata/view/3"), std::string::npos);
   }
 }
 

@@ -136,7 +136,7 @@ TEST_F(ShapeCommands, CheckTakesShapes) {
   const Json report = Json::parse(run.out);
   ASSERT_EQ(report["pairs"].size(), 2U);
   EXPECT_EQ(report["pairs"][0]["relation"], "touching");
-  EXPECT_TRUE(report["pairs"][0]["faces"][0]["meetings"].empty());
+  EXPECT_TRUE(report["pairs"][0]["faces"][0]["intersections"].empty());
 }
 
 TEST_F(ShapeCommands, InspectTellsTheNumbersOfShapes) {
@@ -202,8 +202,8 @@ TEST_F(TwoShapes, DistanceAtManyPoses) {
   EXPECT_NE(table.out.find("  query 0  ball  crat  1 apart  (0, 1, 0) to (0, 2, 0)\n"), std::string::npos) << table.out;
   EXPECT_NE(table.out.find("2 of 3 queries meet.\n"), std::string::npos) << table.out;
   const Json report = Json::parse(run({"distance", "ball.json", "crate.json", "--poses", "poses.txt", "--json"}).out);
-  EXPECT_EQ(report["schema"], "toccata/distance-poses/1");
-  EXPECT_EQ(report["meeting"], 2);
+  EXPECT_EQ(report["schema"], "toccata/distance-poses/2");
+  EXPECT_EQ(report["intersecting"], 2);
   ASSERT_EQ(report["queries"].size(), 3U);
   EXPECT_NEAR(report["queries"][0]["on_b"][1], 2, 1e-12);
   EXPECT_EQ(report["queries"][2]["pose_a"], Json::parse("[1,0,0,0,1,0,0,0,1,1,0,0]"));

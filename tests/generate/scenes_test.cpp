@@ -15,7 +15,7 @@ namespace {
 
 /// "a | b" → relation, for every pair that is not apart.
 std::map<std::string, Relation> relations_of(const Scene& scene) {
-  const std::vector<Posed> models = scene_models(scene, 1);
+  const std::vector<SceneInstance> models = scene_models(scene, 1);
   std::map<std::string, Relation> relations;
   for (const PairAnswer& pair : check_all(models, {.contacts = false, .threads = 1}).pairs)
     relations[models[pair.a].name + " | " + models[pair.b].name] = pair.relation;

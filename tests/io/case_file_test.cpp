@@ -241,11 +241,11 @@ TEST(CaseFile, EveryQuestionAboutEveryShapeHasTheSameAnswerToTheBit) {
 TEST(CaseFile, CostsAreComparedWithoutTheirTimes) {
   const TemporaryFolder folder;
   const Model ball(std::make_shared<const TriangleMesh>(generate_mesh("icosphere")));
-  const std::vector<Posed> models = {{ball}, {ball, Pose::translation(1.5, 0, 0)}};
+  const std::vector<SceneInstance> models = {{ball}, {ball, Pose::translation(1.5, 0, 0)}};
   CostQuestion question{{{{}, Pose::translation(1.5, 0, 0)}, {{}, Pose::translation(1.25, 0.5, -0.0)}}, {}};
   question.options.volumes = {CostVolume::obb, CostVolume::ball, CostVolume::wide};
   question.options.arities = {2, 4};
-  question.options.methods = {TreeMethod::median, TreeMethod::heuristic};
+  question.options.methods = {BvhMethod::median, BvhMethod::heuristic};
   question.options.workloads = {CostWorkload::rigid};
   question.options.task = CostTask::contacts;
   question.options.most_rigid = 2;
@@ -282,7 +282,7 @@ TEST(CaseFile, MeshesKeepEveryBitAndFaceAndAreWrittenOnce) {
     }
     const auto shared = std::make_shared<const TriangleMesh>(vertices, triangles, faces);
     const Model model(shared);
-    write_case({scene_of(std::vector<Posed>{{model}, {model, Pose::translation(1, 0, 0)}}), {}, {}},
+    write_case({scene_of(std::vector<SceneInstance>{{model}, {model, Pose::translation(1, 0, 0)}}), {}, {}},
                folder / "case.json");
     const Case read = read_case(folder / "case.json");
     ASSERT_EQ(read.scene.objects.size(), 2U);
@@ -298,8 +298,8 @@ TEST(CaseFile, MeshesKeepEveryBitAndFaceAndAreWrittenOnce) {
 }
 
 TEST(CaseFile, AnErrorIsAnAnswerToo) {
-  Case made{scene_of(std::vector<Posed>{{Model(Sphere(1)), Pose::from_numbers({2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0})},
-                                        {Model(Sphere(1))}}),
+  Case made{scene_of(std::vector<SceneInstance>{
+                {Model(Sphere(1)), Pose::from_numbers({2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0})}, {Model(Sphere(1))}}),
             DistanceQuestion{},
             {}};
   made.answer = replay(made).answer;
@@ -308,7 +308,7 @@ TEST(CaseFile, AnErrorIsAnAnswerToo) {
 }
 
 TEST(CaseFile, TellsWhereAnotherAnswerDiffers) {
-  Case made{scene_of(std::vector<Posed>{{Model(Point())}, {Model(Point()), Pose::translation(1, 0, 0)}}),
+  Case made{scene_of(std::vector<SceneInstance>{{Model(Point())}, {Model(Point()), Pose::translation(1, 0, 0)}}),
             DistanceQuestion{},
             {}};
   made.answer = replay(made).answer;
@@ -323,7 +323,7 @@ TEST(CaseFile, TellsWhereAnotherAnswerDiffers) {
 
 TEST(CaseFile, WhatIsInItsPlaceIsOnlyReplacedWhenItIsAScene) {
   const TemporaryFolder folder;
-  const Case plain{scene_of(std::vector<Posed>{{Model(Sphere(1))}}), {}, {}};
+  const Case plain{scene_of(std::vector<SceneInstance>{{Model(Sphere(1))}}), {}, {}};
   folder.write("mesh.obj", "v 0 0 0\n");
   EXPECT_NE(message_of([&] { write_case(plain, folder / "mesh.obj"); }).find("is not a case of Toccata"),
             std::string::npos);
@@ -406,8 +406,8 @@ TEST(CaseFile, AWrongQuestionIsNamed) {
 /// However a file is cut short, that is told; nothing is read of it.
 TEST(CaseFile, CutShortItIsRefused) {
   const TemporaryFolder folder;
-  Case made{scene_of(std::vector<Posed>{{Model(Sphere(1))},
-                                        {Model(std::make_shared<const TriangleMesh>(test::sphere_mesh(1, 3)))}}),
+  Case made{scene_of(std::vector<SceneInstance>{
+                {Model(Sphere(1))}, {Model(std::make_shared<const TriangleMesh>(test::sphere_mesh(1, 3)))}}),
             DistanceQuestion{},
             {}};
   made.answer = replay(made).answer;
@@ -439,7 +439,7 @@ TEST(CaseFile, NestedTooDeepItIsRefused) {
 }
 
 TEST(CaseFile, APlainSceneHoldsNoQuestion) {
-  const Case plain{scene_of(std::vector<Posed>{{Model(Sphere(1))}}), {}, {}};
+  const Case plain{scene_of(std::vector<SceneInstance>{{Model(Sphere(1))}}), {}, {}};
   EXPECT_NE(message_of([&] { (void)replay(plain); }).find("holds no question"), std::string::npos);
 }
 

@@ -189,7 +189,7 @@ class SoundGlb {
 };
 
 struct Exported {
-  std::vector<Posed> models;
+  std::vector<SceneInstance> models;
   std::string bytes;
 };
 
@@ -474,7 +474,7 @@ Pose pose_at_key(const SoundGlb& glb, const std::string& name, std::size_t key) 
 
 TEST(GlbFile, PosesAreKeysOfAnAnimation) {
   const Scene scene = scene_of({object("a", ball()), object("b", Box({1, 2, 3}))});
-  const std::vector<Posed> models = scene_models(scene);
+  const std::vector<SceneInstance> models = scene_models(scene);
   Random random(5);
   CheckPosesQuestion question;
   for (int i = 0; i < 40; ++i) {
@@ -556,14 +556,14 @@ TEST(GlbFile, BodiesOfAWorldMoveComeAndGo) {
   const std::vector<Json> first = glb.nodes_named("step 0"), second = glb.nodes_named("step 1");
   ASSERT_EQ(first.size(), 1U);
   ASSERT_EQ(second.size(), 1U);
-  EXPECT_EQ(first[0]["extras"], Json({{"begun", 1}, {"kept", 0}, {"ended", 0}}));
-  EXPECT_EQ(second[0]["extras"], Json({{"begun", 0}, {"kept", 0}, {"ended", 1}}));
+  EXPECT_EQ(first[0]["extras"], Json({{"begin", 1}, {"persist", 0}, {"end", 0}}));
+  EXPECT_EQ(second[0]["extras"], Json({{"begin", 0}, {"persist", 0}, {"end", 1}}));
   EXPECT_EQ(glb.nodes_named("contact points").size(), 1U);
 }
 
 TEST(GlbFile, PartitionsAndVoronoiRegionsAreNodes) {
   const Scene scene = scene_of({object("one", ball()), object("two", ball(), {{}, {3, 0, 0}})});
-  const std::vector<Posed> models = scene_models(scene);
+  const std::vector<SceneInstance> models = scene_models(scene);
   ViewOptions options;
   options.partition = PartitionKind::octree;
   const SoundGlb glb(scene_glb(scene, models, CheckReport{}, options));

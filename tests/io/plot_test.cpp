@@ -250,7 +250,7 @@ TEST(ReportPlot, OfFramesShowsTheirMedianAndWorst) {
 }
 
 TEST(ReportPlot, OfAnythingElseIsRefused) {
-  for (const char* json : {"[]", "{}", "3", "{\"schema\": \"toccata/check/1\"}", "nonsense", "",
+  for (const char* json : {"[]", "{}", "3", "{\"schema\": \"toccata/check/2\"}", "nonsense", "",
                            R"({"format": "toccata-bench-1", "benchmark": "b", "question": {}, "results": []})",
                            R"({"schema": "toccata/cost/1", "task": "t", "rows": []})",
                            R"({"schema": "toccata/cost/1", "task": "t", "rows": [{"workload": 3}]})"})

@@ -70,7 +70,7 @@ Asked everything_asked() {
 
 std::string report_of(const Asked& asked) {
   const Scene scene{{box_object()}, {}, "mm"};
-  const std::vector<Posed> models = scene_models(scene);
+  const std::vector<SceneInstance> models = scene_models(scene);
   return with_asked(report_json(scene, models, ask(models, DistanceQuestion{})), asked);
 }
 

@@ -53,7 +53,7 @@ TEST(TreeFile, WhatIsLoadedIsWhatWasBuilt) {
     const Model built(mesh);
     save_tree(built, folder / "mesh.tree");
     const Model loaded = load_model(shared(TriangleMesh(*mesh)), folder / "mesh.tree");
-    EXPECT_EQ(io::tree_bytes(loaded.wide_tree(), *mesh), io::tree_bytes(built.wide_tree(), *mesh));
+    EXPECT_EQ(io::tree_bytes(loaded.wide_bvh(), *mesh), io::tree_bytes(built.wide_bvh(), *mesh));
     EXPECT_EQ(contacts_with_ball(loaded), contacts_with_ball(built));
     EXPECT_FALSE(contacts_with_ball(loaded).empty());
   }
@@ -68,19 +68,19 @@ TEST(TreeFile, ATreeThatWasRefittedIsSavedAsItIs) {
   model.deform(vertices);
   save_tree(model, folder / "deformed.tree");
   const Model loaded = load_model(shared(mesh->with_vertices(vertices)), folder / "deformed.tree");
-  EXPECT_EQ(loaded.wide_tree().built_size, model.wide_tree().built_size);
-  EXPECT_EQ(io::tree_bytes(loaded.wide_tree(), loaded.mesh()), io::tree_bytes(model.wide_tree(), model.mesh()));
+  EXPECT_EQ(loaded.wide_bvh().built_size, model.wide_bvh().built_size);
+  EXPECT_EQ(io::tree_bytes(loaded.wide_bvh(), loaded.mesh()), io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
 TEST(TreeFile, ItsChecksumIsWhereItSays) {
   const auto mesh = noisy_ball();
-  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_bvh(), *mesh);
   EXPECT_EQ(with_checksum(bytes), bytes);
 }
 
 TEST(TreeFile, AnyDamagedByteIsSeen) {
   const auto mesh = noisy_ball();
-  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_bvh(), *mesh);
   for (std::size_t i = 0; i < bytes.size(); ++i)
     for (const int change : {0x01, 0x80}) {
       std::string damaged = bytes;
@@ -94,7 +94,7 @@ TEST(TreeFile, AnyDamagedByteIsSeen) {
 TEST(TreeFile, DamageThatTheChecksumHidesIsRefusedOrHarmless) {
   const auto mesh = noisy_ball();
   const Model built(mesh);
-  const std::string bytes = io::tree_bytes(built.wide_tree(), *mesh);
+  const std::string bytes = io::tree_bytes(built.wide_bvh(), *mesh);
   const auto right = contacts_with_ball(built);
   std::size_t refused = 0;
   for (std::size_t i = io::tree_checksum_at + 8; i < bytes.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(TreeFile, DamageThatTheChecksumHidesIsRefusedOrHarmless) {
 
 TEST(TreeFile, AFileCutShortAnywhereIsRefused) {
   const auto mesh = noisy_ball();
-  const std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  const std::string bytes = io::tree_bytes(Model(mesh).wide_bvh(), *mesh);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const std::string text = bytes.substr(0, size);
     EXPECT_NE(message_of([&] { static_cast<void>(io::parse_tree(bytes_of(text), *mesh, "x.tree")); }), "") << size;
@@ -160,7 +160,7 @@ TEST(TreeFile, BadInputIsToldByName) {
   EXPECT_NE(message(folder / ".").find("directory"), std::string::npos);
   EXPECT_NE(message(folder.write("empty.tree", "")).find("empty"), std::string::npos);
   EXPECT_NE(message(folder.write("a.obj", "v 0 0 0\n")).find("no tree file"), std::string::npos);
-  std::string bytes = io::tree_bytes(Model(mesh).wide_tree(), *mesh);
+  std::string bytes = io::tree_bytes(Model(mesh).wide_bvh(), *mesh);
   bytes[8] = 2;
   EXPECT_NE(message(folder.write("new.tree", bytes)).find("version 2"), std::string::npos);
   EXPECT_THROW(static_cast<void>(load_model(nullptr, folder / "new.tree")), Error);
@@ -195,7 +195,7 @@ TEST(TreeFile, NothingButATreeIsWrittenOver) {
 
   save_tree(other, folder / "a.tree");
   save_tree(model, folder / "a.tree");
-  EXPECT_EQ(content_of(folder / "a.tree"), io::tree_bytes(model.wide_tree(), model.mesh()));
+  EXPECT_EQ(content_of(folder / "a.tree"), io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
 TEST(TreeFile, LinksAreFollowed) {
@@ -210,16 +210,16 @@ TEST(TreeFile, LinksAreFollowed) {
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "far/next.tree"));
     EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(folder / "far/end.tree")));
   }
-  EXPECT_EQ(content_of(folder / "far/end.tree"), io::tree_bytes(model.wide_tree(), model.mesh()));
+  EXPECT_EQ(content_of(folder / "far/end.tree"), io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
 TEST(TreeFile, AModelTakesOnlyATreeOfItsMesh) {
   const auto mesh = noisy_ball();
   const Model built(mesh);
-  EXPECT_EQ(Model(mesh, built.wide_tree()).element_count(), built.element_count());
-  const std::string message = message_of([&] { Model(knot(), built.wide_tree()); });
+  EXPECT_EQ(Model(mesh, built.wide_bvh()).element_count(), built.element_count());
+  const std::string message = message_of([&] { Model(knot(), built.wide_bvh()); });
   EXPECT_NE(message.find("no tree over the mesh"), std::string::npos) << message;
-  EXPECT_THROW(Model(std::shared_ptr<const TriangleMesh>(), built.wide_tree()), Error);
+  EXPECT_THROW(Model(std::shared_ptr<const TriangleMesh>(), built.wide_bvh()), Error);
 }
 
 }  // namespace

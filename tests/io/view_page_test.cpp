@@ -69,7 +69,7 @@ struct Page {
 };
 
 Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptions& options = {}) {
-  const std::vector<Posed> models = scene_models(scene);
+  const std::vector<SceneInstance> models = scene_models(scene);
   const CheckAnswer answer = check_all(models, asked);
   const CheckReport report =
       make_check_report(models, answer, {Touching::count, asked.contacts, asked.penetration, asked.clearance, {}});
@@ -114,8 +114,8 @@ double largest_difference(const Vec3& a, const Vec3& b) {
 TEST(ViewPage, HoldsTheReportAndTheMeshes) {
   const Scene scene = gear_train();
   const Page page = page_of(scene, contacts_and_penetration());
-  EXPECT_EQ(page.header["format"], "toccata/view/2");
-  EXPECT_EQ(page.report["schema"], "toccata/check/1");
+  EXPECT_EQ(page.header["format"], "toccata/view/3");
+  EXPECT_EQ(page.report["schema"], "toccata/check/2");
   EXPECT_EQ(page.report["pairs"].size(), page.header["words"].size());
   ASSERT_EQ(page.header["objects"].size(), scene.objects.size());
   for (std::size_t object = 0; object < scene.objects.size(); ++object) {
@@ -127,7 +127,7 @@ TEST(ViewPage, HoldsTheReportAndTheMeshes) {
   }
 }
 
-TEST(ViewPage, ShowsWhereFacesMeet) {
+TEST(ViewPage, ShowsWhereFacesIntersect) {
   const Page page = page_of(gear_train(), contacts_and_penetration());
   ASSERT_EQ(page.report["pairs"].size(), 1U);
   const Json& pair = page.report["pairs"][0];

@@ -54,12 +54,12 @@ struct WrittenWorld {
 };
 
 /// A ball that comes to a turning box, touches it, and goes; and a body that is taken away.
-struct Meeting {
+struct Intersection {
   World world{{.distance = true, .manifold = true}};
   BodyId ball, box, third;
   WorldRecording recording;
 
-  Meeting() {
+  Intersection() {
     ball = world.add(Body{Sphere(1), Pose::translation(0, 0, 5)});
     Body named{Box({2, 2, 1})};
     named.name = "</script>";
@@ -77,15 +77,15 @@ struct Meeting {
 };
 
 TEST(WorldPage, TellsThePairsOfEveryStep) {
-  const Meeting meeting;
-  const WrittenWorld page(world_page(meeting.recording, {.title = "meeting"}));
+  const Intersection intersection;
+  const WrittenWorld page(world_page(intersection.recording, {.title = "meeting"}));
   EXPECT_EQ(page.header["summary"], "3 bodies · 4 steps");
-  EXPECT_EQ(page.header["time"]["moments"][1]["note"], "1 pair, 1 begun, 0 kept; 0 ended");
-  EXPECT_EQ(page.report["schema"], "toccata/world/1");
+  EXPECT_EQ(page.header["time"]["moments"][1]["note"], "1 pair, 1 begin, 0 persist; 0 end");
+  EXPECT_EQ(page.report["schema"], "toccata/world/2");
   EXPECT_EQ(page.report["objects"][1]["name"], "</script>");
   const Json& steps = page.report["steps"];
   ASSERT_EQ(steps.size(), 4U);
-  const char* changes[] = {"", "begun", "kept", "ended"};
+  const char* changes[] = {"", "begin", "persist", "end"};
   for (std::size_t i = 0; i < 4; ++i) {
     ASSERT_EQ(steps[i]["pairs"].size(), i == 0 ? 0U : 1U);
     if (i == 0) continue;
@@ -100,18 +100,18 @@ TEST(WorldPage, TellsThePairsOfEveryStep) {
     if (layer["role"] == "contact") {
       EXPECT_EQ(layer["moments"], Json({{0, 0}, {0, 1}, {1, 1}, {2, 0}}));
     }
-    const std::size_t at = layer["role"] == "begun"   ? 1
-                           : layer["role"] == "kept"  ? 2
-                           : layer["role"] == "ended" ? 3
-                                                      : 9;
+    const std::size_t at = layer["role"] == "begin"     ? 1
+                           : layer["role"] == "persist" ? 2
+                           : layer["role"] == "end"     ? 3
+                                                        : 9;
     if (at == 9) continue;
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(layer["moments"][i][1], i == at ? 1 : 0) << layer["role"];
   }
 }
 
 TEST(WorldPage, PutsBodiesWhereTheyAre) {
-  const Meeting meeting;
-  const WrittenWorld page(world_page(meeting.recording));
+  const Intersection intersection;
+  const WrittenWorld page(world_page(intersection.recording));
   const Json& motion = page.header["motion"];
   const auto objects = page.numbers<std::uint32_t>(motion["objects"]);
   const auto places = page.numbers<float>(motion["places"]);

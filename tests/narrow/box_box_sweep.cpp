@@ -12,7 +12,7 @@ namespace {
 
 struct SeenBoxes {
   const ConvexCase& given;
-  PosedConvex a, b;
+  PosedPolytope a, b;
   oracle::ConvexSet set_a, set_b;
   double size;  ///< the largest coordinate
 };

@@ -31,8 +31,8 @@ std::vector<Answer> answers_in_all_regimes() {
   for (const std::string& regime : test::convex_regimes())
     for (int i = 0; i < 20; ++i) {
       const test::ConvexCase pair = test::convex_case("box", "box", regime, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
-      ConvexWorkspace workspace;
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
+      SimplexCache workspace;
       answers.push_back({overlap(a, b, &workspace), relation(a, b), {}, manifold(a, b), workspace.counts});
       answers.back().penetration = penetration(a, b, &workspace);
     }
@@ -89,9 +89,9 @@ TEST(BoxBox, TakesBoxesAndPosesWherePosedBoxesAreTaken) {
 // Stacked alike and turned: all edges are parallel, so that three edge pairs have no axis.
 TEST(BoxBox, OfBoxesTurnedAlikeIsDecidedByTheFormula) {
   const Mat3 turned = rotation_about({1, 2, 3}, 40);
-  const PosedConvex below(Box({1, 1, 0.5}), {turned, {}});
-  const PosedConvex above(Box({0.5, 0.5, 0.5}), {turned, 0.875 * turned.column(2)});
-  ConvexWorkspace workspace;
+  const PosedPolytope below(Box({1, 1, 0.5}), {turned, {}});
+  const PosedPolytope above(Box({0.5, 0.5, 0.5}), {turned, 0.875 * turned.column(2)});
+  SimplexCache workspace;
   EXPECT_TRUE(overlap(below, above, &workspace));
   EXPECT_EQ(relation(below, above, &workspace).kind, RelationKind::overlapping);
   EXPECT_EQ(workspace.counts.exact, 0U);
@@ -100,8 +100,8 @@ TEST(BoxBox, OfBoxesTurnedAlikeIsDecidedByTheFormula) {
 
 TEST(BoxBox, PenetrationAlongTheAxesOfTheWorldIsTheLeastDifferenceOfCoordinates) {
   const double hair = 0x1p-50;
-  const PosedConvex below(Box({1, 2, 3})), above(Box({1, 2, 3}), at(0.5, -1, 6 - hair));
-  ConvexWorkspace workspace;
+  const PosedPolytope below(Box({1, 2, 3})), above(Box({1, 2, 3}), at(0.5, -1, 6 - hair));
+  SimplexCache workspace;
   const Penetration p = penetration(below, above, &workspace);
   EXPECT_EQ(p.lower, hair);
   EXPECT_EQ(p.upper, hair);
@@ -114,8 +114,8 @@ TEST(BoxBox, PenetrationAlongTheAxesOfTheWorldIsTheLeastDifferenceOfCoordinates)
 // A turn by a right angle keeps a box along the axes.
 TEST(BoxBox, PenetrationOfBoxesTurnedByRightAnglesIsADifferenceOfCoordinatesToo) {
   const Mat3 turned = {{{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}}}};
-  const PosedConvex below(Box({3, 1, 2}), {turned, {}}), above(Box({1, 2, 2}), at(0, 0, 5 - 0x1p-50));
-  ConvexWorkspace workspace;
+  const PosedPolytope below(Box({3, 1, 2}), {turned, {}}), above(Box({1, 2, 2}), at(0, 0, 5 - 0x1p-50));
+  SimplexCache workspace;
   EXPECT_EQ(penetration(below, above, &workspace).upper, 0x1p-50);
   EXPECT_EQ(workspace.counts.closed_forms, 1U);
 }
@@ -123,8 +123,8 @@ TEST(BoxBox, PenetrationOfBoxesTurnedByRightAnglesIsADifferenceOfCoordinatesToo)
 // Squares of these sizes over- or underflow.
 TEST(BoxBox, ManifoldsOfHugeAndTinyBoxesHaveTheirPoints) {
   for (const double size : {5e-324, 1e-300, 1e-154, 1e154, 1e160, 8e307}) {
-    const PosedConvex below(Box({size, size, size}));
-    const Manifold on_box = manifold(below, PosedConvex(Box({size, size, size}), at(0, 0, size)));
+    const PosedPolytope below(Box({size, size, size}));
+    const Manifold on_box = manifold(below, PosedPolytope(Box({size, size, size}), at(0, 0, size)));
     EXPECT_EQ(on_box.count, 4) << size;
     EXPECT_DOUBLE_EQ(on_box.points[0].depth, size);
     const PosedHalfSpace floor(HalfSpace({0, 0, 0}, {0, 0, 1}));

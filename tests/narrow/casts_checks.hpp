@@ -38,7 +38,7 @@ inline std::string cast_fault(const Cast& cast, const oracle::ConvexSet& a, cons
 
 /// Towards the other shape, past it, or anywhere.
 inline Vec3 random_motion(const ConvexCase& pair, Random& random) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const Vec3 towards = b.vertex(0) - a.vertex(0);
   const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
   const double size = std::sqrt(dot(towards, towards)) + 1;

@@ -43,13 +43,13 @@ TEST(Cast, AtAShapeMuchLargerThanItsWayTakesNoExactArithmetic) {
       const double along_x = within(0.3 * size), along_y = within(0.3 * size);
       const Vec3 from = (size + 6) * up + along_x * pose.linear.column(0) + along_y * pose.linear.column(1);
       const Vec3 motion = -10.0 * up + Vec3{within(2), within(2), within(2)};
-      const test::PlacedConvex large{Box({size, size, size}), pose};
-      const std::vector<test::PlacedConvex> moving{
+      const test::PlacedPolytope large{Box({size, size, size}), pose};
+      const std::vector<test::PlacedPolytope> moving{
           {Point(from), {}},
           {Sphere(0.5, from), {}},
           {Box({0.5, 0.4, 0.3}), {rotation_about({1, 2, 3}, within(90)), from}}};
-      for (const test::PlacedConvex& a : moving) {
-        ConvexWorkspace workspace;
+      for (const test::PlacedPolytope& a : moving) {
+        SimplexCache workspace;
         const Cast cast = cast_shape(test::posed(a), motion, test::posed(large), &workspace);
         EXPECT_TRUE(cast.hit);
         EXPECT_EQ(workspace.counts.exact, 0U) << size << ", case " << i;
@@ -64,7 +64,7 @@ TEST(Cast, AgainstAHalfSpaceAgreesWithTheOracle) {
     for (const std::string& regime : test::convex_regimes()) {
       Random random(++number);
       const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
-      const PosedConvex a = test::posed(pair.a);
+      const PosedPolytope a = test::posed(pair.a);
       const PosedHalfSpace b = test::posed(pair.b);
       const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
       const Vec3 motion = 3.0 * Vec3{x, y, z} - random.between(0, 1) * (a.vertex(0) - b.point);
@@ -83,7 +83,7 @@ TEST(Cast, AgainstAHalfSpaceAgreesWithTheOracle) {
 TEST(Cast, RaysAtTheRimOfATriangle) {
   // The museum: rays through vertices, along edges, and a last place beside them.
   const Triangle triangle{{Vec3{0, 0, 0}, Vec3{3, 0, 0}, Vec3{0, 3, 0}}};
-  const PosedConvex target(triangle);
+  const PosedPolytope target(triangle);
   const Vec3 down{0, 0, -2};
   EXPECT_TRUE(cast_ray({0, 0, 1}, down, target).hit);
   EXPECT_TRUE(cast_ray({1, 2, 1}, down, target).hit);
@@ -114,12 +114,12 @@ TEST(Cast, NoRaySlipsThroughASharedEdge) {
     const Vec3 on_edge = p + random.unit() * (q - p);
     const Vec3 from{on_edge.x + 5, on_edge.y - 5, on_edge.z};
     const Vec3 motion = 2.0 * (on_edge - from);
-    EXPECT_TRUE(cast_ray(from, motion, PosedConvex(left)).hit || cast_ray(from, motion, PosedConvex(right)).hit);
+    EXPECT_TRUE(cast_ray(from, motion, PosedPolytope(left)).hit || cast_ray(from, motion, PosedPolytope(right)).hit);
   }
 }
 
 TEST(Cast, EndsCount) {
-  const PosedConvex box(Box({1, 1, 1}));
+  const PosedPolytope box(Box({1, 1, 1}));
   EXPECT_TRUE(cast_ray({3, 0, 0}, {-2, 0, 0}, box).hit);  // arrives at the last moment
   EXPECT_EQ(cast_ray({3, 0, 0}, {-2, 0, 0}, box).upper, 1);
   EXPECT_FALSE(cast_ray({3, 0, 0}, {std::nextafter(-2, 0), 0, 0}, box).hit);
@@ -132,37 +132,37 @@ TEST(Cast, WhatDoesNotMoveMeetsWhatItTouches) {
   // Rotated so that no formula and no axis of the world decides.
   const Pose turned{rotation_about({1, 2, 3}, 40), {0.1, 0.2, 0.3}};
   const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  const PosedConvex prism(hull, turned);
+  const PosedPolytope prism(hull, turned);
   const Vec3 corner = prism.vertex(0);
-  EXPECT_TRUE(cast_shape(PosedConvex(Segment(corner, corner + Vec3{-1, -2, -3})), {}, prism).hit);
+  EXPECT_TRUE(cast_shape(PosedPolytope(Segment(corner, corner + Vec3{-1, -2, -3})), {}, prism).hit);
   const Vec3 beside{std::nextafter(corner.x, -10), corner.y, corner.z};
-  EXPECT_EQ(cast_shape(PosedConvex(Segment(beside, beside + Vec3{-1, 0, 0})), {}, prism).hit,
-            overlap(PosedConvex(Segment(beside, beside + Vec3{-1, 0, 0})), prism));
-  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {9, 0, 0})), {}, PosedConvex(Sphere(2))).hit);
+  EXPECT_EQ(cast_shape(PosedPolytope(Segment(beside, beside + Vec3{-1, 0, 0})), {}, prism).hit,
+            overlap(PosedPolytope(Segment(beside, beside + Vec3{-1, 0, 0})), prism));
+  EXPECT_FALSE(cast_shape(PosedPolytope(Sphere(1, {9, 0, 0})), {}, PosedPolytope(Sphere(2))).hit);
 }
 
 TEST(Cast, SpheresThatPassAtTheSumOfTheirRadiiTouch) {
-  const PosedConvex moving(Sphere(1, {-10, 3, 0})), standing(Sphere(2));
+  const PosedPolytope moving(Sphere(1, {-10, 3, 0})), standing(Sphere(2));
   const Cast grazing = cast_shape(moving, {20, 0, 0}, standing);
   EXPECT_TRUE(grazing.hit);
   EXPECT_LE(grazing.lower, 0.5);
   EXPECT_GE(grazing.upper, 0.5);
   EXPECT_LE(grazing.upper - grazing.lower, 1e-12);
-  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {-10, std::nextafter(3, 4), 0})), {20, 0, 0}, standing).hit);
-  const Cast square = cast_shape(PosedConvex(Sphere(1, {-10, 0, 0})), {20, 0, 0}, standing);
+  EXPECT_FALSE(cast_shape(PosedPolytope(Sphere(1, {-10, std::nextafter(3, 4), 0})), {20, 0, 0}, standing).hit);
+  const Cast square = cast_shape(PosedPolytope(Sphere(1, {-10, 0, 0})), {20, 0, 0}, standing);
   EXPECT_NEAR(square.lower, 7.0 / 20, 1e-12);
   EXPECT_NEAR(square.normal.x, -1, 1e-12);
   EXPECT_NEAR(square.point.x, -2, 1e-9);
 }
 
 TEST(Cast, OfShapesThatPassEachOtherIsTheSameWithAWorkspace) {
-  const PosedConvex standing(Box({1, 0.5, 0.25}));
-  ConvexWorkspace workspace;
+  const PosedPolytope standing(Box({1, 0.5, 0.25}));
+  SimplexCache workspace;
   int hits = 0;
   for (int step = 0; step < 300; ++step) {
     const double angle = 0.02 * step;
     const Vec3 way{std::cos(angle), std::sin(angle), 0};
-    const PosedConvex moving(Box({0.2, 0.3, 0.4}), {rotation_about({1, 2, 3}, step), 3 * way});
+    const PosedPolytope moving(Box({0.2, 0.3, 0.4}), {rotation_about({1, 2, 3}, step), 3 * way});
     const Vec3 motion = step % 100 < 50 ? Vec3{-2 * way.y, 2 * way.x, 0.5} : -2.5 * way;
     const Cast cast = cast_shape(moving, motion, standing);
     EXPECT_EQ(cast_shape(moving, motion, standing, &workspace), cast) << step;
@@ -173,11 +173,11 @@ TEST(Cast, OfShapesThatPassEachOtherIsTheSameWithAWorkspace) {
 }
 
 TEST(Cast, BadInputIsRefused) {
-  const PosedConvex box(Box({1, 1, 1}));
+  const PosedPolytope box(Box({1, 1, 1}));
   EXPECT_THROW(static_cast<void>(cast_ray({0, 0, 0}, {0, 0, 0}, box)), Error);
   EXPECT_THROW(static_cast<void>(cast_ray({NAN, 0, 0}, {1, 0, 0}, box)), Error);
   EXPECT_THROW(static_cast<void>(cast_shape(box, {HUGE_VAL, 0, 0}, box)), Error);
-  EXPECT_FALSE(cast_shape(PosedConvex(Sphere(1, {9, 0, 0})), {}, box).hit);
+  EXPECT_FALSE(cast_shape(PosedPolytope(Sphere(1, {9, 0, 0})), {}, box).hit);
 }
 
 }  // namespace

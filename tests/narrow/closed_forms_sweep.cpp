@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> kinds = {"point", "segment", "triangle", "sphere", "box", "capsule"};
 
 std::string fault_of_closed_forms(const ConvexCase& pair, Random&) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const bool meet = oracle::overlap(set_of(pair.a), set_of(pair.b));
   const Nearness found = nearness_by_formula(a, b);
   if (found != Nearness::unknown && (found == Nearness::meet) != meet) return "the formula is wrong";

@@ -119,7 +119,7 @@ TEST(SphereTriangle, TestingTheEdgesIsNotEnough) {
   for (const SphereTriangleTest way : ways) EXPECT_TRUE(way(above, in_the_floor));
   for (int i = 0; i < 3; ++i) {
     const Segment edge(in_the_floor[i], in_the_floor[(i + 1) % 3]);
-    EXPECT_FALSE(overlap(PosedConvex(Sphere(above.radius, above.centre)), PosedConvex(edge)));
+    EXPECT_FALSE(overlap(PosedPolytope(Sphere(above.radius, above.centre)), PosedPolytope(edge)));
   }
   // Before a vertex, beside the lines of both edges: the feet on these are outside the edges, so the vertex counts.
   const PosedSphere at_vertex({-1, -1, 0}, 1.5);
@@ -196,9 +196,9 @@ TEST(SpherePlane, TouchesExactlyAndFromBothSides) {
 
 TEST(TrianglePlane, IsCutWhenItsVerticesLieOnBothSides) {
   const Plane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  EXPECT_TRUE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, -1e-300}, Vec3{0, 1, 1}}}), plane));
-  EXPECT_FALSE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 1e-300}, Vec3{0, 1, 1}}}), plane));
-  EXPECT_TRUE(overlap(PosedConvex(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 1}}}), plane));
+  EXPECT_TRUE(overlap(PosedPolytope(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, -1e-300}, Vec3{0, 1, 1}}}), plane));
+  EXPECT_FALSE(overlap(PosedPolytope(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 1e-300}, Vec3{0, 1, 1}}}), plane));
+  EXPECT_TRUE(overlap(PosedPolytope(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 1}}}), plane));
 }
 
 TEST(CapsuleCapsule, ParallelCrossedAndPointLike) {
@@ -287,7 +287,7 @@ TEST(ShapesAndPoses, BadOnesAreRefused) {
   }
   for (const Pose& bad : {lost, endless}) {
     EXPECT_EQ(refusal(ball, {}, box, bad), message_of([&] { return PosedBox(box, bad); }));
-    EXPECT_EQ(refusal(ball, {}, triangle, bad), message_of([&] { return PosedConvex(triangle, bad); }));
+    EXPECT_EQ(refusal(ball, {}, triangle, bad), message_of([&] { return PosedPolytope(triangle, bad); }));
   }
   // A box may be stretched, but not flattened, and no corner may be beyond all numbers.
   EXPECT_TRUE(overlap(ball, Pose::translation(3, 0, 0), box, stretching));

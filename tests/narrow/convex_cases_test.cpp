@@ -51,7 +51,7 @@ TEST(ConvexCases, ThePosedShapeHasTheVerticesOfTheOracle) {
   for (const std::string& kind : convex_kinds())
     for (std::uint64_t i = 0; i < 15; ++i) {
       const ConvexCase pair = numbered_case(kind, i, random);
-      const PosedConvex shape = posed(pair.a);
+      const PosedPolytope shape = posed(pair.a);
       const oracle::ConvexSet set = set_of(pair.a);
       ASSERT_EQ(shape.vertex_count(), set.vertices.size()) << kind;
       for (Index v = 0; v < shape.vertex_count(); ++v)

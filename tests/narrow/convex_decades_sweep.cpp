@@ -103,7 +103,7 @@ class DecadesCases {
   Random& random_;
 };
 
-std::string check_penetration(const PosedConvex& a, const PosedConvex& b, const oracle::ConvexSet& set_a,
+std::string check_penetration(const PosedPolytope& a, const PosedPolytope& b, const oracle::ConvexSet& set_a,
                               const oracle::ConvexSet& set_b) {
   if (!a.solid() || !b.solid() || !oracle::is_solid(set_a) || !oracle::is_solid(set_b)) return "";
   const oracle::Depth depth(set_a, set_b);
@@ -115,7 +115,7 @@ std::string check_penetration(const PosedConvex& a, const PosedConvex& b, const 
 }
 
 std::string check_convex_decades(const ConvexCase& pair, const Vec3& motion) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   const oracle::Relation truth = oracle::relation(set_a, is_solid(pair.a), set_b, is_solid(pair.b));
   const bool meet = truth.kind != oracle::RelationKind::apart;

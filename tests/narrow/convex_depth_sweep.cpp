@@ -9,7 +9,7 @@ namespace {
 using oracle::Rational;
 using oracle::RationalPoint;
 
-Penetration ask_convex_depth(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Penetration ask_convex_depth(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   return penetration(a, b, workspace);
 }
 

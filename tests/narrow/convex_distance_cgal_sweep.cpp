@@ -21,7 +21,7 @@ using Traits = CGAL::Polytope_distance_d_traits_3<Kernel, Exact, Exact>;
 
 const std::vector<std::string> polytopes{"point", "segment", "triangle", "box", "hull", "flat-hull", "needle-hull"};
 
-std::vector<Kernel::Point_3> points_of(const PosedConvex& shape) {
+std::vector<Kernel::Point_3> points_of(const PosedPolytope& shape) {
   std::vector<Kernel::Point_3> points;
   for (Index i = 0; i < shape.vertex_count(); ++i) {
     const Vec3 v = shape.vertex(i);
@@ -40,7 +40,7 @@ std::string fault(const Distance& d, const Exact& numerator, const Exact& denomi
 }
 
 std::string check(const ConvexCase& pair, Random&) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const auto points_a = points_of(a), points_b = points_of(b);
   CGAL::Polytope_distance_d<Traits> cgal(points_a.begin(), points_a.end(), points_b.begin(), points_b.end());
   const Exact numerator = cgal.squared_distance_numerator(), denominator = cgal.squared_distance_denominator();

@@ -69,7 +69,7 @@ inline std::string witness_fault(const Distance& d, const oracle::ConvexSet& a, 
 
 /// Empty when the witnesses are those of exact arithmetic, but for what they may be off by. A common point of cores may
 /// be any.
-inline std::string exact_witness_fault(const Distance& d, const PosedConvex& a, const PosedConvex& b,
+inline std::string exact_witness_fault(const Distance& d, const PosedPolytope& a, const PosedPolytope& b,
                                        const oracle::Rational& size) {
   VertexPairs first;
   first.append(0, 0);
@@ -87,7 +87,7 @@ inline Distance exchanged(const Distance& d) { return {d.lower, d.upper, d.on_b,
 
 /// Empty when both questions, in both orders, are answered as the oracle does.
 inline std::string distance_fault(const ConvexCase& pair) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   const oracle::Separation truth(set_a, set_b);
   const bool meet = truth.overlap();

@@ -6,7 +6,7 @@
 namespace toccata::test {
 namespace {
 
-Distance ask_convex_distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Distance ask_convex_distance(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   return distance(a, b, workspace);
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 using test::ConvexCase;
 
-PosedConvex box(const Vec3& half_extents, const Vec3& centre, const Mat3& linear = {}) {
-  return PosedConvex(Box(half_extents), {linear, centre});
+PosedPolytope box(const Vec3& half_extents, const Vec3& centre, const Mat3& linear = {}) {
+  return PosedPolytope(Box(half_extents), {linear, centre});
 }
 
 Mat3 turned(double angle) {
@@ -50,10 +50,10 @@ TEST(ConvexDistance, HoldsThatOfExactArithmetic) {
   VertexPairs first;
   first.append(0, 0);
   for_all_kinds([&](const ConvexCase& pair, std::uint64_t number) {
-    const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+    const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
     const Distance fast = distance(a, b);
     const ExactNearest nearest = exact_nearest(a, b, first);
-    ASSERT_EQ(fast.upper == 0, grown_meet(nearest, a.radius(), b.radius())) << number << ": " << to_text(pair);
+    ASSERT_EQ(fast.upper == 0, offset_shapes_meet(nearest, a.radius(), b.radius())) << number << ": " << to_text(pair);
     ASSERT_EQ(test::width_fault(fast), "") << number << ": " << to_text(pair);
     if (nearest.meet) return;
     const Distance slow = rounded_distance(nearest, a.radius(), b.radius());
@@ -73,7 +73,7 @@ TEST(ConvexDistance, IsRightWhereRoundingIsAcrossIt) {
     const Vec3 on_edge = transform(pose, {random.between(-h.x, h.x), h.y, h.z});
     const auto ball_at = [&](double gap) {
       const Vec3 above = on_edge + Vec3{0, 0, gap};
-      return test::PlacedConvex{Sphere(gap * std::pow(10, random.between(-6, 0)), above), {}};
+      return test::PlacedPolytope{Sphere(gap * std::pow(10, random.between(-6, 0)), above), {}};
     };
     const ConvexCase box{ball_at(std::pow(10, random.between(-14, -8))), {Box(h), pose}};
     ASSERT_EQ(test::distance_fault(box), "") << i << ": " << to_text(box);
@@ -87,10 +87,10 @@ TEST(ConvexDistance, DoesNotChangeWhileAWorkspaceIsKept) {
   Random random(1);
   for (const char* kind : {"hull", "box", "rounded-hull", "needle-hull"}) {
     const test::ConvexShape a = test::random_convex(kind, random), b = test::random_convex("hull", random);
-    ConvexWorkspace workspace;
+    SimplexCache workspace;
     for (int step = 0; step < 400; ++step) {
       const double angle = 0.02 * step, way = 3 * std::cos(0.05 * step);
-      const PosedConvex posed_a = test::posed({a, {}}), posed_b = test::posed({b, {turned(angle), {way, 0.5, 0.3}}});
+      const PosedPolytope posed_a = test::posed({a, {}}), posed_b = test::posed({b, {turned(angle), {way, 0.5, 0.3}}});
       ASSERT_EQ(distance(posed_a, posed_b, &workspace), distance(posed_a, posed_b)) << kind << ", step " << step;
       ASSERT_EQ(overlap(posed_a, posed_b, &workspace), overlap(posed_a, posed_b)) << kind << ", step " << step;
     }
@@ -110,12 +110,12 @@ TEST(ConvexDistance, OfFacesTurnedInTheirPlaneIsToldWhereEdgesCross) {
   // least common points are where its two edges leave the side x = −1.
   const std::vector<Vec3> diamond = {{-3, 0, 2}, {1, -4, 2}, {5, 0, 2}, {1, 4, 2}, {1, 0, 5}};
   const ConvexHull upper(diamond);
-  const Distance d = distance(box({1, 8, 1}, {0, 0, 0}), PosedConvex(upper));
+  const Distance d = distance(box({1, 8, 1}, {0, 0, 0}), PosedPolytope(upper));
   EXPECT_EQ(d, (Distance{1, 1, {-1, -2, 1}, {-1, -2, 2}, Status::exact}));
 }
 
 TEST(ConvexDistance, OfParallelEdgesIsToldAtTheirLeastCommonPoint) {
-  const PosedConvex a(Segment({0, 0, 0}, {4, 4, 0})), b(Segment({3, 1, 7}, {-1, -3, 7}));
+  const PosedPolytope a(Segment({0, 0, 0}, {4, 4, 0})), b(Segment({3, 1, 7}, {-1, -3, 7}));
   const Distance d = distance(a, b);
   EXPECT_EQ(d.on_a, (Vec3{0, 0, 0}));
   EXPECT_EQ(d.on_b, (Vec3{1, -1, 7}));
@@ -123,26 +123,26 @@ TEST(ConvexDistance, OfParallelEdgesIsToldAtTheirLeastCommonPoint) {
 }
 
 TEST(ConvexDistance, OfRoundShapesMovesTheLeastCommonPointToTheSurface) {
-  const PosedConvex a(Rounded(Box({1, 1, 1}), 0.25)), b(Capsule({-0.5, 0, 3}, {3, 0, 3}, 0.5));
+  const PosedPolytope a(Rounded(Box({1, 1, 1}), 0.25)), b(Capsule({-0.5, 0, 3}, {3, 0, 3}, 0.5));
   EXPECT_EQ(distance(a, b), (Distance{1.25, 1.25, {-0.5, 0, 1.25}, {-0.5, 0, 2.5}, Status::exact}));
 }
 
 TEST(ConvexDistance, OfRoundShapesThatMeetDividesTheWayAsTheRadiiDo) {
-  const PosedConvex a(Sphere(3)), b(Sphere(1, {2, 0, 0}));
+  const PosedPolytope a(Sphere(3)), b(Sphere(1, {2, 0, 0}));
   EXPECT_EQ(distance(a, b), (Distance{0, 0, {1.5, 0, 0}, {1.5, 0, 0}, Status::exact}));
 }
 
 // Intervals.
 
 TEST(ConvexDistance, OfBallsAlongAnAxisHoldsTheDoubleThatItIs) {
-  const Distance d = distance(PosedConvex(Sphere(1)), PosedConvex(Sphere(1, {0, 5, 0})));
+  const Distance d = distance(PosedPolytope(Sphere(1)), PosedPolytope(Sphere(1, {0, 5, 0})));
   EXPECT_LE(d.lower, 3);
   EXPECT_GE(d.upper, 3);
   EXPECT_LE(d.upper - d.lower, 3e-12);
 }
 
 TEST(ConvexDistance, IsNarrowWhereItIsNoDouble) {
-  const Distance d = distance(PosedConvex(Point({0, 0, 0})), PosedConvex(Point({1, 1, 0})));
+  const Distance d = distance(PosedPolytope(Point({0, 0, 0})), PosedPolytope(Point({1, 1, 0})));
   EXPECT_LE(d.lower, std::numbers::sqrt2);
   EXPECT_GE(d.upper, std::nextafter(std::numbers::sqrt2, 2));
   EXPECT_EQ(test::width_fault(d), "");
@@ -150,19 +150,19 @@ TEST(ConvexDistance, IsNarrowWhereItIsNoDouble) {
 
 TEST(ConvexDistance, OfSizesAtTheEndsOfTheRange) {
   for (const double size : {0x1p-1070, 0x1p-1000, 0x1p-500, 0x1p500, 0x1p1000}) {
-    const PosedConvex a(Box({size, size, size})), b(Segment({3 * size, -size, 0}, {3 * size, size, size}));
+    const PosedPolytope a(Box({size, size, size})), b(Segment({3 * size, -size, 0}, {3 * size, size, size}));
     const Distance d = distance(a, b);
     EXPECT_EQ(d.lower, 2 * size);
     EXPECT_EQ(d.upper, 2 * size);
     EXPECT_EQ(d.on_a, (Vec3{size, -size, 0}));
     EXPECT_FALSE(overlap(a, b));
-    EXPECT_TRUE(overlap(a, PosedConvex(Segment({size, size, size}, {3 * size, 0, 0}))));
+    EXPECT_TRUE(overlap(a, PosedPolytope(Segment({size, size, size}, {3 * size, 0, 0}))));
   }
 }
 
 TEST(ConvexDistance, IsInfiniteAboveWhereNoDoubleIsLargeEnough) {
   const double most = std::numeric_limits<double>::max();
-  const Distance d = distance(PosedConvex(Point({-most, 0, 0})), PosedConvex(Point({most, most, most})));
+  const Distance d = distance(PosedPolytope(Point({-most, 0, 0})), PosedPolytope(Point({most, most, most})));
   EXPECT_EQ(d.lower, most);
   EXPECT_EQ(d.upper, std::numeric_limits<double>::infinity());
   EXPECT_EQ(d.on_b, (Vec3{most, most, most}));
@@ -171,7 +171,7 @@ TEST(ConvexDistance, IsInfiniteAboveWhereNoDoubleIsLargeEnough) {
 // What is common in use takes no slow path.
 
 TEST(ConvexDistance, OfAlignedBoxesIsAClosedForm) {
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const auto any = [&] {
@@ -179,7 +179,7 @@ TEST(ConvexDistance, OfAlignedBoxesIsAClosedForm) {
       return Vec3{x, y, z};
     };
     const Vec3 size_a = any(), size_b = any(), place = 3.0 * any();
-    const PosedConvex a = box(size_a, {}), b = box(size_b, place);
+    const PosedPolytope a = box(size_a, {}), b = box(size_b, place);
     VertexPairs first;
     first.append(0, 0);
     const ExactNearest nearest = exact_nearest(a, b, first);
@@ -195,14 +195,14 @@ TEST(ConvexDistance, OfAlignedBoxesIsAClosedForm) {
 }
 
 TEST(ConvexOverlap, OfAlignedBoxesThatTouchIsAClosedForm) {
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   EXPECT_TRUE(overlap(box({1, 1, 1}, {}), box({1, 1, 1}, {2, 0.5, 0.25}), &workspace));
   EXPECT_FALSE(overlap(box({1, 1, 1}, {}), box({1, 1, 1}, {std::nextafter(2, 3), 0.5, 0.25}), &workspace));
   EXPECT_EQ(workspace.counts.exact, 0U);
 }
 
 TEST(ConvexDistance, OfTurnedBoxesIsProvedWithoutExactArithmetic) {
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const double angle = random.between(0, 7);
@@ -217,12 +217,12 @@ TEST(ConvexDistance, OfTurnedBoxesIsProvedWithoutExactArithmetic) {
 
 TEST(ConvexDistance, NeverChangesWithWhatAnotherPairLeftInTheWorkspace) {
   Random random(3);
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   workspace.simplex_size = 4;
   workspace.vertex_a = {0, 7, 7, 900};
   workspace.vertex_b = {7, 7, 0, 3};
-  const PosedConvex a = box({1, 1, 1}, {}), b = box({1, 1, 1}, {2.5, 0.5, 0.25}, turned(0.5));
-  const PosedConvex point(Point({3, 3, 3}));
+  const PosedPolytope a = box({1, 1, 1}, {}), b = box({1, 1, 1}, {2.5, 0.5, 0.25}, turned(0.5));
+  const PosedPolytope point(Point({3, 3, 3}));
   EXPECT_EQ(distance(a, b, &workspace), distance(a, b));
   EXPECT_EQ(distance(a, point, &workspace), distance(a, point));
   EXPECT_EQ(distance(point, b, &workspace), distance(point, b));

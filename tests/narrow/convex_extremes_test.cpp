@@ -26,16 +26,16 @@ TEST(ConvexExtremes, CoordinatesOfAllSizesInOneShapeEnd) {
                                   {-1.1596586363467475e+175, 9.5444155841762875e-36, 0}};
   const ConvexHull a(of_a), b(of_b);
   const bool meet = oracle::overlap(oracle::hull_set(of_a), oracle::hull_set(of_b));
-  EXPECT_EQ(overlap(PosedConvex(a), PosedConvex(b)), meet);
-  EXPECT_EQ(distance(PosedConvex(b), PosedConvex(a)).upper == 0, meet);
+  EXPECT_EQ(overlap(PosedPolytope(a), PosedPolytope(b)), meet);
+  EXPECT_EQ(distance(PosedPolytope(b), PosedPolytope(a)).upper == 0, meet);
 }
 
 TEST(ConvexExtremes, BoxesOfAnySizeMeetOrNotAlikeInEveryWay) {
   for (const double size : {1e-300, 1e-150, 1e-80, 1.0, 1e77, 1e102, 3e102, 1e150, 1e200, 1e300})
     for (int turn = 0; turn < 40; ++turn) {
-      const PosedConvex a(Box({size, 2 * size, 0.5 * size}), {rotation_about({1, 2, 3}, 9.0 * turn), {}});
-      const PosedConvex b(Box({size, size, size}),
-                          {rotation_about({3, -1, 1}, 7.0 * turn), {size * (1 + 0.05 * turn), size, 0.1 * size}});
+      const PosedPolytope a(Box({size, 2 * size, 0.5 * size}), {rotation_about({1, 2, 3}, 9.0 * turn), {}});
+      const PosedPolytope b(Box({size, size, size}),
+                            {rotation_about({3, -1, 1}, 7.0 * turn), {size * (1 + 0.05 * turn), size, 0.1 * size}});
       const bool meet = relation(a, b).kind != RelationKind::apart;
       const Manifold found = manifold(a, b);
       EXPECT_EQ(overlap(a, b), meet) << size << " " << turn;
@@ -52,14 +52,14 @@ TEST(ConvexExtremes, BoxesOfAnySizeMeetOrNotAlikeInEveryWay) {
 
 TEST(ConvexExtremes, ABallInABoxOfAnySize) {
   for (const double size : {1e-300, 1e-100, 1.0, 1e76, 1e80, 1e100, 1e140, 1e300})
-    EXPECT_EQ(relation(PosedConvex(Sphere(size)), PosedConvex(Box({3 * size, 3 * size, 3 * size}))).containment,
+    EXPECT_EQ(relation(PosedPolytope(Sphere(size)), PosedPolytope(Box({3 * size, 3 * size, 3 * size}))).containment,
               Containment::a_in_b)
         << size;
 }
 
 TEST(ConvexExtremes, AManifoldHasTheDeepestPoint) {
-  const PosedConvex capsule(Capsule({0, 0, -1}, {0, 0, 1}, 0.5)), box(Rounded(Box({1, 1, 1}), 0.25));
-  const PosedConvex slanted(Rounded(Box({1, 1, 1}), 0.25), {rotation_about({1, 1, 0}, 50), {0.4, 0.1, 1.2}});
+  const PosedPolytope capsule(Capsule({0, 0, -1}, {0, 0, 1}, 0.5)), box(Rounded(Box({1, 1, 1}), 0.25));
+  const PosedPolytope slanted(Rounded(Box({1, 1, 1}), 0.25), {rotation_about({1, 1, 0}, 50), {0.4, 0.1, 1.2}});
   for (const auto& [a, b] : {std::pair(&capsule, &box), std::pair(&box, &slanted), std::pair(&capsule, &slanted)}) {
     const Manifold found = manifold(*a, *b);
     double deepest = 0;
@@ -82,20 +82,21 @@ TEST(ConvexExtremes, TheCommonPointOfHugeHullsIsTheSameAtEveryLevel) {
     beside.offset = {0.5 * size, 0, 0};
     std::vector<Distance> answers;
     test::at_every_simd_level(
-        [&](SimdLevel) { answers.push_back(distance(PosedConvex(a, turned), PosedConvex(b, beside))); });
+        [&](SimdLevel) { answers.push_back(distance(PosedPolytope(a, turned), PosedPolytope(b, beside))); });
     EXPECT_EQ(answers.front().upper, 0);
     for (const Distance& answer : answers) EXPECT_EQ(answer, answers.front()) << size;
   }
 }
 
 /// Of height 1e-17, which vanishes beside the 1 of its place.
-PosedConvex sheet_that_rounding_made() { return PosedConvex(Box({1, 1, 1e-17}), Pose::translation(0, 0, 1)); }
+PosedPolytope sheet_that_rounding_made() { return PosedPolytope(Box({1, 1, 1e-17}), Pose::translation(0, 0, 1)); }
 
 TEST(ConvexExtremes, ASolidThatRoundingHasFlattenedHasNoDepth) {
-  const PosedConvex sheet = sheet_that_rounding_made();
+  const PosedPolytope sheet = sheet_that_rounding_made();
   const Box big({2, 2, 3});
   const ConvexHull cut(std::vector<Vec3>{{-2, -2, -3}, {2, -2, -3}, {-2, 2, -3}, {0, 0, 4}});
-  for (const PosedConvex& other : {PosedConvex(big), PosedConvex(cut), PosedConvex(Sphere(1, {0, 0, 1})), sheet}) {
+  for (const PosedPolytope& other :
+       {PosedPolytope(big), PosedPolytope(cut), PosedPolytope(Sphere(1, {0, 0, 1})), sheet}) {
     ASSERT_EQ(relation(sheet, other).kind, RelationKind::touching);
     for (const Penetration& p :
          {penetration(sheet, other), penetration(other, sheet), penetration_by_expansion(sheet, other)}) {

@@ -72,7 +72,7 @@ inline std::string half_space_manifold_fault(const Manifold& m, bool meet) {
 
 /// Empty when every question is answered as the oracle does.
 inline std::string half_space_fault(const HalfSpaceCase& pair) {
-  const PosedConvex a = posed(pair.a);
+  const PosedPolytope a = posed(pair.a);
   const PosedHalfSpace b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a);
   const oracle::HalfSpace set_b = set_of(pair.b);

@@ -8,7 +8,7 @@ namespace {
 
 struct SeenHalfSpace {
   bool a_solid;
-  PosedConvex a;
+  PosedPolytope a;
   PosedHalfSpace b;
   oracle::ConvexSet set_a;
   oracle::HalfSpace set_b;

@@ -25,12 +25,12 @@ TEST(HalfSpace, AgreesWithTheOracleForEveryKindAndRegime) {
 
 TEST(HalfSpace, ASphereTouchesExactly) {
   for (const double height : {3.0, 3e-200, 3e200}) {
-    const PosedConvex touching(Sphere(height, {0, 0, height}));
+    const PosedPolytope touching(Sphere(height, {0, 0, height}));
     EXPECT_EQ(relation(touching, ground).kind, RelationKind::touching);
     EXPECT_TRUE(overlap(touching, ground));
-    const PosedConvex apart(Sphere(height, {0, 0, std::nextafter(height, HUGE_VAL)}));
+    const PosedPolytope apart(Sphere(height, {0, 0, std::nextafter(height, HUGE_VAL)}));
     EXPECT_FALSE(overlap(apart, ground));
-    const PosedConvex deep(Sphere(height, {0, 0, std::nextafter(height, 0)}));
+    const PosedPolytope deep(Sphere(height, {0, 0, std::nextafter(height, 0)}));
     EXPECT_EQ(relation(deep, ground).kind, RelationKind::overlapping);
     EXPECT_EQ(penetration(touching, ground).upper, 0);
     EXPECT_GT(penetration(deep, ground).lower, 0);
@@ -39,7 +39,7 @@ TEST(HalfSpace, ASphereTouchesExactly) {
 
 TEST(HalfSpace, TheNormalsLengthDoesNotMatterAndNeedNotBeADouble) {
   // The distance of the centre from the plane x + y + z ≤ 0 is 3/√3 · 2: no double.
-  const PosedConvex sphere(Sphere(1, {2, 2, 2}));
+  const PosedPolytope sphere(Sphere(1, {2, 2, 2}));
   for (const double length : {1.0, 0x1p-300, 0x1p300}) {
     const Distance d = distance(sphere, PosedHalfSpace(HalfSpace({0, 0, 0}, {length, length, length})));
     EXPECT_EQ(d.upper, std::nextafter(d.lower, HUGE_VAL));
@@ -50,11 +50,11 @@ TEST(HalfSpace, TheNormalsLengthDoesNotMatterAndNeedNotBeADouble) {
 }
 
 TEST(HalfSpace, ARestingBoxHasFourContactsWithStableNames) {
-  const PosedConvex box(Box({1, 2, 3}), Pose::translation(0, 0, 3));
+  const PosedPolytope box(Box({1, 2, 3}), Pose::translation(0, 0, 3));
   const Manifold resting = manifold(box, ground);
   EXPECT_EQ(resting.count, 4);
   EXPECT_EQ(resting.normal, (Vec3{0, 0, -1}));
-  const PosedConvex tilted(Box({1, 2, 3}), {rotation_about({1, 1, 0}, 1e-6), {0, 0, 3}});
+  const PosedPolytope tilted(Box({1, 2, 3}), {rotation_about({1, 1, 0}, 1e-6), {0, 0, 3}});
   const Manifold later = manifold(tilted, ground);
   EXPECT_EQ(later.count, 4);
   const auto names = [](const Manifold& m) {
@@ -64,13 +64,13 @@ TEST(HalfSpace, ARestingBoxHasFourContactsWithStableNames) {
     return result;
   };
   EXPECT_EQ(names(resting), names(later));
-  EXPECT_EQ(manifold(PosedConvex(Box({1, 2, 3}), Pose::translation(0, 0, 3 + 1e-15)), ground).count, 0);
+  EXPECT_EQ(manifold(PosedPolytope(Box({1, 2, 3}), Pose::translation(0, 0, 3 + 1e-15)), ground).count, 0);
 }
 
 TEST(HalfSpace, ACapsuleLyingHasTwoContactsAndStandingOne) {
-  EXPECT_EQ(manifold(PosedConvex(Capsule({-1, 0, 0.5}, {1, 0, 0.5}, 0.5)), ground).count, 2);
-  EXPECT_EQ(manifold(PosedConvex(Capsule({0, 0, 0.5}, {0, 0, 2}, 0.5)), ground).count, 1);
-  EXPECT_EQ(manifold(PosedConvex(Capsule({0, 0, 0.5}, {0, 0, 0.5}, 0.5)), ground).count, 1);
+  EXPECT_EQ(manifold(PosedPolytope(Capsule({-1, 0, 0.5}, {1, 0, 0.5}, 0.5)), ground).count, 2);
+  EXPECT_EQ(manifold(PosedPolytope(Capsule({0, 0, 0.5}, {0, 0, 2}, 0.5)), ground).count, 1);
+  EXPECT_EQ(manifold(PosedPolytope(Capsule({0, 0, 0.5}, {0, 0, 0.5}, 0.5)), ground).count, 1);
 }
 
 TEST(HalfSpace, TwoOfThemMeetUnlessTheyFaceEachOther) {
@@ -120,7 +120,7 @@ TEST(HalfSpace, BadPosesAreRefused) {
   const HalfSpace shape({0, 0, 0}, {0, 0, 1});
   EXPECT_THROW(PosedHalfSpace(shape, {Mat3{{Vec3{2, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {}}), Error);
   EXPECT_THROW(PosedHalfSpace(shape, Pose::translation(HUGE_VAL, 0, 0)), Error);
-  EXPECT_THROW(static_cast<void>(penetration(PosedConvex(Point({0, 0, -1})), ground)), Error);
+  EXPECT_THROW(static_cast<void>(penetration(PosedPolytope(Point({0, 0, -1})), ground)), Error);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace toccata::test {
 namespace {
 
-bool is_feature_of(const ConvexFeature& feature, const PosedConvex& shape) {
+bool is_feature_of(const ConvexFeature& feature, const PosedPolytope& shape) {
   const HullTopology topology = shape.topology();
   if (feature.kind == ConvexFeature::Kind::vertex) return feature.index < shape.vertex_count();
   if (feature.kind == ConvexFeature::Kind::edge) return feature.index < topology.origin.size();
@@ -24,14 +24,14 @@ bool lies_between(const ManifoldPoint& p, const oracle::ConvexSet& a, const orac
 }
 
 std::string check_convex_manifold(const ConvexCase& pair) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   const bool meet = oracle::overlap(set_a, set_b);
   if (overlap_by_separating_axes(a, b) != meet) return "overlap by separating axes";
   const Manifold m = manifold(a, b);
   if ((m.count > 0) != meet) return "count";
   if (!same_shapes(set_a, set_b) && !same_but_flipped(m, manifold(b, a))) return "exchanged";
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   for (int times = 0; times < 2; ++times)
     if (!(manifold(a, b, &workspace) == m)) return "with a workspace";
   if (!meet) return "";

@@ -19,7 +19,7 @@ std::vector<Vec3> positions(const Manifold& m) {
 }
 
 TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
-  const PosedConvex floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.5));
+  const PosedPolytope floor(Box({2, 2, 1})), cube(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.5));
   const Manifold m = manifold(floor, cube);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.25, -0.5, 1}, {-0.25, 0.5, 1}, {0.75, -0.5, 1}, {0.75, 0.5, 1}}));
@@ -31,13 +31,13 @@ TEST(ConvexManifold, OfACubeOnACubeAreTheFourCornersOfTheirCommonFace) {
 }
 
 TEST(ConvexManifold, IsEmptyExactlyWhenTheShapesAreApart) {
-  const PosedConvex cube(Box({1, 1, 1}));
-  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), pose_at(2, 0, 0))).count, 4);
-  EXPECT_EQ(manifold(cube, PosedConvex(Box({1, 1, 1}), pose_at(std::nextafter(2, 3), 0, 0))).count, 0);
+  const PosedPolytope cube(Box({1, 1, 1}));
+  EXPECT_EQ(manifold(cube, PosedPolytope(Box({1, 1, 1}), pose_at(2, 0, 0))).count, 4);
+  EXPECT_EQ(manifold(cube, PosedPolytope(Box({1, 1, 1}), pose_at(std::nextafter(2, 3), 0, 0))).count, 0);
 }
 
 TEST(ConvexManifold, OfCrossedBarsHasThePointsWhereEdgesCross) {
-  const PosedConvex below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), pose_at(0, 0, 0.75));
+  const PosedPolytope below(Box({2, 0.5, 0.5})), above(Box({0.5, 2, 0.5}), pose_at(0, 0, 0.75));
   const Manifold m = manifold(below, above);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m),
@@ -50,9 +50,9 @@ TEST(ConvexManifold, OfCrossedBarsHasThePointsWhereEdgesCross) {
 }
 
 TEST(ConvexManifold, OfAVertexOnAFaceIsOnePoint) {
-  const PosedConvex floor(Box({2, 2, 1}));
+  const PosedPolytope floor(Box({2, 2, 1}));
   const Mat3 tip = rotation_about({1, -1, 0}, 54.735610317245346);
-  const PosedConvex cube(Box({0.5, 0.5, 0.5}), {tip, {0, 0, 1 + 0.5 * std::numbers::sqrt3 - 0.01}});
+  const PosedPolytope cube(Box({0.5, 0.5, 0.5}), {tip, {0, 0, 1 + 0.5 * std::numbers::sqrt3 - 0.01}});
   const Manifold m = manifold(floor, cube);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.points[0].depth, 0.01, 1e-12);
@@ -61,9 +61,9 @@ TEST(ConvexManifold, OfAVertexOnAFaceIsOnePoint) {
 }
 
 TEST(ConvexManifold, OfTwoEdgesIsOnePoint) {
-  const PosedConvex below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
+  const PosedPolytope below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
   const double height = std::numbers::sqrt2 - 0.01;
-  const PosedConvex above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, height}});
+  const PosedPolytope above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, height}});
   const Manifold m = manifold(below, above);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.points[0].depth, 0.01, 1e-12);
@@ -73,7 +73,7 @@ TEST(ConvexManifold, OfTwoEdgesIsOnePoint) {
 }
 
 TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
-  const PosedConvex a{Sphere(1)}, b(Sphere(1), pose_at(1.5, 0, 0));
+  const PosedPolytope a{Sphere(1)}, b(Sphere(1), pose_at(1.5, 0, 0));
   const Manifold m = manifold(a, b);
   ASSERT_EQ(m.count, 1);
   EXPECT_EQ(m.normal, (Vec3{1, 0, 0}));
@@ -82,7 +82,7 @@ TEST(ConvexManifold, OfSpheresIsOnePointHalfWay) {
 }
 
 TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
-  const PosedConvex floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), pose_at(0, 0, 1.5));
+  const PosedPolytope floor(Box({4, 4, 1})), capsule(Capsule({-1, 0, 0}, {1, 0, 0}, 0.5), pose_at(0, 0, 1.5));
   const Manifold m = manifold(floor, capsule);
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-1, 0, 1}, {1, 0, 1}}));
@@ -90,26 +90,26 @@ TEST(ConvexManifold, OfALyingCapsuleAreItsTwoEnds) {
 
 TEST(ConvexManifold, OfParallelCapsulesAreTheEndsOfTheirCommonPart) {
   const Capsule capsule({-1, 0, 0}, {1, 0, 0}, 0.5);
-  const Manifold m = manifold(PosedConvex(capsule), PosedConvex(capsule, pose_at(0.5, 0, 0.75)));
+  const Manifold m = manifold(PosedPolytope(capsule), PosedPolytope(capsule, pose_at(0.5, 0, 0.75)));
   EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(positions(m), (std::vector<Vec3>{{-0.5, 0, 0.375}, {1, 0, 0.375}}));
   for (int i = 0; i < m.count; ++i) EXPECT_EQ(m.points[static_cast<std::size_t>(i)].depth, 0.25);
 }
 
 TEST(ConvexManifold, OfFlatShapesIsDefined) {
-  const PosedConvex floor(Triangle{{{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}}});
-  const PosedConvex lying(Triangle{{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}});
+  const PosedPolytope floor(Triangle{{{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}}});
+  const PosedPolytope lying(Triangle{{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}});
   const Manifold flat = manifold(floor, lying);
   EXPECT_EQ(flat.count, 3);
   EXPECT_EQ(std::fabs(flat.normal.z), 1);
-  const PosedConvex fin(Triangle{{{{-1, 0, -0.125}, {1, 0, -0.125}, {0, 0, 2}}}});
+  const PosedPolytope fin(Triangle{{{{-1, 0, -0.125}, {1, 0, -0.125}, {0, 0, 2}}}});
   const Manifold crossing = manifold(floor, fin);
   EXPECT_EQ(crossing.count, 2);
   EXPECT_EQ(crossing.normal, (Vec3{0, 0, 1}));
-  const PosedConvex needle(Segment({0, 0, -1}, {0, 0, 0.25}));
+  const PosedPolytope needle(Segment({0, 0, -1}, {0, 0, 0.25}));
   EXPECT_EQ(manifold(floor, needle).count, 1);
-  EXPECT_EQ(manifold(needle, PosedConvex(Segment({-1, 0, 0}, {1, 0, 0}))).count, 1);
-  EXPECT_EQ(manifold(PosedConvex(Point{}), PosedConvex(Point{})).count, 1);
+  EXPECT_EQ(manifold(needle, PosedPolytope(Segment({-1, 0, 0}, {1, 0, 0}))).count, 1);
+  EXPECT_EQ(manifold(PosedPolytope(Point{}), PosedPolytope(Point{})).count, 1);
 }
 
 TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
@@ -120,7 +120,7 @@ TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
     points.push_back({std::cos(angle), std::sin(angle), 1});
   }
   const ConvexHull coin(points);
-  const Manifold m = manifold(PosedConvex(Box({4, 4, 1})), PosedConvex(coin, pose_at(0, 0, 1)));
+  const Manifold m = manifold(PosedPolytope(Box({4, 4, 1})), PosedPolytope(coin, pose_at(0, 0, 1)));
   ASSERT_EQ(m.count, 4);
   const std::vector<Vec3> at_points = positions(m);
   // The two points farthest apart are a diameter, and the others lie on both sides of it.
@@ -128,9 +128,9 @@ TEST(ConvexManifold, OfManyCornersKeepsFourThatSpanTheContact) {
 }
 
 TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
-  const PosedConvex floor(Box({2, 2, 1}));
-  const Manifold first = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.49)));
-  const Manifold next = manifold(floor, PosedConvex(Box({0.5, 0.5, 0.5}), pose_at(0.2501, 0.0001, 1.4899)));
+  const PosedPolytope floor(Box({2, 2, 1}));
+  const Manifold first = manifold(floor, PosedPolytope(Box({0.5, 0.5, 0.5}), pose_at(0.25, 0, 1.49)));
+  const Manifold next = manifold(floor, PosedPolytope(Box({0.5, 0.5, 0.5}), pose_at(0.2501, 0.0001, 1.4899)));
   ASSERT_EQ(first.count, 4);
   ASSERT_EQ(next.count, 4);
   for (const ManifoldPoint& p : first.points)
@@ -140,11 +140,11 @@ TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
 }
 
 TEST(ConvexManifold, ATinyBallOnABoxHasOnePoint) {
-  const PosedConvex box(Box({0.1, 0.1, 0.1}));
+  const PosedPolytope box(Box({0.1, 0.1, 0.1}));
   for (int degrees = 0; degrees < 90; degrees += 7) {
     const Mat3 turn = rotation_about(Vec3{1, 2, 3}, degrees);
     const Vec3 beside = transform({turn, {}}, {0.03, 0.02, 0.1 + 4e-13});
-    const PosedConvex turned(Box({0.1, 0.1, 0.1}), {turn, {}}), ball(Sphere(5e-13, beside));
+    const PosedPolytope turned(Box({0.1, 0.1, 0.1}), {turn, {}}), ball(Sphere(5e-13, beside));
     EXPECT_EQ(manifold(turned, ball).count, 1) << degrees;
     EXPECT_EQ(manifold(ball, turned).count, 1) << degrees;
   }

@@ -17,7 +17,7 @@ bool have_common_number(const Penetration& p, const Penetration& q) {
   return std::max(p.lower, q.lower) <= std::min(p.upper, q.upper);
 }
 
-std::string check_penetration(const PosedConvex& a, const PosedConvex& b) {
+std::string check_penetration(const PosedPolytope& a, const PosedPolytope& b) {
   const Penetration chosen = penetration(a, b);
   const Penetration by_expansion = penetration_by_expansion(a, b), by_axes = penetration_by_separating_axes(a, b);
   if (!have_common_number(by_expansion, by_axes)) return "expansion and axes";
@@ -29,13 +29,13 @@ std::string check_penetration(const PosedConvex& a, const PosedConvex& b) {
 }
 
 /// In every manner, without and with a workspace: the same bits.
-std::string check_gjk(const PosedConvex& a, const PosedConvex& b, bool meet) {
+std::string check_gjk(const PosedPolytope& a, const PosedPolytope& b, bool meet) {
   const Distance chosen = distance(a, b), plain = distance_by_gjk(a, b);
   if (std::max(chosen.lower, plain.lower) > std::min(chosen.upper, plain.upper)) return "distance and GJK";
   for (const GjkSupport support : {GjkSupport::scan, GjkSupport::hill_climbing})
     for (const GjkAcceleration acceleration : {GjkAcceleration::none, GjkAcceleration::nesterov}) {
       const GjkOptions options{support, acceleration};
-      ConvexWorkspace workspace;
+      SimplexCache workspace;
       if (overlap_by_gjk(a, b, options, &workspace) != meet) return "overlap by GJK";
       if (!(distance_by_gjk(a, b, options) == plain)) return "the manner of GJK";
       if (!(distance_by_gjk(a, b, options, &workspace) == plain)) return "the manner of GJK, warm";
@@ -44,7 +44,7 @@ std::string check_gjk(const PosedConvex& a, const PosedConvex& b, bool meet) {
 }
 
 std::string check_convex_methods(const ConvexCase& pair, Random&) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const bool meet = overlap(a, b);
   if (std::string wrong = check_gjk(a, b, meet); !wrong.empty()) return wrong;
   if (overlap_by_separating_axes(a, b) != meet) return "separating axes";
@@ -64,14 +64,14 @@ const bool convex_methods_known = register_sweep({"convex-methods", cells_of(con
 
 // The lecture's ways for spheres.
 
-PosedSphere sphere_of(const PlacedConvex& placed) { return PosedSphere(std::get<Sphere>(placed.shape), placed.pose); }
+PosedSphere sphere_of(const PlacedPolytope& placed) { return PosedSphere(std::get<Sphere>(placed.shape), placed.pose); }
 
 /// A sphere against a triangle in the world, in four ways and by the general search.
-std::string check_triangle(const PosedSphere& ball, const PlacedConvex& placed) {
+std::string check_triangle(const PosedSphere& ball, const PlacedPolytope& placed) {
   const auto& local = std::get<Triangle>(placed.shape);
   const Triangle triangle{
       {transform(placed.pose, local[0]), transform(placed.pose, local[1]), transform(placed.pose, local[2])}};
-  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), posed(placed));
+  const bool meet = overlap(PosedPolytope(Sphere(ball.radius, ball.centre)), posed(placed));
   if (overlap(ball, triangle) != meet) return "closed form";
   if (overlap_by_plane_projection(ball, triangle) != meet) return "by plane projection";
   if (overlap_by_features(ball, triangle) != meet) return "by features";
@@ -82,7 +82,7 @@ std::string check_triangle(const PosedSphere& ball, const PlacedConvex& placed) 
 }
 
 /// A sphere against the box's own box along the world's axes, in two ways and by the general search.
-std::string check_aligned(const PosedSphere& ball, const PosedConvex& box) {
+std::string check_aligned(const PosedSphere& ball, const PosedPolytope& box) {
   Vec3 lower = box.vertex(0), upper = lower;
   for (Index i = 1; i < box.vertex_count(); ++i)
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,15 +94,15 @@ std::string check_aligned(const PosedSphere& ball, const PosedConvex& box) {
     for (const double y : {lower.y, upper.y})
       for (const double z : {lower.z, upper.z}) corners.push_back({x, y, z});
   const ConvexHull hull(corners);
-  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), PosedConvex(hull));
+  const bool meet = overlap(PosedPolytope(Sphere(ball.radius, ball.centre)), PosedPolytope(hull));
   if (overlap_by_regions(ball, lower, upper) != meet) return "by regions";
   return overlap_by_clamping(ball, lower, upper) == meet ? "" : "by clamping";
 }
 
-std::string check_box(const PosedSphere& ball, const PlacedConvex& placed) {
-  const PosedConvex box = posed(placed);
+std::string check_box(const PosedSphere& ball, const PlacedPolytope& placed) {
+  const PosedPolytope box = posed(placed);
   const PosedBox formed(std::get<Box>(placed.shape), placed.pose);
-  const bool meet = overlap(PosedConvex(Sphere(ball.radius, ball.centre)), box);
+  const bool meet = overlap(PosedPolytope(Sphere(ball.radius, ball.centre)), box);
   if (overlap(ball, formed) != meet) return "closed form";
   if ((distance(ball, formed).upper == 0) != meet) return "distance";
   return check_aligned(ball, box);
@@ -111,7 +111,7 @@ std::string check_box(const PosedSphere& ball, const PlacedConvex& placed) {
 std::string check_sphere(const ConvexCase& pair, Random&) {
   const bool first = std::holds_alternative<Sphere>(pair.a.shape);
   const PosedSphere ball = sphere_of(first ? pair.a : pair.b);
-  const PlacedConvex& other = first ? pair.b : pair.a;
+  const PlacedPolytope& other = first ? pair.b : pair.a;
   return std::holds_alternative<Box>(other.shape) ? check_box(ball, other) : check_triangle(ball, other);
 }
 

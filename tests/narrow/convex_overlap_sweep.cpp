@@ -4,7 +4,7 @@
 namespace toccata::test {
 namespace {
 
-bool ask_convex_overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+bool ask_convex_overlap(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   return overlap(a, b, workspace);
 }
 

@@ -17,7 +17,7 @@ bool same_seen_from_b(const Penetration& p, const Penetration& q) {
 }
 
 std::string check_convex_penetration(const ConvexCase& pair, Random&) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   if (!a.solid() || !b.solid()) return "";
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
   if (!oracle::is_solid(set_a) || !oracle::is_solid(set_b)) return "";

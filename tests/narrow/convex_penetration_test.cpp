@@ -18,7 +18,7 @@ Pose standing_at(double x, double y, double z) { return Pose::translation(x, y, 
 
 bool contains(const Penetration& p, double depth) { return p.lower <= depth && depth <= p.upper; }
 
-void expect_depth(const PosedConvex& a, const PosedConvex& b, double depth) {
+void expect_depth(const PosedPolytope& a, const PosedPolytope& b, double depth) {
   for (const Penetration& p :
        {penetration(a, b), penetration_by_expansion(a, b), penetration_by_separating_axes(a, b)}) {
     EXPECT_TRUE(contains(p, depth)) << p.lower << ' ' << depth << ' ' << p.upper;
@@ -29,13 +29,13 @@ void expect_depth(const PosedConvex& a, const PosedConvex& b, double depth) {
 }
 
 TEST(ConvexPenetration, OfIdenticalCubesIsTheirEdge) {
-  const PosedConvex cube(Box({0.5, 0.5, 0.5}));
+  const PosedPolytope cube(Box({0.5, 0.5, 0.5}));
   expect_depth(cube, cube, 1);
 }
 
 // danfis/libccd#25: the direction of two stacked cubes is NaN.
 TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
-  const PosedConvex below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), standing_at(0, 0, 1));
+  const PosedPolytope below(Box({0.5, 0.5, 0.5})), above(Box({0.5, 0.5, 0.5}), standing_at(0, 0, 1));
   expect_depth(below, above, 0);
   EXPECT_EQ(penetration(below, above).direction, (Vec3{0, 0, 1}));
 }
@@ -43,37 +43,38 @@ TEST(ConvexPenetration, OfStackedCubesIsZeroWithADirection) {
 // Jolt drops contacts that are 1e-6 deep, and what is tiny in what is huge.
 TEST(ConvexPenetration, OfShallowContactsIsRelativelyRight) {
   for (const double depth : {0x1p-20, 0x1p-30, 0x1p-40, 0x1p-50})
-    expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), standing_at(2 - depth, 0.25, 0.5)), depth);
+    expect_depth(PosedPolytope(Box({1, 1, 1})), PosedPolytope(Box({1, 1, 1}), standing_at(2 - depth, 0.25, 0.5)),
+                 depth);
 }
 
 TEST(ConvexPenetration, OfATinyShapeDeepInAHugeOneIsTheWayToTheNearestFace) {
-  expect_depth(PosedConvex(Box({0x1p20, 0x1p20, 0x1p20})), PosedConvex(Box({0x1p-20, 0x1p-20, 0x1p-20})),
+  expect_depth(PosedPolytope(Box({0x1p20, 0x1p20, 0x1p20})), PosedPolytope(Box({0x1p-20, 0x1p-20, 0x1p-20})),
                0x1p20 + 0x1p-20);
 }
 
 TEST(ConvexPenetration, OfConcentricSpheresIsTheSumOfTheirRadii) {
-  const PosedConvex a{Sphere(1)}, b{Sphere(0.25)};
+  const PosedPolytope a{Sphere(1)}, b{Sphere(0.25)};
   expect_depth(a, b, 1.25);
   expect_depth(a, a, 2);
 }
 
 TEST(ConvexPenetration, OfCrossingCapsulesIsAlongTheirCommonNormal) {
-  const PosedConvex a(Capsule({-1, 0, 0}, {1, 0, 0}, 0.25)), b(Capsule({0, -1, 0}, {0, 1, 0}, 0.5));
+  const PosedPolytope a(Capsule({-1, 0, 0}, {1, 0, 0}, 0.25)), b(Capsule({0, -1, 0}, {0, 1, 0}, 0.5));
   expect_depth(a, b, 0.75);
   EXPECT_EQ(std::fabs(penetration(a, b).direction.z), 1);
 }
 
 TEST(ConvexPenetration, OfASphereWithItsCentreInABoxIsTheWayOutAndTheRadius) {
-  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Sphere(0.5), standing_at(0.75, 0.5, 1)), 0.75);
+  expect_depth(PosedPolytope(Box({1, 2, 3})), PosedPolytope(Sphere(0.5), standing_at(0.75, 0.5, 1)), 0.75);
 }
 
 TEST(ConvexPenetration, OfACapsuleInABoxIsDefinedForItsFlatCore) {
-  expect_depth(PosedConvex(Box({1, 2, 3})), PosedConvex(Capsule({0, -1, 0}, {0, 1, 0}, 0.5)), 1.5);
+  expect_depth(PosedPolytope(Box({1, 2, 3})), PosedPolytope(Capsule({0, -1, 0}, {0, 1, 0}, 0.5)), 1.5);
 }
 
 TEST(ConvexPenetration, OfShapesApartIsZero) {
-  expect_depth(PosedConvex(Box({1, 1, 1})), PosedConvex(Box({1, 1, 1}), standing_at(5, 5, 5)), 0);
-  expect_depth(PosedConvex(Sphere(1)), PosedConvex(Sphere(1), standing_at(5, 5, 5)), 0);
+  expect_depth(PosedPolytope(Box({1, 1, 1})), PosedPolytope(Box({1, 1, 1}), standing_at(5, 5, 5)), 0);
+  expect_depth(PosedPolytope(Sphere(1)), PosedPolytope(Sphere(1), standing_at(5, 5, 5)), 0);
 }
 
 // Apart by less than the least double: of the facets of their difference one has the origin before it, and another,
@@ -84,22 +85,22 @@ TEST(ConvexPenetration, OfShapesApartByLessThanADoubleIsZero) {
                                {4, -3 + 0x1p-51, 6}, {2, -1, 5}, {3, -3, 5},    {3, -2 - 0x1p-51, 4}};
   const std::vector<Vec3> of_b{{4, 3, 5}, {4, 2, 2}, {5, 0, 3}, {2, 0, 5}, {5, 0, 4}, {2, 0, 4}};
   const ConvexHull a(of_a), b(of_b);
-  EXPECT_FALSE(overlap(PosedConvex(a), PosedConvex(b)));
-  EXPECT_EQ(penetration(PosedConvex(a), PosedConvex(b)).upper, 0);
-  EXPECT_EQ(penetration_by_separating_axes(PosedConvex(a), PosedConvex(b)).upper, 0);
+  EXPECT_FALSE(overlap(PosedPolytope(a), PosedPolytope(b)));
+  EXPECT_EQ(penetration(PosedPolytope(a), PosedPolytope(b)).upper, 0);
+  EXPECT_EQ(penetration_by_separating_axes(PosedPolytope(a), PosedPolytope(b)).upper, 0);
 }
 
 TEST(ConvexPenetration, DoesNotDependOnWhereAndHowLargeTheShapesAre) {
   for (const double scale : {0x1p-20, 0x1p-300, 0x1p300})
-    expect_depth(PosedConvex(Box({scale, scale, scale})),
-                 PosedConvex(Box({scale, scale, scale}), standing_at(1.5 * scale, 0, 0)), 0.5 * scale);
+    expect_depth(PosedPolytope(Box({scale, scale, scale})),
+                 PosedPolytope(Box({scale, scale, scale}), standing_at(1.5 * scale, 0, 0)), 0.5 * scale);
   const double far = 0x1p30;
-  expect_depth(PosedConvex(Box({1, 1, 1}), standing_at(far, far, far)),
-               PosedConvex(Box({1, 1, 1}), standing_at(far + 1.5, far, far)), 0.5);
+  expect_depth(PosedPolytope(Box({1, 1, 1}), standing_at(far, far, far)),
+               PosedPolytope(Box({1, 1, 1}), standing_at(far + 1.5, far, far)), 0.5);
 }
 
 TEST(ConvexPenetration, OfSurfacesIsAnError) {
-  const PosedConvex solid(Box({1, 1, 1})), flat(Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  const PosedPolytope solid(Box({1, 1, 1})), flat(Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
   EXPECT_THROW(static_cast<void>(penetration(solid, flat)), Error);
   EXPECT_THROW(static_cast<void>(penetration_by_separating_axes(flat, solid)), Error);
 }
@@ -119,7 +120,7 @@ TEST(ConvexPenetration, OfBothMethodsIsTheSame) {
   for (int i = 0; i < 40; ++i) {
     const ConvexHull hull_a = ball_hull(random, 20), hull_b = ball_hull(random, 40);
     const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
-    const PosedConvex a(hull_a), b(hull_b, standing_at(x, y, z));
+    const PosedPolytope a(hull_a), b(hull_b, standing_at(x, y, z));
     const Penetration p = penetration_by_expansion(a, b), q = penetration_by_separating_axes(a, b);
     EXPECT_LE(std::max(p.lower, q.lower), std::min(p.upper, q.upper));
     EXPECT_EQ(p.status, Status::exact);
@@ -134,54 +135,55 @@ TEST(SeparatingAxes, OfOneTetrahedronTwiceHaveTheirPointsOnBoth) {
                                   {-1.917211583315568e-09, 1.7959356069586768e+17, 2.1382728023076042e-05},
                                   {0, -7.5699421533826585e-14, -0.030650802180207749}};
   const ConvexHull hull(corners);
-  const Penetration p = penetration_by_separating_axes(PosedConvex(hull), PosedConvex(hull));
-  EXPECT_LE(distance(PosedConvex(Point(p.on_a)), PosedConvex(hull)).upper, 1e6);
-  EXPECT_LE(distance(PosedConvex(Point(p.on_b)), PosedConvex(hull)).upper, 1e6);
+  const Penetration p = penetration_by_separating_axes(PosedPolytope(hull), PosedPolytope(hull));
+  EXPECT_LE(distance(PosedPolytope(Point(p.on_a)), PosedPolytope(hull)).upper, 1e6);
+  EXPECT_LE(distance(PosedPolytope(Point(p.on_b)), PosedPolytope(hull)).upper, 1e6);
 }
 
 // The squares of the short edges underflow.
 TEST(SeparatingAxes, OfEdgesTooShortForTheirSquaresLeaveNoDoubt) {
-  const PosedConvex triangle(Triangle{{Vec3{0, 1e5, 0}, Vec3{0, 0, -3e-26}, Vec3{0, 0, -4e205}}});
+  const PosedPolytope triangle(Triangle{{Vec3{0, 1e5, 0}, Vec3{0, 0, -3e-26}, Vec3{0, 0, -4e205}}});
   const std::vector<Vec3> corners{
       {-1e132, -1e208, 0}, {-1e160, 0, 0}, {-1e132, 2e64, 0}, {-1e132, 0, 4e203}, {4e172, 0, -5e137}};
   const ConvexHull hull(corners);
-  EXPECT_EQ(overlap_by_separating_axes(triangle, PosedConvex(hull)), overlap(triangle, PosedConvex(hull)));
+  EXPECT_EQ(overlap_by_separating_axes(triangle, PosedPolytope(hull)), overlap(triangle, PosedPolytope(hull)));
 }
 
 // Two long boxes across each other: of the triangles of the facet between them, only some hold the points.
 TEST(ConvexPenetration, OfTwoFacesOverEachOtherHasItsPointsOnBoth) {
   const Box beam({7.2766334986734344, 2.4219240670679155, 3.0537355872677389},
                  {-4.5812162789204066, -0.49026383611256509, 2.7589031228962008});
-  const PosedConvex along(beam), across(beam, {rotation_about({0, 0, 1}, 90), {}});
+  const PosedPolytope along(beam), across(beam, {rotation_about({0, 0, 1}, 90), {}});
   for (const Penetration& p :
        {penetration_by_expansion(along, across), penetration_by_separating_axes(along, across),
         penetration_by_expansion(across, along), penetration_by_separating_axes(across, along)}) {
     const bool first = p.direction.x > 0;
-    EXPECT_LE(distance(PosedConvex(Point(p.on_a)), first ? along : across).upper, 1e-9);
-    EXPECT_LE(distance(PosedConvex(Point(p.on_b)), first ? across : along).upper, 1e-9);
+    EXPECT_LE(distance(PosedPolytope(Point(p.on_a)), first ? along : across).upper, 1e-9);
+    EXPECT_LE(distance(PosedPolytope(Point(p.on_b)), first ? across : along).upper, 1e-9);
   }
 }
 
 TEST(SeparatingAxes, KeepTheAxisThatSeparatedLast) {
   Random random(8);
   const ConvexHull hull = ball_hull(random, 32);
-  const PosedConvex a(hull), b(hull, standing_at(2.5, 0, 0));
-  ConvexWorkspace workspace;
+  const PosedPolytope a(hull), b(hull, standing_at(2.5, 0, 0));
+  SimplexCache workspace;
   EXPECT_FALSE(overlap_by_separating_axes(a, b, &workspace));
   EXPECT_NE(workspace.direction, Vec3{});
-  EXPECT_FALSE(overlap_by_separating_axes(a, PosedConvex(hull, standing_at(2.51, 0, 0)), &workspace));
+  EXPECT_FALSE(overlap_by_separating_axes(a, PosedPolytope(hull, standing_at(2.51, 0, 0)), &workspace));
 }
 
 TEST(SeparatingAxes, OfBoxesTellTouchingFromALastPlace) {
-  const PosedConvex cube(Box({1, 1, 1}));
-  EXPECT_TRUE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), standing_at(2, 2, 2))));
-  EXPECT_FALSE(overlap_by_separating_axes(cube, PosedConvex(Box({1, 1, 1}), standing_at(2, 2, std::nextafter(2, 3)))));
+  const PosedPolytope cube(Box({1, 1, 1}));
+  EXPECT_TRUE(overlap_by_separating_axes(cube, PosedPolytope(Box({1, 1, 1}), standing_at(2, 2, 2))));
+  EXPECT_FALSE(
+      overlap_by_separating_axes(cube, PosedPolytope(Box({1, 1, 1}), standing_at(2, 2, std::nextafter(2, 3)))));
 }
 
 TEST(SeparatingAxes, OfBoxesNeedTheEdgePairs) {
   // Two bars, each turned about its own length by an eighth: only the cross product of two edges separates them.
-  const PosedConvex below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
-  const PosedConvex above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, 1.42}});
+  const PosedPolytope below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
+  const PosedPolytope above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, 1.42}});
   EXPECT_FALSE(overlap_by_separating_axes(below, above));
 }
 

@@ -4,7 +4,7 @@
 namespace toccata::test {
 namespace {
 
-Relation ask_convex_relation(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Relation ask_convex_relation(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   return relation(a, b, workspace);
 }
 

@@ -10,11 +10,11 @@
 namespace toccata {
 namespace {
 
-PosedConvex box_at(const Vec3& centre, double half = 1) { return PosedConvex{Box({half, half, half}, centre)}; }
-PosedConvex ball_at(const Vec3& centre, double radius) { return PosedConvex{Sphere(radius, centre)}; }
+PosedPolytope box_at(const Vec3& centre, double half = 1) { return PosedPolytope{Box({half, half, half}, centre)}; }
+PosedPolytope ball_at(const Vec3& centre, double radius) { return PosedPolytope{Sphere(radius, centre)}; }
 
 /// The relation, which is that of the exchanged shapes too.
-Relation seen(const PosedConvex& a, const PosedConvex& b) {
+Relation seen(const PosedPolytope& a, const PosedPolytope& b) {
   const Relation relation_of_both = relation(a, b), exchanged = relation(b, a);
   EXPECT_EQ(exchanged.kind, relation_of_both.kind);
   EXPECT_EQ(exchanged.side_unresolved, relation_of_both.side_unresolved);
@@ -26,7 +26,7 @@ Relation seen(const PosedConvex& a, const PosedConvex& b) {
   return relation_of_both;
 }
 
-void expect(const PosedConvex& a, const PosedConvex& b, RelationKind kind,
+void expect(const PosedPolytope& a, const PosedPolytope& b, RelationKind kind,
             Containment containment = Containment::none) {
   const Relation answer = seen(a, b);
   EXPECT_EQ(answer.kind, kind);
@@ -34,7 +34,7 @@ void expect(const PosedConvex& a, const PosedConvex& b, RelationKind kind,
 }
 
 TEST(ConvexRelation, OfBoxes) {
-  const PosedConvex unit = box_at({});
+  const PosedPolytope unit = box_at({});
   expect(unit, box_at({2, 0, 0}), RelationKind::touching);
   expect(unit, box_at({2, 2, 2}), RelationKind::touching);
   expect(unit, box_at({2 + 0x1p-50, 0, 0}), RelationKind::apart);
@@ -64,69 +64,69 @@ TEST(ConvexRelation, BallsExactlyByTheSquares) {
 }
 
 TEST(ConvexRelation, RoundedShapesThatAreTheSameSet) {
-  const PosedConvex capsule{Capsule({-1, 0, 0}, {1, 0, 0}, 0.5)};
+  const PosedPolytope capsule{Capsule({-1, 0, 0}, {1, 0, 0}, 0.5)};
   const std::vector<Vec3> points{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}};
-  expect(capsule, PosedConvex{Rounded(Segment({1, 0, 0}, {-1, 0, 0}), 0.5)}, RelationKind::overlapping,
+  expect(capsule, PosedPolytope{Rounded(Segment({1, 0, 0}, {-1, 0, 0}), 0.5)}, RelationKind::overlapping,
          Containment::equal);
   const ConvexHull flat(points);
   const Rounded around_flat(flat, 0.5);
-  expect(capsule, PosedConvex{around_flat}, RelationKind::overlapping, Containment::equal);
+  expect(capsule, PosedPolytope{around_flat}, RelationKind::overlapping, Containment::equal);
   expect(ball_at({0.5, 0, 0}, 0.5), capsule, RelationKind::overlapping, Containment::a_in_b);
   expect(ball_at({std::nextafter(1.0, 2.0), 0, 0}, 0.5), capsule, RelationKind::overlapping);
 }
 
 TEST(ConvexRelation, ALargerRadiusInABody) {
   const Rounded around_box(Box({2, 2, 2}), 1);
-  const PosedConvex rounded{around_box};
+  const PosedPolytope rounded{around_box};
   // A ball of radius 2 reaches 1 beyond the part that it shares with the radius of the box.
   expect(ball_at({1, 1, 1}, 2), rounded, RelationKind::overlapping, Containment::a_in_b);
   expect(ball_at({std::nextafter(1.0, 2.0), 1, 1}, 2), rounded, RelationKind::overlapping);
   // In a slanted body: the depth is not a double, its square is whole.
   const ConvexHull octahedron(std::vector<Vec3>{{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}});
   const double depth = std::sqrt(3.0);  // rounded down
-  expect(ball_at({}, depth), PosedConvex{octahedron}, RelationKind::overlapping, Containment::a_in_b);
-  expect(ball_at({}, std::nextafter(depth, 2.0)), PosedConvex{octahedron}, RelationKind::overlapping);
+  expect(ball_at({}, depth), PosedPolytope{octahedron}, RelationKind::overlapping, Containment::a_in_b);
+  expect(ball_at({}, std::nextafter(depth, 2.0)), PosedPolytope{octahedron}, RelationKind::overlapping);
 }
 
 TEST(ConvexRelation, OfSurfaces) {
-  const PosedConvex floor{Triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}}};
-  expect(floor, PosedConvex{Segment({1, 1, -1}, {1, 1, 1})}, RelationKind::crossing);
-  expect(floor, PosedConvex{Segment({1, 1, 0}, {1, 1, 1})}, RelationKind::touching);   // ends in it
-  expect(floor, PosedConvex{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::touching);  // through its edge
-  expect(floor, PosedConvex{Segment({1, 1, 0}, {2, 1, 0})}, RelationKind::touching);   // in its plane
-  expect(floor, PosedConvex{Point({1, 1, 0})}, RelationKind::touching);
-  expect(PosedConvex{Segment({-1, 0, 0}, {1, 0, 0})}, PosedConvex{Segment({0, -1, 0}, {0, 1, 0})},
+  const PosedPolytope floor{Triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}}};
+  expect(floor, PosedPolytope{Segment({1, 1, -1}, {1, 1, 1})}, RelationKind::crossing);
+  expect(floor, PosedPolytope{Segment({1, 1, 0}, {1, 1, 1})}, RelationKind::touching);   // ends in it
+  expect(floor, PosedPolytope{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::touching);  // through its edge
+  expect(floor, PosedPolytope{Segment({1, 1, 0}, {2, 1, 0})}, RelationKind::touching);   // in its plane
+  expect(floor, PosedPolytope{Point({1, 1, 0})}, RelationKind::touching);
+  expect(PosedPolytope{Segment({-1, 0, 0}, {1, 0, 0})}, PosedPolytope{Segment({0, -1, 0}, {0, 1, 0})},
          RelationKind::touching);  // six vertices in one plane
-  EXPECT_TRUE(seen(floor, PosedConvex{Point({1, 1, 0})}).side_unresolved);
-  EXPECT_FALSE(seen(floor, PosedConvex{Segment({1, 1, -1}, {1, 1, 1})}).side_unresolved);
-  EXPECT_FALSE(seen(floor, PosedConvex{Point({1, 1, 1})}).side_unresolved);
+  EXPECT_TRUE(seen(floor, PosedPolytope{Point({1, 1, 0})}).side_unresolved);
+  EXPECT_FALSE(seen(floor, PosedPolytope{Segment({1, 1, -1}, {1, 1, 1})}).side_unresolved);
+  EXPECT_FALSE(seen(floor, PosedPolytope{Point({1, 1, 1})}).side_unresolved);
 }
 
 TEST(ConvexRelation, AFlatHullIsOneFace) {
   const std::vector<Vec3> corners{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   const ConvexHull square(corners);
   // On what would be its diagonal.
-  expect(PosedConvex{square}, PosedConvex{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::crossing);
+  expect(PosedPolytope{square}, PosedPolytope{Segment({2, 2, -1}, {2, 2, 1})}, RelationKind::crossing);
 }
 
 TEST(ConvexRelation, OfASurfaceAndASolid) {
-  const PosedConvex box = box_at({});
-  expect(PosedConvex{Point(Vec3{})}, box, RelationKind::crossing, Containment::a_in_b);
-  expect(PosedConvex{Point({1, 0, 0})}, box, RelationKind::touching);
-  expect(PosedConvex{Segment({0, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);  // its end is on the boundary
-  expect(PosedConvex{Segment({-1, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);
-  expect(PosedConvex{Segment({-1, 1, 0}, {1, 1, 0})}, box, RelationKind::touching);
-  expect(PosedConvex{Segment({0, 0, 0}, {std::nextafter(1.0, 0.0), 0, 0})}, box, RelationKind::crossing,
+  const PosedPolytope box = box_at({});
+  expect(PosedPolytope{Point(Vec3{})}, box, RelationKind::crossing, Containment::a_in_b);
+  expect(PosedPolytope{Point({1, 0, 0})}, box, RelationKind::touching);
+  expect(PosedPolytope{Segment({0, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);  // its end is on the boundary
+  expect(PosedPolytope{Segment({-1, 0, 0}, {1, 0, 0})}, box, RelationKind::crossing);
+  expect(PosedPolytope{Segment({-1, 1, 0}, {1, 1, 0})}, box, RelationKind::touching);
+  expect(PosedPolytope{Segment({0, 0, 0}, {std::nextafter(1.0, 0.0), 0, 0})}, box, RelationKind::crossing,
          Containment::a_in_b);
-  expect(PosedConvex{Point({3, 4, 0})}, ball_at({}, 5), RelationKind::touching);
-  expect(PosedConvex{Point({3, 4, 0})}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
+  expect(PosedPolytope{Point({3, 4, 0})}, ball_at({}, 5), RelationKind::touching);
+  expect(PosedPolytope{Point({3, 4, 0})}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
          Containment::a_in_b);
 }
 
 TEST(ConvexRelation, ASurfaceThatReachesTheBoundaryFromInside) {
   const Segment to_the_boundary({0, 0, 0}, {3, 4, 0});
-  expect(PosedConvex{to_the_boundary}, ball_at({}, 5), RelationKind::crossing);
-  expect(PosedConvex{to_the_boundary}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
+  expect(PosedPolytope{to_the_boundary}, ball_at({}, 5), RelationKind::crossing);
+  expect(PosedPolytope{to_the_boundary}, ball_at({}, std::nextafter(5.0, 6.0)), RelationKind::crossing,
          Containment::a_in_b);
 }
 
@@ -134,10 +134,10 @@ TEST(ConvexRelation, ASolidThatRoundingFlattensOnlyTouches) {
   Pose far;
   far.offset = {0, 0, 0x1p60};
   const Box thin({1, 1, 0x1p-10});
-  const PosedConvex flattened{thin, far};
+  const PosedPolytope flattened{thin, far};
   expect(flattened, flattened, RelationKind::touching);
-  expect(flattened, PosedConvex{Sphere(1), far}, RelationKind::touching);
-  expect(flattened, PosedConvex{Segment({0, 0, -0x1p60}, {0, 0, 0x1p60}), far}, RelationKind::touching);
+  expect(flattened, PosedPolytope{Sphere(1), far}, RelationKind::touching);
+  expect(flattened, PosedPolytope{Segment({0, 0, -0x1p60}, {0, 0, 0x1p60}), far}, RelationKind::touching);
   EXPECT_TRUE(relation(flattened, flattened).a_solid);
 }
 
@@ -147,16 +147,16 @@ TEST(ConvexRelation, AtTheEndsOfTheRange) {
     Pose beside, shifted;
     beside.offset = {4 * unit, 0, 0};
     shifted.offset = {3 * unit, 0, 0};
-    expect(PosedConvex{box}, PosedConvex{box, beside}, RelationKind::touching);
-    expect(PosedConvex{box}, PosedConvex{box, shifted}, RelationKind::overlapping);
-    expect(PosedConvex{box}, PosedConvex{box}, RelationKind::overlapping, Containment::equal);
+    expect(PosedPolytope{box}, PosedPolytope{box, beside}, RelationKind::touching);
+    expect(PosedPolytope{box}, PosedPolytope{box, shifted}, RelationKind::overlapping);
+    expect(PosedPolytope{box}, PosedPolytope{box}, RelationKind::overlapping, Containment::equal);
     expect(ball_at({}, 2 * unit), ball_at({4 * unit, 0, 0}, 2 * unit), RelationKind::touching);
-    expect(ball_at({}, 2 * unit), PosedConvex{box}, RelationKind::overlapping, Containment::a_in_b);
+    expect(ball_at({}, 2 * unit), PosedPolytope{box}, RelationKind::overlapping, Containment::a_in_b);
   }
 }
 
 TEST(ConvexRelation, CountsAQuestionOnce) {
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   (void)relation(box_at({}), box_at({9, 0, 0}), &workspace);
   (void)relation(box_at({}), box_at({0.5, 0.25, 0.125}), &workspace);
   EXPECT_EQ(workspace.counts.exact, 0U);
@@ -173,10 +173,10 @@ TEST(InteriorsMeet, WhereTheCommonPointIsAVertexOfBoth) {
   const ConvexHull over_the_edge(std::vector<Vec3>{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0x1p-60, 0x1p-60, 1}});
   VertexPairs common;
   common.append(0, 0);
-  EXPECT_FALSE(interiors_meet(PosedConvex{octant}, PosedConvex{opposite}, common));
-  EXPECT_TRUE(interiors_meet(PosedConvex{octant}, PosedConvex{over_the_edge}, common));
-  EXPECT_TRUE(interiors_meet(PosedConvex{octant}, PosedConvex{octant}, common));
-  EXPECT_FALSE(interiors_meet(PosedConvex{octant}, PosedConvex{opposite}, {}));
+  EXPECT_FALSE(interiors_meet(PosedPolytope{octant}, PosedPolytope{opposite}, common));
+  EXPECT_TRUE(interiors_meet(PosedPolytope{octant}, PosedPolytope{over_the_edge}, common));
+  EXPECT_TRUE(interiors_meet(PosedPolytope{octant}, PosedPolytope{octant}, common));
+  EXPECT_FALSE(interiors_meet(PosedPolytope{octant}, PosedPolytope{opposite}, {}));
 }
 
 }  // namespace

@@ -14,18 +14,18 @@ namespace toccata::test {
 /// A case, as the library and as the oracle see it.
 struct SeenCase {
   const ConvexCase& given;
-  PosedConvex a;
-  PosedConvex b;
+  PosedPolytope a;
+  PosedPolytope b;
   oracle::ConvexSet set_a;
   oracle::ConvexSet set_b;
   /// Of the last case of the sweep: what it holds is of no use here, and must do no harm.
-  ConvexWorkspace& stale;
+  SimplexCache& stale;
 };
 
 /// Cases of a cell. `check` is given each, and gives nothing, or what is wrong.
 template <class Check>
 SweepResult run_convex_cases(const std::string& cell, std::uint64_t seed, std::uint64_t cases, Check check) {
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   return run_cell(cell, seed, cases, [&](const ConvexCase& pair, Random&) {
     return check({pair, posed(pair.a), posed(pair.b), set_of(pair.a), set_of(pair.b), workspace});
   });
@@ -43,7 +43,7 @@ std::string compare_warm(const SeenCase& seen, Question question) {
 /// The largest coordinate of the shapes' vertices, grown by the radii.
 inline double largest_coordinate(const SeenCase& seen) {
   double largest = 0;
-  for (const PosedConvex* shape : {&seen.a, &seen.b})
+  for (const PosedPolytope* shape : {&seen.a, &seen.b})
     for (Index i = 0; i < shape->vertex_count(); ++i) {
       const Vec3 v = shape->vertex(i);
       largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});

@@ -103,7 +103,7 @@ std::vector<Vec3> directions(const ConvexHull& hull, Random& random) {
   return all;
 }
 
-SupportScan scan_of(const PosedConvex& shape, const Vec3& direction) {
+SupportScan scan_of(const PosedPolytope& shape, const Vec3& direction) {
   return {shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), direction, {}, shape.vertex_count()};
 }
 
@@ -112,7 +112,7 @@ TEST(EdgeWalk, FindsWhatAScanOfAllVerticesFinds) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
     const ConvexHull hull(one.points);
-    const PosedConvex shape(hull);
+    const PosedPolytope shape(hull);
     Random random(5);
     int answers = 0;
     for (const Vec3& direction : directions(hull, random)) {
@@ -140,7 +140,7 @@ TEST(EdgeWalk, FindsWhatAScanOfAllVerticesFinds) {
 
 TEST(EdgeWalk, LooksAtFewVertices) {
   const ConvexHull hull(ball(4000));
-  const PosedConvex shape(hull);
+  const PosedPolytope shape(hull);
   Random random(5);
   std::uint64_t heights = 0;
   for (int i = 0; i < 100; ++i) {

@@ -44,11 +44,11 @@ TEST(Gjk, TheDifferenceContainsTheOriginWhenTheShapesMeet) {
 
 TEST(Gjk, LooksAtFewVerticesOfTheDifference) {
   Random random(1);
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   for (int i = 0; i < 100; ++i) {
     const ConvexHull a = random_ball(32, random), b = random_ball(32, random);
     workspace.simplex_size = 0;
-    static_cast<void>(distance(PosedConvex(a), PosedConvex(b, turned_at(i, {2.1, 0.3, 0.2})), &workspace));
+    static_cast<void>(distance(PosedPolytope(a), PosedPolytope(b, turned_at(i, {2.1, 0.3, 0.2})), &workspace));
   }
   EXPECT_LT(workspace.counts.support_points, 100U * 20);
   EXPECT_EQ(workspace.counts.exact, 0U);
@@ -57,9 +57,9 @@ TEST(Gjk, LooksAtFewVerticesOfTheDifference) {
 TEST(Gjk, AWarmStartSavesMostSupports) {
   Random random(1);
   const ConvexHull a = random_ball(64, random), b = random_ball(64, random);
-  ConvexWorkspace kept, forgotten;
+  SimplexCache kept, forgotten;
   for (int step = 0; step < 1000; ++step) {
-    const PosedConvex posed_a(a), posed_b(b, turned_at(0.01 * step, {2.1, 0.3, 0.2}));
+    const PosedPolytope posed_a(a), posed_b(b, turned_at(0.01 * step, {2.1, 0.3, 0.2}));
     static_cast<void>(distance(posed_a, posed_b, &kept));
     forgotten.simplex_size = 0;
     static_cast<void>(distance(posed_a, posed_b, &forgotten));
@@ -75,13 +75,13 @@ constexpr GjkOptions manners[] = {{GjkSupport::scan, GjkAcceleration::none},
 /// Of questions about two hulls that are turned and moved, all from the beginning.
 ConvexCounts counts_of(std::size_t vertices, const GjkOptions& options) {
   Random random(2);
-  ConvexWorkspace workspace;
+  SimplexCache workspace;
   for (int pair = 0; pair < 3; ++pair) {
     const ConvexHull a = random_ball(vertices, random), b = random_ball(vertices, random);
     for (int i = 0; i < 20; ++i) {
       workspace.simplex_size = 0;
       static_cast<void>(
-          distance_by_gjk(PosedConvex(a), PosedConvex(b, turned_at(i, {2.02, 0.3, 0.2})), options, &workspace));
+          distance_by_gjk(PosedPolytope(a), PosedPolytope(b, turned_at(i, {2.02, 0.3, 0.2})), options, &workspace));
     }
   }
   return workspace.counts;
@@ -109,12 +109,12 @@ TEST(Gjk, EveryMannerEndsOnDegenerateHulls) {
       }
       const ConvexHull a(points), b(std::vector<Vec3>(points.begin() + 100, points.begin() + 400));
       for (const Vec3& offset : {Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{2.5, 1, 0.5}}) {
-        const PosedConvex posed_a(a), posed_b(b, turned_at(0.3, size * offset));
+        const PosedPolytope posed_a(a), posed_b(b, turned_at(0.3, size * offset));
         const Distance first = distance_by_gjk(posed_a, posed_b, manners[0]);
         const Distance chosen = distance(posed_a, posed_b);
         EXPECT_LE(std::max(first.lower, chosen.lower), std::min(first.upper, chosen.upper));
         for (const GjkOptions& manner : manners) {
-          ConvexWorkspace workspace;
+          SimplexCache workspace;
           for (int i = 0; i < 2; ++i) EXPECT_EQ(distance_by_gjk(posed_a, posed_b, manner, &workspace), first);
           EXPECT_EQ(overlap_by_gjk(posed_a, posed_b, manner, &workspace), first.upper == 0);
         }

@@ -14,15 +14,15 @@
 namespace toccata {
 namespace {
 
-Aabb box_around(const PosedConvex& shape) {
+Aabb box_around(const PosedPolytope& shape) {
   Aabb box;
   for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
   return box;
 }
 
 /// A plate of half extents 2, 2, 0.1, turned by 45° about z and moved.
-PosedConvex turned_plate(const Vec3& offset) {
-  return PosedConvex(Box({2, 2, 0.1}), Pose{rotation_about({0, 0, 1}, 45), offset});
+PosedPolytope turned_plate(const Vec3& offset) {
+  return PosedPolytope(Box({2, 2, 0.1}), Pose{rotation_about({0, 0, 1}, 45), offset});
 }
 
 TEST(LectureQuestion, BoxesAroundTurnedBoxesTellOnlyWhatIsApart) {
@@ -38,7 +38,7 @@ TEST(LectureQuestion, BoxesAroundTurnedBoxesTellOnlyWhatIsApart) {
 }
 
 TEST(LectureQuestion, TheDefiniteAnswerIsSeenAlongTheEdgesOfABox) {
-  const PosedConvex a = turned_plate({}), b = turned_plate({3, 3, 0});
+  const PosedPolytope a = turned_plate({}), b = turned_plate({3, 3, 0});
   // All vertices of B lie to one side of a face of A, in the coordinate that A's edge gives.
   const Vec3 edge = rotation_about({0, 0, 1}, 45).column(0);
   double farthest_of_a = -1e9, nearest_of_b = 1e9;
@@ -58,7 +58,7 @@ TEST(LectureQuestion, AlignedBoxesOverlapExactlyWhenTheyDoAlongEveryAxis) {
     const auto box = [&] {
       return Box({1 + number(), 1 + number(), 1 + number()}, 2 * Vec3{number(), number(), number()});
     };
-    const PosedConvex a{box()}, b{box()};
+    const PosedPolytope a{box()}, b{box()};
     const Aabb around_a = box_around(a), around_b = box_around(b);
     bool along_every_axis = true;
     for (int axis = 0; axis < 3; ++axis)
@@ -71,9 +71,9 @@ TEST(LectureQuestion, AlignedBoxesOverlapExactlyWhenTheyDoAlongEveryAxis) {
 
 TEST(LectureQuestion, ThePlanesOfVoronoiRegionsStandOnTheEdges) {
   const Triangle triangle{{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}}};
-  const PosedConvex posed(triangle);
+  const PosedPolytope posed(triangle);
   const auto nearest_to = [&](const Vec3& centre) {
-    const Vec3 found = distance(posed, PosedConvex(Point(centre))).on_a;
+    const Vec3 found = distance(posed, PosedPolytope(Point(centre))).on_a;
     // To eight digits, since witness points are rounded.
     return Vec3{std::round(found.x * 0x1p27) * 0x1p-27, std::round(found.y * 0x1p27) * 0x1p-27,
                 std::round(found.z * 0x1p27) * 0x1p-27};
@@ -94,7 +94,7 @@ TEST(LectureQuestion, ThePlanesOfVoronoiRegionsStandOnTheEdges) {
 }
 
 TEST(LectureQuestion, ASphereWhoseCentreIsInsideMeetsAndHasItsWayOut) {
-  const PosedConvex box(Box({4, 4, 4})), ball(Sphere(0.5, {3, 0, 0}));
+  const PosedPolytope box(Box({4, 4, 4})), ball(Sphere(0.5, {3, 0, 0}));
   EXPECT_TRUE(overlap(box, ball));
   EXPECT_EQ(distance(box, ball).upper, 0);
   const Penetration way_out = penetration(box, ball);
@@ -106,7 +106,7 @@ TEST(LectureQuestion, ASphereWhoseCentreIsInsideMeetsAndHasItsWayOut) {
 TEST(LectureQuestion, TheDistanceToAPlaneIsTheHeightOverTheNormalsLength) {
   // n = (1, 2, 2), d = −6: |n| is 3. The centre (5, 5, 5) has n·x + d = 19.
   const PosedHalfSpace plane(HalfSpace({2, 1, 1}, {1, 2, 2}));
-  const Distance found = distance(PosedConvex(Sphere(2, {5, 5, 5})), plane);
+  const Distance found = distance(PosedPolytope(Sphere(2, {5, 5, 5})), plane);
   const double exact = 19.0 / 3 - 2;
   EXPECT_LE(found.lower, std::nextafter(exact, 9));
   EXPECT_GE(found.upper, std::nextafter(exact, 0));
@@ -124,11 +124,11 @@ TEST(LectureQuestion, OverlapIsAPointInTheMinkowskiSum) {
   const Rounded sum(Box({1, 1, 1}), 0.5);
   for (const Vec3& centre :
        {Vec3{1.5, 0, 0}, Vec3{1.25, 1.25, 1.25}, Vec3{1.5, 1.5, 1.5}, Vec3{1.5, 1, 1}, Vec3{1.4, 1.4, 0}})
-    EXPECT_EQ(overlap(PosedConvex(sum), PosedConvex(Point(centre))),
-              overlap(PosedConvex(Box({1, 1, 1})), PosedConvex(Sphere(0.5, centre))));
+    EXPECT_EQ(overlap(PosedPolytope(sum), PosedPolytope(Point(centre))),
+              overlap(PosedPolytope(Box({1, 1, 1})), PosedPolytope(Sphere(0.5, centre))));
   // Grown planes alone would say otherwise at a corner: the sum is round there.
-  EXPECT_FALSE(overlap(PosedConvex(sum), PosedConvex(Point({1.4, 1.4, 1.4}))));
-  EXPECT_TRUE(overlap(PosedConvex(Box({1.5, 1.5, 1.5})), PosedConvex(Point({1.4, 1.4, 1.4}))));
+  EXPECT_FALSE(overlap(PosedPolytope(sum), PosedPolytope(Point({1.4, 1.4, 1.4}))));
+  EXPECT_TRUE(overlap(PosedPolytope(Box({1.5, 1.5, 1.5})), PosedPolytope(Point({1.4, 1.4, 1.4}))));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using ExactMesh = CGAL::Surface_mesh<Exact::Point_3>;
 Exact::Vector_3 exact_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 Exact::Point_3 exact_point(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-std::vector<Exact::Point_3> all_sums(const PosedConvex& a, const PosedConvex& b, bool negated) {
+std::vector<Exact::Point_3> all_sums(const PosedPolytope& a, const PosedPolytope& b, bool negated) {
   std::vector<Exact::Point_3> sums;
   for (Index i = 0; i < a.vertex_count(); ++i)
     for (Index j = 0; j < b.vertex_count(); ++j)
@@ -88,7 +88,7 @@ class CgalSum {
 /// The same of the sum's own exact vertices and faces.
 class OwnSum {
  public:
-  OwnSum(const MinkowskiSum& sum, const PosedConvex& a, const PosedConvex& b, bool negated) : sum_(sum) {
+  OwnSum(const MinkowskiSum& sum, const PosedPolytope& a, const PosedPolytope& b, bool negated) : sum_(sum) {
     for (Index i = 0; i < sum.vertex_count(); ++i) {
       const SumVertex pair = sum.pair(i);
       const Vec3 on_b = b.vertex(pair.on_b);
@@ -133,7 +133,7 @@ std::vector<Vec3> points_near(const MinkowskiSum& sum, Random& random) {
   return points;
 }
 
-std::string fault_of_sum(const PosedConvex& a, const PosedConvex& b, bool negated, Random& random) {
+std::string fault_of_sum(const PosedPolytope& a, const PosedPolytope& b, bool negated, Random& random) {
   const MinkowskiSum sum = negated ? minkowski_difference(a, b) : minkowski_sum(a, b);
   const CgalSum theirs(all_sums(a, b, negated));
   const OwnSum ours(sum, a, b, negated);
@@ -154,7 +154,7 @@ std::string fault_of_sum(const PosedConvex& a, const PosedConvex& b, bool negate
 }
 
 std::string check_with_cgal(const ConvexCase& pair, Random& random) {
-  const PosedConvex a = posed(pair.a), b = posed(pair.b);
+  const PosedPolytope a = posed(pair.a), b = posed(pair.b);
   const std::string wrong = fault_of_sum(a, b, false, random);
   return wrong.empty() ? fault_of_sum(a, b, true, random) : "of the difference: " + wrong;
 }

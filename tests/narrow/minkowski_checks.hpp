@@ -17,7 +17,7 @@ struct SumTruth {
   std::vector<oracle::RationalPoint> a, b;  ///< world vertices; those of B negated for a difference
   oracle::Rational radius;
 
-  SumTruth(const PosedConvex& of_a, const PosedConvex& of_b, bool negated) {
+  SumTruth(const PosedPolytope& of_a, const PosedPolytope& of_b, bool negated) {
     for (Index i = 0; i < of_a.vertex_count(); ++i) a.push_back(oracle::exact(of_a.vertex(i)));
     for (Index i = 0; i < of_b.vertex_count(); ++i)
       b.push_back(negated ? -oracle::exact(of_b.vertex(i)) : oracle::exact(of_b.vertex(i)));

@@ -19,7 +19,7 @@ namespace {
 
 using test::SumTruth;
 
-std::string checked(const PosedConvex& a, const PosedConvex& b, bool negated = false) {
+std::string checked(const PosedPolytope& a, const PosedPolytope& b, bool negated = false) {
   const MinkowskiSum sum = negated ? minkowski_difference(a, b) : minkowski_sum(a, b);
   const SumTruth truth(a, b, negated);
   const std::string wrong = test::sum_fault(sum, truth);
@@ -33,7 +33,7 @@ Index faces_of(const MinkowskiSum& sum, SumFaceKind kind) {
 }
 
 TEST(MinkowskiSum, OfTwoAlignedBoxesIsABox) {
-  const PosedConvex a(Box{{1, 2, 3}}), b(Box{{0.5, 0.25, 1}}, Pose::translation(10, 0, 0));
+  const PosedPolytope a(Box{{1, 2, 3}}), b(Box{{0.5, 0.25, 1}}, Pose::translation(10, 0, 0));
   const MinkowskiSum sum = minkowski_sum(a, b);
   EXPECT_EQ(checked(a, b), "");
   EXPECT_EQ(sum.vertex_count(), 8U);
@@ -46,7 +46,7 @@ TEST(MinkowskiSum, OfTwoAlignedBoxesIsABox) {
 }
 
 TEST(MinkowskiSum, OfSegmentsIsAParallelepiped) {
-  const PosedConvex x(Segment({0, 0, 0}, {1, 0, 0})), y(Segment({0, 0, 0}, {0, 2, 0})),
+  const PosedPolytope x(Segment({0, 0, 0}, {1, 0, 0})), y(Segment({0, 0, 0}, {0, 2, 0})),
       z(Segment({0, 0, 0}, {1, 1, 3}));
   const MinkowskiSum square = minkowski_sum(x, y);
   EXPECT_EQ(square.dimension(), 2);
@@ -55,7 +55,7 @@ TEST(MinkowskiSum, OfSegmentsIsAParallelepiped) {
   EXPECT_EQ(square.side_of({0.5, 1, 1e-300}), Sign::positive);
   EXPECT_EQ(square.side_of({1.5, 1, 0}), Sign::positive);
   const ConvexHull hull = square.as_hull();
-  const PosedConvex flat(hull);
+  const PosedPolytope flat(hull);
   const MinkowskiSum body = minkowski_sum(flat, z);
   EXPECT_EQ(body.dimension(), 3);
   EXPECT_EQ(body.vertex_count(), 8U);
@@ -64,8 +64,8 @@ TEST(MinkowskiSum, OfSegmentsIsAParallelepiped) {
 }
 
 TEST(MinkowskiSum, OfParallelSegmentsAndOfPointsHasNoFaces) {
-  const PosedConvex s(Segment({1, 1, 1}, {0, 0, 0})), t(Segment({0, 0, 0}, {2, 2, 2})), p(Point({5, 0, 0}));
-  for (const PosedConvex* other : {&t, &p, &s}) EXPECT_EQ(checked(s, *other), "");
+  const PosedPolytope s(Segment({1, 1, 1}, {0, 0, 0})), t(Segment({0, 0, 0}, {2, 2, 2})), p(Point({5, 0, 0}));
+  for (const PosedPolytope* other : {&t, &p, &s}) EXPECT_EQ(checked(s, *other), "");
   const MinkowskiSum segment = minkowski_sum(s, t);
   EXPECT_EQ(segment.dimension(), 1);
   EXPECT_EQ(segment.vertex_count(), 2U);
@@ -84,8 +84,8 @@ TEST(MinkowskiSum, MergesParallelFacesOfPrisms) {
   const std::vector<Vec3> first{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
   const std::vector<Vec3> second{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 5}, {1, 0, 5}, {1, 1, 5}};
   const ConvexHull a(first), b(second);
-  const MinkowskiSum sum = minkowski_sum(PosedConvex(a), PosedConvex(b));
-  EXPECT_EQ(checked(PosedConvex(a), PosedConvex(b)), "");
+  const MinkowskiSum sum = minkowski_sum(PosedPolytope(a), PosedPolytope(b));
+  EXPECT_EQ(checked(PosedPolytope(a), PosedPolytope(b)), "");
   EXPECT_EQ(faces_of(sum, SumFaceKind::of_both), 3U);  // and the side over the parallel edges
   EXPECT_EQ(faces_of(sum, SumFaceKind::of_edges), 0U);
   EXPECT_EQ(sum.topology().face_count(), 7U);
@@ -97,7 +97,7 @@ TEST(MinkowskiSum, IsThatOfTheOracleForAllKindsAndRegimes) {
     for (std::uint64_t number = 0; number < 105; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
       if (a.vertex_count() * b.vertex_count() > 100) continue;
       ASSERT_EQ(checked(a, b), "") << kind << " " << number << ": " << test::to_text(pair);
       ASSERT_EQ(checked(b, a, true), "") << kind << " " << number << ": " << test::to_text(pair);
@@ -154,7 +154,7 @@ TEST(MinkowskiSum, TellsTheSideOfAPointAsTheOracleDoes) {
     for (std::uint64_t number = 0; number < 105; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
       if (a.vertex_count() * b.vertex_count() > 64) continue;
       const MinkowskiSum sum = minkowski_sum(a, b);
       const SumTruth truth(a, b, false);
@@ -173,7 +173,7 @@ TEST(SumLocator, AnswersAsTheSumDoes) {
     for (std::uint64_t number = 0; number < 210; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
       const MinkowskiSum sum = minkowski_sum(a, b);
       const SumLocator locator(sum);
       for (int round = 0; round < 4; ++round)
@@ -183,7 +183,7 @@ TEST(SumLocator, AnswersAsTheSumDoes) {
         }
     }
   for (const int count : seen) EXPECT_GT(count, 1000);
-  const MinkowskiSum sum = minkowski_sum(PosedConvex(Box{{1, 1, 1}}), PosedConvex(Box{{1, 1, 1}}));
+  const MinkowskiSum sum = minkowski_sum(PosedPolytope(Box{{1, 1, 1}}), PosedPolytope(Box{{1, 1, 1}}));
   EXPECT_THROW(static_cast<void>(SumLocator(sum).side_of({0, HUGE_VAL, 0})), Error);
 }
 
@@ -192,7 +192,7 @@ TEST(MinkowskiDifference, HoldsTheOriginExactlyWhenTheShapesMeet) {
     for (std::uint64_t number = 0; number < 210; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
       const bool met = overlap(a, b);
       ASSERT_EQ(minkowski_difference(a, b).contains({}), met) << kind << " " << number << ": " << test::to_text(pair);
       ASSERT_EQ(minkowski_difference(b, a).contains({}), met) << kind << " " << number << ": " << test::to_text(pair);
@@ -200,9 +200,9 @@ TEST(MinkowskiDifference, HoldsTheOriginExactlyWhenTheShapesMeet) {
 }
 
 TEST(MinkowskiSum, RefusesWhatIsNotFinite) {
-  const PosedConvex a(Box{{1e308, 1, 1}});
+  const PosedPolytope a(Box{{1e308, 1, 1}});
   EXPECT_THROW(static_cast<void>(minkowski_sum(a, a)), Error);
-  const MinkowskiSum sum = minkowski_sum(PosedConvex(Point({0, 0, 0})), a);
+  const MinkowskiSum sum = minkowski_sum(PosedPolytope(Point({0, 0, 0})), a);
   EXPECT_THROW(static_cast<void>(sum.side_of({0, std::numeric_limits<double>::quiet_NaN(), 0})), Error);
 }
 

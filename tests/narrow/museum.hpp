@@ -13,11 +13,11 @@ namespace toccata::museum {
 
 inline Pose at(double x, double y, double z) { return Pose::translation(x, y, z); }
 
-inline PosedConvex cube(double size, const Pose& pose = {}) {
-  return PosedConvex(Box({size / 2, size / 2, size / 2}), pose);
+inline PosedPolytope cube(double size, const Pose& pose = {}) {
+  return PosedPolytope(Box({size / 2, size / 2, size / 2}), pose);
 }
 
-inline oracle::ConvexSet set_of(const PosedConvex& shape) {
+inline oracle::ConvexSet set_of(const PosedPolytope& shape) {
   oracle::ConvexSet set;
   for (Index i = 0; i < shape.vertex_count(); ++i) set.vertices.push_back(oracle::exact(shape.vertex(i)));
   set.radius = oracle::exact(shape.radius());
@@ -27,7 +27,7 @@ inline oracle::ConvexSet set_of(const PosedConvex& shape) {
 inline bool is_unit(const Vec3& v) { return std::abs(dot(v, v) - 1) <= 1e-15; }
 
 /// All questions answer, both ways round, and as rational arithmetic does.
-inline void expect_right(const PosedConvex& a, const PosedConvex& b) {
+inline void expect_right(const PosedPolytope& a, const PosedPolytope& b) {
   const oracle::ConvexSet set_a = set_of(a), set_b = set_of(b);
   const oracle::Relation truth = oracle::relation(set_a, a.solid(), set_b, b.solid());
   const bool meet = truth.kind != oracle::RelationKind::apart;

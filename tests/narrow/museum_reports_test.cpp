@@ -17,8 +17,8 @@ namespace {
 
 using namespace museum;
 
-PosedConvex box(double x, double y, double z, const Pose& pose) {
-  return PosedConvex(Box({x / 2, y / 2, z / 2}), pose);
+PosedPolytope box(double x, double y, double z, const Pose& pose) {
+  return PosedPolytope(Box({x / 2, y / 2, z / 2}), pose);
 }
 
 Pose placed(const std::array<Vec3, 3>& rows, const Vec3& offset) { return {Mat3{rows}, offset}; }
@@ -81,16 +81,17 @@ TEST(MuseumReports, FclRealWorldBoxes) {
 
 // fcl#445: boxes side by side at a distance of 0 to twelve places; the expansion threw.
 TEST(MuseumReports, Fcl445BoxesThatNearlyTouch) {
-  const PosedConvex a = box(0.31650000000000000355, 0.22759999999999999676, 0.1768000000000000127,
-                            placed({{{0.44540578475530234748, 0.89532881496493399442, -8.8937407685638678971e-09},
-                                     {-0.89532881496493377238, 0.44540578475530190339, -2.8948680226084145336e-08},
-                                     {-2.1957263975186326105e-08, 2.0856732016652919226e-08, 0.99999999999999955591}}},
-                                   {1.2652949075960071568, 1.4551012423210101243, 0.49480006232932938204}));
-  const PosedConvex b = box(0.49430000000000001714, 0.35460000000000002629, 0.075200000000000002953,
-                            placed({{{0.44171122913485860728, 0.8971572827861190591, -1.622764514865468214e-09},
-                                     {-0.8971572827861190591, 0.44171122913485860728, -5.1621053952306079594e-09},
-                                     {-3.9144271413829990148e-09, 3.7360349218094348098e-09, 1}}},
-                                   {1.1304016226141906376, 1.8410802645284281009, 0.44400006232932492933}));
+  const PosedPolytope a =
+      box(0.31650000000000000355, 0.22759999999999999676, 0.1768000000000000127,
+          placed({{{0.44540578475530234748, 0.89532881496493399442, -8.8937407685638678971e-09},
+                   {-0.89532881496493377238, 0.44540578475530190339, -2.8948680226084145336e-08},
+                   {-2.1957263975186326105e-08, 2.0856732016652919226e-08, 0.99999999999999955591}}},
+                 {1.2652949075960071568, 1.4551012423210101243, 0.49480006232932938204}));
+  const PosedPolytope b = box(0.49430000000000001714, 0.35460000000000002629, 0.075200000000000002953,
+                              placed({{{0.44171122913485860728, 0.8971572827861190591, -1.622764514865468214e-09},
+                                       {-0.8971572827861190591, 0.44171122913485860728, -5.1621053952306079594e-09},
+                                       {-3.9144271413829990148e-09, 3.7360349218094348098e-09, 1}}},
+                                     {1.1304016226141906376, 1.8410802645284281009, 0.44400006232932492933}));
   expect_right(a, b);
   EXPECT_LE(distance(a, b).upper, 1e-12);
 }
@@ -121,14 +122,14 @@ TEST(MuseumReports, Fcl493TiltedStacks) {
 
 // fcl#293: no number in the nearest points of two boxes that are apart.
 TEST(MuseumReports, Fcl293NearestPointsAreNumbers) {
-  const PosedConvex plate = box(2.75, 6, 0.05, at(1.625, 0, 0.5));
+  const PosedPolytope plate = box(2.75, 6, 0.05, at(1.625, 0, 0.5));
   const Mat3 turned = rotation_of({0.340674, 0.155066, 0.638138, 0.672811});
   expect_right(plate, box(0.424, 0.15, 0.1686, {turned, {0.192074, -0.277870, 0.273546}}));
 }
 
 // fcl#127: sphere of radius 1 and a box of 10 × 2 × 10 at (0, 5, 3): right distance, wrong points.
 TEST(MuseumReports, Fcl127PointsOfASphereAndABox) {
-  const Distance d = distance(PosedConvex(Sphere(1)), box(10, 2, 10, at(0, 5, 3)));
+  const Distance d = distance(PosedPolytope(Sphere(1)), box(10, 2, 10, at(0, 5, 3)));
   EXPECT_NEAR(d.upper, 3, 1e-12);
   EXPECT_NEAR(d.on_a.y, 1, 1e-11);
   EXPECT_NEAR(d.on_b.y, 4, 1e-11);
@@ -137,7 +138,7 @@ TEST(MuseumReports, Fcl127PointsOfASphereAndABox) {
 
 // fcl#275: spheres of radii 20 and 10 at a distance of 40 were told to be 25 apart, at points inside and far outside.
 TEST(MuseumReports, Fcl275SpheresOfTwentyAndTen) {
-  const Distance d = distance(PosedConvex(Sphere(20)), PosedConvex(Sphere(10), at(0, 40, 0)));
+  const Distance d = distance(PosedPolytope(Sphere(20)), PosedPolytope(Sphere(10), at(0, 40, 0)));
   EXPECT_NEAR(d.lower, 10, 1e-11);
   EXPECT_NEAR(d.upper, 10, 1e-11);
   EXPECT_NEAR(d.on_a.y, 20, 4e-11);
@@ -171,13 +172,13 @@ TEST(MuseumReports, Dolfinx3653PointAndHull) {
                                    {45.1735, 40.495, 17.3336},
                                    {48.0415, 40.4456, 18.1963}}};
   const ConvexHull hull(cloud);
-  expect_right(PosedConvex(Point({44.2919, 39.7508, 18.8208})), PosedConvex(hull));
+  expect_right(PosedPolytope(Point({44.2919, 39.7508, 18.8208})), PosedPolytope(hull));
 }
 
 // parry#180: a square of half size 2 that falls on a segment from (1, 1) to (124, 1) misses it from x = 15.689465, and
 // meets it from a millionth beside. The plane of the report is z = 0 here, the square a box.
 TEST(MuseumReports, Parry180NoValueIsSpecial) {
-  const PosedConvex segment{Segment({1, 1, 0}, {124, 1, 0})};
+  const PosedPolytope segment{Segment({1, 1, 0}, {124, 1, 0})};
   const Vec3 motion = 100.0 * Vec3{0.0081385, -0.999966, 0};
   for (const double x : {15.689463, 15.689464, 15.689465, 15.689466, 15.689467}) {
     const Cast cast = cast_shape(cube(4, at(x, 54.00709, 0)), motion, segment);
@@ -190,7 +191,7 @@ TEST(MuseumReports, Parry180NoValueIsSpecial) {
 // parry#107: a ball of radius 96 that slides into a box of 2560 × 192 is let through.
 TEST(MuseumReports, Parry107ABallIsStoppedByAWall) {
   const Vec3 motion = (1.0 / 60) * Vec3{-636.3961, -636.3961, 0};
-  const PosedConvex ball(Sphere(96), at(216.02324, -1632.0032, 0)), wall = box(2560, 192, 192, at(0, -1824, 0));
+  const PosedPolytope ball(Sphere(96), at(216.02324, -1632.0032, 0)), wall = box(2560, 192, 192, at(0, -1824, 0));
   const Cast cast = cast_shape(ball, motion, wall);
   EXPECT_TRUE(cast.hit);
   EXPECT_LE(cast.upper, 1);
@@ -214,7 +215,7 @@ TEST(MuseumReports, Ifc4594AlignedWallsOverlap) {
 TEST(MuseumReports, PythonFcl54ATinyBallOnAFace) {
   const std::array<Vec3, 4> corners{{{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}}};
   const ConvexHull tetrahedron(corners);
-  const PosedConvex ball(Sphere(0.0001), at(1.5, 1.25, 1)), body(tetrahedron);
+  const PosedPolytope ball(Sphere(0.0001), at(1.5, 1.25, 1)), body(tetrahedron);
   expect_right(body, ball);
   const Penetration p = penetration(body, ball);
   EXPECT_NEAR(p.upper, 0.0001, 1e-15);
@@ -242,7 +243,7 @@ TEST(MuseumReports, PeersOnExactFaceContacts) {
     const int axis = static_cast<int>(random.below(3));
     Vec3 way{0.25 * size, 0.125 * size, -0.375 * size};
     way[axis] = random.below(2) == 0 ? size : -size;
-    const PosedConvex a = cube(size), b = cube(size, {{}, way});
+    const PosedPolytope a = cube(size), b = cube(size, {{}, way});
     ASSERT_EQ(relation(a, b).kind, RelationKind::touching);
     const Manifold m = manifold(a, b);
     ASSERT_EQ(m.count, 4);
@@ -257,7 +258,7 @@ TEST(MuseumReports, PeersOnTinyInHuge) {
     const double x = random.between(-1, 1);
     const double y = random.between(-1, 1);
     const double z = random.between(-1, 1);
-    const PosedConvex huge = cube(2e6), tiny = cube(1e-6, at(1e6 * x, 1e6 * y, 1e6 * z));
+    const PosedPolytope huge = cube(2e6), tiny = cube(1e-6, at(1e6 * x, 1e6 * y, 1e6 * z));
     ASSERT_TRUE(overlap(huge, tiny));
     ASSERT_EQ(relation(huge, tiny).kind, RelationKind::overlapping);
     ASSERT_GT(penetration(huge, tiny).lower, 0);

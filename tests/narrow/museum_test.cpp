@@ -30,7 +30,7 @@ TEST(Museum, Libccd25StackedCubesHaveADirection) {
 
 // libccd#17: a wrong point for boxes of 5 m and 0.2 m. Made here: the small one on the large one's top.
 TEST(Museum, Libccd17ASmallBoxOnALargeOneHasItsPointThere) {
-  const PosedConvex large = cube(5), small = cube(0.25, at(1, 2, 2.75));
+  const PosedPolytope large = cube(5), small = cube(0.25, at(1, 2, 2.75));
   const Distance d = distance(large, small);
   EXPECT_EQ(d.lower, 0.125);
   EXPECT_EQ(d.upper, 0.125);
@@ -45,7 +45,7 @@ TEST(Museum, Fcl319PlainBoxesNeverThrow) {
     for (const Vec3& way : {Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{1, 0.5, 0.25}}) {
       const Pose place{{}, (1 + gap) * way};
       expect_right(cube(1), cube(1, place));
-      expect_right(PosedConvex(Box({0.5, 0.25, 0.01})), PosedConvex(Box({0.01, 0.5, 0.5}), place));
+      expect_right(PosedPolytope(Box({0.5, 0.25, 0.01})), PosedPolytope(Box({0.01, 0.5, 0.5}), place));
     }
 }
 
@@ -81,26 +81,26 @@ TEST(Museum, FlexibleGjk8ParallelFacesEnd) {
   const Mat3 turned = rotation_of({0.1, 0.2, 0.3, 0.9});
   for (const double gap : {-1e-16, 0.0, 1e-16, 1e-14, 1e-8}) {
     const Pose lower{turned, {}};
-    const PosedConvex a(Box({1, 1, 0.1}), lower);
-    const PosedConvex b(Box({1, 1, 0.1}), {turned, transform(lower, {0.5, 0.25, 0.2 + gap})});
+    const PosedPolytope a(Box({1, 1, 0.1}), lower);
+    const PosedPolytope b(Box({1, 1, 0.1}), {turned, transform(lower, {0.5, 0.25, 0.2 + gap})});
     expect_right(a, b);
   }
 }
 
 // fcl#375: a zero normal. Made here: spheres with one centre, capsules on one axis, a sphere centred on a face.
 TEST(Museum, Fcl375ConcentricShapesHaveANormal) {
-  const PosedConvex ball{Sphere(1)}, smaller{Sphere(0.25)}, capsule{Capsule({0, 0, -1}, {0, 0, 1}, 0.5)};
-  for (const PosedConvex* other : {&ball, &smaller, &capsule}) {
+  const PosedPolytope ball{Sphere(1)}, smaller{Sphere(0.25)}, capsule{Capsule({0, 0, -1}, {0, 0, 1}, 0.5)};
+  for (const PosedPolytope* other : {&ball, &smaller, &capsule}) {
     EXPECT_TRUE(is_unit(penetration(ball, *other).direction));
     EXPECT_TRUE(is_unit(manifold(ball, *other).normal));
     expect_right(ball, *other);
   }
-  EXPECT_TRUE(is_unit(penetration(cube(1), PosedConvex(Sphere(0.25), at(0.5, 0, 0))).direction));
+  EXPECT_TRUE(is_unit(penetration(cube(1), PosedPolytope(Sphere(0.25), at(0.5, 0, 0))).direction));
 }
 
 // fcl#545: the normal points to a corner, and the depth is √3 times too large. Made here: a sphere in a cube's middle.
 TEST(Museum, Fcl545ASphereLeavesABoxThroughAFace) {
-  const Penetration p = penetration(cube(2), PosedConvex(Sphere(0.5)));
+  const Penetration p = penetration(cube(2), PosedPolytope(Sphere(0.5)));
   EXPECT_NEAR(p.upper, 1.5, 1e-12);
   EXPECT_EQ(std::max({std::abs(p.direction.x), std::abs(p.direction.y), std::abs(p.direction.z)}), 1);
 }
@@ -118,7 +118,7 @@ TEST(Museum, Jolt2108WhatTouchesHasNoDepth) {
 // distance3d#78: the depth is 11.8 for (A, B) and 198.8 for (B, A). Made here: a long box through a flat one.
 TEST(Museum, Distance3d78DepthIsTheSameBothWaysRound) {
   const Mat3 turned = rotation_of({0.3, 0.1, 0.2, 0.9});
-  const PosedConvex a(Box({100, 5, 5})), b(Box({20, 30, 2}), {turned, {3, 2, 1}});
+  const PosedPolytope a(Box({100, 5, 5})), b(Box({20, 30, 2}), {turned, {3, 2, 1}});
   EXPECT_EQ(penetration(a, b).upper, penetration(b, a).upper);
   EXPECT_EQ(penetration(a, b).lower, penetration(b, a).lower);
   expect_right(a, b);
@@ -128,7 +128,7 @@ TEST(Museum, Distance3d78DepthIsTheSameBothWaysRound) {
 TEST(Museum, Parry378AWedgeInABoxHasWitnessesOnBoth) {
   const std::array<Vec3, 6> wedge{{{0, 0, 0}, {1, 1e-7, 0}, {1, -1e-7, 0}, {0, 0, 1}, {1, 1e-7, 1}, {1, -1e-7, 1}}};
   const ConvexHull hull(wedge);
-  const PosedConvex thin(hull, at(0.4, 0.1, -0.5));
+  const PosedPolytope thin(hull, at(0.4, 0.1, -0.5));
   expect_right(cube(1), thin);
   const Penetration p = penetration(cube(1), thin);
   EXPECT_NEAR(std::abs(dot(p.on_a - p.on_b, p.direction)), p.upper, 1e-12);
@@ -162,7 +162,7 @@ TEST(Museum, JskRoseus616NoHiddenMargin) {
 // PEERS: libccd gives wrong normals on every exact face contact and misses 8 of 8 vertex contacts.
 TEST(Museum, CubesThatTouchInACornerMeet) {
   for (int i = 0; i < 8; ++i) {
-    const PosedConvex other = cube(1, at((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1));
+    const PosedPolytope other = cube(1, at((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1));
     EXPECT_EQ(relation(cube(1), other).kind, RelationKind::touching);
     EXPECT_EQ(manifold(cube(1), other).count, 1);
   }
@@ -176,8 +176,8 @@ TEST(Museum, BoxesPartAlongEdgesWhereThatIsShorter) {
     const double x = random.between(-1, 1);
     const double y = random.between(-1, 1);
     const double z = random.between(-1, 1);
-    expect_right(PosedConvex(Box({0.5, 0.7, 0.9})),
-                 PosedConvex(Box({0.6, 0.4, 0.8}), {rotation_of({x, y, z, 0.4}), {z, x, y}}));
+    expect_right(PosedPolytope(Box({0.5, 0.7, 0.9})),
+                 PosedPolytope(Box({0.6, 0.4, 0.8}), {rotation_of({x, y, z, 0.4}), {z, x, y}}));
   }
 }
 

@@ -29,14 +29,14 @@ void for_many_pairs(const Visit& visit) {
     for (std::uint64_t i = 0; i < 210; ++i) {
       Random random(++number);
       const test::ConvexCase pair = test::numbered_case(kind, i, random);
-      const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
       const SupportSearch search_a(a, kernels), search_b(b, kernels);
       const GjkEnd end = search_nearest(search_a, search_b, {}, {std::numeric_limits<double>::quiet_NaN()});
       if (const auto features = canonical_features(end.simplex.pairs)) visit(search_a, search_b, *features, pair);
     }
 }
 
-double largest_coordinate(const PosedConvex& shape) {
+double largest_coordinate(const PosedPolytope& shape) {
   double largest = 0;
   for (Index i = 0; i < shape.vertex_count(); ++i)
     for (int axis = 0; axis < 3; ++axis) largest = std::fmax(largest, std::fabs(shape.vertex(i)[axis]));
@@ -108,7 +108,7 @@ TEST(NearestFormula, TakesAVertexInForAnother) {
 
 TEST(NearestFormula, RefusesFacesThatAreEquallyNearEverywhere) {
   const SupportKernels kernels = support_kernels();
-  const PosedConvex a(Box({1, 1, 1})), b(Box({1, 1, 1}), Pose::translation(0.5, 0.25, 3));
+  const PosedPolytope a(Box({1, 1, 1})), b(Box({1, 1, 1}), Pose::translation(0.5, 0.25, 3));
   const SupportSearch search_a(a, kernels), search_b(b, kernels);
   const GjkEnd end = search_nearest(search_a, search_b, {}, {std::numeric_limits<double>::quiet_NaN()});
   if (const auto features = canonical_features(end.simplex.pairs)) {
@@ -123,7 +123,7 @@ TEST(NearestFormula, ProvesNearlyAllHullsThatAreApart) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     Random random(i);
     const test::ConvexCase pair = test::convex_case("hull", "hull", "near", random);
-    const PosedConvex a = test::posed(pair.a), b = test::posed(pair.b);
+    const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
     const SupportSearch search_a(a, kernels), search_b(b, kernels);
     const GjkEnd end = search_nearest(search_a, search_b, {}, {std::numeric_limits<double>::quiet_NaN()});
     const auto features = canonical_features(end.simplex.pairs);

@@ -65,8 +65,8 @@ class Decades {
 std::optional<std::string> wrong_with_case(double decades, std::uint64_t seed) {
   Decades random(decades, seed);
   try {
-    const PlacedConvex a{random.shape(), random.pose()}, b{random.shape(), random.pose()};
-    const PosedConvex posed_a = posed(a), posed_b = posed(b);
+    const PlacedPolytope a{random.shape(), random.pose()}, b{random.shape(), random.pose()};
+    const PosedPolytope posed_a = posed(a), posed_b = posed(b);
     if (!posed_a.solid() || !posed_b.solid()) return {};
     const oracle::ConvexSet set_a = set_of(a), set_b = set_of(b);
     if (!oracle::is_solid(set_a) || !oracle::is_solid(set_b)) return {};
@@ -93,7 +93,7 @@ TEST_P(PenetrationOverDecades, IsThatOfRationalArithmetic) {
 /// Empty when penetration is right of two hulls.
 std::string wrong_with_hulls(const ConvexHull& a, const ConvexHull& b) {
   const oracle::ConvexSet set_a = set_of({a, {}}), set_b = set_of({b, {}});
-  return wrong_with(penetration(PosedConvex(a), PosedConvex(b)), set_a, set_b, size_of(set_a) + size_of(set_b));
+  return wrong_with(penetration(PosedPolytope(a), PosedPolytope(b)), set_a, set_b, size_of(set_a) + size_of(set_b));
 }
 
 TEST(PenetrationOfHulls, OfTheLeastDoubleIsNotTouching) {
@@ -104,7 +104,7 @@ TEST(PenetrationOfHulls, OfTheLeastDoubleIsNotTouching) {
                                            {-least, -0.5, 1},
                                            {1.9999999999999998, -0.5, 3},
                                            {3.0000000000000004, 2.5000000000000004, least}});
-  const Penetration p = penetration(PosedConvex(crystal), PosedConvex(wedge));
+  const Penetration p = penetration(PosedPolytope(crystal), PosedPolytope(wedge));
   const oracle::Depth depth(set_of({crystal, {}}), set_of({wedge, {}}));
   EXPECT_GT(depth.compare(0), 0);
   EXPECT_EQ(p.lower, 0);

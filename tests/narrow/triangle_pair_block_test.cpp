@@ -44,12 +44,12 @@ std::vector<TrianglePair> random_pairs(std::uint64_t seed, std::size_t count) {
 /// Side patterns of both triangles and what lies inside what: 6 · 6 · 4, among which few are impossible.
 TEST_P(TrianglePairBlocks, FindsEveryKindOfCrossing) {
   const PosedTrianglePairs batch{{}, {}, random_pairs(1, 20000)};
-  std::set<std::array<MeetingPoint, 2>> kinds;
+  std::set<std::array<IntersectionPoint, 2>> kinds;
   for (const TrianglePairBlock& block : classified(batch, GetParam()))
     for (std::size_t lane = 0; lane < block.count; ++lane) {
-      const Meeting truth = meeting(triangle_a(block, lane), triangle_b(block, lane));
-      if (!has_bit(block.meeting, lane)) continue;
-      ASSERT_EQ(meeting_in(block, lane), truth);
+      const Intersection truth = intersect(triangle_a(block, lane), triangle_b(block, lane));
+      if (!has_bit(block.intersection, lane)) continue;
+      ASSERT_EQ(intersection_in(block, lane), truth);
       kinds.insert({truth.points[0], truth.points[1]});
     }
   // Two edges of a, two of b, or one of each.
@@ -87,7 +87,7 @@ TEST_P(TrianglePairBlocks, DisjointBoxesSettleEvenWhatHasNoPlane) {
   const Triangle beside{{{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}}}};
   const PosedTrianglePairs batch{{}, {}, {{point, flat}, {flat, beside}, {flat, flat}, {point, point}}};
   const std::vector<TrianglePairBlock> blocks = classified(batch, GetParam());
-  EXPECT_EQ(blocks[0].meeting, 0);
+  EXPECT_EQ(blocks[0].intersection, 0);
   EXPECT_EQ(blocks[0].unknown, 0b1100);
 }
 
@@ -97,9 +97,9 @@ TEST_P(TrianglePairBlocks, FreeLanesSayNothing) {
       std::vector<TrianglePairBlock> blocks = blocks_of(random_pairs(4, count), filler);
       classify_pairs(Pose{}, Pose{}, blocks);
       for (const TrianglePairBlock& block : blocks) {
-        EXPECT_EQ((block.meeting | block.unknown) >> count, 0);
+        EXPECT_EQ((block.intersection | block.unknown) >> count, 0);
         for (std::size_t lane = 0; lane < count; ++lane)
-          EXPECT_EQ(has_bit(block.meeting, lane), overlap(triangle_a(block, lane), triangle_b(block, lane)));
+          EXPECT_EQ(has_bit(block.intersection, lane), overlap(triangle_a(block, lane), triangle_b(block, lane)));
       }
     }
   }
@@ -114,7 +114,7 @@ TEST_P(TrianglePairBlocks, KnowNothingOfWhatAPoseMakesInfinite) {
       TrianglePair pair{here, there};
       (i < 9 ? pair.a : pair.b)[i % 3][i / 3 % 3] = bad;
       const std::vector<TrianglePairBlock> blocks = classified({{}, {}, {pair}}, GetParam());
-      EXPECT_EQ(blocks[0].meeting, 0) << i << ' ' << bad;
+      EXPECT_EQ(blocks[0].intersection, 0) << i << ' ' << bad;
       EXPECT_EQ(blocks[0].unknown, 1) << i << ' ' << bad;
     }
   const Pose overflowing = scaled(Pose{}, 1e308);

@@ -68,13 +68,13 @@ inline bool has_bit(std::uint8_t bits, std::size_t lane) { return ((bits >> lane
 inline std::string compare_lane(const TrianglePairBlock& block, std::size_t lane, const Triangle& a,
                                 const Triangle& b) {
   if (!same_bits(triangle_a(block, lane), a) || !same_bits(triangle_b(block, lane), b)) return "world triangles";
-  const bool meets = has_bit(block.meeting, lane), unknown = has_bit(block.unknown, lane);
+  const bool meets = has_bit(block.intersection, lane), unknown = has_bit(block.unknown, lane);
   if (meets && unknown) return "both certain and unknown";
   if (unknown) return "";
   if (!is_finite(a) || !is_finite(b)) return "certain of infinite triangles";
-  const Meeting truth = meeting(a, b);
-  if (meets != (truth.kind != MeetingKind::none)) return meets ? "no meeting" : "not apart";
-  if (meets && meeting_in(block, lane) != truth) return "another meeting";
+  const Intersection truth = intersect(a, b);
+  if (meets != (truth.kind != IntersectionKind::none)) return meets ? "no intersection" : "not apart";
+  if (meets && intersection_in(block, lane) != truth) return "another intersection";
   return "";
 }
 

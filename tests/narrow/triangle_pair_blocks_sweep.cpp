@@ -62,7 +62,7 @@ std::string check_triangle_pair_blocks(const PosedTrianglePairs& batch, const st
   for (const LevelAnswer& of : answers) {
     const TrianglePairBlock& block = of.blocks[index];
     std::string wrong = compare_lane(block, lane, a, b);
-    if (wrong.empty() && (block.unknown != first.unknown || block.meeting != first.meeting))
+    if (wrong.empty() && (block.unknown != first.unknown || block.intersection != first.intersection))
       wrong = "not as at the scalar level";
     if (!wrong.empty()) return wrong + " at " + std::string(name_of(of.level));
   }

@@ -19,23 +19,25 @@ Kernel::Triangle_3 to_cgal(const Triangle& t) {
 }
 
 struct KindOf {
-  using result_type = MeetingKind;
-  MeetingKind operator()(const Kernel::Point_3& /*unused*/) const { return MeetingKind::point; }
-  MeetingKind operator()(const Kernel::Segment_3& /*unused*/) const { return MeetingKind::segment; }
-  MeetingKind operator()(const Kernel::Triangle_3& /*unused*/) const { return MeetingKind::polygon; }
-  MeetingKind operator()(const std::vector<Kernel::Point_3>& /*unused*/) const { return MeetingKind::polygon; }
+  using result_type = IntersectionKind;
+  IntersectionKind operator()(const Kernel::Point_3& /*unused*/) const { return IntersectionKind::point; }
+  IntersectionKind operator()(const Kernel::Segment_3& /*unused*/) const { return IntersectionKind::segment; }
+  IntersectionKind operator()(const Kernel::Triangle_3& /*unused*/) const { return IntersectionKind::polygon; }
+  IntersectionKind operator()(const std::vector<Kernel::Point_3>& /*unused*/) const {
+    return IntersectionKind::polygon;
+  }
 };
 
-MeetingKind cgal_kind(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b) {
+IntersectionKind cgal_kind(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b) {
   const auto common = CGAL::intersection(a, b);
-  return common ? boost::apply_visitor(KindOf{}, *common) : MeetingKind::none;
+  return common ? boost::apply_visitor(KindOf{}, *common) : IntersectionKind::none;
 }
 
 /// Empty, or what is wrong; nothing where CGAL does not take the triangles.
 std::optional<std::string> check(const TrianglePair& pair) {
   const Kernel::Triangle_3 a = to_cgal(pair.a), b = to_cgal(pair.b);
   if (a.is_degenerate() || b.is_degenerate()) return std::nullopt;
-  const MeetingKind kind = meeting(pair.a, pair.b).kind;
+  const IntersectionKind kind = intersect(pair.a, pair.b).kind;
   const bool meet = CGAL::do_intersect(a, b);
   if (overlap_by_penetration(pair.a, pair.b) != meet) return "penetration";
   if (overlap_by_separating_axes(pair.a, pair.b) != meet) return "separating axes";

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "narrow/triangle_pairs.hpp"
-#include "narrow/triangles/feature_meeting.hpp"
+#include "narrow/triangles/feature_intersection.hpp"
 #include "oracle/triangles.hpp"
 #include "support/sweep.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
@@ -43,7 +43,7 @@ bool is_nearest(const Vec3& rounded, const RationalPoint& p) {
 }
 
 /// The true extreme points in the order of the meeting's, by what features they lie on; empty if they are not the same.
-std::vector<std::size_t> matching(const Meeting& m, const Truth& truth) {
+std::vector<std::size_t> matching(const Intersection& m, const Truth& truth) {
   std::vector<FeaturesOfPoint> features;
   for (const RationalPoint& p : truth.common.extreme_points)
     features.push_back({to_feature(oracle::feature_at(truth.a, p)), to_feature(oracle::feature_at(truth.b, p))});
@@ -65,13 +65,13 @@ bool is_cyclic(const std::vector<std::size_t>& order) {
   return false;
 }
 
-bool is_in_order(const Meeting& m) {
+bool is_in_order(const Intersection& m) {
   if (m.count < 2) return true;
   const auto least = std::min_element(m.points.begin(), m.points.begin() + m.count);
   return least == m.points.begin() && (m.count < 3 || m.points[1] < m.points[m.count - 1U]);
 }
 
-std::string compare_with_truth(const Meeting& m, const Triangle& a, const Triangle& b, const Truth& truth) {
+std::string compare_with_truth(const Intersection& m, const Triangle& a, const Triangle& b, const Truth& truth) {
   if (static_cast<int>(m.kind) != static_cast<int>(truth.common.kind)) return "kind";
   if (m.count != truth.common.extreme_points.size()) return "count";
   if (m.coplanar != truth.common.coplanar) return "coplanar";
@@ -84,30 +84,31 @@ std::string compare_with_truth(const Meeting& m, const Triangle& a, const Triang
   const RationalPoint middle = oracle::centroid(truth.common.extreme_points);
   if (to_feature(oracle::feature_at(truth.a, middle)) != m.on_a) return "on_a";
   if (to_feature(oracle::feature_at(truth.b, middle)) != m.on_b) return "on_b";
-  const MeetingCoordinates at = coordinates(m, a, b);
+  const IntersectionPoints at = intersection_points(m, a, b);
   for (std::size_t i = 0; i < m.count; ++i)
     if (!is_nearest(at.points[i], truth.common.extreme_points[order[i]])) return "coordinates";
   return "";
 }
 
-/// As `meeting` must tell it when vertex i of a is called (i + 1) % 3 instead.
-Meeting with_a_renumbered(const Meeting& m) {
+/// As `intersect` must tell it when vertex i of a is called (i + 1) % 3 instead.
+Intersection with_a_renumbered(const Intersection& m) {
   const auto renumbered = [](const Feature& f) {
     return f.kind == FeatureKind::face ? f : Feature{f.kind, static_cast<std::uint8_t>((f.index + 1) % 3)};
   };
-  Meeting r = m;
+  Intersection r = m;
   if (m.count == 0) return r;
   r.on_a = renumbered(m.on_a);
   for (std::size_t i = 0; i < m.count; ++i) r.points[i].on_a = renumbered(m.points[i].on_a);
   return flipped(flipped(r));  // puts the points into their order again
 }
 
-std::string compare_with_itself(const Meeting& m, const Triangle& a, const Triangle& b, const Truth& truth) {
+std::string compare_with_itself(const Intersection& m, const Triangle& a, const Triangle& b, const Truth& truth) {
   if (flipped(flipped(m)) != m) return "flipped twice";
-  if (meeting(b, a) != flipped(m)) return "exchanged";
-  if (oracle::dimension(truth.a) == 2 && meeting({{a[2], a[0], a[1]}}, b) != with_a_renumbered(m)) return "renumbered";
-  const MeetingCoordinates at = coordinates(m, a, b);
-  const MeetingCoordinates exchanged = coordinates(flipped(m), b, a);
+  if (intersect(b, a) != flipped(m)) return "exchanged";
+  if (oracle::dimension(truth.a) == 2 && intersect({{a[2], a[0], a[1]}}, b) != with_a_renumbered(m))
+    return "renumbered";
+  const IntersectionPoints at = intersection_points(m, a, b);
+  const IntersectionPoints exchanged = intersection_points(flipped(m), b, a);
   if (!std::is_permutation(at.points.begin(), at.points.begin() + at.count, exchanged.points.begin()))
     return "coordinates exchanged";
   return "";
@@ -121,8 +122,8 @@ std::string check_triangle_pairs(const TrianglePair& pair) {
   const bool overlapping = truth.common.kind != oracle::CommonSetKind::none;
   if (overlap_by_penetration(a, b) != overlapping) return "penetration";
   if (overlap_by_separating_axes(a, b) != overlapping) return "separating axes";
-  const Meeting m = meeting(a, b);
-  if (feature_meeting(a, b) != m) return "meeting by features";
+  const Intersection m = intersect(a, b);
+  if (feature_intersection(a, b) != m) return "intersection by features";
   const std::string wrong = compare_with_truth(m, a, b, truth);
   return wrong.empty() ? compare_with_itself(m, a, b, truth) : wrong;
 }

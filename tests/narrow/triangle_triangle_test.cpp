@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "narrow/triangles/feature_meeting.hpp"
+#include "narrow/triangles/feature_intersection.hpp"
 
 namespace toccata {
 namespace {
@@ -19,7 +19,7 @@ std::string to_text(const Feature& f) {
 }
 
 /// For example "segment crossing on f/f: e0/f e1/f", features of a first.
-std::string to_text(const Meeting& m) {
+std::string to_text(const Intersection& m) {
   static const std::vector<std::string> kinds{"none", "point", "segment", "polygon"};
   std::string text = kinds[static_cast<std::size_t>(m.kind)];
   if (m.coplanar) text += " coplanar";
@@ -112,13 +112,13 @@ class TriangleCase : public testing::TestWithParam<KnownCase> {};
 
 TEST_P(TriangleCase, IsToldExactlyAndBothWays) {
   const auto& [name, b, expected] = GetParam();
-  const Meeting m = meeting(right_triangle, b);
+  const Intersection m = intersect(right_triangle, b);
   EXPECT_EQ(to_text(m), expected);
-  EXPECT_EQ(feature_meeting(right_triangle, b), m);
-  EXPECT_EQ(meeting(b, right_triangle), flipped(m));
+  EXPECT_EQ(feature_intersection(right_triangle, b), m);
+  EXPECT_EQ(intersect(b, right_triangle), flipped(m));
   for (const auto overlaps : {overlap, overlap_by_penetration, overlap_by_separating_axes}) {
-    EXPECT_EQ(overlaps(right_triangle, b), m.kind != MeetingKind::none);
-    EXPECT_EQ(overlaps(b, right_triangle), m.kind != MeetingKind::none);
+    EXPECT_EQ(overlaps(right_triangle, b), m.kind != IntersectionKind::none);
+    EXPECT_EQ(overlaps(b, right_triangle), m.kind != IntersectionKind::none);
   }
 }
 
@@ -139,21 +139,21 @@ TEST(Penetration, SeesTrianglesWithoutAVertexOnBothSides) {
 
 TEST(Coordinates, AreNearestDoublesOfTheExactPoints) {
   const Triangle b{{{{1, 1, -1}, {1, 1, 2}, {9, 1, 0}}}};  // leaves the right triangle at x = 3, y = 1
-  const MeetingCoordinates at = coordinates(meeting(right_triangle, b), right_triangle, b);
+  const IntersectionPoints at = intersection_points(intersect(right_triangle, b), right_triangle, b);
   ASSERT_EQ(at.count, 2);
   EXPECT_EQ(at.points[0], (Vec3{3, 1, 0}));
   EXPECT_EQ(at.points[1], (Vec3{1, 1, 0}));
   const Triangle third{{{{0, 1, -1}, {1, 1, 2}, {9, 9, 9}}}};  // its edge 0 pierces at a third of its length
-  const Meeting m = meeting(right_triangle, third);
-  ASSERT_EQ(m.points[0], (MeetingPoint{Feature{}, {FeatureKind::edge, 0}}));
-  EXPECT_EQ(coordinates(m, right_triangle, third).points[0], (Vec3{1.0 / 3.0, 1, 0}));
+  const Intersection m = intersect(right_triangle, third);
+  ASSERT_EQ(m.points[0], (IntersectionPoint{Feature{}, {FeatureKind::edge, 0}}));
+  EXPECT_EQ(intersection_points(m, right_triangle, third).points[0], (Vec3{1.0 / 3.0, 1, 0}));
 }
 
 TEST(Coordinates, OfASharedVertexDoNotDependOnTheSignOfZero) {
   const Triangle b{{{{-0.0, -0.0, -0.0}, {-1, 0, 1}, {0, -1, 1}}}};
-  const Meeting m = meeting(right_triangle, b);
-  ASSERT_EQ(m.kind, MeetingKind::point);
-  EXPECT_FALSE(std::signbit(coordinates(flipped(m), b, right_triangle).points[0].x));
+  const Intersection m = intersect(right_triangle, b);
+  ASSERT_EQ(m.kind, IntersectionKind::point);
+  EXPECT_FALSE(std::signbit(intersection_points(flipped(m), b, right_triangle).points[0].x));
 }
 
 /// Far beyond what products of doubles can hold.
@@ -164,10 +164,10 @@ TEST(TriangleTriangle, ReachesToTheEndsOfTheDoubles) {
     return Triangle{{{{0, 0, height}, {0, 0, DBL_MAX}, {DBL_MAX, 0, DBL_MAX}}}};
   };
   EXPECT_FALSE(overlap(huge, needle_from(least)));
-  EXPECT_EQ(to_text(meeting(huge, needle_from(0))), "point on f/v0: f/v0");
-  EXPECT_EQ(to_text(meeting(huge, needle_from(-least))), "segment crossing on f/f: f/e0 f/e2");
+  EXPECT_EQ(to_text(intersect(huge, needle_from(0))), "point on f/v0: f/v0");
+  EXPECT_EQ(to_text(intersect(huge, needle_from(-least))), "segment crossing on f/f: f/e0 f/e2");
   const Triangle smallest{{{{0, 0, 0}, {least, 0, 0}, {0, least, 0}}}};
-  EXPECT_EQ(to_text(meeting(smallest, huge)), "polygon coplanar on f/f: v0/f v1/f v2/f");
+  EXPECT_EQ(to_text(intersect(smallest, huge)), "polygon coplanar on f/f: v0/f v1/f v2/f");
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, TriangleCase, testing::ValuesIn(known_cases));

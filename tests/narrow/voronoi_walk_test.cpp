@@ -31,7 +31,7 @@ TEST(VoronoiWalk, SmallStepsNeedFewStepsWhateverTheNumberOfFeatures) {
   TrackedPair tracked;
   const auto ask = [&](int i) {
     const Pose pose{rotation_about({1, 2, 3}, 0.2 * i), {2.5, 0.002 * i, 0}};
-    return distance_by_voronoi_walk(PosedConvex(a.hull), a.regions, PosedConvex(b.hull, pose), b.regions, tracked);
+    return distance_by_voronoi_walk(PosedPolytope(a.hull), a.regions, PosedPolytope(b.hull, pose), b.regions, tracked);
   };
   tracked.state = TrackedPair::State::apart;  // at the first vertices: a long walk
   ask(0);
@@ -53,7 +53,7 @@ TEST(VoronoiWalk, TheFirstQuestionNeedsFewStepsToo) {
     for (int i = 0; i < 10; ++i) {
       const Vec3 way = test::vector_within(random, 1);
       const Pose pose{rotation_about({1, 2, 3}, 37.0 * i), (2.2 / std::sqrt(dot(way, way))) * way};
-      const PosedConvex posed_a(a.hull), posed_b(b.hull, pose);
+      const PosedPolytope posed_a(a.hull), posed_b(b.hull, pose);
       TrackedPair tracked;
       EXPECT_EQ(distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked),
                 distance_by_gjk(posed_a, posed_b));
@@ -67,7 +67,7 @@ TEST(VoronoiWalk, PenetrationIsDetectedAndLeft) {
   const Moved a = moved_hull(3, 32), b = moved_hull(4, 32);
   TrackedPair tracked;
   const auto ask = [&](double x) {
-    const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(x, 0.1, 0.2));
+    const PosedPolytope posed_a(a.hull), posed_b(b.hull, Pose::translation(x, 0.1, 0.2));
     const Distance distance = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked);
     EXPECT_EQ(distance, distance_by_gjk(posed_a, posed_b));
     EXPECT_EQ(distance.upper == 0, overlap(posed_a, posed_b));
@@ -85,7 +85,7 @@ TEST(VoronoiWalk, EveryVisitIsStrictlyNearerAndTheLastIsTheNearest) {
   for (int seed = 0; seed < 20; ++seed) {
     const Moved a = moved_hull(static_cast<std::uint64_t>(seed), 64);
     const Moved b = moved_hull(static_cast<std::uint64_t>(seed) + 100, 200);
-    const PosedConvex posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 9.0 * seed), {1.6, 1.1, -1.3}});
+    const PosedPolytope posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 9.0 * seed), {1.6, 1.1, -1.3}});
     TrackedPair tracked;
     VoronoiPath path;
     const Distance distance = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked, path);
@@ -104,7 +104,7 @@ TEST(VoronoiWalk, EveryVisitIsStrictlyNearerAndTheLastIsTheNearest) {
 
 TEST(VoronoiWalk, AWalkIntoPenetrationEndsBelow) {
   const Moved a = moved_hull(3, 32), b = moved_hull(4, 32);
-  const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(0.4, 0.1, 0.2));
+  const PosedPolytope posed_a(a.hull), posed_b(b.hull, Pose::translation(0.4, 0.1, 0.2));
   TrackedPair tracked;
   VoronoiPath path;
   const auto ask = [&] {
@@ -124,7 +124,7 @@ TEST(VoronoiWalk, TheDistanceIsTheWidestGapOfSeparatingAxes) {
   int planes = 0;
   for (int i = 0; i < 60; ++i) {
     const Moved a = moved_hull(random.below(1000), 8), b = moved_hull(random.below(1000), 10);
-    const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, random.between(-1, 1), 0.3));
+    const PosedPolytope posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, random.between(-1, 1), 0.3));
     TrackedPair tracked;
     const Distance d = distance_by_voronoi_walk(posed_a, a.regions, posed_b, b.regions, tracked);
     EXPECT_EQ(test::gap_fault(posed_a, posed_b, tracked, d.upper), "") << i;
@@ -140,7 +140,7 @@ TEST(VoronoiWalk, TheDistanceIsTheWidestGapOfSeparatingAxes) {
 TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
   Random random(9);
   const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);
-  const PosedConvex posed_big(big.hull), posed_small(small.hull, Pose::translation(2, 1, 1));
+  const PosedPolytope posed_big(big.hull), posed_small(small.hull, Pose::translation(2, 1, 1));
   const Distance truth = distance_by_gjk(posed_big, posed_small);
   for (int i = 0; i < 100; ++i) {
     TrackedPair any;
@@ -156,7 +156,8 @@ TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
 TEST(VoronoiWalk, AnyFeaturesOfTurnedBoxesMayBeKept) {
   const Box box({0.5, 1, 1.5});
   const VoronoiRegions regions(box);
-  const PosedConvex a(box, {rotation_about({1, 2, 3}, 40), {}}), b(box, {rotation_about({3, -1, 1}, 70), {2.5, 1, 1}});
+  const PosedPolytope a(box, {rotation_about({1, 2, 3}, 40), {}}),
+      b(box, {rotation_about({3, -1, 1}, 70), {2.5, 1, 1}});
   const Distance truth = distance_by_gjk(a, b);
   for (const ConvexFeature& on_a : regions.features())
     for (const ConvexFeature& on_b : regions.features()) {
@@ -170,7 +171,7 @@ TEST(VoronoiWalk, RegionsOfAnotherShapeOfAsManyVerticesChangeNothing) {
   ASSERT_EQ(b.hull.vertex_count(), other.hull.vertex_count());
   TrackedPair tracked;
   for (int i = 0; i < 40; ++i) {
-    const PosedConvex posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 3.0 * i), {2.2, 0.1, 0.05 * i}});
+    const PosedPolytope posed_a(a.hull), posed_b(b.hull, {rotation_about({1, 2, 3}, 3.0 * i), {2.2, 0.1, 0.05 * i}});
     EXPECT_EQ(distance_by_voronoi_walk(posed_a, a.regions, posed_b, other.regions, tracked),
               distance_by_gjk(posed_a, posed_b));
   }
@@ -178,7 +179,7 @@ TEST(VoronoiWalk, RegionsOfAnotherShapeOfAsManyVerticesChangeNothing) {
 
 TEST(VoronoiWalk, RegionsOfAnEqualHullBuiltApartAreAsGood) {
   const Moved a = moved_hull(5, 20), again = moved_hull(5, 20), b = moved_hull(6, 20);
-  const PosedConvex posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, 0.1, 0.3));
+  const PosedPolytope posed_a(a.hull), posed_b(b.hull, Pose::translation(2.2, 0.1, 0.3));
   TrackedPair tracked;
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(distance_by_voronoi_walk(posed_a, again.regions, posed_b, b.regions, tracked),
@@ -190,7 +191,7 @@ TEST(VoronoiWalk, RegionsOfAnEqualHullBuiltApartAreAsGood) {
 TEST(VoronoiWalk, RegionsOfAnotherShapeAreRefused) {
   const Moved big = moved_hull(5, 128), small = moved_hull(6, 8);
   TrackedPair tracked;
-  EXPECT_THROW((void)distance_by_voronoi_walk(PosedConvex(big.hull), small.regions, PosedConvex(small.hull),
+  EXPECT_THROW((void)distance_by_voronoi_walk(PosedPolytope(big.hull), small.regions, PosedPolytope(small.hull),
                                               small.regions, tracked),
                Error);
 }

@@ -135,7 +135,7 @@ inline std::pair<Pose, Pose> walked_poses(const std::string& family, const Walke
   return {a, b};
 }
 
-inline std::vector<Vec3> world_vertices(const PosedConvex& shape) {
+inline std::vector<Vec3> world_vertices(const PosedPolytope& shape) {
   std::vector<Vec3> vertices;
   for (Index i = 0; i < shape.vertex_count(); ++i) vertices.push_back(shape.vertex(i));
   return vertices;
@@ -154,7 +154,7 @@ struct AxesOf {
   std::vector<Vec3> edges, normals;
 };
 
-inline AxesOf axes_of(const PosedConvex& shape) {
+inline AxesOf axes_of(const PosedPolytope& shape) {
   AxesOf axes;
   const HullTopology t = shape.topology();
   for (Index h = 0; h < t.origin.size(); ++h)
@@ -168,7 +168,7 @@ inline AxesOf axes_of(const PosedConvex& shape) {
 }
 
 /// The widest gap between the cores along any axis of the method of separating axes, in doubles.
-inline double widest_gap(const PosedConvex& a, const PosedConvex& b) {
+inline double widest_gap(const PosedPolytope& a, const PosedPolytope& b) {
   const std::vector<Vec3> vertices_a = world_vertices(a), vertices_b = world_vertices(b);
   const AxesOf of_a = axes_of(a), of_b = axes_of(b);
   double widest = -std::numeric_limits<double>::infinity();
@@ -185,8 +185,8 @@ inline double widest_gap(const PosedConvex& a, const PosedConvex& b) {
 }
 
 /// The last features, which are edges: their product is no axis.
-inline bool are_parallel(const PosedConvex& a, const PosedConvex& b, const TrackedPair& walked) {
-  const auto along = [](const PosedConvex& shape, Index h) {
+inline bool are_parallel(const PosedPolytope& a, const PosedPolytope& b, const TrackedPair& walked) {
+  const auto along = [](const PosedPolytope& shape, Index h) {
     return shape.vertex(shape.topology().target(h)) - shape.vertex(shape.topology().origin[h]);
   };
   const Vec3 e = along(a, walked.on_a.index), f = along(b, walked.on_b.index), axis = cross(e, f);
@@ -195,7 +195,8 @@ inline bool are_parallel(const PosedConvex& a, const PosedConvex& b, const Track
 
 /// Between a vertex and a face and between two edges that are not parallel the distance is the widest gap of separating
 /// axes; between other features it is wider. The fault, or nothing.
-inline std::string gap_fault(const PosedConvex& a, const PosedConvex& b, const TrackedPair& walked, double distance) {
+inline std::string gap_fault(const PosedPolytope& a, const PosedPolytope& b, const TrackedPair& walked,
+                             double distance) {
   if (distance == 0) return "";
   using Kind = ConvexFeature::Kind;
   const Kind on_a = walked.on_a.kind, on_b = walked.on_b.kind;
@@ -210,7 +211,7 @@ inline std::string gap_fault(const PosedConvex& a, const PosedConvex& b, const T
 
 /// What is wrong with an answer, compared with answers that know nothing; or nothing. The number of separating axes
 /// grows with the product of the numbers of vertices: of large hulls they are asked at the first step only.
-inline std::string walk_fault(const PosedConvex& a, const PosedConvex& b, const Distance& walked,
+inline std::string walk_fault(const PosedPolytope& a, const PosedPolytope& b, const Distance& walked,
                               const TrackedPair& tracked, bool first) {
   const Distance cold = distance_by_gjk(a, b);
   if (!(walked == cold)) return "another distance than by GJK";
@@ -235,7 +236,7 @@ inline std::string fault_of_walks(const std::string& family, Random& random, int
   tracked.state = exchanged.state = TrackedPair::State::apart;
   for (int i = 0; i < steps; ++i) {
     const auto [pose_a, pose_b] = walked_poses(family, pair.motion, i);
-    const PosedConvex a = posed({pair.a, pose_a}), b = posed({pair.b, pose_b});
+    const PosedPolytope a = posed({pair.a, pose_a}), b = posed({pair.b, pose_b});
     const std::uint64_t before = tracked.counts.steps;
     const Distance walked = distance_by_voronoi_walk(a, regions_a, b, regions_b, tracked);
     std::string fault = walk_fault(a, b, walked, tracked, i == 0);

@@ -210,7 +210,7 @@ bool meets_interior(const MeshSet& surface, const MeshSet& solid) {
 
 /// Off the faces of the solid the surface leaves neither the interior nor the outside, so its vertices tell for all.
 bool is_inside(const MeshSet& surface, const MeshSet& solid) {
-  if (!meeting_pairs(surface, solid).empty()) return false;
+  if (!intersecting_pairs(surface, solid).empty()) return false;
   for (const RationalTriangle& triangle : surface.triangles)
     for (const RationalPoint& vertex : triangle.vertex)
       if (!is_interior(locate(vertex, solid))) return false;
@@ -259,7 +259,7 @@ MeshSet height_field_set(std::span<const Vec3> vertices, std::size_t columns, st
   return result;
 }
 
-std::vector<TrianglePair> meeting_pairs(const MeshSet& a, const MeshSet& b) {
+std::vector<TrianglePair> intersecting_pairs(const MeshSet& a, const MeshSet& b) {
   std::vector<TrianglePair> result;
   for (std::size_t i = 0; i < a.triangles.size(); ++i)
     for (std::size_t j = 0; j < b.triangles.size(); ++j)
@@ -267,14 +267,14 @@ std::vector<TrianglePair> meeting_pairs(const MeshSet& a, const MeshSet& b) {
   return result;
 }
 
-std::optional<TrianglePair> first_meeting_pair(const MeshSet& a, const MeshSet& b) {
+std::optional<TrianglePair> first_intersecting_pair(const MeshSet& a, const MeshSet& b) {
   for (std::size_t i = 0; i < a.triangles.size(); ++i)
     for (std::size_t j = 0; j < b.triangles.size(); ++j)
       if (overlap(a.triangles[i], b.triangles[j])) return TrianglePair{i, j};
   return std::nullopt;
 }
 
-std::vector<TrianglePair> self_meeting_pairs(const MeshSet& mesh) {
+std::vector<TrianglePair> self_intersecting_pairs(const MeshSet& mesh) {
   std::vector<TrianglePair> result;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (std::size_t j = i + 1; j < mesh.triangles.size(); ++j)
@@ -297,7 +297,7 @@ Location locate(const RationalPoint& p, const MeshSet& closed) {
 // When no faces meet, a common point lies in the interior of one of the sets, and then so does a whole triangle of the
 // other, or the common part would have no boundary.
 bool overlap(const MeshSet& a, const MeshSet& b) {
-  if (first_meeting_pair(a, b)) return true;
+  if (first_intersecting_pair(a, b)) return true;
   return (b.solid && some_vertex_in(a, b)) || (a.solid && some_vertex_in(b, a));
 }
 

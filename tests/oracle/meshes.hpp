@@ -38,14 +38,14 @@ struct TrianglePair {
 };
 
 /// Oracle of `contacts`: all pairs of triangles that meet, ascending.
-std::vector<TrianglePair> meeting_pairs(const MeshSet& a, const MeshSet& b);
+std::vector<TrianglePair> intersecting_pairs(const MeshSet& a, const MeshSet& b);
 
 /// Oracle of `first_contact`: the least of them.
-std::optional<TrianglePair> first_meeting_pair(const MeshSet& a, const MeshSet& b);
+std::optional<TrianglePair> first_intersecting_pair(const MeshSet& a, const MeshSet& b);
 
 /// Oracle of `self_contacts`: two triangles of one mesh that have more in common than the hull of the vertices they
 /// share, or that have the same vertices; ascending, a < b.
-std::vector<TrianglePair> self_meeting_pairs(const MeshSet& mesh);
+std::vector<TrianglePair> self_intersecting_pairs(const MeshSet& mesh);
 
 /// Some pair of triangles meets in the relative interiors of both, their six vertices not coplanar.
 bool surfaces_cross(const MeshSet& a, const MeshSet& b);

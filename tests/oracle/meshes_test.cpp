@@ -151,14 +151,14 @@ TEST(OracleMeshes, Surfaces) {
 TEST(OracleMeshes, PairsAscendAndSwap) {
   const MeshSet a = solid(unit_box);
   const MeshSet b = solid(unit_box, Pose::translation(0.5, 0.25, 0.125));
-  const std::vector<TrianglePair> forward = meeting_pairs(a, b);
+  const std::vector<TrianglePair> forward = intersecting_pairs(a, b);
   EXPECT_TRUE(std::ranges::is_sorted(forward));
   std::vector<TrianglePair> backward;
-  for (const TrianglePair& pair : meeting_pairs(b, a)) backward.push_back({pair.b, pair.a});
+  for (const TrianglePair& pair : intersecting_pairs(b, a)) backward.push_back({pair.b, pair.a});
   std::ranges::sort(backward);
   EXPECT_EQ(forward, backward);
-  EXPECT_EQ(first_meeting_pair(a, b), forward.front());
-  EXPECT_EQ(first_meeting_pair(a, solid(unit_box, Pose::translation(3, 0, 0))), std::nullopt);
+  EXPECT_EQ(first_intersecting_pair(a, b), forward.front());
+  EXPECT_EQ(first_intersecting_pair(a, solid(unit_box, Pose::translation(3, 0, 0))), std::nullopt);
 }
 
 TEST(OracleMeshes, Distances) {

@@ -60,7 +60,7 @@ struct CommonSet {
   bool crossing = false;                      ///< the relative interiors meet and the six vertices are not coplanar
 };
 
-/// Oracle of `meeting` and, by its kind, of `overlap` for triangles. Clips a by the half-spaces that bound b.
+/// Oracle of `intersect` and, by its kind, of `overlap` for triangles. Clips a by the half-spaces that bound b.
 CommonSet common_set(const RationalTriangle& a, const RationalTriangle& b);
 
 /// Oracle of `overlap` for triangles: the kind of their common set is not none.

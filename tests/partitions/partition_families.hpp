@@ -55,13 +55,13 @@ inline std::vector<Triangle> random_triangles(std::string_view family, std::size
 }
 
 /// The slow truth.
-inline std::vector<Index> items_meeting_by_brute_force(const PartitionItems& items, const Aabb& box) {
+inline std::vector<Index> items_intersecting_by_brute_force(const PartitionItems& items, const Aabb& box) {
   std::vector<Index> found;
   for (Index item = 0; item < items.size(); ++item)
     if (items.meets(item, box)) found.push_back(item);
   return found;
 }
-inline std::vector<IndexPair> pairs_meeting_by_brute_force(const PartitionItems& items) {
+inline std::vector<IndexPair> pairs_intersecting_by_brute_force(const PartitionItems& items) {
   std::vector<IndexPair> found;
   for (Index a = 0; a < items.size(); ++a)
     for (Index b = a + 1; b < items.size(); ++b)
@@ -72,12 +72,13 @@ inline std::vector<IndexPair> pairs_meeting_by_brute_force(const PartitionItems&
 /// What is wrong with a partition of the items; empty when nothing is.
 template <SpacePartition P>
 std::string complaint_about_partition(const P& partition, const PartitionItems& items, Random& random) {
-  if (pairs_meeting(partition, items) != pairs_meeting_by_brute_force(items)) return "other pairs than brute force";
+  if (pairs_intersecting(partition, items) != pairs_intersecting_by_brute_force(items))
+    return "other pairs than brute force";
   for (int i = 0; i < 20 && items.size() > 0; ++i) {
     Aabb box = items.boxes()[random.below(items.size())];
     if (i % 3 == 1) box = merge(box, items.boxes()[random.below(items.size())]);
     if (i % 3 == 2) box = {box.upper, box.upper};
-    if (items_meeting(partition, items, box) != items_meeting_by_brute_force(items, box))
+    if (items_intersecting(partition, items, box) != items_intersecting_by_brute_force(items, box))
       return "other items in a box than brute force";
   }
   std::vector<char> held(items.size(), 0);

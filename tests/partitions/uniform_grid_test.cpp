@@ -51,8 +51,8 @@ TEST(UniformGrid, RasterisesTrianglesExactly) {
   for (std::size_t i = 0; i < grid.cell_count(); ++i) found.push_back(grid.cell(i));
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, (std::vector<GridCell<3>>{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
-  EXPECT_TRUE(items_meeting(grid, items, {{1.6, 1.6, 0}, {2, 2, 2}}).empty());
-  EXPECT_EQ(items_meeting(grid, items, {{0, 0, 2}, {1, 1, 3}}), (std::vector<Index>{0}));
+  EXPECT_TRUE(items_intersecting(grid, items, {{1.6, 1.6, 0}, {2, 2, 2}}).empty());
+  EXPECT_EQ(items_intersecting(grid, items, {{0, 0, 2}, {1, 1, 3}}), (std::vector<Index>{0}));
 }
 
 TEST(UniformGrid, FallsBackWhereCellsWouldBeTooManyOrWrap) {
@@ -111,7 +111,7 @@ Aabb whole_box(Random& random) {
 }
 
 TEST(UniformGrid4, MissesNoMeetingOnTheWay) {
-  std::size_t meetings = 0, candidates = 0, by_space = 0;
+  std::size_t intersections = 0, candidates = 0, by_space = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     Random random(seed);
     std::vector<MovingBox> motions;
@@ -126,11 +126,11 @@ TEST(UniformGrid4, MissesNoMeetingOnTheWay) {
         const Aabb all_a = merge(motions[a].begin, motions[a].end), all_b = merge(motions[b].begin, motions[b].end);
         by_space += overlap(all_a, all_b) ? 1 : 0;
         if (!ever_meet(motions[a], motions[b])) continue;
-        ++meetings;
+        ++intersections;
         EXPECT_TRUE(std::binary_search(found.begin(), found.end(), IndexPair{a, b})) << seed << ": " << a << ", " << b;
       }
   }
-  EXPECT_GT(meetings, 100U);
+  EXPECT_GT(intersections, 100U);
   EXPECT_LT(2 * candidates, by_space);  // what cells of time are good for
 }
 

@@ -73,7 +73,8 @@ struct Meshes {
   PairQuery apart{};
   PairQuery meeting{.pose_b = Pose::translation(0.3, 0.1, 0)};
   PairQuery apart_surfaces{.solid_a = Solid::none, .solid_b = Solid::none};
-  PairQuery meeting_surfaces{.pose_b = Pose::translation(0.3, 0.1, 0), .solid_a = Solid::none, .solid_b = Solid::none};
+  PairQuery intersecting_surfaces{
+      .pose_b = Pose::translation(0.3, 0.1, 0), .solid_a = Solid::none, .solid_b = Solid::none};
 };
 
 TEST(Allocation, AWarmWorkspaceAnswersWithoutForMeshes) {
@@ -93,7 +94,7 @@ TEST(Allocation, AWarmWorkspaceAnswersWithoutForMeshes) {
   expect_none_when_warm("distance, meeting",
                         [&](Workspace& w) { EXPECT_EQ(distance(m.ring, m.ball, m.meeting, w).upper, 0); });
   expect_none_when_warm("relation of surfaces, meeting", [&](Workspace& w) {
-    EXPECT_EQ(relation(m.ring, m.ball, m.meeting_surfaces, w).kind, RelationKind::crossing);
+    EXPECT_EQ(relation(m.ring, m.ball, m.intersecting_surfaces, w).kind, RelationKind::crossing);
   });
   expect_none_when_warm("relation of surfaces, apart", [&](Workspace& w) {
     EXPECT_EQ(relation(m.ring, m.small, m.apart_surfaces, w).kind, RelationKind::apart);

@@ -103,18 +103,19 @@ TEST(BatchOfShapes, WhatIsKeptSavesSearchesAndChangesNoAnswer) {
   for (int i = 0; i < 40; ++i)
     pairs.push_back({model_of(test::random_convex("hull", random)), model_of(test::random_convex("hull", random))});
   for (const int threads : {1, 3}) {
-    std::vector<ConvexWorkspace> kept(pairs.size());
+    std::vector<SimplexCache> kept(pairs.size());
     std::uint64_t first_step = 0, later_steps = 0;
     for (int step = 0; step < 8; ++step) {
       for (ModelPair& pair : pairs) pair.query.pose_b = Pose::translation(2.5 + 0.001 * step, 0.25, 0);
-      for (ConvexWorkspace& one : kept) one.counts = {};
-      EXPECT_EQ(distance_each(pairs, {.threads = threads, .kept = kept}), distance_each(pairs, {.threads = threads}));
-      for (const ConvexWorkspace& one : kept) (step == 0 ? first_step : later_steps) += one.counts.support_points;
+      for (SimplexCache& one : kept) one.counts = {};
+      EXPECT_EQ(distance_each(pairs, {.threads = threads, .warm_start = kept}),
+                distance_each(pairs, {.threads = threads}));
+      for (const SimplexCache& one : kept) (step == 0 ? first_step : later_steps) += one.counts.support_points;
     }
     EXPECT_LT(later_steps, 7 * first_step / 2);
   }
-  std::vector<ConvexWorkspace> too_few(3);
-  EXPECT_THROW((void)distance_each(pairs, {.kept = too_few}), Error);
+  std::vector<SimplexCache> too_few(3);
+  EXPECT_THROW((void)distance_each(pairs, {.warm_start = too_few}), Error);
 }
 
 TEST(BatchOfShapes, Casts) {

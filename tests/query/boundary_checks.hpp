@@ -13,11 +13,11 @@ namespace toccata::test {
 
 /// A convex shape at its place and a point in it, on it or near it.
 struct BoundaryCase {
-  PlacedConvex placed;
+  PlacedPolytope placed;
   Vec3 point;
 };
 
-inline double size_of(const PosedConvex& shape, const Vec3& point) {
+inline double size_of(const PosedPolytope& shape, const Vec3& point) {
   double size = shape.radius();
   const auto see = [&](const Vec3& v) { size = std::max({size, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); };
   see(point);
@@ -25,7 +25,7 @@ inline double size_of(const PosedConvex& shape, const Vec3& point) {
   return size;
 }
 
-inline Vec3 point_about(const PosedConvex& shape, Random& random) {
+inline Vec3 point_about(const PosedPolytope& shape, Random& random) {
   const auto any = [&] { return shape.vertex(static_cast<Index>(random.below(shape.vertex_count()))); };
   Vec3 p = any();
   for (std::uint64_t i = random.below(4); i > 0; --i) {

@@ -16,7 +16,7 @@ namespace {
 
 Model unit_box() { return Model(test::box_between({0, 0, 0}, {1, 1, 1})); }
 
-Posed posed(const Model& model, double x, const std::string& name = "", const std::string& group = "") {
+SceneInstance posed(const Model& model, double x, const std::string& name = "", const std::string& group = "") {
   return {model, Pose::translation(x, 0, 0), Solid::automatic, name, group};
 }
 
@@ -29,7 +29,7 @@ bool same(const CheckAnswer& x, const CheckAnswer& y) {
   return true;
 }
 
-std::string message_of(const std::vector<Posed>& models) {
+std::string message_of(const std::vector<SceneInstance>& models) {
   try {
     (void)check_all(models);
   } catch (const Error& error) {
@@ -39,10 +39,10 @@ std::string message_of(const std::vector<Posed>& models) {
 }
 
 /// Surfaces scattered so that some meet.
-std::vector<Posed> scattered(std::uint64_t seed, int count) {
+std::vector<SceneInstance> scattered(std::uint64_t seed, int count) {
   Random random(seed);
   const Model soup(test::random_soup(random, 30, 0.2, 0)), box = unit_box();
-  std::vector<Posed> models;
+  std::vector<SceneInstance> models;
   for (int i = 0; i < count; ++i) {
     Pose pose{test::random_rotation(random), {4 * random.unit(), 4 * random.unit(), 4 * random.unit()}};
     models.push_back({i % 2 == 0 ? soup : box, pose, Solid::none, "", i % 5 == 0 ? "fives" : ""});
@@ -57,7 +57,7 @@ TEST(CheckAll, NothingAmongNone) {
 
 TEST(CheckAll, ARowOfBoxes) {
   const Model box = unit_box();
-  const std::vector<Posed> row{posed(box, 3.5), posed(box, 0), posed(box, 1), posed(box, 1.5)};
+  const std::vector<SceneInstance> row{posed(box, 3.5), posed(box, 0), posed(box, 1), posed(box, 1.5)};
   const CheckAnswer answer = check_all(row);
   ASSERT_EQ(answer.pairs.size(), 2U);
   EXPECT_EQ(answer.candidate_pairs, 2U);
@@ -70,8 +70,8 @@ TEST(CheckAll, ARowOfBoxes) {
 
 TEST(CheckAll, OneGroupIsNotCheckedAgainstItself) {
   const Model box = unit_box();
-  const std::vector<Posed> models{posed(box, 0, "", "robot"), posed(box, 0.5, "", "robot"),
-                                  posed(box, 0.7, "", "table"), posed(box, 0.9)};
+  const std::vector<SceneInstance> models{posed(box, 0, "", "robot"), posed(box, 0.5, "", "robot"),
+                                          posed(box, 0.7, "", "table"), posed(box, 0.9)};
   const CheckAnswer answer = check_all(models);
   EXPECT_EQ(answer.candidate_pairs, 5U);
   EXPECT_EQ(answer.pairs.size(), 5U);
@@ -80,7 +80,7 @@ TEST(CheckAll, OneGroupIsNotCheckedAgainstItself) {
 TEST(CheckAll, AgreesWithThePairQuestions) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
-    const std::vector<Posed> models = scattered(seed, 40);
+    const std::vector<SceneInstance> models = scattered(seed, 40);
     const CheckAnswer answer = check_all(models, {.contacts = true});
     std::size_t next = 0;
     for (Index i = 0; i < models.size(); ++i)
@@ -100,7 +100,7 @@ TEST(CheckAll, AgreesWithThePairQuestions) {
 }
 
 TEST(CheckAll, AnyThreadCountGivesTheSameAnswer) {
-  const std::vector<Posed> models = scattered(9, 60);
+  const std::vector<SceneInstance> models = scattered(9, 60);
   const CheckAnswer one = check_all(models, {.contacts = true, .threads = 1});
   EXPECT_FALSE(one.pairs.empty());
   for (const int threads : {0, 2, 3, 8})
@@ -109,7 +109,7 @@ TEST(CheckAll, AnyThreadCountGivesTheSameAnswer) {
 
 TEST(CheckAll, ErrorsNameTheModelEvenWhenItIsFarFromAll) {
   const Model box = unit_box();
-  std::vector<Posed> models{posed(box, 0, "table"), posed(box, 100, "lamp"), posed(box, 200)};
+  std::vector<SceneInstance> models{posed(box, 0, "table"), posed(box, 100, "lamp"), posed(box, 200)};
   models[1].pose.linear[0] = {};
   EXPECT_NE(message_of(models).find("\"lamp\""), std::string::npos) << message_of(models);
   models[1].solid = Solid::none;
@@ -119,7 +119,7 @@ TEST(CheckAll, ErrorsNameTheModelEvenWhenItIsFarFromAll) {
 }
 
 TEST(CheckAll, ProgressCountsEveryCandidatePair) {
-  const std::vector<Posed> models = scattered(2, 40);
+  const std::vector<SceneInstance> models = scattered(2, 40);
   std::size_t last = 0, total = 0;
   const CheckAnswer answer = check_all(models, {.progress = [&](std::size_t done, std::size_t of) {
                                          EXPECT_EQ(done, last + 1);
@@ -131,7 +131,7 @@ TEST(CheckAll, ProgressCountsEveryCandidatePair) {
 }
 
 TEST(CheckAll, ProgressCanCancel) {
-  const std::vector<Posed> models = scattered(2, 40);
+  const std::vector<SceneInstance> models = scattered(2, 40);
   std::size_t calls = 0;
   const Progress cancel = [&](std::size_t, std::size_t) {
     if (++calls == 3) throw std::runtime_error("cancelled");

@@ -14,26 +14,26 @@
 namespace toccata {
 namespace {
 
-Posed at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
+SceneInstance at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
 
 /// A ground, shapes of all kinds over it, some of them in a group.
-std::vector<Posed> shelf() {
+std::vector<SceneInstance> shelf() {
   const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1})), ball(icosphere_mesh(1, 2));
   const std::vector<CompoundPart> parts{{Sphere{0.5}, {}}, {Sphere{0.5}, Pose::translation(0, 0, 3)}};
   const Model pair{Compound(parts)};
-  std::vector<Posed> models{at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
-                            at(cube, 0, 0, 1.25),
-                            at(ball, 3, 0, 2),
-                            at(Sphere{1}, 3.5, 3, 1),
-                            at(pair, 0, 4, 1),
-                            at(cube, 0.5, 0.5, 1.5),
-                            at(Point{}, 1, 4, 1)};
+  std::vector<SceneInstance> models{at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
+                                    at(cube, 0, 0, 1.25),
+                                    at(ball, 3, 0, 2),
+                                    at(Sphere{1}, 3.5, 3, 1),
+                                    at(pair, 0, 4, 1),
+                                    at(cube, 0.5, 0.5, 1.5),
+                                    at(Point{}, 1, 4, 1)};
   models[3].group = models[4].group = "twins";
   return models;
 }
 
 TEST(CheckClearance, TellsThePairsThatAreAsNear) {
-  const std::vector<Posed> models = shelf();
+  const std::vector<SceneInstance> models = shelf();
   for (const double clearance : {0.0, 0.25, std::nextafter(0.25, 0.0), 1.0, 2.5, HUGE_VAL}) {
     SCOPED_TRACE(clearance);
     const CheckAnswer answer = check_all(models, {.clearance = clearance, .threads = 2});
@@ -42,7 +42,7 @@ TEST(CheckClearance, TellsThePairsThatAreAsNear) {
       for (Index j = i + 1; j < models.size(); ++j) {
         if (!models[i].group.empty() && models[i].group == models[j].group) continue;
         const PairQuery query{models[i].pose, models[j].pose};
-        if (!closer_than(models[i].model, models[j].model, clearance, query)) continue;
+        if (!within_distance(models[i].model, models[j].model, clearance, query)) continue;
         ASSERT_LT(next, answer.pairs.size());
         const PairAnswer& found = answer.pairs[next++];
         EXPECT_EQ(std::pair(found.a, found.b), std::pair(i, j));
@@ -56,18 +56,18 @@ TEST(CheckClearance, TellsThePairsThatAreAsNear) {
 TEST(CheckClearance, ThatIsExactlyTheDistanceCounts) {
   const Model cube(test::box_between({-1, -1, -1}, {1, 1, 1}));
   const double gap = 0x1p-40;
-  const std::vector<Posed> models{at(cube, 0, 0, 0), at(cube, 2 + gap, 0, 0)};
+  const std::vector<SceneInstance> models{at(cube, 0, 0, 0), at(cube, 2 + gap, 0, 0)};
   EXPECT_EQ(check_all(models, {.clearance = gap}).pairs.size(), 1U);
   EXPECT_EQ(check_all(models, {.clearance = std::nextafter(gap, 0)}).pairs.size(), 0U);
   EXPECT_EQ(check_all(models).pairs.size(), 0U);
 }
 
-// The interval of a smooth shape tells no better; that of other shapes is decided within.
+// The interval of a quadric tells no better; that of other shapes is decided within.
 TEST(CheckClearance, WithinTheIntervalOfASmoothShapeIsUndecided) {
   const Model egg(Ellipsoid({1, 2, 3})), cone(Cone(1, 2)), box(Box({1, 1, 1}));
   const std::vector<CompoundPart> parts{{Sphere{0.1}, Pose::translation(9, 9, 9)}, {Cone{1, 2}, {}}};
   for (const Model& other : {cone, egg, Model{Compound(parts)}, Model(test::box_between({-1, -1, -1}, {1, 1, 1}))}) {
-    const std::vector<Posed> models{at(egg, 0, 0, 0), at(other, 4, 3, 2)};
+    const std::vector<SceneInstance> models{at(egg, 0, 0, 0), at(other, 4, 3, 2)};
     const Distance apart = distance(egg, other, {{}, models[1].pose});
     ASSERT_LT(apart.lower, apart.upper);
     const auto told = [&](double clearance) { return check_all(models, {.clearance = clearance}).pairs; };
@@ -78,14 +78,14 @@ TEST(CheckClearance, WithinTheIntervalOfASmoothShapeIsUndecided) {
     EXPECT_EQ(told(apart.lower)[0].relation.status, Status::undecided);
     EXPECT_TRUE(told(apart.lower * (1 - 1e-11)).empty());
   }
-  const std::vector<Posed> boxes{at(box, 0, 0, 0), at(box, 4, 3, 2.5)};
+  const std::vector<SceneInstance> boxes{at(box, 0, 0, 0), at(box, 4, 3, 2.5)};
   const Distance apart = distance(box, box, {{}, boxes[1].pose});
   for (const PairAnswer& pair : check_all(boxes, {.clearance = apart.upper}).pairs)
     EXPECT_EQ(pair.relation.status, Status::exact);
 }
 
 TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
-  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 0, 4, 0)};
+  const std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 0, 4, 0)};
   const auto told = [&](double common, std::vector<PairClearance> of_pairs) {
     std::vector<std::pair<Index, Index>> pairs;
     for (const PairAnswer& pair : check_all(models, {.clearance = common, .pair_clearances = of_pairs}).pairs)
@@ -101,7 +101,8 @@ TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
 }
 
 TEST(CheckClearance, ContactHasADistanceUnderEveryLength) {
-  const std::vector<Posed> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0), at(Sphere{1}, 0, 1, 0)};
+  const std::vector<SceneInstance> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0),
+                                          at(Sphere{1}, 0, 1, 0)};
   for (const double clearance : {0.0, 1.0}) {
     const CheckAnswer answer = check_all(models, {.clearance = clearance});
     ASSERT_GE(answer.pairs.size(), 2U);
@@ -117,7 +118,7 @@ TEST(CheckClearance, ContactHasADistanceUnderEveryLength) {
 
 /// The first is near all others by its clearance to the farthest; each other pair counts by its own.
 TEST(CheckClearance, CandidatesAreNearByTheClearanceOfThePair) {
-  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 4, 0, 0), at(Sphere{1}, 0, 40, 0)};
+  const std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 4, 0, 0), at(Sphere{1}, 0, 40, 0)};
   const auto candidates = [&](double common, std::vector<PairClearance> of_pairs) {
     return check_all(models, {.clearance = common, .pair_clearances = of_pairs}).candidate_pairs;
   };
@@ -130,7 +131,7 @@ TEST(CheckClearance, CandidatesAreNearByTheClearanceOfThePair) {
   EXPECT_EQ(candidates(HUGE_VAL, {{0, 1, 1}}), 2U);
 }
 
-std::string error_of(const std::vector<Posed>& models, const std::vector<PairClearance>& of_pairs) {
+std::string error_of(const std::vector<SceneInstance>& models, const std::vector<PairClearance>& of_pairs) {
   try {
     static_cast<void>(check_all(models, {.pair_clearances = of_pairs}));
   } catch (const Error& error) {
@@ -140,7 +141,7 @@ std::string error_of(const std::vector<Posed>& models, const std::vector<PairCle
 }
 
 TEST(CheckClearance, RefusesTwoLengthsForAPairAndOneWithinAGroup) {
-  std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 6, 0, 0)};
+  std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 6, 0, 0)};
   models[0].name = "table";
   models[1].group = models[2].group = "arm";
   const std::string twice = error_of(models, {{0, 1, 1}, {1, 0, 2}});
@@ -151,7 +152,7 @@ TEST(CheckClearance, RefusesTwoLengthsForAPairAndOneWithinAGroup) {
 }
 
 TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
-  const std::vector<Posed> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0)};
+  const std::vector<SceneInstance> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0)};
   Scene scene;
   for (const char* const name : {"a", "b"}) {
     SceneObject& object = scene.objects.emplace_back();
@@ -170,7 +171,7 @@ TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
 }
 
 TEST(CheckClearance, RefusesWhatIsNoLengthAndPairsThatAreNot) {
-  const std::vector<Posed> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0)};
+  const std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0)};
   for (const double wrong : {-1.0, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(static_cast<void>(check_all(models, {.clearance = wrong})), Error);
     EXPECT_THROW(static_cast<void>(check_all(models, {.pair_clearances = {{0, 1, wrong}}})), Error);

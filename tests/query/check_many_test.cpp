@@ -14,7 +14,7 @@
 #include "support/relation_cases.hpp"
 #include "toccata/broad/box_pairs.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/closer_than.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {
@@ -31,12 +31,12 @@ Pose snapped_pose(Random& random, std::uint64_t halves) {
 }
 
 /// Instances of three meshes: a box, a tetrahedron and a sphere-like surface, in a cube of this size.
-std::vector<Posed> instances(std::size_t count, double size, std::uint64_t seed) {
+std::vector<SceneInstance> instances(std::size_t count, double size, std::uint64_t seed) {
   Random random(seed);
   const std::array models{Model(test::box_between({0, 0, 0}, {1, 0.5, 0.5})),
                           Model(test::tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})),
                           Model(test::sphere_mesh(0.5, 2))};
-  std::vector<Posed> posed;
+  std::vector<SceneInstance> posed;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t kind = random.below(3);
     const bool snapped = random.below(2) == 0;
@@ -48,21 +48,21 @@ std::vector<Posed> instances(std::size_t count, double size, std::uint64_t seed)
   return posed;
 }
 
-Aabb world_box(const Posed& posed) {
+Aabb world_box(const SceneInstance& posed) {
   Aabb box;
   for (const Vec3& vertex : posed.model.mesh().vertices()) box = merge(box, transform(posed.pose, vertex));
   return box;
 }
 
-PairQuery query_of(const Posed& a, const Posed& b) { return {a.pose, b.pose, a.solid, b.solid}; }
+PairQuery query_of(const SceneInstance& a, const SceneInstance& b) { return {a.pose, b.pose, a.solid, b.solid}; }
 
 /// Every pair whose world boxes overlap, asked alone.
-std::vector<PairAnswer> answers_by_brute_force(const std::vector<Posed>& models) {
+std::vector<PairAnswer> answers_by_brute_force(const std::vector<SceneInstance>& models) {
   std::vector<Aabb> boxes;
-  for (const Posed& posed : models) boxes.push_back(world_box(posed));
+  for (const SceneInstance& posed : models) boxes.push_back(world_box(posed));
   std::vector<PairAnswer> answers;
   for (const IndexPair& pair : overlapping_pairs_by_brute_force(boxes)) {
-    const Posed &a = models[pair.first], &b = models[pair.second];
+    const SceneInstance &a = models[pair.first], &b = models[pair.second];
     if (!a.group.empty() && a.group == b.group) continue;
     const Relation found = relation(a.model, b.model, query_of(a, b));
     if (found.kind != RelationKind::apart)
@@ -83,7 +83,7 @@ void expect_same(const std::vector<PairAnswer>& found, const std::vector<PairAns
 
 TEST(CheckMany, FiveThousandInstancesOfThreeMeshesAsByBruteForce) {
   const std::size_t count = test::fewer_under_tsan(std::size_t{5000});
-  const std::vector<Posed> models = instances(count, std::cbrt(9.33 * static_cast<double>(count)), 1);
+  const std::vector<SceneInstance> models = instances(count, std::cbrt(9.33 * static_cast<double>(count)), 1);
   const std::vector<PairAnswer> expected = answers_by_brute_force(models);
   EXPECT_GT(expected.size(), count / 50);
   for (const int threads : {1, 2})
@@ -94,7 +94,7 @@ TEST(CheckMany, FiveThousandInstancesOfThreeMeshesAsByBruteForce) {
 TEST(CheckMany, OneObjectUnderAllOthers) {
   Random random(2);
   const Model plate(test::box_between({-1, -1, -1}, {400, 400, 0})), part(test::box_between({0, 0, 0}, {1, 1, 1}));
-  std::vector<Posed> models{{plate, Pose{}}};
+  std::vector<SceneInstance> models{{plate, Pose{}}};
   for (int i = 0; i < 4200; ++i)
     models.push_back({part, Pose::translation(4 * (i % 100), 4 * (i / 100), i % 3 == 0 ? -0.5 : 0)});
   const CheckAnswer answer = check_all(models, {.threads = 2});
@@ -108,7 +108,8 @@ TEST(CheckMany, OneObjectUnderAllOthers) {
 
 TEST(CheckMany, AllInOnePlace) {
   const Model part(test::sphere_mesh(1, 2));
-  const CheckAnswer answer = check_all(std::vector<Posed>(100, Posed{part, Pose::translation(1, 2, 3)}));
+  const CheckAnswer answer =
+      check_all(std::vector<SceneInstance>(100, SceneInstance{part, Pose::translation(1, 2, 3)}));
   EXPECT_EQ(answer.candidate_pairs, 4950U);
   ASSERT_EQ(answer.pairs.size(), 4950U);
   for (const PairAnswer& pair : answer.pairs) EXPECT_EQ(pair.relation.containment, Containment::equal);
@@ -117,7 +118,7 @@ TEST(CheckMany, AllInOnePlace) {
 /// Two million pairs of the group overlap and are not asked about, nor kept.
 TEST(CheckMany, OneGroupInOnePlaceWithOneThatIsNotOfIt) {
   const Model part(test::tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
-  std::vector<Posed> models(2000, Posed{part, Pose{}, Solid::automatic, "", "one"});
+  std::vector<SceneInstance> models(2000, SceneInstance{part, Pose{}, Solid::automatic, "", "one"});
   models[1234].group.clear();
   const CheckAnswer answer = check_all(models, {.threads = 2});
   EXPECT_EQ(answer.candidate_pairs, 1999U);
@@ -156,7 +157,7 @@ TEST(CheckMany, CandidatesComeInRunsAscendingWithTheOthersBetween) {
 
 /// Some pairs have lengths of their own: also infinite ones, and lesser ones than all others.
 TEST(CheckMany, ClearancesOfPairsAsByBruteForce) {
-  std::vector<Posed> models = instances(300, 14, 5);
+  std::vector<SceneInstance> models = instances(300, 14, 5);
   Random random(6);
   CheckOptions options{.clearance = 0.25, .threads = 2};
   std::vector<std::vector<double>> lengths(models.size(), std::vector<double>(models.size(), 0.25));
@@ -171,7 +172,7 @@ TEST(CheckMany, ClearancesOfPairsAsByBruteForce) {
   for (Index a = 0; a < models.size(); ++a)
     for (Index b = a + 1; b < models.size(); ++b)
       if ((a % 7 != 0 || b % 7 != 0) &&
-          closer_than(models[a].model, models[b].model, lengths[a][b], query_of(models[a], models[b])))
+          within_distance(models[a].model, models[b].model, lengths[a][b], query_of(models[a], models[b])))
         expected.push_back({a, b});
   for (const PairAnswer& pair : check_all(models, options).pairs) found.push_back({pair.a, pair.b});
   EXPECT_EQ(found, expected);

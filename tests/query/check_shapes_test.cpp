@@ -13,9 +13,11 @@
 namespace toccata {
 namespace {
 
-Posed placed_at(const Model& model, double x, double y, double z) { return {model, Pose::translation(x, y, z)}; }
+SceneInstance placed_at(const Model& model, double x, double y, double z) {
+  return {model, Pose::translation(x, y, z)};
+}
 
-std::vector<Posed> playground() {
+std::vector<SceneInstance> playground() {
   const std::array<CompoundPart, 2> parts = {CompoundPart{Sphere{0.5}}, CompoundPart{Box{{0.25, 0.25, 0.25}}}};
   return {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),                           // 0: the ground, z ≤ 0
           placed_at(Sphere{1}, 0, 0, 1),                                          // 1: lies on it
@@ -63,15 +65,15 @@ TEST(CheckShapes, TellsHowDeepWhereThatIsDefined) {
 
 TEST(CheckShapes, AFlatHullHasNoDepthAndPointsOfContact) {
   const ConvexHull square(std::vector<Vec3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
-  const CheckAnswer answer =
-      check_all(std::vector<Posed>{placed_at(square, 0, 0, 0), placed_at(Sphere{1}, 0, 0, 0.5)}, {.penetration = true});
+  const CheckAnswer answer = check_all(
+      std::vector<SceneInstance>{placed_at(square, 0, 0, 0), placed_at(Sphere{1}, 0, 0, 0.5)}, {.penetration = true});
   ASSERT_EQ(answer.pairs.size(), 1U);
   EXPECT_FALSE(answer.pairs[0].penetration);
   EXPECT_TRUE(answer.pairs[0].manifold);
 }
 
 TEST(CheckShapes, ErrorsNameTheModel) {
-  std::vector<Posed> models = playground();
+  std::vector<SceneInstance> models = playground();
   models[1].pose.linear[0][0] = 2;
   models[1].name = "ball";
   try {
@@ -84,8 +86,8 @@ TEST(CheckShapes, ErrorsNameTheModel) {
 }
 
 TEST(CheckShapes, OnlyHalfSpacesHaveNoBoxesAndAreStillCompared) {
-  const std::vector<Posed> two = {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
-                                  placed_at(HalfSpace{{}, {0, 0, -1}}, 0, 0, 0)};
+  const std::vector<SceneInstance> two = {placed_at(HalfSpace{{}, {0, 0, 1}}, 0, 0, 0),
+                                          placed_at(HalfSpace{{}, {0, 0, -1}}, 0, 0, 0)};
   const CheckAnswer answer = check_all(two);
   ASSERT_EQ(answer.pairs.size(), 1U);
   EXPECT_EQ(answer.pairs[0].relation.kind, RelationKind::touching);
@@ -105,13 +107,13 @@ TEST(CheckShapes, ManyPosesOfAShapeAndAMesh) {
 TEST(CheckShapes, WhatIsAskedOfMeshesIsAnErrorForOthers) {
   EXPECT_THROW(static_cast<void>(self_contacts(Sphere{1})), Error);
   EXPECT_THROW(static_cast<void>(Model(Sphere{1}).mesh()), Error);
-  EXPECT_THROW(static_cast<void>(Model(Sphere{1}).wide_tree()), Error);
-  EXPECT_TRUE(self_contacts_each(std::vector<Posed>{{Model(Sphere{1})}})[0].empty());
+  EXPECT_THROW(static_cast<void>(Model(Sphere{1}).wide_bvh()), Error);
+  EXPECT_TRUE(self_contacts_each(std::vector<SceneInstance>{{Model(Sphere{1})}})[0].empty());
 }
 
 TEST(SelfContactsEach, RefusesACompound) {
   const Compound two(std::vector<CompoundPart>{{Sphere(1), {}}, {Box({1, 1, 1}), {}}});
-  const std::vector<Posed> models{{Model(Sphere(1))}, {Model(two), {}, Solid::automatic, "pair"}};
+  const std::vector<SceneInstance> models{{Model(Sphere(1))}, {Model(two), {}, Solid::automatic, "pair"}};
   try {
     (void)self_contacts_each(models, {});
     FAIL() << "no error";

@@ -32,7 +32,7 @@ Shape shape_of(const test::ConvexShape& shape) {
 
 std::string fault_of(const test::ConvexCase& pair, Random& random) {
   const Model a = model_of_shape(pair.a.shape), b = model_of_shape(pair.b.shape);
-  const PosedConvex posed_a = test::posed(pair.a), posed_b = test::posed(pair.b);
+  const PosedPolytope posed_a = test::posed(pair.a), posed_b = test::posed(pair.b);
   const PairQuery query{.pose_a = pair.a.pose, .pose_b = pair.b.pose};
   const PairQuery other_way{.pose_a = pair.b.pose, .pose_b = pair.a.pose};
   if (distance(a, b, query) != distance(posed_a, posed_b)) return "distance";
@@ -83,7 +83,7 @@ TEST(ModelsAndHalfSpaces, AreAnsweredAboutAsTheirShapesBothWaysRound) {
       const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + kind + ", " + regime + "\n" + to_text(pair));
       const Model a = model_of_shape(pair.a.shape), b(pair.b.shape);
-      const PosedConvex posed_a = test::posed(pair.a);
+      const PosedPolytope posed_a = test::posed(pair.a);
       const PosedHalfSpace posed_b = test::posed(pair.b);
       const PairQuery query{.pose_a = pair.a.pose, .pose_b = pair.b.pose};
       const PairQuery other_way{.pose_a = pair.b.pose, .pose_b = pair.a.pose};
@@ -109,9 +109,9 @@ TEST(ModelsAndHalfSpaces, AreAnsweredAboutAsTheirShapesBothWaysRound) {
 }
 
 /// Some shapes around one place, of the same regime.
-std::vector<test::PlacedConvex> some_shapes(const std::string& regime, std::size_t count, Random& random) {
+std::vector<test::PlacedPolytope> some_shapes(const std::string& regime, std::size_t count, Random& random) {
   const std::vector<std::string>& kinds = test::convex_kinds();
-  std::vector<test::PlacedConvex> shapes;
+  std::vector<test::PlacedPolytope> shapes;
   while (shapes.size() < count) {
     const std::string& kind_a = kinds[random.below(kinds.size())];
     const std::string& kind_b = kinds[random.below(kinds.size())];
@@ -122,7 +122,7 @@ std::vector<test::PlacedConvex> some_shapes(const std::string& regime, std::size
   return shapes;
 }
 
-Model compound_of(const test::PlacedConvex& first, const test::PlacedConvex& second) {
+Model compound_of(const test::PlacedPolytope& first, const test::PlacedPolytope& second) {
   const std::array<CompoundPart, 2> parts{CompoundPart{shape_of(first.shape), first.pose},
                                           CompoundPart{shape_of(second.shape), second.pose}};
   return Model(Compound{parts});
@@ -134,7 +134,7 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
   for (const std::string& regime : test::convex_regimes())
     for (int repeat = 0; repeat < 6; ++repeat) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + regime + " " + std::to_string(repeat));
-      const std::vector<test::PlacedConvex> shapes = some_shapes(regime, 4, random);
+      const std::vector<test::PlacedPolytope> shapes = some_shapes(regime, 4, random);
       const Model a = compound_of(shapes[0], shapes[2]), b = compound_of(shapes[1], shapes[3]);
       const Vec3 motion = test::random_motion({shapes[0], shapes[1]}, random);
       std::optional<Distance> least;
@@ -142,7 +142,7 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
       std::vector<std::pair<Index, Index>> meeting;
       for (const std::size_t i : {0U, 2U})
         for (const std::size_t j : {1U, 3U}) {
-          const PosedConvex part_a = test::posed(shapes[i]), part_b = test::posed(shapes[j]);
+          const PosedPolytope part_a = test::posed(shapes[i]), part_b = test::posed(shapes[j]);
           Distance d = distance(part_a, part_b);
           d.element_a = d.face_a = static_cast<Index>(i / 2);
           d.element_b = d.face_b = static_cast<Index>(j / 2);
@@ -160,8 +160,8 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
       std::vector<std::pair<Index, Index>> found;
       for (const Contact& contact : contacts(a, b)) {
         found.emplace_back(contact.triangle_a, contact.triangle_b);
-        const PosedConvex part_a = test::posed(shapes[2 * contact.triangle_a]);
-        const PosedConvex part_b = test::posed(shapes[2 * contact.triangle_b + 1]);
+        const PosedPolytope part_a = test::posed(shapes[2 * contact.triangle_a]);
+        const PosedPolytope part_b = test::posed(shapes[2 * contact.triangle_b + 1]);
         EXPECT_EQ(manifold(a, b, contact), manifold(part_a, part_b));
       }
       EXPECT_EQ(found, meeting);
@@ -173,7 +173,7 @@ TEST(Scenes, OfConvexShapesAreCheckedAsTheOracleDoes) {
   Random random(seed);
   for (const std::string& regime : test::convex_regimes()) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + regime);
-    const std::vector<test::PlacedConvex> shapes = some_shapes(regime, 12, random);
+    const std::vector<test::PlacedPolytope> shapes = some_shapes(regime, 12, random);
     Scene scene;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       SceneObject& object = scene.objects.emplace_back();

@@ -27,7 +27,7 @@ TriangleMesh row_of_triangles(const std::vector<double>& places, double height) 
   return {vertices, triangles};
 }
 
-CostOptions only(CostWorkload workload, CostVolume volume, int arity, TreeMethod method, Index leaf_size) {
+CostOptions only(CostWorkload workload, CostVolume volume, int arity, BvhMethod method, Index leaf_size) {
   CostOptions options;
   options.workloads = {workload};
   options.volumes = {volume};
@@ -50,7 +50,7 @@ std::vector<PairQuery> some_queries(std::uint64_t seed, std::size_t count) {
 TEST(Cost, CountsOfATinyTreeAreThoseByHand) {
   const TriangleMesh mesh = row_of_triangles({0, 10}, 0);
   const std::vector<PairQuery> queries{{Pose{}, Pose::translation(0, 0.25, 0)}};
-  CostOptions options = only(CostWorkload::rigid, CostVolume::aabb, 2, TreeMethod::median, 1);
+  CostOptions options = only(CostWorkload::rigid, CostVolume::aabb, 2, BvhMethod::median, 1);
   options.task = CostTask::contacts;
   const CostTable table = measure_costs(mesh, mesh, queries, options);
   ASSERT_EQ(table.rows.size(), 1U);
@@ -85,7 +85,7 @@ TEST(Cost, FIsTheSumOfItsPartsAndRowsAreSorted) {
     CostOptions options;
     options.task = task;
     options.arities = {2, 8};
-    options.methods = {TreeMethod::heuristic};
+    options.methods = {BvhMethod::heuristic};
     const CostTable table = measure_costs(a, b, some_queries(4, 2), options);
     EXPECT_EQ(table.rows.size(), 3U * 13 * 2 + 3) << "all of them, and the library's own tree";
     EXPECT_EQ(table.task, task);
@@ -111,11 +111,11 @@ TEST(Cost, CountsAndAnswersAreAlwaysTheSame) {
   Random random(5);
   const TriangleMesh a = test::random_soup(random, 40, 0.2, 0), b = test::random_soup(random, 40, 0.2, 4);
   CostOptions options;
-  options.methods = {TreeMethod::heuristic, TreeMethod::insertion};
+  options.methods = {BvhMethod::heuristic, BvhMethod::insertion};
   options.arities = {4};
   options.task = CostTask::contacts;
   const auto counts_of = [](const CostTable& table) {
-    std::set<std::tuple<CostWorkload, CostVolume, int, TreeMethod, std::size_t, std::size_t, std::size_t>> counts;
+    std::set<std::tuple<CostWorkload, CostVolume, int, BvhMethod, std::size_t, std::size_t, std::size_t>> counts;
     for (const CostRow& row : table.rows)
       counts.insert({row.workload, row.volume, row.arity, row.method, row.counts.volumes_updated,
                      row.counts.volume_tests, row.counts.items});
@@ -140,7 +140,7 @@ TEST(Cost, AnswersAreThoseOfBruteForce) {
                      transform(pose, mesh.vertices()[corner[2]])}};
   };
   CostOptions options;
-  options.methods = {TreeMethod::heuristic};
+  options.methods = {BvhMethod::heuristic};
   options.arities = {2};
   for (const CostTask task : {CostTask::overlap, CostTask::contacts, CostTask::distance}) {
     options.task = task;
@@ -152,7 +152,7 @@ TEST(Cost, AnswersAreThoseOfBruteForce) {
         for (Index j = 0; j < b.triangle_count(); ++j) {
           const Triangle x = world(a, i, queries[q].pose_a), y = world(b, j, queries[q].pose_b);
           pairs += overlap(x, y) ? 1 : 0;
-          if (task == CostTask::distance) least = std::min(least, distance(PosedConvex(x), PosedConvex(y)).upper);
+          if (task == CostTask::distance) least = std::min(least, distance(PosedPolytope(x), PosedPolytope(y)).upper);
         }
       const double expected = task == CostTask::overlap    ? std::min(pairs, 1.0)
                               : task == CostTask::contacts ? pairs
@@ -171,7 +171,7 @@ TEST(Cost, EveryVolumeHoldsWhatIsDegenerate) {
       triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), triangle({0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0})};
   CostOptions options;
   options.arities = {2};
-  options.methods = {TreeMethod::heuristic, TreeMethod::mean};
+  options.methods = {BvhMethod::heuristic, BvhMethod::mean};
   for (const CostTask task : {CostTask::contacts, CostTask::distance})
     for (const TriangleMesh& mesh : meshes) {
       options.task = task;
@@ -194,7 +194,7 @@ TEST(Cost, WhatWouldTakeTooLongIsLeftOutAndTold) {
   const std::vector<PairQuery> queries{{}};
   CostOptions options;
   options.volumes = {CostVolume::aabb, CostVolume::hull};
-  options.methods = {TreeMethod::heuristic, TreeMethod::morton};
+  options.methods = {BvhMethod::heuristic, BvhMethod::morton};
   options.arities = {2};
   options.most_work = 0;
   EXPECT_TRUE(measure_costs(mesh, mesh, queries, options).rows.empty());
@@ -209,7 +209,7 @@ TEST(Cost, WhatWouldTakeTooLongIsLeftOutAndTold) {
 TEST(Cost, OfManyQueriesSomeAreChosen) {
   const TriangleMesh mesh = row_of_triangles({0, 2}, 0);
   const std::vector<PairQuery> queries(10);
-  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, TreeMethod::mean, 1);
+  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, BvhMethod::mean, 1);
   options.most_rigid = 3;
   EXPECT_EQ(measure_costs(mesh, mesh, queries, options).rows[0].queries, 3U);
   EXPECT_EQ(measure_costs(mesh, mesh, queries, options).answers.size(), 3U);
@@ -280,7 +280,7 @@ TEST(Cost, WordsTellEachThingOnce) {
   const CostRow best = row_of(CostVolume::aabb, 40, 400, 80);
   CostRow other = row_of(CostVolume::aabb, 40, 600, 80);
   other.arity = 4;
-  other.method = TreeMethod::median;
+  other.method = BvhMethod::median;
   table.rows = {best, other};
   const std::string of_both =
       "aabb with 4 children a node by median costs 1.2 times as much: 1.5 times the tests of volumes";
@@ -295,11 +295,11 @@ TEST(Cost, WordsTellEachThingOnce) {
 
 TEST(Cost, WhatIsNamedTwiceIsMeasuredOnce) {
   const TriangleMesh mesh = row_of_triangles({0, 2}, 0);
-  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, TreeMethod::mean, 1);
+  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, BvhMethod::mean, 1);
   options.workloads.push_back(CostWorkload::rigid);
   options.volumes.push_back(CostVolume::ball);
   options.arities.push_back(2);
-  options.methods.push_back(TreeMethod::mean);
+  options.methods.push_back(BvhMethod::mean);
   EXPECT_EQ(measure_costs(mesh, mesh, std::vector<PairQuery>{{}}, options).rows.size(), 1U);
   EXPECT_EQ(measure_volumes(mesh, options).size(), 1U);
 }

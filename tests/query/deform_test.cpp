@@ -76,7 +76,7 @@ TEST(Deform, WhatIsFoundOnDemandIsFoundAgain) {
   for (const Vec3& v : mesh.vertices()) twice.push_back(2.0 * v);
   static_cast<void>(model.deform(twice));
   EXPECT_NEAR(distance(model, Point({3, 0, 0})).upper, 1, 1e-11);
-  EXPECT_EQ(model.oriented_boxes().size(), model.wide_tree().blocks.size());
+  EXPECT_EQ(model.oriented_boxes().size(), model.wide_bvh().blocks.size());
 }
 
 TEST(Deform, TrianglesAtTheLeavesAreThoseOfTheMovedMesh) {
@@ -86,7 +86,7 @@ TEST(Deform, TrianglesAtTheLeavesAreThoseOfTheMovedMesh) {
   EXPECT_EQ(model.leaf_triangles_for(1), &model.leaf_triangles());
   static_cast<void>(model.deform(bent(model.mesh(), 0.1)));
   EXPECT_EQ(model.leaf_triangles_for(1), nullptr);
-  const LeafTriangles built = leaf_triangles(model.wide_tree(), model.mesh());
+  const LeafTriangles built = leaf_triangles(model.wide_bvh(), model.mesh());
   ASSERT_EQ(model.leaf_triangles().of_block.size(), built.of_block.size());
   for (std::size_t i = 0; i < built.of_block.size(); ++i)
     ASSERT_EQ(model.leaf_triangles().of_block[i].corner, built.of_block[i].corner) << i;

@@ -26,7 +26,7 @@ TEST(DistanceCache, ChangesNoBitOverAThousandSteps) {
 }
 
 // Numbers move within their interval at most, whatever was kept: after little steps, jumps, contact, another shape.
-TEST(DistanceCache, KeepsTheDirectionBetweenSmoothShapes) {
+TEST(DistanceCache, KeepsTheDirectionBetweenQuadricShapes) {
   const Model egg(Ellipsoid({1, 2, 3})), can(Cylinder(0.5, 1)), box(Box({1, 1, 1})), hat(Cone(1, 1));
   for (const auto& [a, b] : {std::pair{egg, can}, std::pair{can, egg}, std::pair{box, hat}, std::pair{hat, box}}) {
     DistanceCache cache;

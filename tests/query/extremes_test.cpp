@@ -7,7 +7,6 @@
 #include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/rotation.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance_cache.hpp"
@@ -16,6 +15,7 @@
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/self_contacts.hpp"
 #include "toccata/query/winding_number.hpp"
+#include "toccata/query/within_distance.hpp"
 
 // Sizes near the ends of the doubles, and solids that are inside out.
 namespace toccata {
@@ -50,7 +50,7 @@ TEST(Extremes, DistancesOfEnlargedMeshesAreEnlarged) {
       EXPECT_LE(found.lower / factor, plain.upper) << power << ", " << degrees;
       EXPECT_GE(found.upper / factor, plain.lower) << power << ", " << degrees;
       EXPECT_LE(found.upper - found.lower, 1e-12 * found.upper) << power << ", " << degrees;
-      EXPECT_TRUE(closer_than(a, b, plain.upper * factor * (1 + 1e-9), larger)) << power << ", " << degrees;
+      EXPECT_TRUE(within_distance(a, b, plain.upper * factor * (1 + 1e-9), larger)) << power << ", " << degrees;
     }
   }
 }
@@ -160,8 +160,8 @@ TEST(Extremes, AHalfSpaceMayHaveALongNormal) {
       PairQuery query;
       query.pose_a.offset = {0, 0, 0.5 + gap};
       const HalfSpace ground({0, 0, 0}, {0, 0, length});
-      EXPECT_TRUE(closer_than(Model(cube(1)), ground, gap, query)) << length << ", " << gap;
-      EXPECT_FALSE(closer_than(Model(cube(1)), ground, std::nextafter(gap, 0.0), query)) << length << ", " << gap;
+      EXPECT_TRUE(within_distance(Model(cube(1)), ground, gap, query)) << length << ", " << gap;
+      EXPECT_FALSE(within_distance(Model(cube(1)), ground, std::nextafter(gap, 0.0), query)) << length << ", " << gap;
     }
 }
 

@@ -7,8 +7,8 @@
 
 #include "query/ray_checks.hpp"
 #include "toccata/math/rotation.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/distance.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {

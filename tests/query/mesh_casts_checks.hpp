@@ -17,16 +17,16 @@
 namespace toccata::test {
 
 /// A model's elements at their place, as convex shapes: triangles of a mesh, else the shape itself.
-inline std::vector<PosedConvex> elements_of(const Model& model, const Pose& pose) {
-  if (!model.has_mesh()) return {std::get<PosedConvex>(pose_shape(model, pose, Solid::automatic, "the shape"))};
-  std::vector<PosedConvex> elements;
+inline std::vector<PosedPolytope> elements_of(const Model& model, const Pose& pose) {
+  if (!model.has_mesh()) return {std::get<PosedPolytope>(pose_shape(model, pose, Solid::automatic, "the shape"))};
+  std::vector<PosedPolytope> elements;
   for (Index i = 0; i < model.element_count(); ++i) elements.emplace_back(world_triangle(model, pose, i));
   return elements;
 }
 
 /// Of every pair of elements, by no tree; faces are left 0.
 inline ShapeHit cast_of_all_elements(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
-  const std::vector<PosedConvex> of_a = elements_of(a, query.pose_a), of_b = elements_of(b, query.pose_b);
+  const std::vector<PosedPolytope> of_a = elements_of(a, query.pose_a), of_b = elements_of(b, query.pose_b);
   std::optional<ShapeHit> first;
   for (Index i = 0; i < of_a.size(); ++i)
     for (Index j = 0; j < of_b.size(); ++j)
@@ -54,7 +54,7 @@ inline std::string mesh_cast_fault(const Model& a, const Vec3& motion, const Mod
 inline std::string hull_cast_fault(const ConvexCase& pair, const Vec3& motion) {
   const std::optional<Model> mesh_a = as_mesh(pair.a), mesh_b = as_mesh(pair.b);
   const oracle::ConvexSet set_a = set_of(pair.a), set_b = set_of(pair.b);
-  const auto solid = [](const PlacedConvex& placed) { return is_solid(placed) ? Solid::all : Solid::none; };
+  const auto solid = [](const PlacedPolytope& placed) { return is_solid(placed) ? Solid::all : Solid::none; };
   const Model a = model_of(pair.a.shape), b = model_of(pair.b.shape);
   if (mesh_a) {
     const PairQuery query{.pose_b = pair.b.pose, .solid_a = solid(pair.a)};
@@ -106,7 +106,7 @@ inline MeshCastCase mesh_cast_case(const std::string& family, Random& random) {
     c.query.pose_a.linear = snapped ? Mat3{} : random_rotation(random);
   }
   const Triangle t = world_triangle(b, c.query.pose_b, static_cast<Index>(random.below(b.element_count())));
-  const PosedConvex first = elements_of(c.a, c.query.pose_a)[0];
+  const PosedPolytope first = elements_of(c.a, c.query.pose_a)[0];
   const Vec3 from = first.vertex(0);
   const double reach = sum_of_magnitudes(t[1] - t[0]) + sum_of_magnitudes(t[2] - t[0]);
   const Vec3 inside = 0.25 * t[0] + 0.25 * t[1] + 0.5 * t[2];

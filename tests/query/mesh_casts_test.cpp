@@ -102,7 +102,7 @@ TEST(MeshCasts, AtHalfSpacesAreThoseOfTheLowestTriangle) {
     const Vec3 motion = test::vector_within(random, 9);
     const PosedHalfSpace posed(floor, query.pose_b);
     std::optional<ShapeHit> first;
-    const std::vector<PosedConvex> triangles = test::elements_of(soup, query.pose_a);
+    const std::vector<PosedPolytope> triangles = test::elements_of(soup, query.pose_a);
     for (Index t = 0; t < triangles.size(); ++t)
       if (const Cast cast = cast_shape(triangles[t], motion, posed); cast.hit)
         keep_first(first, {cast, t, 0, soup.mesh().face_of(t), 0});

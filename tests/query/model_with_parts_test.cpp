@@ -11,9 +11,9 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata::test {
 namespace {
@@ -92,7 +92,7 @@ void expect_as_every_pair(const Model& a, const Model& b, const PairQuery& query
   EXPECT_EQ(distance(a, b, query), truth);
   EXPECT_EQ(overlap(a, b, query), truth.upper == 0);
   for (const double tolerance : {0.0, 0.99 * truth.lower, truth.upper, 1.01 * truth.upper}) {
-    const bool is_closer = closer_than(a, b, tolerance, query);
+    const bool is_closer = within_distance(a, b, tolerance, query);
     EXPECT_EQ(is_closer, truth.upper <= tolerance) << tolerance;
     const std::optional<Distance> found = distance_within(a, b, tolerance, query);
     ASSERT_EQ(found.has_value(), is_closer) << tolerance;

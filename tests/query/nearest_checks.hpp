@@ -76,7 +76,7 @@ inline NearestCase nearest_case(const std::string& family, Random& random) {
 inline std::vector<SurfacePoint> each_triangle(const NearestCase& c) {
   std::vector<SurfacePoint> all;
   for (Index i = 0; i < c.mesh.triangle_count(); ++i) {
-    const Distance d = distance(PosedConvex(Point{c.point}), PosedConvex(world_triangle(c, i)));
+    const Distance d = distance(PosedPolytope(Point{c.point}), PosedPolytope(world_triangle(c, i)));
     all.push_back({true, d.lower, d.upper, d.on_b, i, c.mesh.face_of(i), d.status});
   }
   std::sort(all.begin(), all.end(), [](const SurfacePoint& a, const SurfacePoint& b) {

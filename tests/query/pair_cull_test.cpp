@@ -19,7 +19,7 @@ Aabb point_box(const Vec3& p) { return {p, p}; }
 
 TriangleMesh triangle_mesh(const Triangle& t) { return {{t[0], t[1], t[2]}, {{0, 1, 2}}}; }
 
-const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_tree().box; }
+const Aabb& root_box(const PosedMesh& mesh) { return mesh.model().wide_bvh().box; }
 
 /// The error of the culling test in one direction for two vertices, against its pad.
 double error_ratio(const CullDirection& d, const PosedMesh& a, Index vertex_a, const PosedMesh& b, Index vertex_b) {

@@ -14,7 +14,7 @@ namespace toccata {
 namespace {
 
 double width_of(const Model& model) {
-  const Aabb& box = model.wide_tree().box;
+  const Aabb& box = model.wide_bvh().box;
   return box.upper.x - box.lower.x;
 }
 
@@ -39,7 +39,7 @@ TEST(RealMeshes, TheBunnyIntersectsItsScaledCopy) {
   for (const double factor : {0.999, 1.001}) {
     const PairQuery query{.pose_b = scaled(Pose{}, factor)};
     EXPECT_TRUE(overlap(bunny, bunny, query)) << factor;
-    const auto crosses = [](const auto& contact) { return contact.meeting.crossing; };
+    const auto crosses = [](const auto& contact) { return contact.intersection.crossing; };
     EXPECT_TRUE(std::ranges::any_of(contacts(bunny, bunny, query), crosses)) << factor;
   }
 }

@@ -9,7 +9,7 @@
 
 #include "oracle/oracle.hpp"
 #include "support/mesh_soups.hpp"
-#include "toccata/query/faces_within.hpp"
+#include "toccata/query/faces_in_region.hpp"
 
 namespace toccata::test {
 
@@ -90,7 +90,7 @@ inline oracle::ConvexSet exact_set(const Region& region) {
 }
 
 /// Every triangle in rational arithmetic.
-inline std::vector<FoundElement> exact_faces_within(const RegionCase& c) {
+inline std::vector<FoundElement> exact_faces_in_region(const RegionCase& c) {
   const oracle::ConvexSet region = exact_set(c.region);
   std::vector<FoundElement> found;
   for (Index i = 0; i < c.mesh.triangle_count(); ++i) {

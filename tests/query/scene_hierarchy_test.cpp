@@ -66,7 +66,7 @@ void expect_valid(const SceneHierarchy& hierarchy, std::size_t objects) {
 }
 
 WalkCounts counts_of_direct_build(const Scene& scene) {
-  const Tree<Aabb> direct = build_tree(boxes_of(scene), {.leaf_size = 1});
+  const Bvh<Aabb> direct = build_bvh(boxes_of(scene), {.leaf_size = 1});
   SceneHierarchy same;
   same.tree.nodes = direct.nodes;
   same.tree.items = direct.items;

@@ -14,9 +14,9 @@
 #include "support/convex_cases.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/scene_index.hpp"
+#include "toccata/query/within_distance.hpp"
 
 // Questions about many posed models, compared with asking every one of them.
 namespace toccata::test {
@@ -69,7 +69,7 @@ inline Shape shape_in_crowd(Random& random) {
   return convex_in_crowd(random);
 }
 
-inline Posed posed_in_crowd(const std::string& family, const Shape& shape, double spread, Random& random) {
+inline SceneInstance posed_in_crowd(const std::string& family, const Shape& shape, double spread, Random& random) {
   const CrowdPlace place = crowd_place(family);
   const bool on_lattice = family == "lattice";
   Vec3 at;
@@ -110,11 +110,12 @@ std::optional<Found> first_of(const std::vector<Found>& all) {
 /// Objects are asked one by one, those that the filter lets through.
 class OneByOne {
  public:
-  OneByOne(const std::vector<Posed>& objects, ObjectFilter filter) : objects_(objects), filter_(std::move(filter)) {}
+  OneByOne(const std::vector<SceneInstance>& objects, ObjectFilter filter)
+      : objects_(objects), filter_(std::move(filter)) {}
 
   [[nodiscard]] std::vector<ObjectRayHit> ray_hits(const Ray& ray) const {
     std::vector<ObjectRayHit> all;
-    each([&](Index i, const Posed& object) {
+    each([&](Index i, const SceneInstance& object) {
       const RayHit hit = cast_ray(ray.origin, ray.motion, object.model, object.pose, object.solid);
       if (hit.hit) all.push_back({hit, i});
     });
@@ -125,53 +126,55 @@ class OneByOne {
   }
   [[nodiscard]] std::optional<ObjectCast> cast(const MovingShape& moving) const {
     std::vector<ObjectCast> all;
-    each([&](Index i, const Posed& object) {
+    each([&](Index i, const SceneInstance& object) {
       const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, object.model, query_of(moving.shape, object));
       if (hit.hit) all.push_back({hit, i});
     });
     return first_of(all);
   }
-  [[nodiscard]] std::vector<ObjectRelation> relations(const Posed& shape) const {
+  [[nodiscard]] std::vector<ObjectRelation> relations(const SceneInstance& shape) const {
     std::vector<ObjectRelation> all;
-    each([&](Index i, const Posed& object) {
+    each([&](Index i, const SceneInstance& object) {
       const Relation found = relation(shape.model, object.model, query_of(shape, object));
       if (found.kind != RelationKind::apart) all.push_back({i, found});
     });
     return all;
   }
-  [[nodiscard]] std::vector<Index> overlapping(const Posed& shape) const {
+  [[nodiscard]] std::vector<Index> overlapping(const SceneInstance& shape) const {
     std::vector<Index> all;
-    each([&](Index i, const Posed& object) {
+    each([&](Index i, const SceneInstance& object) {
       if (overlap(shape.model, object.model, query_of(shape, object))) all.push_back(i);
     });
     return all;
   }
-  [[nodiscard]] std::optional<ObjectDistance> nearest(const Posed& shape, double limit) const {
+  [[nodiscard]] std::optional<ObjectDistance> nearest(const SceneInstance& shape, double limit) const {
     std::vector<ObjectDistance> all;
-    each([&](Index i, const Posed& object) {
+    each([&](Index i, const SceneInstance& object) {
       const PairQuery query = query_of(shape, object);
-      if (closer_than(shape.model, object.model, limit, query))
+      if (within_distance(shape.model, object.model, limit, query))
         all.push_back({distance(shape.model, object.model, query), i});
     });
     return first_of(all);
   }
-  [[nodiscard]] std::vector<Index> within(const Posed& shape, double limit) const {
+  [[nodiscard]] std::vector<Index> within(const SceneInstance& shape, double limit) const {
     std::vector<Index> all;
-    each([&](Index i, const Posed& object) {
-      if (closer_than(shape.model, object.model, limit, query_of(shape, object))) all.push_back(i);
+    each([&](Index i, const SceneInstance& object) {
+      if (within_distance(shape.model, object.model, limit, query_of(shape, object))) all.push_back(i);
     });
     return all;
   }
 
  private:
-  static PairQuery query_of(const Posed& a, const Posed& b) { return {a.pose, b.pose, a.solid, b.solid}; }
+  static PairQuery query_of(const SceneInstance& a, const SceneInstance& b) {
+    return {a.pose, b.pose, a.solid, b.solid};
+  }
   template <class See>
   void each(const See& see) const {
     for (Index i = 0; i < objects_.size(); ++i)
       if (!filter_ || filter_(i)) see(i, objects_[i]);
   }
 
-  const std::vector<Posed>& objects_;
+  const std::vector<SceneInstance>& objects_;
   ObjectFilter filter_;
 };
 
@@ -187,7 +190,7 @@ struct QuestionedCrowd {
 
   std::string family;
   double spread;
-  std::vector<Posed> objects;
+  std::vector<SceneInstance> objects;
   SceneIndex index;
 };
 
@@ -196,8 +199,8 @@ inline std::string crowd_fault(const QuestionedCrowd& crowd, bool convex, Random
   ObjectFilter filter;
   if (random.below(3) == 0) filter = [](Index i) { return i % 3 != 1; };
   const OneByOne expected(crowd.objects, filter);
-  const Posed shape = posed_in_crowd(crowd.family, convex ? convex_in_crowd(random) : shape_in_crowd(random),
-                                     1.5 * crowd.spread, random);
+  const SceneInstance shape = posed_in_crowd(crowd.family, convex ? convex_in_crowd(random) : shape_in_crowd(random),
+                                             1.5 * crowd.spread, random);
   const Ray ray{shape.pose.offset, way_in_crowd(crowd.family, 3 * crowd.spread, random)};
   const std::vector<ObjectRayHit> hits = expected.ray_hits(ray);
   if (crowd.index.cast_ray(ray, filter) != first_of(hits)) return "cast_ray";

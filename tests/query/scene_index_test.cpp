@@ -26,7 +26,7 @@ TEST(SceneIndex, BatchesAnswerAsSingleQuestions) {
   Random random(18);
   const test::QuestionedCrowd crowd("near", 40, true, random);
   std::vector<Ray> rays;
-  std::vector<Posed> shapes;
+  std::vector<SceneInstance> shapes;
   std::vector<MovingShape> moving;
   for (int i = 0; i < 60; ++i) {
     shapes.push_back(test::posed_in_crowd("near", test::convex_in_crowd(random), 6, random));
@@ -54,7 +54,7 @@ TEST(SceneIndex, BatchesAnswerAsSingleQuestions) {
 TEST(SceneIndex, IsAskedFromTwoThreadsAtOnce) {
   Random random(19);
   const test::QuestionedCrowd crowd("near", 30, false, random);
-  const Posed shape = test::posed_in_crowd("near", test::convex_in_crowd(random), 4, random);
+  const SceneInstance shape = test::posed_in_crowd("near", test::convex_in_crowd(random), 4, random);
   const std::vector<Index> expected = crowd.index.within(shape, 2);
   std::vector<std::vector<Index>> found(2);
   {
@@ -70,10 +70,10 @@ TEST(SceneIndex, IsAskedFromTwoThreadsAtOnce) {
 
 TEST(SceneIndex, OfEquallyNearOnesTheFirstIsNamed) {
   const Model ball(Sphere(1));
-  const std::vector<Posed> objects{{ball, Pose::translation(5, 0, 0)},
-                                   {ball, Pose::translation(3, 0, 0)},
-                                   {ball, Pose::translation(-3, 0, 0)},
-                                   {ball, Pose::translation(0, 3, 0)}};
+  const std::vector<SceneInstance> objects{{ball, Pose::translation(5, 0, 0)},
+                                           {ball, Pose::translation(3, 0, 0)},
+                                           {ball, Pose::translation(-3, 0, 0)},
+                                           {ball, Pose::translation(0, 3, 0)}};
   const SceneIndex index(objects);
   EXPECT_EQ(index.nearest({Model(Point{})})->object, 1U);
   EXPECT_EQ(index.nearest({Model(Point{})}, 2, [](Index i) { return i != 1; })->object, 2U);
@@ -100,9 +100,9 @@ TEST(SceneIndex, BadInputIsRefusedByName) {
   const Model ball(Sphere(1));
   Pose lost;
   lost.offset.x = NAN;
-  const std::vector<Posed> bad{{ball, {}, Solid::automatic, "room"}, {ball, lost, Solid::automatic, "chest"}};
+  const std::vector<SceneInstance> bad{{ball, {}, Solid::automatic, "room"}, {ball, lost, Solid::automatic, "chest"}};
   EXPECT_NE(message_of([&] { static_cast<void>(SceneIndex(bad)); }).find("object \"chest\""), std::string::npos);
-  const std::vector<Posed> objects{{cube, Pose::translation(5, 0, 0), Solid::automatic, "chest"}, {ball, {}}};
+  const std::vector<SceneInstance> objects{{cube, Pose::translation(5, 0, 0), Solid::automatic, "chest"}, {ball, {}}};
   const SceneIndex index(objects);
   const auto message = [&](const auto& ask) { return message_of([&] { static_cast<void>(ask()); }); };
   const std::vector<Ray> rays{{{}, {1, 0, 0}}, {{}, {}}};
@@ -115,7 +115,7 @@ TEST(SceneIndex, BadInputIsRefusedByName) {
   EXPECT_NE(message([&] { return index.overlapping({ball, lost}); }).find("the shape"), std::string::npos);
   // It could be met, but is not answered for.
   const Model ground(HalfSpace({0, 0, 0}, {0, 0, 1}));
-  const std::vector<Posed> grounds{{ball, {}}, {ground, {}, Solid::automatic, "lawn"}};
+  const std::vector<SceneInstance> grounds{{ball, {}}, {ground, {}, Solid::automatic, "lawn"}};
   EXPECT_NE(message([&] {
               return SceneIndex(grounds).cast_shape({{ground, Pose::translation(0, 0, -9)}, {0, 0, 1}});
             }).find("object \"lawn\""),

@@ -15,7 +15,7 @@ namespace toccata {
 namespace {
 
 /// Of every kind, near and far, one around others.
-std::vector<Posed> some_scene(Random& random) {
+std::vector<SceneInstance> some_scene(Random& random) {
   const Model knot(generate_mesh("torus-knot"));
   const std::vector<double> heights{0, 1, 0, 2, 0, 1, 1, 1, 0};
   const std::vector<CompoundPart> parts{{Box({1, 1, 1}), {}}, {Sphere(0.5), Pose::translation(1, 1, 1)}};
@@ -26,7 +26,7 @@ std::vector<Posed> some_scene(Random& random) {
                                   Model(Compound(parts)),
                                   Model(test::box_between({-1, -1, -1}, {1, 1, 1})),
                                   Model(Point{})};
-  std::vector<Posed> scene;
+  std::vector<SceneInstance> scene;
   for (int i = 0; i < 20; ++i) {
     const Vec3 at{random.between(-20, 20), random.between(-20, 20), random.between(-20, 20)};
     const Model& model = models[random.below(models.size())];
@@ -43,7 +43,8 @@ std::vector<Vec3> some_points(Random& random, int count) {
   return points;
 }
 
-std::vector<ScenePoint> one_by_one(const Vec3& point, std::size_t k, const std::vector<Posed>& scene, double within) {
+std::vector<ScenePoint> one_by_one(const Vec3& point, std::size_t k, const std::vector<SceneInstance>& scene,
+                                   double within) {
   std::vector<ScenePoint> all;
   for (std::size_t i = 0; i < scene.size(); ++i)
     for (const SurfacePoint& one :
@@ -61,7 +62,7 @@ TEST(SceneNearest, IsThatOfEveryModelByItself) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     Random random(seed);
-    const std::vector<Posed> scene = some_scene(random);
+    const std::vector<SceneInstance> scene = some_scene(random);
     const std::vector<Vec3> points = some_points(random, 40);
     for (const std::size_t k : {1U, 3U, 30U})
       for (const double within : {infinity, 5.0}) {
@@ -76,10 +77,10 @@ TEST(SceneNearest, IsThatOfEveryModelByItself) {
 TEST(SceneNearest, SignedDistancesAreThoseOfTheCompound) {
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     Random random(seed);
-    const std::vector<Posed> scene = some_scene(random);
+    const std::vector<SceneInstance> scene = some_scene(random);
     std::vector<CompoundPart> parts;
     std::vector<Index> first_element{0};
-    for (const Posed& posed : scene) {
+    for (const SceneInstance& posed : scene) {
       parts.push_back({posed.model.shape(), posed.pose});
       first_element.push_back(first_element.back() + posed.model.element_count());
     }
@@ -94,7 +95,7 @@ TEST(SceneNearest, SignedDistancesAreThoseOfTheCompound) {
       ASSERT_EQ(found[i].distance, expected) << "seed " << seed << ", point " << i;
       ASSERT_EQ(found[i].inside_of.has_value(), expected.side == Side::inside);
       if (found[i].inside_of) {
-        const Posed& holder = scene[*found[i].inside_of];
+        const SceneInstance& holder = scene[*found[i].inside_of];
         EXPECT_EQ(signed_distance(points[i], holder.model, holder.pose).side, Side::inside);
       }
     }
@@ -102,8 +103,8 @@ TEST(SceneNearest, SignedDistancesAreThoseOfTheCompound) {
 }
 
 TEST(SceneNearest, TellsWhoseSurfaceAndInWhat) {
-  const std::vector<Posed> scene{{Model(Sphere(5)), {}, Solid::automatic, "room"},
-                                 {Model(Box({1, 1, 1})), {}, Solid::automatic, "chest"}};
+  const std::vector<SceneInstance> scene{{Model(Sphere(5)), {}, Solid::automatic, "room"},
+                                         {Model(Box({1, 1, 1})), {}, Solid::automatic, "chest"}};
   const std::vector<Vec3> points{{2, 0, 0}, {0, 0, 0.5}, {9, 0, 0}, {1, 0, 0}};
   const auto found = signed_distance_each(points, scene);
   EXPECT_EQ(found[0].object, 1U);
@@ -126,16 +127,16 @@ TEST(SceneNearest, BadInputIsRefusedByName) {
   };
   Pose lost;
   lost.offset.x = NAN;
-  const std::vector<Posed> scene{{Model(Sphere(5)), {}, Solid::automatic, "room"},
-                                 {Model(Sphere(5)), lost, Solid::automatic, "chest"}};
+  const std::vector<SceneInstance> scene{{Model(Sphere(5)), {}, Solid::automatic, "room"},
+                                         {Model(Sphere(5)), lost, Solid::automatic, "chest"}};
   const std::vector<Vec3> points{{2, 0, 0}, {0, NAN, 0.5}};
   EXPECT_NE(message_of([&] { return nearest_points_each(points, 1, scene); }).find("chest"), std::string::npos);
-  const std::span<const Posed> room = std::span(scene).first(1);
+  const std::span<const SceneInstance> room = std::span(scene).first(1);
   EXPECT_EQ(message_of([&] { return nearest_points_each(points, 1, room); }), "point 1: the point is not finite");
   EXPECT_EQ(message_of([&] { return signed_distance_each(points, room); }), "point 1: the point is not finite");
   EXPECT_NE(message_of([&] { return signed_distance_each(points, {}); }), "");
   EXPECT_NE(message_of([&] { return nearest_points_each(points, 1, room, -1); }), "");
-  EXPECT_TRUE(nearest_points_each(std::vector<Vec3>{{1, 2, 3}}, 1, std::span<const Posed>())[0].empty());
+  EXPECT_TRUE(nearest_points_each(std::vector<Vec3>{{1, 2, 3}}, 1, std::span<const SceneInstance>())[0].empty());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace toccata::test {
 
-// Where a mesh meets itself, by CGAL's Polygon_mesh_processing::self_intersections.
+// Where a mesh intersects itself, by CGAL's Polygon_mesh_processing::self_intersections.
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;

@@ -9,19 +9,19 @@
 namespace toccata::test {
 namespace {
 
-bool is_meeting_of(const Contact& contact, const Model& model, const Pose& pose) {
-  return contact.meeting ==
-         meeting(world_triangle(model, pose, contact.triangle_a), world_triangle(model, pose, contact.triangle_b));
+bool is_intersection_of(const Contact& contact, const Model& model, const Pose& pose) {
+  return contact.intersection ==
+         intersect(world_triangle(model, pose, contact.triangle_a), world_triangle(model, pose, contact.triangle_b));
 }
 
 std::string fault_of_self_contacts(const SelfMesh& made) {
   const Model model(made.mesh);
-  const auto expected = oracle::self_meeting_pairs(oracle::surface_set(made.mesh, made.pose));
+  const auto expected = oracle::self_intersecting_pairs(oracle::surface_set(made.mesh, made.pose));
   const std::vector<Contact> contacts = self_contacts(model, made.pose);
   std::vector<oracle::TrianglePair> found;
   for (const Contact& contact : contacts) {
     found.push_back({contact.triangle_a, contact.triangle_b});
-    if (!is_meeting_of(contact, model, made.pose)) return "a meeting is not that of the triangles";
+    if (!is_intersection_of(contact, model, made.pose)) return "a meeting is not that of the triangles";
   }
   if (found != expected) return fmt::format("self_contacts finds {} of {}", found.size(), expected.size());
   return self_overlap(model, made.pose) == !expected.empty() ? "" : "self_overlap";

@@ -89,10 +89,10 @@ TEST(SelfContacts, NeighboursThatBlocksTellApartHaveNothingElseInCommon) {
         set_pair(block, 3, triangle(0), triangle(1));
         block.count = 4;
         classify_neighbours(pose, {&block, 1});
-        const bool meets = !oracle::self_meeting_pairs(oracle::surface_set(mesh, pose)).empty();
-        const bool known_apart = ((block.meeting | block.unknown) >> 3 & 1) == 0;
+        const bool meets = !oracle::self_intersecting_pairs(oracle::surface_set(mesh, pose)).empty();
+        const bool known_apart = ((block.intersection | block.unknown) >> 3 & 1) == 0;
         EXPECT_FALSE(known_apart && meets) << name_of(level) << ", case " << i;
-        EXPECT_FALSE((block.meeting >> 3 & 1) != 0 && !meets) << name_of(level) << ", case " << i;
+        EXPECT_FALSE((block.intersection >> 3 & 1) != 0 && !meets) << name_of(level) << ", case " << i;
         told += known_apart ? 1 : 0;
         proper += meets ? 0 : 1;
       }
@@ -132,8 +132,8 @@ TEST(SelfContacts, BlocksTellAllThatCrossEachOthersPlanesAndHaveOneCornerInCommo
       set_pair(block, 0, triangle(0), triangle(1));
       block.count = 1;
       classify_neighbours({}, {&block, 1});
-      const bool meets = !oracle::self_meeting_pairs(oracle::surface_set(mesh, {})).empty();
-      EXPECT_EQ((block.meeting | block.unknown) != 0, meets) << name_of(level) << ", case " << i;
+      const bool meets = !oracle::self_intersecting_pairs(oracle::surface_set(mesh, {})).empty();
+      EXPECT_EQ((block.intersection | block.unknown) != 0, meets) << name_of(level) << ", case " << i;
       proper += meets ? 0 : 1;
     }
     EXPECT_GT(proper, 50);
@@ -154,8 +154,8 @@ TEST(SelfContacts, DuplicatesAreMet) {
   EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {0, 1, 2}}}), pair);
   EXPECT_EQ(pairs_either_way({points, {{0, 1, 2}, {2, 1, 0}}}), pair);
   const Contact contact = self_contacts(Model({points, {{0, 1, 2}, {1, 0, 2}}})).front();
-  EXPECT_EQ(contact.meeting.kind, MeetingKind::polygon);
-  EXPECT_EQ(contact.meeting.count, 3);
+  EXPECT_EQ(contact.intersection.kind, IntersectionKind::polygon);
+  EXPECT_EQ(contact.intersection.count, 3);
 }
 
 /// What docs/truth.md says of triangles without area.
@@ -238,7 +238,7 @@ Pairs pairs_by_oracle(const TriangleMesh& mesh, const Sample& sample) {
   for (Index i = 0; i < boxes.size(); ++i)
     for (Index j = i + 1; j < boxes.size(); ++j)
       if (sample.holds(i, j) && overlap(boxes[i], boxes[j]) &&
-          !oracle::self_meeting_pairs({{set.triangles[i], set.triangles[j]}}).empty())
+          !oracle::self_intersecting_pairs({{set.triangles[i], set.triangles[j]}}).empty())
         pairs.emplace_back(i, j);
   return pairs;
 }

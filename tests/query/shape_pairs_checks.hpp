@@ -41,8 +41,8 @@ inline std::string fault_of(const Model& a, const Model& b, const PairQuery& que
 }
 
 /// The shape as the mesh of its hull, in the world; nothing where that is not the same set or not taken the same way.
-inline std::optional<Model> as_mesh(const PlacedConvex& placed) {
-  const PosedConvex shape = posed(placed);
+inline std::optional<Model> as_mesh(const PlacedPolytope& placed) {
+  const PosedPolytope shape = posed(placed);
   if (shape.radius() > 0) return std::nullopt;
   const HullMesh hull = hull_mesh(shape);
   const bool one_face = hull.mesh->triangle_count() == 1;

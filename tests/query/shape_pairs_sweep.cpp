@@ -12,7 +12,7 @@
 namespace toccata::test {
 namespace {
 
-oracle::Relation relation_of(const PlacedConvex& a, const PlacedConvex& b) {
+oracle::Relation relation_of(const PlacedPolytope& a, const PlacedPolytope& b) {
   return oracle::relation(set_of(a), is_solid(a), set_of(b), is_solid(b));
 }
 
@@ -26,7 +26,7 @@ std::string check_mesh(const ConvexCase& pair) {
 }
 
 /// The relation of a union of surfaces, from those of its parts.
-oracle::Relation relation_of_surfaces(const std::vector<oracle::ConvexSet>& parts, const PlacedConvex& b) {
+oracle::Relation relation_of_surfaces(const std::vector<oracle::ConvexSet>& parts, const PlacedPolytope& b) {
   oracle::Relation all;
   bool all_inside = true;
   for (const oracle::ConvexSet& part : parts) {
@@ -62,8 +62,8 @@ Shape shape_of(const ConvexShape& shape) {
 }
 
 /// Two shapes of cases with B, as one model: it meets B where one of them does.
-std::string check_compound(const ConvexCase& first, const PlacedConvex& second) {
-  const std::array<PlacedConvex, 2> placed{first.a, second};
+std::string check_compound(const ConvexCase& first, const PlacedPolytope& second) {
+  const std::array<PlacedPolytope, 2> placed{first.a, second};
   const std::array<CompoundPart, 2> parts{CompoundPart{shape_of(placed[0].shape), placed[0].pose},
                                           CompoundPart{shape_of(placed[1].shape), placed[1].pose}};
   const Model a(Compound{parts}), b = model_of(first.b.shape);

@@ -59,14 +59,14 @@ TEST(ShapeQuestions, ContactsOfAShapeAreTheTrianglesThatMeetIt) {
   ASSERT_FALSE(hits.empty());
   for (const Contact& hit : hits) {
     EXPECT_EQ(hit.triangle_b, 0U);
-    EXPECT_EQ(hit.meeting.kind, MeetingKind::none);
+    EXPECT_EQ(hit.intersection.kind, IntersectionKind::none);
     EXPECT_TRUE(
-        overlap(PosedConvex(cube.mesh().vertices().empty() ? Triangle{} : world_triangle(cube, {}, hit.triangle_a)),
-                PosedConvex(Sphere{0.5}, above.pose_b)));
+        overlap(PosedPolytope(cube.mesh().vertices().empty() ? Triangle{} : world_triangle(cube, {}, hit.triangle_a)),
+                PosedPolytope(Sphere{0.5}, above.pose_b)));
   }
-  // Triangles have a meeting of their own.
+  // Triangles have an intersection of their own.
   const Triangle across{{Vec3{-3, 0, 0}, {3, 0.1, 0}, {0, 0, 3}}};
-  for (const Contact& hit : contacts(across, cube)) EXPECT_NE(hit.meeting.kind, MeetingKind::none);
+  for (const Contact& hit : contacts(across, cube)) EXPECT_NE(hit.intersection.kind, IntersectionKind::none);
 }
 
 TEST(ShapeQuestions, AHeightFieldIsTheSurfaceOfItsTriangles) {

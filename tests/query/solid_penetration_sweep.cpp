@@ -74,7 +74,7 @@ PairQuery moved(PairQuery query, const Vec3& by) {
 
 std::string fault_of_hulls(const TriangleMesh& a, const TriangleMesh& b, const PairQuery& query, const Penetration& p) {
   const ConvexHull hull_a{transform(query.pose_a, a.vertices())}, hull_b{transform(query.pose_b, b.vertices())};
-  const Penetration truth = penetration(PosedConvex(hull_a), PosedConvex(hull_b));
+  const Penetration truth = penetration(PosedPolytope(hull_a), PosedPolytope(hull_b));
   if (p.lower > truth.upper || p.upper < truth.lower) return "the bracket does not meet that of the hulls";
   if (truth.lower > 1e-3 && p.upper > (1 + 1e-8) * p.lower) return "the bracket is not narrow";
   return "";

@@ -15,10 +15,10 @@
 #include "support/convex_cases.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/voxel_solids.hpp"
-#include "toccata/query/closer_than.hpp"
-#include "toccata/query/faces_within.hpp"
+#include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/signed_distance.hpp"
+#include "toccata/query/within_distance.hpp"
 
 // Questions about the surfaces of height fields and compounds at hard places, compared with rational arithmetic,
 // element by element.
@@ -104,7 +104,7 @@ inline Shape surface_part(Random& random, const Pose& pose, SurfaceCase& c) {
     return soup;
   }
   const ConvexShape shape = random_convex(kind == 2 ? "segment" : "triangle", random);
-  c.elements.push_back({set_of(PlacedConvex{shape, pose}), faces});
+  c.elements.push_back({set_of(PlacedPolytope{shape, pose}), faces});
   return std::visit([](const auto& one) -> Shape { return one; }, shape);
 }
 
@@ -117,7 +117,7 @@ inline Shape solid_part(Random& random, const Pose& pose, bool may_be_round, Sur
     return box;
   }
   static const std::vector<std::string> kinds{"box", "hull", "sphere", "capsule", "rounded-box", "rounded-triangle"};
-  const PlacedConvex placed{random_convex(kinds[random.below(may_be_round ? kinds.size() : 2)], random), pose};
+  const PlacedPolytope placed{random_convex(kinds[random.below(may_be_round ? kinds.size() : 2)], random), pose};
   c.elements.push_back({set_of(placed), faces, is_solid(placed)});
   return std::visit([](const auto& one) -> Shape { return one; }, placed.shape);
 }
@@ -253,7 +253,7 @@ inline std::string fault_of_regions(const SurfaceCase& c, const Vec3& point, dou
     std::vector<FoundElement> expected;
     for (Index i = 0; i < c.elements.size(); ++i)
       if (oracle::overlap(c.elements[i].set, set)) expected.push_back({i, c.elements[i].face});
-    return faces_within(region, c.model, c.pose) == expected ? "" : "the elements within";
+    return faces_in_region(region, c.model, c.pose) == expected ? "" : "the elements within";
   };
   const std::string of_ball = fault(Ball{point, reach}, oracle::sphere_set(point, reach));
   return of_ball.empty() ? fault(Aabb{point, corner}, oracle::box_set(corners)) : of_ball;
@@ -261,9 +261,9 @@ inline std::string fault_of_regions(const SurfaceCase& c, const Vec3& point, dou
 
 /// What is wrong with whether a small box is closer than some lengths, or nothing. Meshes are taken as surfaces.
 inline std::string fault_of_closeness(const SurfaceCase& c, const Vec3& point, double size, Random& random) {
-  const PlacedConvex other{random_convex(random.below(2) == 0 ? "hull" : "triangle", random),
-                           scaled({random_rotation(random), {}}, size)};
-  PlacedConvex placed = other;
+  const PlacedPolytope other{random_convex(random.below(2) == 0 ? "hull" : "triangle", random),
+                             scaled({random_rotation(random), {}}, size)};
+  PlacedPolytope placed = other;
   placed.pose.offset = point;
   const auto shape = std::visit([](const auto& one) { return Model(one); }, placed.shape);
   const oracle::ConvexSet set = set_of(placed);
@@ -274,7 +274,7 @@ inline std::string fault_of_closeness(const SurfaceCase& c, const Vec3& point, d
     const bool expected = std::any_of(c.elements.begin(), c.elements.end(), [&](const WorldElement& element) {
       return oracle::compare_distance(element.set, set, exact) <= 0;
     });
-    if (closer_than(c.model, shape, length, query) != expected) return fmt::format("closer than {}", length);
+    if (within_distance(c.model, shape, length, query) != expected) return fmt::format("closer than {}", length);
     if (distance_within(c.model, shape, length, query).has_value() != expected) return "the distance within";
   }
   return "";

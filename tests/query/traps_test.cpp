@@ -70,7 +70,7 @@ TEST(Traps, TrianglesThatLoseTheirAreaInTheWorld) {
     std::vector<oracle::TrianglePair> found;
     for (const Contact& contact : contacts(ball, ball, query))
       found.push_back({contact.triangle_a, contact.triangle_b});
-    EXPECT_EQ(found, oracle::meeting_pairs(set_a, set_b));
+    EXPECT_EQ(found, oracle::intersecting_pairs(set_a, set_b));
     touching += found.empty() ? 0 : 1;
     const oracle::Relation expected =
         oracle::relation(oracle::solid_set(ball.mesh(), query.pose_a), oracle::solid_set(ball.mesh(), query.pose_b));

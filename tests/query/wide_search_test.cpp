@@ -28,7 +28,7 @@ oracle::Rational dot_of(const std::array<float, 3>& form, const std::array<oracl
 }
 
 /// A local point in a tree's units, as a real number.
-std::array<oracle::Rational, 3> in_tree(const WideTree& tree, const Vec3& x) {
+std::array<oracle::Rational, 3> in_tree(const WideBvh& tree, const Vec3& x) {
   const auto one = [&](double value, double origin) {
     return oracle::Rational((exact(value) - exact(origin)) / exact(tree.unit));
   };
@@ -60,7 +60,7 @@ double worst_ratio(const std::string& family, std::uint64_t seed) {
   const PosedMesh b(Model(one_triangle({y, vertex(), vertex()})), query.pose_b);
   if (!(a.vertex(0) == b.vertex(0))) return 0;
   const WideCull cull = wide_cull(PairCull(a, b), a, b);
-  const auto q = in_tree(a.model().wide_tree(), x), p = in_tree(b.model().wide_tree(), y);
+  const auto q = in_tree(a.model().wide_bvh(), x), p = in_tree(b.model().wide_bvh(), y);
   double worst = 0;
   for (std::size_t i = 0; i < cull.of_a.count; ++i)
     if (std::isfinite(cull.of_a.pad[i])) worst = std::max(worst, error_ratio(cull.of_a, i, q, p));
@@ -92,7 +92,7 @@ class AnyPair final : public WideVisitor {
 
 std::size_t candidates(const PosedMesh& a, const PosedMesh& b, double pad_scale) {
   const WideCull cull = wide_cull(PairCull(a, b, pad_scale), a, b);
-  const WideWalk walk(a.model().wide_tree(), b.model().wide_tree(), cull);
+  const WideWalk walk(a.model().wide_bvh(), b.model().wide_bvh(), cull);
   WideFrontier frontier;
   AnyPair found;
   walk.start(frontier, WideWalk::largest_batch);
@@ -101,7 +101,7 @@ std::size_t candidates(const PosedMesh& a, const PosedMesh& b, double pad_scale)
 }
 
 TEST(WideCull, WithoutThePadsContactsAreLost) {
-  int meeting = 0, lost_without_pads = 0;
+  int intersection = 0, lost_without_pads = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
     // Tiny triangles far from the origin have world vertices in common only because their sums round alike.
@@ -111,11 +111,11 @@ TEST(WideCull, WithoutThePadsContactsAreLost) {
     const PosedMesh a(Model(one_triangle({vertex(), vertex(), vertex()})), pose_a);
     const PosedMesh b(Model(one_triangle({vertex(), vertex(), vertex()})), pose_b);
     if (!overlap(a.triangle(0), b.triangle(0))) continue;
-    ++meeting;
+    ++intersection;
     EXPECT_EQ(candidates(a, b, 1), 1U) << "seed " << seed;
     if (candidates(a, b, 0) == 0) ++lost_without_pads;
   }
-  EXPECT_GT(meeting, 100);
+  EXPECT_GT(intersection, 100);
   EXPECT_GT(lost_without_pads, 10) << "this test no longer shows that the pads are needed";
 }
 
@@ -133,7 +133,7 @@ TEST(WideWalk, OfATreeWithItselfFindsEveryPairOnceTheLesserFirst) {
   for (const Index triangles : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 500U}) {
     Random random(triangles);
     const PosedMesh mesh(Model(test::random_soup(random, triangles, 0.3, 0)), Pose{});
-    const WideTree& tree = mesh.model().wide_tree();
+    const WideBvh& tree = mesh.model().wide_bvh();
     const WideCull cull = wide_cull(PairCull(mesh, mesh), mesh, mesh);
     test::at_every_simd_level([&](SimdLevel level) {
       WideFrontier frontier;
@@ -264,7 +264,7 @@ TEST(WideSearch, TheFirstOfManySelfContactsEndsTheSearch) {
     }
   const PosedMesh mesh(Model(TriangleMesh(vertices, triangles)), Pose{});
   SearchScratch scratch;
-  EXPECT_TRUE(meets_itself(mesh, scratch));
+  EXPECT_TRUE(intersects_itself(mesh, scratch));
   EXPECT_LT(scratch.counts.items, 500U);
 }
 
@@ -285,8 +285,8 @@ std::uint64_t hash_of(std::span<const Contact> contacts) {
   for (const Contact& contact : contacts) {
     add(contact.triangle_a);
     add(contact.triangle_b);
-    for (std::size_t i = 0; i < contact.meeting.count; ++i) {
-      const MeetingPoint& point = contact.meeting.points[i];
+    for (std::size_t i = 0; i < contact.intersection.count; ++i) {
+      const IntersectionPoint& point = contact.intersection.points[i];
       for (const Feature& feature : {point.on_a, point.on_b})
         add(static_cast<std::uint64_t>(feature.kind) * 8 + feature.index);
     }

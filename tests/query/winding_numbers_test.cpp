@@ -65,7 +65,7 @@ TEST(WindingMoments, AreWithinTheirBoundFromAllSides) {
   for (int i = 0; i < 300; ++i) {
     const TriangleMesh mesh = test::random_soup(random, static_cast<Index>(1 + random.below(12)), 0.5, 0);
     const Model model(mesh);
-    const WideTree& tree = model.wide_tree();
+    const WideBvh& tree = model.wide_bvh();
     const WindingMoments& root = model.winding_moments()[0];
     const double ratio = random.between(0.02, 0.98);
     Vec3 way = test::random_vector(random, 1);

@@ -64,7 +64,7 @@ TEST(WorldSearch, NothingThatMeetsAHalfSpaceIsLost) {
         return true;
       });
       for (Index i = 0; i < mesh.model().mesh().triangle_count(); ++i)
-        if (overlap(PosedConvex(mesh.triangle(i)), below)) meeting.push_back(i);
+        if (overlap(PosedPolytope(mesh.triangle(i)), below)) meeting.push_back(i);
       std::sort(visited.begin(), visited.end());
       EXPECT_TRUE(is_subset(meeting, visited));
       EXPECT_FALSE(meeting.empty());

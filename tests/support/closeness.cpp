@@ -21,9 +21,9 @@ std::vector<double> tolerances_about(const Distance& d) {
 
 std::string fault_at(const Model& a, const Model& b, const PairQuery& query, const Distance& d, double tolerance,
                      bool truth, Workspace& workspace) {
-  if (closer_than(a, b, tolerance, query) != truth) return "answer";
-  if (closer_than(a, b, tolerance, query, workspace) != truth) return "warm";
-  if (closer_than(b, a, tolerance, exchanged(query), workspace) != truth) return "exchanged";
+  if (within_distance(a, b, tolerance, query) != truth) return "answer";
+  if (within_distance(a, b, tolerance, query, workspace) != truth) return "warm";
+  if (within_distance(b, a, tolerance, exchanged(query), workspace) != truth) return "exchanged";
   const std::optional<Distance> found = distance_within(a, b, tolerance, query, workspace);
   if (found.has_value() != truth) return "distance";
   return !found || *found == d ? "" : "bits of the distance";

@@ -524,7 +524,7 @@ const std::vector<Regime>& regimes() {
   return all;
 }
 
-PlacedConvex made(const Placed& placed) { return {made(placed.shape), placed.pose}; }
+PlacedPolytope made(const Placed& placed) { return {made(placed.shape), placed.pose}; }
 
 std::vector<Vec3> local_vertices(const Rounded::Core& core) {
   struct Vertices {
@@ -570,7 +570,7 @@ std::string to_text(const Vec3& v) {
   return text.data();
 }
 
-std::string to_text(const PlacedConvex& placed) {
+std::string to_text(const PlacedPolytope& placed) {
   const CoreAndRadius parts = parts_of(placed.shape);
   std::array<char, 40> radius{};
   std::snprintf(radius.data(), radius.size(), "%.17g", parts.radius);
@@ -646,11 +646,11 @@ HalfSpaceCase half_space_case(const std::string& kind, const std::string& regime
 
 ConvexShape random_convex(const std::string& kind, Random& random) { return made(random_blueprint(kind, random)); }
 
-PosedConvex posed(const PlacedConvex& placed) {
-  return std::visit([&](const auto& shape) { return PosedConvex(shape, placed.pose); }, placed.shape);
+PosedPolytope posed(const PlacedPolytope& placed) {
+  return std::visit([&](const auto& shape) { return PosedPolytope(shape, placed.pose); }, placed.shape);
 }
 
-oracle::ConvexSet set_of(const PlacedConvex& placed) {
+oracle::ConvexSet set_of(const PlacedPolytope& placed) {
   const CoreAndRadius parts = parts_of(placed.shape);
   oracle::ConvexSet set;
   for (const Vec3& v : parts.vertices) set.vertices.push_back(oracle::exact(oracle::world_vertex(placed.pose, v)));
@@ -664,7 +664,7 @@ oracle::HalfSpace set_of(const PlacedHalfSpace& placed) {
                                 oracle::world_vertex(turned, placed.shape.normal()));
 }
 
-bool is_solid(const PlacedConvex& placed) {
+bool is_solid(const PlacedPolytope& placed) {
   const ConvexHull* hull = std::get_if<ConvexHull>(&placed.shape);
   if (hull != nullptr) return hull->dimension() == 3;
   return std::holds_alternative<Box>(placed.shape) || parts_of(placed.shape).radius > 0;

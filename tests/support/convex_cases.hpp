@@ -7,21 +7,21 @@
 #include "oracle/convex.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 // Pairs of posed convex shapes, of every kind and in every regime that is hard in a way of its own.
 namespace toccata::test {
 
 using ConvexShape = std::variant<Point, Segment, Triangle, Sphere, Box, Capsule, ConvexHull, Rounded>;
 
-struct PlacedConvex {
+struct PlacedPolytope {
   ConvexShape shape;
   Pose pose;
 };
 
 struct ConvexCase {
-  PlacedConvex a;
-  PlacedConvex b;
+  PlacedPolytope a;
+  PlacedPolytope b;
 };
 
 struct PlacedHalfSpace {
@@ -30,7 +30,7 @@ struct PlacedHalfSpace {
 };
 
 struct HalfSpaceCase {
-  PlacedConvex a;
+  PlacedPolytope a;
   PlacedHalfSpace b;
 };
 
@@ -58,15 +58,15 @@ ConvexCase numbered_case(const std::string& kind_a, std::uint64_t number, Random
 ConvexShape random_convex(const std::string& kind, Random& random);
 
 /// Refers to the shape's hull.
-PosedConvex posed(const PlacedConvex& placed);
+PosedPolytope posed(const PlacedPolytope& placed);
 inline PosedHalfSpace posed(const PlacedHalfSpace& placed) { return PosedHalfSpace(placed.shape, placed.pose); }
 
 /// The same for the oracle: world vertices as the truth page says.
-oracle::ConvexSet set_of(const PlacedConvex& placed);
+oracle::ConvexSet set_of(const PlacedPolytope& placed);
 oracle::HalfSpace set_of(const PlacedHalfSpace& placed);
 
 /// Taken as a solid (docs/truth.md): a flat hull stays a surface under a pose that bends it by rounding.
-bool is_solid(const PlacedConvex& placed);
+bool is_solid(const PlacedPolytope& placed);
 
 /// World vertices and radius, in full precision.
 std::string to_text(const ConvexCase& pair);

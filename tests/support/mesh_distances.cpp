@@ -11,7 +11,7 @@ namespace toccata::test {
 namespace {
 
 Distance of_triangles(const Model& a, const Model& b, const PairQuery& q, Index i, Index j) {
-  return distance(PosedConvex(world_triangle(a, q.pose_a, i)), PosedConvex(world_triangle(b, q.pose_b, j)));
+  return distance(PosedPolytope(world_triangle(a, q.pose_a, i)), PosedPolytope(world_triangle(b, q.pose_b, j)));
 }
 
 struct Range {

@@ -12,7 +12,7 @@ namespace {
 auto place(const Contact& contact) { return std::pair(contact.triangle_a, contact.triangle_b); }
 
 bool same_contact(const Contact& x, const Contact& y) {
-  return place(x) == place(y) && x.face_a == y.face_a && x.face_b == y.face_b && x.meeting == y.meeting;
+  return place(x) == place(y) && x.face_a == y.face_a && x.face_b == y.face_b && x.intersection == y.intersection;
 }
 
 std::vector<Triangle> world_triangles(const Model& model, const Pose& pose) {
@@ -30,7 +30,7 @@ std::vector<Aabb> boxes_of(const std::vector<Triangle>& triangles) {
 /// With the models exchanged, and in the order of that question.
 std::vector<Contact> exchanged(std::vector<Contact> contacts) {
   for (Contact& contact : contacts)
-    contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.meeting)};
+    contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
   std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) { return place(x) < place(y); });
   return contacts;
 }
@@ -64,7 +64,7 @@ std::vector<Contact> contacts_by_brute_force(const Model& a, const Model& b, con
   for (Index i = 0; i < triangles_a.size(); ++i)
     for (Index j = 0; j < triangles_b.size(); ++j)
       if (overlap(boxes_a[i], boxes_b[j]) && overlap(triangles_a[i], triangles_b[j]))
-        found.push_back({i, j, a.mesh().face_of(i), b.mesh().face_of(j), meeting(triangles_a[i], triangles_b[j])});
+        found.push_back({i, j, a.mesh().face_of(i), b.mesh().face_of(j), intersect(triangles_a[i], triangles_b[j])});
   return found;
 }
 

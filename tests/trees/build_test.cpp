@@ -15,9 +15,9 @@ Aabb point_box(double x, double y, double z) { return {{x, y, z}, {x, y, z}}; }
 
 /// Every item is below exactly one leaf, every volume fits exactly what is below it, children come after parents.
 /// Returns the depth.
-int check_node(const Tree<Aabb>& tree, std::span<const Aabb> boxes, Index number, Index leaf_size,
+int check_node(const Bvh<Aabb>& tree, std::span<const Aabb> boxes, Index number, Index leaf_size,
                std::vector<int>& seen, Aabb& around) {
-  const TreeNode<Aabb>& node = tree.nodes[number];
+  const BvhNode<Aabb>& node = tree.nodes[number];
   int depth = 0;
   if (node.is_leaf()) {
     EXPECT_LE(node.count, leaf_size);
@@ -39,7 +39,7 @@ int check_node(const Tree<Aabb>& tree, std::span<const Aabb> boxes, Index number
 }
 
 int check(const std::vector<Aabb>& boxes, Index leaf_size) {
-  const Tree<Aabb> tree = build_tree(boxes, {leaf_size});
+  const Bvh<Aabb> tree = build_bvh(boxes, {leaf_size});
   std::vector<int> seen(boxes.size(), 0);
   Aabb around;
   const int depth = check_node(tree, boxes, 0, leaf_size, seen, around);
@@ -48,8 +48,8 @@ int check(const std::vector<Aabb>& boxes, Index leaf_size) {
 }
 
 TEST(BuildTree, NoItemsNoNodes) {
-  EXPECT_TRUE(build_tree({}).nodes.empty());
-  EXPECT_TRUE(build_tree({}).items.empty());
+  EXPECT_TRUE(build_bvh({}).nodes.empty());
+  EXPECT_TRUE(build_bvh({}).items.empty());
 }
 
 TEST(BuildTree, OneItemIsALeaf) { EXPECT_EQ(check({point_box(1, 2, 3)}, 1), 1); }
@@ -115,7 +115,7 @@ TEST(BuildTree, TheSameBoxesGiveTheSameTree) {
     const double x = random.unit(), y = random.unit(), z = random.unit();
     boxes.push_back(point_box(x, y, z));
   }
-  EXPECT_EQ(build_tree(boxes).items, build_tree(boxes).items);
+  EXPECT_EQ(build_bvh(boxes).items, build_bvh(boxes).items);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace toccata {
 namespace {
 
-constexpr std::array all_methods{TreeMethod::mean,          TreeMethod::median,    TreeMethod::heuristic,
-                                 TreeMethod::agglomeration, TreeMethod::insertion, TreeMethod::morton};
+constexpr std::array all_methods{BvhMethod::mean,          BvhMethod::median,    BvhMethod::heuristic,
+                                 BvhMethod::agglomeration, BvhMethod::insertion, BvhMethod::morton};
 
 const std::vector<std::string> regimes = {"random", "same", "line", "grid", "graded", "huge"};
 
@@ -39,13 +39,13 @@ std::vector<Triangle> triangles_of(const std::string& regime, Random& random, st
   return triangles;
 }
 
-std::string text_of(TreeMethod method, const std::string& regime) {
+std::string text_of(BvhMethod method, const std::string& regime) {
   return "method " + std::to_string(static_cast<int>(method)) + ", " + regime;
 }
 
 /// Every item once, children after their parents, arity and leaf size kept, every volume around its items.
 template <class Volume, int Arity>
-void expect_valid(const Tree<Volume, Arity>& tree, const std::vector<Triangle>& triangles, Index leaf_size) {
+void expect_valid(const Bvh<Volume, Arity>& tree, const std::vector<Triangle>& triangles, Index leaf_size) {
   std::vector<Index> items = tree.items;
   std::sort(items.begin(), items.end());
   ASSERT_EQ(items.size(), triangles.size());
@@ -53,7 +53,7 @@ void expect_valid(const Tree<Volume, Arity>& tree, const std::vector<Triangle>& 
   std::vector<int> parents(tree.nodes.size(), 0);
   std::vector<std::vector<Index>> below(tree.nodes.size());
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    const TreeNode<Volume>& node = tree.nodes[i];
+    const BvhNode<Volume>& node = tree.nodes[i];
     if (node.is_leaf()) {
       ASSERT_LE(node.count, leaf_size);
       below[i].assign(tree.items.begin() + node.first, tree.items.begin() + node.first + node.count);
@@ -75,13 +75,13 @@ void expect_valid(const Tree<Volume, Arity>& tree, const std::vector<Triangle>& 
 template <class Volume, int Arity>
 void expect_all_methods_valid() {
   for (const std::string& regime : regimes)
-    for (const TreeMethod method : all_methods) {
+    for (const BvhMethod method : all_methods) {
       SCOPED_TRACE(text_of(method, regime));
       Random random(11);
       for (const std::size_t count : {1U, 2U, 3U, 40U}) {
         const std::vector<Triangle> triangles = triangles_of(regime, random, count);
         for (const Index leaf_size : {1U, 3U})
-          expect_valid(build_tree<Volume, Arity>(triangles, {.method = method, .leaf_size = leaf_size}), triangles,
+          expect_valid(build_bvh<Volume, Arity>(triangles, {.method = method, .leaf_size = leaf_size}), triangles,
                        leaf_size);
       }
     }
@@ -120,11 +120,11 @@ TEST(Builders, WalksFindTheSamePairsInAllOfThem) {
     for (Index j = 0; j < b.size(); ++j) all.push_back({i, j});
   brute.visit(all);
   ASSERT_GT(brute.found.size(), 20U);
-  for (const TreeMethod method : all_methods) {
+  for (const BvhMethod method : all_methods) {
     SCOPED_TRACE(text_of(method, "random"));
     OverlapCount walked{&a, &b};
-    const WalkCounts counts = walk_pair(build_tree<Kdop<14>, 4>(a, {.method = method, .leaf_size = 2}),
-                                        build_tree<Kdop<14>, 2>(b, {.method = method}), walked);
+    const WalkCounts counts = walk_pair(build_bvh<Kdop<14>, 4>(a, {.method = method, .leaf_size = 2}),
+                                        build_bvh<Kdop<14>, 2>(b, {.method = method}), walked);
     std::sort(walked.found.begin(), walked.found.end());
     EXPECT_EQ(walked.found, brute.found);
     EXPECT_LT(counts.items, all.size() / 2);
@@ -133,12 +133,12 @@ TEST(Builders, WalksFindTheSamePairsInAllOfThem) {
 
 TEST(Builders, TheRecursiveAndTheIterativeDriverMakeTheSameTree) {
   for (const std::string& regime : regimes)
-    for (const TreeMethod method : {TreeMethod::mean, TreeMethod::median}) {
+    for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median}) {
       SCOPED_TRACE(text_of(method, regime));
       Random random(5);
       const std::vector<Triangle> triangles = triangles_of(regime, random, 200);
-      const auto one = build_tree<Aabb>(triangles, {.method = method, .driver = TreeDriver::iterative});
-      const auto other = build_tree<Aabb>(triangles, {.method = method, .driver = TreeDriver::recursive});
+      const auto one = build_bvh<Aabb>(triangles, {.method = method, .driver = BvhDriver::iterative});
+      const auto other = build_bvh<Aabb>(triangles, {.method = method, .driver = BvhDriver::recursive});
       EXPECT_EQ(one.items, other.items);
       ASSERT_EQ(one.nodes.size(), other.nodes.size());
       for (std::size_t i = 0; i < one.nodes.size(); ++i) {
@@ -151,13 +151,13 @@ TEST(Builders, TheRecursiveAndTheIterativeDriverMakeTheSameTree) {
 /// Larger than what one thread takes on at once.
 TEST(Builders, MakeTheSameTreeOnAnyNumberOfThreads) {
   for (const std::string& regime : {std::string("random"), std::string("grid")})
-    for (const TreeMethod method : all_methods) {
+    for (const BvhMethod method : all_methods) {
       SCOPED_TRACE(text_of(method, regime));
       Random random(12);
       const std::vector<Triangle> triangles = triangles_of(regime, random, 5000);
-      const auto one = build_tree<Aabb, 4>(triangles, {.method = method, .threads = 1});
+      const auto one = build_bvh<Aabb, 4>(triangles, {.method = method, .threads = 1});
       for (const int threads : {2, 3}) {
-        const auto other = build_tree<Aabb, 4>(triangles, {.method = method, .threads = threads});
+        const auto other = build_bvh<Aabb, 4>(triangles, {.method = method, .threads = threads});
         EXPECT_EQ(one.items, other.items);
         EXPECT_EQ(one.built_size, other.built_size);
         ASSERT_EQ(one.nodes.size(), other.nodes.size());
@@ -174,37 +174,37 @@ TEST(Builders, MakeTheSameTreeOnAnyNumberOfThreads) {
 TEST(Builders, ReportBalance) {
   Random random(6);
   const std::vector<Triangle> triangles = triangles_of("random", random, 64);
-  const TreeBalance even = balance_of(build_tree<Aabb>(triangles, {.method = TreeMethod::median}));
+  const BvhBalance even = balance_of(build_bvh<Aabb>(triangles, {.method = BvhMethod::median}));
   EXPECT_EQ(even.leaves, 64U);
   EXPECT_EQ(even.nodes, 127U);
   EXPECT_EQ(even.least_depth, 6);
   EXPECT_EQ(even.greatest_depth, 6);
   EXPECT_EQ(even.best_depth, 6);
-  EXPECT_EQ(balance_of(build_tree<Aabb, 8>(triangles, {.method = TreeMethod::median})).greatest_depth, 2);
+  EXPECT_EQ(balance_of(build_bvh<Aabb, 8>(triangles, {.method = BvhMethod::median})).greatest_depth, 2);
   // Nothing makes a list from the top down or along the curve, and from the bottom up only sizes over hundreds of
   // orders of magnitude do.
-  for (const TreeMethod method : all_methods)
+  for (const BvhMethod method : all_methods)
     for (const char* regime : {"graded", "same", "line"}) {
-      const bool upwards = method == TreeMethod::agglomeration || method == TreeMethod::insertion;
+      const bool upwards = method == BvhMethod::agglomeration || method == BvhMethod::insertion;
       if (upwards && regime == std::string("graded")) continue;
       SCOPED_TRACE(text_of(method, regime));
       const std::vector<Triangle> many = triangles_of(regime, random, 500);
-      EXPECT_LT(balance_of(build_tree<Aabb>(many, {.method = method})).greatest_depth, 120);
+      EXPECT_LT(balance_of(build_bvh<Aabb>(many, {.method = method})).greatest_depth, 120);
     }
 }
 
 TEST(Builders, ANothingIsAnEmptyTreeAndAnUnknownArityAnError) {
   const std::vector<Triangle> none;
-  EXPECT_TRUE((build_tree<Obb, 4>(none).nodes.empty()));
-  EXPECT_EQ(balance_of(build_tree<Aabb>(none)).leaves, 0U);
-  EXPECT_THROW(static_cast<void>(build_tree_shape(none, 1, {})), Error);
-  EXPECT_THROW(static_cast<void>(build_tree_shape(none, 9, {})), Error);
+  EXPECT_TRUE((build_bvh<Obb, 4>(none).nodes.empty()));
+  EXPECT_EQ(balance_of(build_bvh<Aabb>(none)).leaves, 0U);
+  EXPECT_THROW(static_cast<void>(build_bvh_shape(none, 1, {})), Error);
+  EXPECT_THROW(static_cast<void>(build_bvh_shape(none, 9, {})), Error);
 }
 
 TEST(Refit, HoldsWhatHasMovedAndTellsWhenToRebuild) {
   Random random(7);
   const std::vector<Triangle> before = triangles_of("random", random, 200);
-  auto tree = build_tree<Aabb, 4>(before, {.leaf_size = 2});
+  auto tree = build_bvh<Aabb, 4>(before, {.leaf_size = 2});
   const auto built = tree;
   const Refit still = refit(tree, before);
   EXPECT_EQ(still.volumes_updated, tree.nodes.size());
@@ -216,14 +216,14 @@ TEST(Refit, HoldsWhatHasMovedAndTellsWhenToRebuild) {
   for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[random.below(i)]);
   EXPECT_TRUE(refit(tree, shuffled).should_rebuild());
   expect_valid(tree, shuffled, 2);
-  auto oriented = build_tree<Obb>(before);
+  auto oriented = build_bvh<Obb>(before);
   refit(oriented, shuffled);
   expect_valid(oriented, shuffled, 1);
 }
 
 TEST(Refit, WhatGrowsFromNothingOrOutOfRangeIsRebuilt) {
   const std::vector<Triangle> points(10, Triangle{{Vec3{1, 2, 3}, Vec3{1, 2, 3}, Vec3{1, 2, 3}}});
-  auto tree = build_tree<Aabb>(points);
+  auto tree = build_bvh<Aabb>(points);
   EXPECT_FALSE(refit(tree, points).should_rebuild());
   Random random(9);
   const std::vector<Triangle> grown = triangles_of("random", random, 10);
@@ -236,7 +236,7 @@ TEST(Refit, WhatGrowsFromNothingOrOutOfRangeIsRebuilt) {
 TEST(Refit, GrowthIsCountedFromTheBuildHoweverSlowItIs) {
   Random random(8);
   std::vector<Triangle> moving = triangles_of("random", random, 100);
-  auto tree = build_tree<Aabb>(moving);
+  auto tree = build_bvh<Aabb>(moving);
   int frames = 0;
   for (Refit last; !last.should_rebuild() && frames < 1000; ++frames) {
     for (std::size_t i = 0; i < moving.size(); ++i)

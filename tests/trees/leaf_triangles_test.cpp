@@ -16,12 +16,12 @@ namespace {
 using oracle::exact;
 using oracle::Rational;
 
-WideTree tree_over(const TriangleMesh& mesh) {
+WideBvh bvh_over(const TriangleMesh& mesh) {
   std::vector<Aabb> boxes;
   for (const auto& corner : mesh.triangles())
     boxes.push_back(merge(merge(merge(Aabb{}, mesh.vertices()[corner[0]]), mesh.vertices()[corner[1]]),
                           mesh.vertices()[corner[2]]));
-  return build_wide_tree(boxes);
+  return build_wide_bvh(boxes);
 }
 
 TriangleMesh scaled_and_moved(const TriangleMesh& mesh, double scale, const Vec3& by) {
@@ -31,13 +31,13 @@ TriangleMesh scaled_and_moved(const TriangleMesh& mesh, double scale, const Vec3
 }
 
 /// How far a coordinate of a lane is from the vertex's, in the tree's units, exactly.
-Rational distance_off(const WideTree& tree, float coordinate, double vertex, int axis) {
+Rational distance_off(const WideBvh& tree, float coordinate, double vertex, int axis) {
   const Rational off = exact(double{coordinate}) - (exact(vertex) - exact(tree.origin[axis])) / exact(tree.unit);
   return off < Rational(0) ? -off : off;
 }
 
 /// Every item's lane tells its triangle; the others hold zeros.
-void expect_triangles(const WideTree& tree, const TriangleMesh& mesh) {
+void expect_triangles(const WideBvh& tree, const TriangleMesh& mesh) {
   const LeafTriangles all = leaf_triangles(tree, mesh);
   ASSERT_EQ(all.of_block.size(), tree.blocks.size());
   const Rational off = exact(double{all.off});
@@ -69,13 +69,13 @@ TEST(LeafTriangles, AreThoseOfTheMeshUpToTheBoundTold) {
       SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(share));
       const TriangleMesh placed =
           scaled_and_moved(mesh, 0.5 * scale, {share * scale, -share * scale, 0.3 * share * scale});
-      expect_triangles(tree_over(placed), placed);
+      expect_triangles(bvh_over(placed), placed);
     }
 }
 
 TEST(LeafTriangles, OfARefittedTreeAreThoseOfTheMovedMesh) {
   const TriangleMesh mesh = generate_mesh("torus");
-  WideTree tree = tree_over(mesh);
+  WideBvh tree = bvh_over(mesh);
   const TriangleMesh moved = scaled_and_moved(mesh, 3e7, {5, 1e9, -2e8});
   static_cast<void>(refit(tree, moved));
   expect_triangles(tree, moved);
@@ -84,7 +84,7 @@ TEST(LeafTriangles, OfARefittedTreeAreThoseOfTheMovedMesh) {
 TEST(LeafTriangles, OfAWholeLongerThanTheGreatestDoubleAreBoundedToo) {
   const double m = 1.7e308;
   const TriangleMesh mesh({{-m, -m, -m}, {m, m, m}, {m, -m, 0.3 * m}, {1, 2, 3}}, {{0, 1, 2}, {1, 2, 3}, {3, 3, 3}});
-  expect_triangles(tree_over(mesh), mesh);
+  expect_triangles(bvh_over(mesh), mesh);
 }
 
 }  // namespace

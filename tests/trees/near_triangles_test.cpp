@@ -28,7 +28,7 @@ struct Scene {
     for (const auto& corner : mesh.triangles())
       boxes.push_back(merge(merge(merge(Aabb{}, mesh.vertices()[corner[0]]), mesh.vertices()[corner[1]]),
                             mesh.vertices()[corner[2]]));
-    tree = build_wide_tree(boxes);
+    tree = build_wide_bvh(boxes);
     leaves = leaf_triangles(tree, mesh);
   }
 
@@ -46,7 +46,7 @@ struct Scene {
   }
 
   TriangleMesh mesh;
-  WideTree tree;
+  WideBvh tree;
   LeafTriangles leaves;
 };
 

@@ -23,14 +23,14 @@ std::vector<Aabb> random_boxes(Random& random, std::size_t count, double size) {
 }
 
 /// The same hierarchy with grandchildren in place of children: a tree of another arity.
-Tree<Aabb, 4> widened(const Tree<Aabb>& tree) {
-  Tree<Aabb, 4> wide;
+Bvh<Aabb, 4> widened(const Bvh<Aabb>& tree) {
+  Bvh<Aabb, 4> wide;
   wide.items = tree.items;
   if (tree.nodes.empty()) return wide;
   std::vector<Index> source{0};
   wide.nodes.push_back(tree.nodes[0]);
   for (Index i = 0; i < wide.nodes.size(); ++i) {
-    const TreeNode<Aabb>& node = tree.nodes[source[i]];
+    const BvhNode<Aabb>& node = tree.nodes[source[i]];
     if (node.is_leaf()) continue;
     wide.nodes[i].first = static_cast<Index>(wide.nodes.size());
     wide.nodes[i].child_count = 0;
@@ -48,7 +48,7 @@ Tree<Aabb, 4> widened(const Tree<Aabb>& tree) {
   return wide;
 }
 
-struct BoxesMeeting {
+struct BoxesIntersecting {
   const std::vector<Aabb>& a;
   const std::vector<Aabb>& b;
   std::vector<ItemPair> found{};
@@ -80,14 +80,14 @@ TEST(Walk, PairsAreThoseOfBruteForce) {
     const auto a = random_boxes(random, random.below(200), 0.2);
     const auto b = random_boxes(random, random.below(200), 0.1);
     const BuildOptions leaves{static_cast<Index>(1 + seed % 5)};
-    BoxesMeeting question{a, b};
-    const WalkCounts counts = walk_pair(build_tree(a, leaves), build_tree(b), question);
+    BoxesIntersecting question{a, b};
+    const WalkCounts counts = walk_pair(build_bvh(a, leaves), build_bvh(b), question);
     EXPECT_EQ(question.sorted(), pairs_by_brute_force(a, b));
     EXPECT_GE(counts.items, question.found.size());
     EXPECT_EQ(counts.volumes_updated, 0U);
 
-    BoxesMeeting mixed{a, b};
-    walk_pair(widened(build_tree(a, leaves)), build_tree(b), mixed);
+    BoxesIntersecting mixed{a, b};
+    walk_pair(widened(build_bvh(a, leaves)), build_bvh(b), mixed);
     EXPECT_EQ(mixed.sorted(), question.found) << "another arity";
   }
 }
@@ -97,8 +97,8 @@ TEST(Walk, LeavesWithMorePairsThanABatchHolds) {
     SCOPED_TRACE(leaf_size);
     Random random(leaf_size);
     const auto boxes = random_boxes(random, 700, 0.3);
-    const auto tree = build_tree(boxes, {leaf_size});
-    BoxesMeeting pairs{boxes, boxes}, self{boxes, boxes};
+    const auto tree = build_bvh(boxes, {leaf_size});
+    BoxesIntersecting pairs{boxes, boxes}, self{boxes, boxes};
     walk_pair(tree, tree, pairs);
     walk_self(tree, self);
     EXPECT_EQ(pairs.sorted(), pairs_by_brute_force(boxes, boxes));
@@ -109,8 +109,8 @@ TEST(Walk, LeavesWithMorePairsThanABatchHolds) {
 TEST(Walk, ATreePairedWithItselfKeepsTheOrderOfItsSides) {
   Random random(3);
   const auto boxes = random_boxes(random, 50, 0.3);
-  const auto tree = build_tree(boxes);
-  BoxesMeeting question{boxes, boxes};
+  const auto tree = build_bvh(boxes);
+  BoxesIntersecting question{boxes, boxes};
   walk_pair(tree, tree, question);
   EXPECT_EQ(question.sorted(), pairs_by_brute_force(boxes, boxes));
 }
@@ -123,12 +123,12 @@ TEST(Walk, SelfPairsComeOnceAndNeverWithThemselves) {
     std::vector<ItemPair> expected;
     for (const ItemPair& pair : pairs_by_brute_force(boxes, boxes))
       if (pair.first < pair.second) expected.push_back(pair);
-    const auto tree = build_tree(boxes, {static_cast<Index>(1 + seed % 7)});
-    BoxesMeeting question{boxes, boxes};
+    const auto tree = build_bvh(boxes, {static_cast<Index>(1 + seed % 7)});
+    BoxesIntersecting question{boxes, boxes};
     walk_self(tree, question);
     EXPECT_EQ(question.sorted(), expected);
 
-    BoxesMeeting wide{boxes, boxes};
+    BoxesIntersecting wide{boxes, boxes};
     walk_self(widened(tree), wide);
     EXPECT_EQ(wide.sorted(), expected) << "another arity";
   }
@@ -136,15 +136,15 @@ TEST(Walk, SelfPairsComeOnceAndNeverWithThemselves) {
 
 TEST(Walk, SelfPairsOfCoincidentItemsAreAll) {
   const std::vector<Aabb> boxes(30, Aabb{{0, 0, 0}, {1, 1, 1}});
-  BoxesMeeting question{boxes, boxes};
-  const WalkCounts counts = walk_self(build_tree(boxes), question);
+  BoxesIntersecting question{boxes, boxes};
+  const WalkCounts counts = walk_self(build_bvh(boxes), question);
   EXPECT_EQ(question.found.size(), 30U * 29U / 2U);
   EXPECT_EQ(counts.items, 30U * 29U / 2U);
 }
 
 /// A tree that is a list, deeper than any stack of fixed size: every inner node has a leaf and the rest as children.
-Tree<Aabb> list_of(const std::vector<Aabb>& boxes) {
-  Tree<Aabb> tree;
+Bvh<Aabb> list_of(const std::vector<Aabb>& boxes) {
+  Bvh<Aabb> tree;
   Aabb around;
   for (const Aabb& box : boxes) around = merge(around, box);
   tree.nodes.push_back({around});
@@ -167,9 +167,9 @@ Tree<Aabb> list_of(const std::vector<Aabb>& boxes) {
 TEST(Walk, ATreeDeeperThanAnyStackLosesNothing) {
   constexpr std::size_t count = 1500;
   const std::vector<Aabb> boxes(count, Aabb{{0, 0, 0}, {1, 1, 1}});
-  const Tree<Aabb> list = list_of(boxes);
-  BoxesMeeting pairs{boxes, boxes}, self{boxes, boxes};
-  walk_pair(list, build_tree(boxes), pairs);
+  const Bvh<Aabb> list = list_of(boxes);
+  BoxesIntersecting pairs{boxes, boxes}, self{boxes, boxes};
+  walk_pair(list, build_bvh(boxes), pairs);
   EXPECT_EQ(pairs.found.size(), count * count);
   walk_self(list, self);
   EXPECT_EQ(self.found.size(), count * (count - 1) / 2);
@@ -202,7 +202,7 @@ TEST(Walk, AShrinkingLimitFindsTheLeast) {
     NearestBox question{boxes, {2 * random.unit(), 2 * random.unit(), 2 * random.unit()}};
     double expected = question.best;
     for (const Aabb& box : boxes) expected = std::min(expected, question.bound(box));
-    const WalkCounts counts = walk(build_tree(boxes), question);
+    const WalkCounts counts = walk(build_bvh(boxes), question);
     EXPECT_EQ(question.best, expected);
     EXPECT_LE(counts.items, boxes.size());
   }
@@ -223,7 +223,7 @@ struct First {
 TEST(Walk, ALimitOfMinusOneEndsAfterTheFirstSmallBatch) {
   Random random(1);
   const auto boxes = random_boxes(random, 1000, 0.1);
-  const auto tree = build_tree(boxes);
+  const auto tree = build_bvh(boxes);
   First question;
   walk_pair(tree, tree, question);
   EXPECT_GE(question.visited, 16U);
@@ -241,17 +241,17 @@ TEST(Walk, ABoundThatIsNotANumberLosesNothing) {
   Random random(1);
   const auto boxes = random_boxes(random, 100, 0.1);
   NotANumber question;
-  EXPECT_EQ(walk(build_tree(boxes), question).items, 100U);
+  EXPECT_EQ(walk(build_bvh(boxes), question).items, 100U);
   EXPECT_EQ(question.visited, 100U);
 }
 
 TEST(Walk, EmptyTreesHaveNoItems) {
   const std::vector<Aabb> none, one{Aabb{{0, 0, 0}, {1, 1, 1}}};
-  BoxesMeeting question{none, one};
-  EXPECT_EQ(walk_pair(build_tree(none), build_tree(one), question), WalkCounts{});
-  EXPECT_EQ(walk_self(build_tree(none), question), WalkCounts{});
+  BoxesIntersecting question{none, one};
+  EXPECT_EQ(walk_pair(build_bvh(none), build_bvh(one), question), WalkCounts{});
+  EXPECT_EQ(walk_self(build_bvh(none), question), WalkCounts{});
   NotANumber single;
-  EXPECT_EQ(walk(build_tree(none), single), WalkCounts{});
+  EXPECT_EQ(walk(build_bvh(none), single), WalkCounts{});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/mesh_file.hpp"
 #include "toccata/trees/build.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/wide_boxes.hpp"
 #include "trees/wide_check.hpp"
 
@@ -53,7 +53,7 @@ std::vector<Aabb> random_boxes(Random& random, std::size_t count, const Vec3& ce
 }
 
 /// Whether the lane's interval on an axis holds [lower, upper], all of them as real numbers.
-bool holds(const WideTree& tree, const WideBlock& block, std::size_t lane, int axis, double lower, double upper) {
+bool holds(const WideBvh& tree, const WideBlock& block, std::size_t lane, int axis, double lower, double upper) {
   const auto i = static_cast<std::size_t>(axis);
   const Rational centre = exact(double{block.centre[i][lane]}), extent = exact(double{block.extent[i][lane]});
   const Rational origin = exact(tree.origin[axis]), unit = exact(tree.unit);
@@ -63,7 +63,7 @@ bool holds(const WideTree& tree, const WideBlock& block, std::size_t lane, int a
 /// Checks everything that the header promises of a tree. Returns its depth.
 class Checker {
  public:
-  Checker(const WideTree& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
+  Checker(const WideBvh& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
 
   int check() {
     check_frame();
@@ -147,7 +147,7 @@ class Checker {
     EXPECT_LE(std::abs(centre) + extent, greatest * (1 + 0x1p-22));
   }
 
-  const WideTree& tree_;
+  const WideBvh& tree_;
   std::span<const Aabb> boxes_;
   std::vector<int> seen_;
   std::vector<Aabb> around_;
@@ -155,12 +155,12 @@ class Checker {
 };
 
 int check(std::span<const Aabb> boxes) {
-  const WideTree tree = build_wide_tree(boxes);
+  const WideBvh tree = build_wide_bvh(boxes);
   EXPECT_EQ(fault_of(tree, boxes), "");
   return Checker(tree, boxes).check();
 }
 
-bool same(const WideTree& a, const WideTree& b) {
+bool same(const WideBvh& a, const WideBvh& b) {
   return a.origin == b.origin && a.unit == b.unit && a.box == b.box && a.items == b.items &&
          a.blocks.size() == b.blocks.size() &&
          std::memcmp(a.blocks.data(), b.blocks.data(), a.blocks.size() * sizeof(WideBlock)) == 0;
@@ -173,8 +173,8 @@ TEST(WideBuild, UpToEightItemsAreOneBlock) {
   for (std::size_t count = 1; count <= 8; ++count) {
     const auto boxes = random_boxes(random, count, {}, 1, 0.1);
     EXPECT_EQ(check(boxes), 1);
-    EXPECT_EQ(build_wide_tree(boxes).blocks.size(), 1U);
-    EXPECT_EQ(build_wide_tree(boxes).blocks[0].count, count);
+    EXPECT_EQ(build_wide_bvh(boxes).blocks.size(), 1U);
+    EXPECT_EQ(build_wide_bvh(boxes).blocks[0].count, count);
   }
 }
 
@@ -228,7 +228,7 @@ TEST(WideBuild, CoincidentItemsFillTheirBlocks) {
   for (const Aabb& box : {box_of_point(0.1, 0.2, 0.3), Aabb{{0, 0, 0}, {1, 1, 1}}}) {
     const std::vector<Aabb> boxes(4096, box);
     EXPECT_EQ(check(boxes), 4);
-    EXPECT_EQ(build_wide_tree(boxes).blocks.size(), 512U + 64 + 8 + 1);
+    EXPECT_EQ(build_wide_bvh(boxes).blocks.size(), 512U + 64 + 8 + 1);
   }
 }
 
@@ -244,14 +244,14 @@ TEST(WideBuild, ItemsOnALineAndInAPlane) {
 TEST(WideBuild, FlatBoxesStayFlat) {
   std::vector<Aabb> boxes;
   for (int i = 0; i < 100; ++i) boxes.push_back({{i * 0.1, 1, 0}, {i * 0.1 + 0.05, 2, 0}});
-  for (const WideBlock& block : build_wide_tree(boxes).blocks)
+  for (const WideBlock& block : build_wide_bvh(boxes).blocks)
     for (std::size_t lane = 0; lane < block.count; ++lane) EXPECT_EQ(block.extent[2][lane], 0);
 }
 
 TEST(WideBuild, BoxesAreTight) {
   Random random(3);
   const auto boxes = random_boxes(random, 500, {1, 2, 3}, 1, 0.1);
-  const WideTree tree = build_wide_tree(boxes);
+  const WideBvh tree = build_wide_bvh(boxes);
   for (std::size_t number = 0; number < tree.blocks.size(); ++number) {
     const WideBlock& block = tree.blocks[number];
     for (std::size_t lane = 0; lane < block.count; ++lane) {
@@ -284,15 +284,15 @@ TEST(WideBuild, HoldsManyBoxesThatCoincide) {
 TEST(WideBuild, TheSameTreeOnAnyNumberOfThreads) {
   Random random(11);
   const auto boxes = random_boxes(random, 60'000, {5, 0, 0}, 1, 0.01);
-  const WideTree one = build_wide_tree(boxes, {.threads = 1});
-  for (const int threads : {1, 2, 3, 0}) EXPECT_TRUE(same(one, build_wide_tree(boxes, {.threads = threads})));
+  const WideBvh one = build_wide_bvh(boxes, {.threads = 1});
+  for (const int threads : {1, 2, 3, 0}) EXPECT_TRUE(same(one, build_wide_bvh(boxes, {.threads = threads})));
 }
 
 TEST(WideBuild, TooManyItemsAreRefused) {
   const std::vector<Aabb> boxes(10, box_of_point(1, 2, 3));
-  EXPECT_NO_THROW((void)build_wide_tree(boxes, {.most_items = 10}));
+  EXPECT_NO_THROW((void)build_wide_bvh(boxes, {.most_items = 10}));
   try {
-    (void)build_wide_tree(boxes, {.most_items = 9});
+    (void)build_wide_bvh(boxes, {.most_items = 9});
     FAIL() << "ten items were taken where nine are allowed";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("10 items"), std::string::npos) << error.what();
@@ -300,13 +300,13 @@ TEST(WideBuild, TooManyItemsAreRefused) {
   }
 }
 
-double bytes_per_item(const WideTree& tree) {
+double bytes_per_item(const WideBvh& tree) {
   return static_cast<double>(tree.blocks.size() * sizeof(WideBlock) + tree.items.size() * sizeof(Index)) /
          static_cast<double>(tree.items.size());
 }
 
 /// How many blocks a random line that meets the whole meets: their areas over the whole's.
-double blocks_met(const WideTree& tree) {
+double blocks_met(const WideBvh& tree) {
   double area = half_area(tree.box);
   for (std::size_t block = 0; block < tree.blocks.size(); ++block)
     for (std::size_t lane = 0; lane < tree.blocks[block].count; ++lane)
@@ -315,7 +315,7 @@ double blocks_met(const WideTree& tree) {
 }
 
 /// The children of a node when it takes up to eight, of which the largest are opened first.
-std::vector<Index> greedy_children(const Tree<Aabb>& tree, Index node) {
+std::vector<Index> greedy_children(const Bvh<Aabb>& tree, Index node) {
   std::vector<Index> children{node};
   const auto size = [&](Index i) { return tree.nodes[i].is_leaf() ? -1 : half_area(tree.nodes[i].volume); };
   while (children.size() < WideBlock::width) {
@@ -331,7 +331,7 @@ std::vector<Index> greedy_children(const Tree<Aabb>& tree, Index node) {
 
 /// The same of the binary tree over single items, collapsed from the top by opening the largest boxes.
 double blocks_met_greedily(std::span<const Aabb> boxes) {
-  const Tree<Aabb> tree = build_tree(boxes, {.leaf_size = 1});
+  const Bvh<Aabb> tree = build_bvh(boxes, {.leaf_size = 1});
   double area = 0;
   std::vector<Index> open{0};
   while (!open.empty()) {
@@ -346,7 +346,7 @@ double blocks_met_greedily(std::span<const Aabb> boxes) {
 
 void check_quality(const TriangleMesh& mesh) {
   const auto boxes = boxes_of(mesh);
-  const WideTree tree = build_wide_tree(boxes, {.threads = 2});
+  const WideBvh tree = build_wide_bvh(boxes, {.threads = 2});
   EXPECT_LE(bytes_per_item(tree), 60);
   EXPECT_LE(blocks_met(tree), 0.97 * blocks_met_greedily(boxes));
 }

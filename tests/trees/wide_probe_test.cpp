@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/wide_walk.hpp"
 
 namespace toccata {
@@ -10,8 +10,8 @@ namespace {
 
 /// A chain of blocks that have seven leaf blocks each beside the next one, so that a search from the top leaves seven
 /// blocks behind at every level. No builder makes such a tree.
-WideTree chain_of_blocks(std::size_t levels) {
-  WideTree tree = build_wide_tree(std::vector<Aabb>(WideBlock::width, {{-1, -1, -1}, {1, 1, 1}}));
+WideBvh chain_of_blocks(std::size_t levels) {
+  WideBvh tree = build_wide_bvh(std::vector<Aabb>(WideBlock::width, {{-1, -1, -1}, {1, 1, 1}}));
   const WideBlock leaf = tree.blocks.front();
   tree.blocks.assign(levels + 1, leaf);
   for (std::size_t level = 0; level < levels; ++level) {
@@ -23,7 +23,7 @@ WideTree chain_of_blocks(std::size_t levels) {
 
 TEST(WideProbe, ATreeDeeperThanItsFirstMemoryLosesNothing) {
   constexpr std::size_t levels = 1000;
-  const WideTree tree = chain_of_blocks(levels);
+  const WideBvh tree = chain_of_blocks(levels);
   ASSERT_EQ(tree.blocks.front().count, WideBlock::width);
   std::size_t visits = 0;
   walk_probe(tree, WideProbe{}, [&](Index) {

@@ -23,7 +23,7 @@ std::vector<Aabb> leaf_boxes_of(const TriangleMesh& mesh) {
 }
 
 /// Every lane's box holds the triangles below it; gives the box around them.
-Aabb expect_holds(const WideTree& tree, const std::vector<Aabb>& boxes, std::size_t block) {
+Aabb expect_holds(const WideBvh& tree, const std::vector<Aabb>& boxes, std::size_t block) {
   Aabb all;
   for (std::size_t lane = 0; lane < tree.blocks[block].count; ++lane) {
     const std::int32_t child = tree.blocks[block].child[lane];
@@ -35,11 +35,11 @@ Aabb expect_holds(const WideTree& tree, const std::vector<Aabb>& boxes, std::siz
   return all;
 }
 
-void expect_fits(const WideTree& tree, const TriangleMesh& mesh) {
+void expect_fits(const WideBvh& tree, const TriangleMesh& mesh) {
   EXPECT_EQ(expect_holds(tree, leaf_boxes_of(mesh), 0), tree.box);
 }
 
-void expect_same(const WideTree& a, const WideTree& b) {
+void expect_same(const WideBvh& a, const WideBvh& b) {
   ASSERT_EQ(a.blocks.size(), b.blocks.size());
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.unit, b.unit);
@@ -61,7 +61,7 @@ TriangleMesh moved(const TriangleMesh& mesh, const Move& move) {
 
 TEST(WideRefit, OfWhatStoodStillIsHardlyLargerThanAsBuilt) {
   const TriangleMesh mesh = generate_mesh("torus-knot");
-  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh));
   const Refit still = refit(tree, mesh);
   expect_fits(tree, mesh);
   EXPECT_NEAR(still.growth, 1, 1e-5);
@@ -71,7 +71,7 @@ TEST(WideRefit, OfWhatStoodStillIsHardlyLargerThanAsBuilt) {
 
 TEST(WideRefit, HoldsWhatHasMovedOnAnyNumberOfThreads) {
   const TriangleMesh mesh = generate_mesh("noise-sphere");
-  WideTree tree = build_wide_tree(leaf_boxes_of(mesh)), on_threads = tree;
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh)), on_threads = tree;
   for (const double bend : {0.1, 1.0, 3.0}) {
     const TriangleMesh bent = moved(mesh, [&](const Vec3& v) {
       return Vec3{v.x + bend * v.y * v.y, v.y, v.z + 0.3 * bend * std::sin(5 * v.x)};
@@ -89,7 +89,7 @@ TEST(WideRefit, TinyHugeAndFarMeshesKeepTheirDetail) {
   for (const double scale : {1e-300, 1e-9, 1e9, 1e150, 1e307})
     for (const double shift : {0.0, 1e6}) {
       if (scale > 1e300 && shift > 0) continue;  // beyond the doubles
-      WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+      WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh));
       const TriangleMesh placed = moved(mesh, [&](const Vec3& v) { return scale * (v + Vec3{shift, 0, -shift}); });
       static_cast<void>(refit(tree, placed));
       expect_fits(tree, placed);
@@ -105,7 +105,7 @@ TEST(WideRefit, IsNotMisledByAFloorThatStands) {
   vertices.insert(vertices.end(), {{-1e4, -1e4, -2}, {1e4, -1e4, -2}, {0, 1e4, 2}});
   triangles.push_back({floor, floor + 1, floor + 2});
   const TriangleMesh mesh(vertices, triangles);
-  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh));
   EXPECT_FALSE(refit(tree, mesh).should_rebuild());
   Random random(3);
   for (std::size_t i = floor; i > 1; --i) std::swap(vertices[i - 1], vertices[random.below(i)]);
@@ -114,27 +114,27 @@ TEST(WideRefit, IsNotMisledByAFloorThatStands) {
 
 TEST(WideRefit, TellsWhenToRebuild) {
   const TriangleMesh mesh = generate_mesh("noise-sphere");
-  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh));
   Random random(3);
   std::vector<Vec3> shuffled(mesh.vertices().begin(), mesh.vertices().end());
   for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[random.below(i)]);
   EXPECT_TRUE(refit(tree, mesh.with_vertices(shuffled)).should_rebuild());
   EXPECT_FALSE(refit(tree, mesh).should_rebuild()) << "growth is counted from the build";
   const TriangleMesh point = moved(mesh, [](const Vec3&) { return Vec3{1, 2, 3}; });
-  WideTree of_point = build_wide_tree(leaf_boxes_of(point));
+  WideBvh of_point = build_wide_bvh(leaf_boxes_of(point));
   EXPECT_FALSE(refit(of_point, point).should_rebuild());
   EXPECT_TRUE(refit(of_point, mesh).should_rebuild()) << "grown from nothing";
 }
 
 TEST(WideRefit, VerticesWithoutTrianglesDoNotMatter) {
   const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e300, -1e300, 1e9}}, {{0, 1, 2}});
-  WideTree tree = build_wide_tree(leaf_boxes_of(mesh));
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(mesh));
   static_cast<void>(refit(tree, mesh));
   expect_fits(tree, mesh);
 }
 
 TEST(WideRefit, ATreeOfAnotherMeshIsRefused) {
-  WideTree tree = build_wide_tree(leaf_boxes_of(generate_mesh("torus")));
+  WideBvh tree = build_wide_bvh(leaf_boxes_of(generate_mesh("torus")));
   EXPECT_THROW(static_cast<void>(refit(tree, generate_mesh("torus-knot"))), Error);
 }
 

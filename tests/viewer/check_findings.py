@@ -15,7 +15,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
-from check_meetings import check_faces_drawn, check_sentences  # noqa: E402
+from check_intersections import check_faces_drawn, check_sentences  # noqa: E402
 from check_pages import BOX, Checks, WICKED, differing, is_blue, moved, share  # noqa: E402
 
 ROWS = "1 0 0 0 1 0 0 0 1 "

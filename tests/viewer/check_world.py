@@ -19,9 +19,9 @@ def check_world(checks, browser):
     run = json.loads(checks.run(*words, "--html", "world.html"))
     checks.opened(browser, "world.html", "#theme=light")
     steps = browser.value("toccata.data.report.steps")
-    changes = [[sum(pair["change"] == change for pair in step["pairs"]) for change in ["begun", "kept", "ended"]] for step in steps]
+    changes = [[sum(pair["change"] == change for pair in step["pairs"]) for change in ["begin", "persist", "end"]] for step in steps]
     checks.expect(len(steps) == 11, f"{len(steps)} steps of 10 and what was before")
-    checks.expect(sum(step[0] for step in changes[1:]) == run["begun"] and sum(step[2] for step in changes) == run["ended"], f"begun and ended: {changes}, {run}")
+    checks.expect(sum(step[0] for step in changes[1:]) == run["begin"] and sum(step[2] for step in changes) == run["end"], f"begun and ended: {changes}, {run}")
     checks.expect(sum(changes[10][:2]) == run["pairs"] > 0, f"pairs of the last step: {changes[10]}, {run['pairs']}")
     look_at_steps(checks, browser, changes)
     look_at_a_pair(checks, browser, steps)
@@ -39,7 +39,7 @@ def look_at_steps(checks, browser, changes):
         checks.expect(seen["pairs"] == begun + kept, f"step {moment}: {seen['pairs']} pairs")
         checks.expect(seen["gap"] < 1e-4, f"step {moment}: bodies in contact are drawn {seen['gap']} apart")
         told = browser.value("document.getElementById('moment-text').textContent")
-        checks.expect(told.startswith(f"step {moment}: {begun + kept} pair") and f"{begun} begun, {kept} kept; {ended} ended" in told, f"step {moment}: {told}")
+        checks.expect(told.startswith(f"step {moment}: {begun + kept} pair") and f"{begun} begin, {kept} persist; {ended} end" in told, f"step {moment}: {told}")
         rows = browser.value("document.querySelectorAll('#finding-list .row').length")
         checks.expect(rows == begun + kept + ended, f"step {moment}: {rows} rows")
         pictures[moment] = browser.picture()
@@ -53,7 +53,7 @@ def look_at_steps(checks, browser, changes):
 
 def look_at_a_pair(checks, browser, steps):
     """A pair is told, and stays chosen while it is there."""
-    pair = next(pair for pair in steps[4]["pairs"] if pair["change"] == "kept" and pair["in_contact"])
+    pair = next(pair for pair in steps[4]["pairs"] if pair["change"] == "persist" and pair["in_contact"])
     browser.value(GO.format(4))
     number = browser.value(f"toccata.findings.all.findIndex((one) => one.moment === 4 && one.a === {pair['a_index']} && one.b === {pair['b_index']})")
     browser.value(f"toccata.choose({number})")

@@ -79,11 +79,11 @@ TEST(World, HasVeryManyRulesOfOneBody) {
   const BodyId ground = world.add(Body{Box({1e4, 1e4, 1}), Pose::translation(0, 0, -1)});
   std::vector<BodyId> balls;
   for (int i = 0; i < count; ++i) balls.push_back(world.add(Body{Sphere(0.5), Pose::translation(3 * i, 0, 0.75)}));
-  EXPECT_EQ(world.step().begun.size(), 0U);
+  EXPECT_EQ(world.step().begin.size(), 0U);
   for (const BodyId ball : balls) world.set_rule({.a = ground, .b = ball, .margin = 0.5});
-  EXPECT_EQ(world.step().begun.size(), balls.size());
+  EXPECT_EQ(world.step().begin.size(), balls.size());
   for (const BodyId ball : balls) world.set_rule({.a = ground, .b = ball, .excluded = true});
-  EXPECT_EQ(world.step().ended.size(), balls.size());
+  EXPECT_EQ(world.step().end.size(), balls.size());
 }
 
 }  // namespace

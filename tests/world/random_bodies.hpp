@@ -57,7 +57,7 @@ inline Model random_whole(Random& random) {
   return Box({x, y, z});
 }
 
-inline Model random_smooth(Random& random) {
+inline Model random_quadric(Random& random) {
   const auto length = [&] { return random.between(0.1, 0.75); };
   const double x = length(), y = length(), z = length();
   switch (random.below(3)) {
@@ -87,7 +87,7 @@ inline Model random_any(Random& random) {
           std::array{CompoundPart{Sphere(0.5)}, CompoundPart{Box({0.25, 0.25, 0.25}), Pose::translation(1, 0, 0)}}));
     case 5:
     case 6:
-      return random_smooth(random);
+      return random_quadric(random);
     default:
       return random_convex_model(random);
   }
@@ -108,7 +108,7 @@ inline double random_margin(Random& random) {
 inline Body random_body(std::string_view family, Random& random) {
   Body body{random_model(family, random), random_place(family, random)};
   const std::uint64_t motion = random.below(6);
-  body.motion = motion == 0 ? Motion::fixed : motion == 1 ? Motion::kinematic : Motion::moving;
+  body.type = motion == 0 ? BodyType::static_body : motion == 1 ? BodyType::kinematic_body : BodyType::dynamic_body;
   body.group = std::uint64_t{1} << random.below(3);
   if (random.below(4) == 0) body.mask = random.below(8);
   body.margin = random_margin(random);

@@ -19,7 +19,7 @@ class QuestionedWorld {
 
   void add(std::uint64_t count, Random& random) {
     for (; count > 0; --count) {
-      const Posed posed = random_posed(spread_, random);
+      const SceneInstance posed = random_posed(spread_, random);
       Body body{posed.model, posed.pose};
       body.group = 1 + random.below(7);
       body.mask = 1 + random.below(7);
@@ -49,7 +49,7 @@ class QuestionedWorld {
   [[nodiscard]] std::string fault(Random& random) const {
     const BodyFilter filter = random_filter(random);
     std::vector<BodyId> ids;
-    std::vector<Posed> objects;
+    std::vector<SceneInstance> objects;
     for (const auto& [id, body] : bodies_)
       if (is_let_through(filter, id, body)) {
         ids.push_back(id);
@@ -70,7 +70,7 @@ class QuestionedWorld {
       if (spread_ <= few_spread || kind_of(shape) != ShapeKind::half_space) return shape;
     }
   }
-  [[nodiscard]] Posed random_posed(double within, Random& random) const {
+  [[nodiscard]] SceneInstance random_posed(double within, Random& random) const {
     return posed_in_crowd(family_, random_shape(random), within, random);
   }
 
@@ -97,7 +97,7 @@ class QuestionedWorld {
       for (const Index object : wanted) named.push_back(ids[object]);
       return found == named;
     };
-    const Posed shape = random_posed(1.5 * spread_, random);
+    const SceneInstance shape = random_posed(1.5 * spread_, random);
     const Ray ray{shape.pose.offset, way_in_crowd(family_, 3 * spread_, random)};
     const std::vector<ObjectRayHit> hits = expected.ray_hits(ray);
     if (!same(queries_.cast_ray(ray, filter), first_of(hits))) return "cast_ray";

@@ -58,7 +58,7 @@ TEST(WorldQueries, BatchesAnswerAsSingleQuestions) {
   const World world = row_of_balls();
   const WorldQueries queries(world);
   const std::vector<Ray> rays{{{-5, 0, 0}, {20, 0, 0}}, {{3, 0, 5}, {0, 0, -20}}, {{3, 0, 5}, {0, 0, 1}}};
-  std::vector<Posed> shapes;
+  std::vector<SceneInstance> shapes;
   std::vector<MovingShape> moving;
   for (const Ray& ray : rays) {
     shapes.push_back({Model(Point(ray.origin)), {}});
@@ -96,7 +96,7 @@ TEST(WorldQueries, FiltersSayWhoIsAsked) {
 TEST(WorldQueries, AreAskedFromTwoThreadsAtOnce) {
   const World world = row_of_balls();
   const WorldQueries queries(world);
-  const Posed point{Model(Point({1.5, 0, 0})), {}};
+  const SceneInstance point{Model(Point({1.5, 0, 0})), {}};
   std::vector<std::optional<BodyDistance>> found(2);
   {
     std::vector<std::jthread> threads;
@@ -128,7 +128,7 @@ TEST(WorldQueries, AreNotAskedAboutASnapshotThatHasTakenThePlaceOfTheirWorld) {
   WorldQueries queries(world);
   world = snapshot;
   world.add(Body{Sphere(1), Pose::translation(-9, 0, 0)});  // as many changes as the other had
-  const Posed there{Model(Point({-9, 0, 0})), {}};
+  const SceneInstance there{Model(Point({-9, 0, 0})), {}};
   EXPECT_NE(message_of([&] { static_cast<void>(queries.overlapping(there)); }).find("call update()"),
             std::string::npos);
   queries.update();

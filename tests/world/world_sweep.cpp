@@ -7,7 +7,7 @@
 
 #include "support/sweep.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/query/closer_than.hpp"
+#include "toccata/query/within_distance.hpp"
 #include "toccata/world/world.hpp"
 #include "world/random_bodies.hpp"
 
@@ -23,7 +23,7 @@ PairQuery query_of(const Body& a, const Body& b) { return {a.pose, b.pose, a.sol
 bool are_near(const Body& a, const Body& b, double margin) {
   const Distance apart = distance(a.model, b.model, query_of(a, b));
   if (apart.upper <= margin) return true;
-  return apart.lower <= margin && closer_than(a.model, b.model, margin, query_of(a, b));
+  return apart.lower <= margin && within_distance(a.model, b.model, margin, query_of(a, b));
 }
 
 bool same(const PairReport& a, const PairReport& b) {
@@ -45,7 +45,7 @@ bool same(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
 }
 
 bool same(const WorldStep& a, const WorldStep& b) {
-  return same(a.begun, b.begun) && same(a.kept, b.kept) && same(a.ended, b.ended) && a.candidates == b.candidates;
+  return same(a.begin, b.begin) && same(a.persist, b.persist) && same(a.end, b.end) && a.candidates == b.candidates;
 }
 
 WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads) {
@@ -156,8 +156,9 @@ class WorldLife {
   /// Whether the two are a pair, and in contact.
   std::pair<bool, bool> truth_of(const Key& pair) const {
     const Body &a = bodies_.at(pair.first), &b = bodies_.at(pair.second);
-    if (a.motion == Motion::fixed && b.motion == Motion::fixed) return {};
-    if (!world_.options().kinematic_pairs && a.motion != Motion::moving && b.motion != Motion::moving) return {};
+    if (a.type == BodyType::static_body && b.type == BodyType::static_body) return {};
+    if (!world_.options().kinematic_pairs && a.type != BodyType::dynamic_body && b.type != BodyType::dynamic_body)
+      return {};
     if ((a.group & b.mask) == 0 || (b.group & a.mask) == 0) return {};
     double margin = a.margin + b.margin;
     if (const auto rule = rules_.find(pair); rule != rules_.end()) {
@@ -180,18 +181,17 @@ class WorldLife {
 
   /// The lists tell these pairs, begun, kept and ended since those of before.
   static std::string wrong_in(const WorldStep& step, const Truth& before, const Truth& now) {
-    auto begun = step.begun.begin(), kept = step.kept.begin(), ended = step.ended.begin();
+    auto begin = step.begin.begin(), persist = step.persist.begin(), end = step.end.begin();
     for (const auto& [key, contact] : now) {
-      auto& next = before.contains(key) ? kept : begun;
-      const auto& list = before.contains(key) ? step.kept : step.begun;
+      auto& next = before.contains(key) ? persist : begin;
+      const auto& list = before.contains(key) ? step.persist : step.begin;
       if (next == list.end() || key_of(*next) != key || (next++)->in_contact != contact)
         return fmt::format("bodies {} and {} should be told next", key.first.index, key.second.index);
     }
     for (const auto& [key, contact] : before)
-      if (!now.contains(key) &&
-          (ended == step.ended.end() || key_of(*ended) != key || (ended++)->in_contact != contact))
+      if (!now.contains(key) && (end == step.end.end() || key_of(*end) != key || (end++)->in_contact != contact))
         return fmt::format("bodies {} and {} should have ended", key.first.index, key.second.index);
-    const bool all = begun == step.begun.end() && kept == step.kept.end() && ended == step.ended.end();
+    const bool all = begin == step.begin.end() && persist == step.persist.end() && end == step.end.end();
     return all ? "" : "more pairs are told than there are";
   }
 
@@ -224,9 +224,9 @@ class WorldLife {
     std::vector<BodyId> ids;
     for (const auto& [id, body] : bodies_) {
       ids.push_back(id);
-      const Body& kept = world_.body(id);
-      if (kept.pose != body.pose || kept.margin != body.margin || kept.user_data != body.user_data ||
-          kept.group != body.group)
+      const Body& persist = world_.body(id);
+      if (persist.pose != body.pose || persist.margin != body.margin || persist.user_data != body.user_data ||
+          persist.group != body.group)
         return "another body than was given";
     }
     if (world_.bodies() != ids) return "other ids";

@@ -41,28 +41,29 @@ TEST(World, TellsWhatBeginsStaysAndEnds) {
   World world;
   const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(2), ball_at(5)});
   const WorldStep& step = world.step();
-  EXPECT_EQ(names_of(step.begun), (Names{{0, 1}}));  // they touch
-  EXPECT_TRUE(step.begun[0].in_contact);
-  EXPECT_EQ(step.begun[0].details, nullptr);
+  EXPECT_EQ(names_of(step.begin), (Names{{0, 1}}));  // they touch
+  EXPECT_TRUE(step.begin[0].in_contact);
+  EXPECT_EQ(step.begin[0].details, nullptr);
   world.move(ids[2], Pose::translation(4, 0, 0));
   world.step();
-  EXPECT_EQ(names_of(step.begun), (Names{{1, 2}}));
-  EXPECT_EQ(names_of(step.kept), (Names{{0, 1}}));
+  EXPECT_EQ(names_of(step.begin), (Names{{1, 2}}));
+  EXPECT_EQ(names_of(step.persist), (Names{{0, 1}}));
   world.remove(ids[0]);
   world.step();
-  EXPECT_EQ(names_of(step.kept), (Names{{1, 2}}));
-  EXPECT_EQ(step.ended.size(), 1U);
-  EXPECT_EQ(step.ended[0].a, ids[0]);
+  EXPECT_EQ(names_of(step.persist), (Names{{1, 2}}));
+  EXPECT_EQ(step.end.size(), 1U);
+  EXPECT_EQ(step.end[0].a, ids[0]);
   EXPECT_EQ(names_of({world.pairs().begin(), world.pairs().end()}), (Names{{1, 2}}));
 }
 
 TEST(World, TakesShapesAtTheirPlacesAndListsOfBodies) {
   World world;
   const BodyId ball = world.add(Sphere(1), Pose::translation(1, 0, 0));
-  const std::vector<BodyId> two = world.add({ball_at(0), {Box({1, 1, 1}), Pose::translation(9, 0, 0), Motion::fixed}});
+  const std::vector<BodyId> two =
+      world.add({ball_at(0), {Box({1, 1, 1}), Pose::translation(9, 0, 0), BodyType::static_body}});
   ASSERT_EQ(two.size(), 2U);
-  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
-  EXPECT_EQ(world.body(world.add(Box({1, 1, 1}), {}, Motion::fixed)).motion, Motion::fixed);
+  EXPECT_EQ(names_of(world.step().begin), (Names{{0, 1}}));
+  EXPECT_EQ(world.body(world.add(Box({1, 1, 1}), {}, BodyType::static_body)).type, BodyType::static_body);
   const std::unordered_set<BodyId> set{ball, two[0], two[1], ball};
   EXPECT_EQ(set.size(), 3U);
 }
@@ -71,9 +72,9 @@ TEST(World, BodiesMayBeRemovedWhileThePairsOfAStepAreGoneThrough) {
   World world({.distance = true});
   for (int i = 0; i < 20; ++i) world.add(ball_at(i));
   const WorldStep& step = world.step();
-  const std::size_t count = step.begun.size();
+  const std::size_t count = step.begin.size();
   std::size_t seen = 0;
-  for (const PairReport& pair : step.begun) {
+  for (const PairReport& pair : step.begin) {
     ++seen;
     EXPECT_TRUE(pair.details->distance.has_value());
     if (world.contains(pair.a)) world.remove(pair.a);
@@ -86,7 +87,7 @@ TEST(World, BodiesMayBeRemovedWhileThePairsOfAStepAreGoneThrough) {
 TEST(World, DecidesByTheShapesAndNotTheirBoxes) {
   World world;
   world.add(std::array{ball_at(0), Body{Sphere(1), Pose::translation(1.9, 1.9, 1.9)}});
-  EXPECT_TRUE(world.step().begun.empty());
+  EXPECT_TRUE(world.step().begin.empty());
   EXPECT_EQ(world.last_step().candidates, 1U);
 }
 
@@ -95,48 +96,48 @@ TEST(World, MarginsAreOfTheExactDistance) {
   Body near = ball_at(2.5);
   near.margin = 0.25;
   const std::vector<BodyId> ids = world.add(std::array{ball_at(0), near});
-  EXPECT_TRUE(world.step().begun.empty());
+  EXPECT_TRUE(world.step().begin.empty());
   Body other = world.body(ids[0]);
   other.margin = 0.25;
   world.replace(ids[0], other);
-  ASSERT_EQ(world.step().begun.size(), 1U);  // exactly as far as both margins together
+  ASSERT_EQ(world.step().begin.size(), 1U);  // exactly as far as both margins together
   EXPECT_FALSE(world.pairs()[0].in_contact);
   EXPECT_LE(world.pairs()[0].details->distance->lower, 0.5);
   EXPECT_GE(world.pairs()[0].details->distance->upper, 0.5);
   world.move(ids[1], Pose::translation(std::nextafter(2.5, 3), 0, 0));
-  EXPECT_EQ(world.step().ended.size(), 1U);
+  EXPECT_EQ(world.step().end.size(), 1U);
 }
 
 TEST(World, RulesOfAPairComeBeforeMargins) {
   World world;
   const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(3), ball_at(6)});
-  EXPECT_TRUE(world.step().begun.empty());
+  EXPECT_TRUE(world.step().begin.empty());
   world.set_rule({ids[1], ids[0], false, 1.0});
-  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
+  EXPECT_EQ(names_of(world.step().begin), (Names{{0, 1}}));
   world.set_rule({ids[0], ids[1], true, {}});
-  EXPECT_EQ(names_of(world.step().ended), (Names{{0, 1}}));
+  EXPECT_EQ(names_of(world.step().end), (Names{{0, 1}}));
   world.set_rule({ids[0], ids[1], false, {}});
   world.move(ids[1], Pose::translation(1, 0, 0));
-  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 1}}));
+  EXPECT_EQ(names_of(world.step().begin), (Names{{0, 1}}));
   world.set_rule({ids[2], ids[0], false, HUGE_VAL});
-  EXPECT_EQ(names_of(world.step().begun), (Names{{0, 2}}));
+  EXPECT_EQ(names_of(world.step().begin), (Names{{0, 2}}));
   world.remove(ids[2]);
-  EXPECT_EQ(world.step().ended.size(), 1U);
+  EXPECT_EQ(world.step().end.size(), 1U);
   EXPECT_EQ(world.add(ball_at(100)).index, 2U);  // the rule was of another body
-  EXPECT_TRUE(world.step().begun.empty());
+  EXPECT_TRUE(world.step().begin.empty());
 }
 
 TEST(World, GroupsAndMotionsLeavePairsOut) {
   for (const bool kinematic_pairs : {true, false}) {
     World world({.kinematic_pairs = kinematic_pairs});
     std::vector<Body> bodies(5, ball_at(0));
-    bodies[0].motion = bodies[1].motion = Motion::fixed;
-    bodies[2].motion = Motion::kinematic;
+    bodies[0].type = bodies[1].type = BodyType::static_body;
+    bodies[2].type = BodyType::kinematic_body;
     bodies[4].group = 2;
     bodies[4].mask = 2;
     world.add(bodies);
     const Names driven{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}, moving{{0, 3}, {1, 3}, {2, 3}};
-    EXPECT_EQ(names_of(world.step().begun), kinematic_pairs ? driven : moving);
+    EXPECT_EQ(names_of(world.step().begin), kinematic_pairs ? driven : moving);
   }
 }
 
@@ -200,10 +201,10 @@ TEST(World, AnIdOfARemovedBodyChangesNothing) {
     }
     World now = world, then = before;
     const WorldStep &found = now.step(), &expected = then.step();
-    EXPECT_EQ(names_of(found.kept), (Names{{0, 1}, {1, 3}}));
-    EXPECT_EQ(names_of(found.kept), names_of(expected.kept));
-    EXPECT_EQ(names_of(found.ended), names_of(expected.ended));
-    EXPECT_EQ(found.begun.size() + expected.begun.size(), 0U);
+    EXPECT_EQ(names_of(found.persist), (Names{{0, 1}, {1, 3}}));
+    EXPECT_EQ(names_of(found.persist), names_of(expected.persist));
+    EXPECT_EQ(names_of(found.end), names_of(expected.end));
+    EXPECT_EQ(found.begin.size() + expected.begin.size(), 0U);
     EXPECT_EQ(found.asked, expected.asked);
   }
 }
@@ -229,8 +230,8 @@ class BadInput : public testing::Test {
       EXPECT_EQ(world_.body(ids_[i]).margin, 0);
     }
     const WorldStep& step = world_.step();
-    EXPECT_EQ(names_of(step.kept), (Names{{0, 1}}));
-    EXPECT_TRUE(step.begun.empty() && step.ended.empty());
+    EXPECT_EQ(names_of(step.persist), (Names{{0, 1}}));
+    EXPECT_TRUE(step.begin.empty() && step.end.empty());
     EXPECT_EQ(step.asked, 0U);
   }
 
@@ -311,7 +312,7 @@ TEST(World, WhatDidNotMoveIsNotAskedAgain) {
   EXPECT_EQ(world.step().asked, 5U);
   const auto details = world.pairs()[0].details;
   EXPECT_EQ(world.step().asked, 0U);
-  EXPECT_EQ(world.step().kept.size(), 5U);
+  EXPECT_EQ(world.step().persist.size(), 5U);
   world.move(ids[3], Pose::translation(3.5, 0, 0));
   EXPECT_EQ(world.step().asked, 1U);
   EXPECT_EQ(world.step().candidates, 4U);
@@ -324,15 +325,15 @@ TEST(World, WhatDidNotMoveIsNotAskedAgain) {
 TEST(World, HalfSpacesAndInfiniteMarginsAreBodiesLikeOthers) {
   World world;
   Body ground{HalfSpace({0, 0, 0}, {0, 0, 1})};
-  ground.motion = Motion::fixed;
+  ground.type = BodyType::static_body;
   Body watcher{Point({1e9, 0, 1e9})};
   watcher.margin = HUGE_VAL;
   world.add(std::array{ground, Body{Sphere(1), Pose::translation(5e8, 0, 1)},
                        Body{Sphere(1), Pose::translation(5e8, 9, 1.5)}, watcher});
   const WorldStep& step = world.step();
-  EXPECT_EQ(names_of(step.begun), (Names{{0, 1}, {0, 3}, {1, 3}, {2, 3}}));
-  EXPECT_TRUE(step.begun[0].in_contact);
-  EXPECT_FALSE(step.begun[1].in_contact);
+  EXPECT_EQ(names_of(step.begin), (Names{{0, 1}, {0, 3}, {1, 3}, {2, 3}}));
+  EXPECT_TRUE(step.begin[0].in_contact);
+  EXPECT_FALSE(step.begin[1].in_contact);
 }
 
 TEST(World, MarginsWhoseSumOverflowsReachEverything) {
@@ -340,14 +341,14 @@ TEST(World, MarginsWhoseSumOverflowsReachEverything) {
   std::vector<Body> bodies{{Point({-1.7e308, 0, 0})}, {Point({1.7e308, 0, 0})}};
   for (Body& body : bodies) body.margin = 1e308;
   world.add(bodies);
-  EXPECT_EQ(world.step().begun.size(), 1U);
+  EXPECT_EQ(world.step().begin.size(), 1U);
 }
 
 // A can that is put on a table, pushed over the edge, laid down and lifted.
 TEST(World, TellsThePointsOnWhichACanStandsAndLies) {
   World world({.manifold = true});
   Body table{Box({2, 2, 0.5}), Pose::translation(0, 0, -0.5)};
-  table.motion = Motion::fixed;
+  table.type = BodyType::static_body;
   const BodyId can = world.add(std::array{table, Body{Cylinder(0.5, 1), Pose::translation(0, 0, 1)}})[1];
   const auto points_at = [&](const Pose& pose, double height) {
     world.move(can, pose);

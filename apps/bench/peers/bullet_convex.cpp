@@ -124,7 +124,7 @@ ConvexOffer offer_for(const ConvexWork& work) {
   ConvexOffer offer;
   auto general = std::make_unique<BulletConvex<A, B>>(Method::gjk);
   // Of a round shape the one point has the depth and the normal that are compared.
-  if (work.task == ConvexTask::manifold && !has_smooth(work.pair))
+  if (work.task == ConvexTask::manifold && !has_quadric(work.pair))
     offer.unasked.push_back({general->description(), "it gives one point; manifolds grow from frame to frame"});
   else
     offer.libraries.push_back(std::move(general));

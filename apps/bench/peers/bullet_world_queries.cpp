@@ -60,7 +60,7 @@ std::unique_ptr<btCollisionShape> converted(const Shape& shape) {
 
 /// An object and its shape, which refers to its triangles.
 struct BulletObject {
-  explicit BulletObject(const Posed& posed) {
+  explicit BulletObject(const SceneInstance& posed) {
     if (posed.model.has_mesh()) {
       for (const Index i : std::views::iota(Index{0}, posed.model.element_count())) {
         const Triangle t = world_triangle(posed.model, {}, i);
@@ -107,7 +107,7 @@ class BulletWorld : public WorldQueryLibrary {
   }
 
   void build(const WorldWork& work) override {
-    for (const Posed& posed : work.bodies) {
+    for (const SceneInstance& posed : work.bodies) {
       bodies_.push_back(std::make_unique<BulletObject>(posed));
       world_.addCollisionObject(&bodies_.back()->object);
     }
@@ -124,7 +124,7 @@ class BulletWorld : public WorldQueryLibrary {
       to.offset = to.offset + moving.motion;
       ends_.push_back(converted(to));
     }
-    for (const Posed& shape : work.shapes) shapes_.push_back(std::make_unique<BulletObject>(shape));
+    for (const SceneInstance& shape : work.shapes) shapes_.push_back(std::make_unique<BulletObject>(shape));
   }
 
   void answer(std::size_t first, std::span<double> answers) override {

@@ -12,7 +12,7 @@
 namespace toccata::bench {
 namespace {
 
-bool note_meeting(fcl::CollisionObjectd* one, fcl::CollisionObjectd* other, void* pairs) {
+bool note_intersection(fcl::CollisionObjectd* one, fcl::CollisionObjectd* other, void* pairs) {
   fcl::CollisionResultd result;
   if (fcl::collide(one, other, fcl::CollisionRequestd(), result) == 0) return false;
   const auto number_of = [](const fcl::CollisionObjectd* object) {
@@ -28,9 +28,9 @@ class FclParts final : public PartsLibrary {
   Description description() const override {
     return {"fcl", "OBBRSS, DynamicAABBTree", TOCCATA_BENCH_FCL_VERSION, "-O3 -DNDEBUG, library as packaged"};
   }
-  void build(std::span<const Posed> parts) override {
+  void build(std::span<const SceneInstance> parts) override {
     parts_ = parts;
-    for (const Posed& part : parts) {
+    for (const SceneInstance& part : parts) {
       std::shared_ptr<fcl::CollisionGeometryd>& model = models_[&part.model.mesh()];
       if (!model) model = fcl_model_of<fcl::OBBRSSd>(part.model.mesh());
     }
@@ -50,12 +50,12 @@ class FclParts final : public PartsLibrary {
     manager.registerObjects(all);
     manager.setup();
     std::vector<IndexPair> found;
-    manager.collide(&found, note_meeting);
+    manager.collide(&found, note_intersection);
     return found;
   }
 
  private:
-  std::span<const Posed> parts_;
+  std::span<const SceneInstance> parts_;
   std::map<const TriangleMesh*, std::shared_ptr<fcl::CollisionGeometryd>> models_;
 };
 

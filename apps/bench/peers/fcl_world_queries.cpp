@@ -22,7 +22,7 @@ std::shared_ptr<fcl::CollisionGeometryd> converted(const Shape& shape) {
   return std::make_shared<fcl::Boxd>(size.x, size.y, size.z);
 }
 
-std::unique_ptr<fcl::CollisionObjectd> converted(const Posed& posed) {
+std::unique_ptr<fcl::CollisionObjectd> converted(const SceneInstance& posed) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) pose.linear()(i, j) = posed.pose.linear[i][j];
@@ -55,7 +55,7 @@ class FclWorld : public WorldQueryLibrary {
 
   void build(const WorldWork& work) override {
     std::vector<fcl::CollisionObjectd*> all;
-    for (const Posed& body : work.bodies) {
+    for (const SceneInstance& body : work.bodies) {
       bodies_.push_back(converted(body));
       all.push_back(bodies_.back().get());
     }
@@ -65,7 +65,7 @@ class FclWorld : public WorldQueryLibrary {
 
   void prepare(const WorldWork& work) override {
     task_ = work.task;
-    for (const Posed& shape : work.shapes) shapes_.push_back(converted(shape));
+    for (const SceneInstance& shape : work.shapes) shapes_.push_back(converted(shape));
   }
 
   void answer(std::size_t first, std::span<double> answers) override {

@@ -27,8 +27,8 @@ export const stepColours = [blue, orange, green, purple, skyBlue, vermilion];
 /// At rest, moving, moving and in a pair.
 export const bodyColours = [untouched, skyBlue, orange];
 
-/// Of pairs of a World: that have begun, that have ended.
-export const eventColours = { begun: vermilion, ended: purple };
+/// Of pairs of a World: that begin, that end.
+export const eventColours = { begin: vermilion, end: purple };
 
 export interface Theme {
   background: number;

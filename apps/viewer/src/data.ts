@@ -261,7 +261,7 @@ export interface TreeReport {
 export interface WorldPair {
   a_index: number;
   b_index: number;
-  change: 'begun' | 'kept' | 'ended';
+  change: 'begin' | 'persist' | 'end';
   in_contact: boolean;
   verb?: string;
   remark?: string;
@@ -323,7 +323,7 @@ export class PageData {
 
   static read(): PageData {
     const header = parsedVisibly(textOf('toccata-header')) as Header;
-    if (header.format !== 'toccata/view/2') throw new Error(`this page cannot show ${header.format}`);
+    if (header.format !== 'toccata/view/3') throw new Error(`this page cannot show ${header.format}`);
     const report = parsedVisibly(textOf('toccata-report')) as Report;
     report.objects = report.objects.map((object) => ({ ...plainObject, ...object }));
     return new PageData(header, report, bytesOf(textOf('toccata-data')));

@@ -211,8 +211,8 @@ function ofSelf({ report }: PageData): Findings {
     const object = one.object_index;
     return {
       row: [{ object }],
-      what: meets ? together('meets itself', countText(one.face_pairs, 'face pair')) : 'does not meet itself',
-      sentence: [{ object }, meets ? ' meets itself.' : ' does not meet itself.'],
+      what: meets ? together('self-intersects', countText(one.face_pairs, 'face pair')) : 'does not intersect itself',
+      sentence: [{ object }, meets ? ' intersects itself.' : ' does not intersect itself.'],
       facts: [...(meets ? [[`${countText(one.face_pairs, 'face pair')} in contact`], [countText(one.triangle_pairs, 'pair of triangles', 'pairs of triangles')]] : []), ['decided exactly']],
       a: object, ...plain, counts: meets, size: one.face_pairs,
     };
@@ -313,7 +313,7 @@ function insideOf(report: Report, name: string | null): Part[] {
 }
 
 const kinds: Record<string, (data: PageData) => Findings> = {
-  'toccata/world/1': ofWorld,
+  'toccata/world/2': ofWorld,
   'toccata/check/1': ofPairs,
   'toccata/check-poses/1': ofPoses,
   'toccata/check-self/1': ofSelf,
@@ -338,9 +338,9 @@ function ofWorld({ report }: PageData): Findings {
 
 function ofWorldPair(pair: WorldPair, moment: number, unit: string): Finding {
   const [a, b] = [pair.a_index, pair.b_index];
-  const isEnded = pair.change === 'ended';
-  const verb = pair.in_contact ? (pair.verb ?? 'is in contact with') : 'is near';
-  const since = { begun: 'since this step', kept: 'as at the step before', ended: 'at the step before, and no longer' }[pair.change];
+  const isEnded = pair.change === 'end';
+  const verb = pair.in_contact ? (pair.verb ?? 'is in contact with') : 'is closer than its clearance to';
+  const since = { begin: 'since this step', persist: 'as at the step before', end: 'at the step before, and no longer' }[pair.change];
   const facts = isEnded ? [] : [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
   if (!isEnded && pair.points) facts.push([countText(pair.points, 'point of contact', 'points of contact')]);
   return {

@@ -46,7 +46,7 @@ const faultColours = (theme: Theme) => ({
 });
 
 export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
-  const ofRole = { ...theme, ...faultColours(theme), pairs: theme.contact, bodies: bodyColours[1], begun: eventColours.begun, kept: theme.contact, ended: eventColours.ended } as unknown as Record<string, number>;
+  const ofRole = { ...theme, ...faultColours(theme), pairs: theme.contact, bodies: bodyColours[1], begin: eventColours.begin, persist: theme.contact, end: eventColours.end } as unknown as Record<string, number>;
   return ofRole[role] ?? stepColours[stepNumber % stepColours.length];
 }
 

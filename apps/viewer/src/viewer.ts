@@ -196,7 +196,7 @@ export class Viewer {
     const { moment } = this.state;
     this.motion?.go(moment);
     const pairs = this.data.report.steps?.[moment]?.pairs ?? [];
-    this.meeting = new Set(pairs.flatMap((pair) => (pair.in_contact && pair.change !== 'ended' ? [pair.a_index, pair.b_index] : [])));
+    this.meeting = new Set(pairs.flatMap((pair) => (pair.in_contact && pair.change !== 'end' ? [pair.a_index, pair.b_index] : [])));
   }
 
   /// The finding about the two objects that are looked at, if there is one now.

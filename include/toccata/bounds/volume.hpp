@@ -12,7 +12,8 @@
 // they tell is on the safe side of the truth, whatever rounding does (docs/design/volumes.md has the proof):
 //
 //  - contains(v, p): the point is inside, proved. True for everything that v was fitted to or merged from.
-//  - overlap(a, b): false is proved. True may also be said of volumes that are apart by a hair, or, where the header of
+//  - overlap(a, b): false is proved. True may also be said of volumes that are apart by a rounding error, or, where the
+//  header of
 //    the volume says so, by more.
 //  - gap(a, b): a lower bound of the distance; 0 when they may meet, +∞ when one is empty.
 //  - sweep_entry(a, motion, b): a lower bound of the first t ≥ 0 at which a, moved by t · motion, meets b; +∞ is

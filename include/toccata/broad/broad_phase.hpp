@@ -55,23 +55,23 @@ struct BroadPhaseOptions {
 /// The box with its sides moved out by `margin` (not negative, in the box's unit), rounded outward: boxes grown by half
 /// a distance each overlap wherever the boxes are that near along every axis. An empty box stays empty. Throws Error
 /// where the margin is negative or no number.
-[[nodiscard]] Aabb grown(const Aabb& box, double margin);
+[[nodiscard]] Aabb offset_outward(const Aabb& box, double margin);
 /// The same of the radius, and of the half extents: all that is within the margin of it is inside.
-[[nodiscard]] Ball grown(const Ball& ball, double margin);
-[[nodiscard]] Obb grown(const Obb& box, double margin);
+[[nodiscard]] Ball offset_outward(const Ball& ball, double margin);
+[[nodiscard]] Obb offset_outward(const Obb& box, double margin);
 
 /// What a body may be bounded by.
 using AnyBound = std::variant<Aabb, Ball, Obb>;
 
 /// Whether two overlap, touching included, as the boxes around them and as they are themselves: boxes along the axes
 /// and balls, also with each other, exactly; of oriented boxes false is proved, and true may also be said of two that
-/// are apart by a hair. The same in either order. No number is NaN.
+/// are apart by a rounding error. The same in either order. No number is NaN.
 [[nodiscard]] bool bounds_overlap(const AnyBound& a, const AnyBound& b);
 
-/// What an update has changed, both ascending. The pairs kept are those of now without those begun.
+/// What an update has changed, both ascending. The pairs that persist are those of now without `begin`.
 struct PairChanges {
-  std::vector<IndexPair> begun;
-  std::vector<IndexPair> ended;
+  std::vector<IndexPair> begin;
+  std::vector<IndexPair> end;
 };
 
 /// Boxes that move, and the pairs of them that overlap; touching counts. A body may be bounded by a ball or an oriented

@@ -22,7 +22,7 @@ struct Case {
 
 /// Posed models as a scene. A name that is empty or taken becomes "a", "b", …, or gets a number; what is no UTF-8 is
 /// written as \xff.
-[[nodiscard]] Scene scene_of(std::span<const Posed> models, const std::string& unit = "unit");
+[[nodiscard]] Scene scene_of(std::span<const SceneInstance> models, const std::string& unit = "unit");
 
 /// Reads a case, or any scene file. Throws Error naming the file and the place in it, as `read_scene` does.
 [[nodiscard]] Case read_case(const std::filesystem::path& path);

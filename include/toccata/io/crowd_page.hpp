@@ -24,7 +24,7 @@ class CrowdRecording {
     std::size_t number = 0;     ///< of the update, from 0
     std::vector<Aabb> boxes{};  ///< by number; empty where a number is not in use
     std::vector<IndexPair> pairs{};
-    std::size_t begun = 0, ended = 0;  ///< pairs, since the update before, which may not be kept
+    std::size_t begin = 0, end = 0;  ///< pairs, since the update before, which may not be kept
     BroadPhaseMethod method{};
     BroadPhaseCells space{};
   };

@@ -41,8 +41,8 @@ struct CrowdQuestion {
 struct CrowdRun {
   BroadPhaseMethod method{};
   CrowdFrames frames;
-  std::size_t begun = 0;  ///< in all frames together
-  std::size_t ended = 0;
+  std::size_t begin = 0;  ///< in all frames together
+  std::size_t end = 0;
   double bytes_per_body = 0;
   std::string reason;  ///< of `automatic`
 
@@ -58,7 +58,7 @@ struct CrowdReport {
 /// not there, for threads out of their range, and where there is no box, frame or method.
 [[nodiscard]] CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress = {});
 
-/// JSON by the schema toccata/crowd/1 of docs/reference/crowd.md.
+/// JSON by the schema toccata/crowd/2 of docs/reference/crowd.md.
 [[nodiscard]] std::string crowd_report_json(const CrowdReport& report);
 
 }  // namespace toccata

@@ -24,8 +24,8 @@ struct CrowdWorldQuestion {
 struct CrowdWorldReport {
   CrowdWorldQuestion question;
   CrowdFrames frames;       ///< of each step its time, and its pairs in contact by the bodies' indices
-  std::size_t begun = 0;    ///< in all steps together
-  std::size_t ended = 0;    ///< the same
+  std::size_t begin = 0;    ///< in all steps together
+  std::size_t end = 0;      ///< the same
   BroadPhaseMethod used{};  ///< in the last step; where the method is `automatic`, what it chose by times
 
   [[nodiscard]] std::size_t pairs() const { return frames.pairs.back().count; }  ///< in the last step
@@ -34,7 +34,7 @@ struct CrowdWorldReport {
 /// Steps the bodies. Throws Error where there is no body or no step, and for threads out of their range.
 [[nodiscard]] CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
 
-/// JSON by the schema toccata/crowd-world/1 of docs/reference/crowd.md.
+/// JSON by the schema toccata/crowd-world/2 of docs/reference/crowd.md.
 [[nodiscard]] std::string crowd_world_report_json(const CrowdWorldReport& report);
 
 }  // namespace toccata

@@ -28,7 +28,7 @@ struct DecomposeReport {
 [[nodiscard]] Scene parts_scene(const DecomposeReport& report, const std::string& unit);
 
 /// JSON by the schema docs/reference/decompose-report.md.
-[[nodiscard]] std::string decompose_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string decompose_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                                 const DecomposeReport& report, std::span<const std::string> warnings);
 
 }  // namespace toccata

@@ -17,7 +17,7 @@ struct ReportedDistance {
 };
 
 /// JSON by the schema toccata/distance/1 of docs/reference/distance-report.md. Doubles round-trip.
-[[nodiscard]] std::string distance_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string distance_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                                std::span<const ReportedDistance> distances,
                                                std::span<const std::string> warnings);
 
@@ -31,10 +31,10 @@ struct DistancePosesReport {
 };
 
 /// How many of the queries found the two meeting.
-[[nodiscard]] std::size_t meeting_count(const DistancePosesReport& report);
+[[nodiscard]] std::size_t intersecting_count(const DistancePosesReport& report);
 
-/// JSON by the schema toccata/distance-poses/1 of docs/reference/distance-report.md; `scene` holds A and then B.
-[[nodiscard]] std::string distance_poses_report_json(const Scene& scene, std::span<const Posed> models,
+/// JSON by the schema toccata/distance-poses/2 of docs/reference/distance-report.md; `scene` holds A and then B.
+[[nodiscard]] std::string distance_poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                                      const DistancePosesReport& report,
                                                      std::span<const std::string> warnings);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/faces_within.hpp"
+#include "toccata/query/faces_in_region.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata {
@@ -17,8 +17,8 @@ struct ReportedFaces {
 };
 
 /// JSON by the schema toccata/faces/1 of docs/reference/faces-report.md. Doubles round-trip.
-[[nodiscard]] std::string faces_report_json(const Scene& scene, std::span<const Posed> models, const Region& region,
-                                            std::span<const ReportedFaces> found,
+[[nodiscard]] std::string faces_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                            const Region& region, std::span<const ReportedFaces> found,
                                             std::span<const std::string> warnings);
 
 /// Comma-separated values with a header line: a line per face, with the number of its triangles that were found.

@@ -18,8 +18,8 @@ namespace toccata {
 /// `options.up`. Vertices are floats, counted from a place near them, and nodes are doubles: points are off by at most
 /// 2⁻²⁰ of the size of their mesh or, where they are shown of pairs, of their pair. The same bytes on every machine.
 /// Throws Error as view_page does, when the file would have 4 GiB, and for poses that shear what they move.
-[[nodiscard]] std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
-                                    const ViewOptions& options = {});
+[[nodiscard]] std::string scene_glb(const Scene& scene, std::span<const SceneInstance> models,
+                                    const SceneAnswer& answer, const ViewOptions& options = {});
 
 /// The same as crowd_page and world_page show, as an animation: a frame of 24 a second for each that is recorded. The
 /// boxes or bodies under "objects", each moving; what was found in a frame hangs under a node "frame 0" or "step 0" …

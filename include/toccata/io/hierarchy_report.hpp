@@ -22,7 +22,7 @@ struct RebalanceReport {
 [[nodiscard]] RebalanceReport rebalance_report(const Scene& scene);
 
 /// JSON by docs/methods/scene-graph.md#the-report.
-[[nodiscard]] std::string hierarchy_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string hierarchy_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                                 const RebalanceReport& report, std::span<const std::string> warnings);
 
 }  // namespace toccata

@@ -34,7 +34,7 @@ struct MinkowskiReport {
 [[nodiscard]] SceneObject sum_object(const MinkowskiReport& report);
 
 /// JSON by the schema docs/reference/minkowski-report.md.
-[[nodiscard]] std::string minkowski_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string minkowski_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                                 const MinkowskiReport& report, std::span<const std::string> warnings);
 
 }  // namespace toccata

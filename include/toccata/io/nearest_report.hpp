@@ -31,7 +31,7 @@ struct ReportedPoint {
 };
 
 /// JSON by the schema toccata/nearest/1 of docs/reference/nearest-report.md. Doubles round-trip.
-[[nodiscard]] std::string nearest_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string nearest_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                               std::span<const ReportedPoint> points,
                                               std::span<const std::string> warnings);
 

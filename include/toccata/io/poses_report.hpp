@@ -23,14 +23,14 @@ struct PosesReport {
 
 /// The same with the faces that meet at each pose, which reports only count: in the order of the queries, for so many
 /// that there are at most `most` pairs of faces in all.
-[[nodiscard]] PosesReport with_face_pairs(PosesReport report, std::span<const Posed> models, std::size_t most);
+[[nodiscard]] PosesReport with_face_pairs(PosesReport report, std::span<const SceneInstance> models, std::size_t most);
 
 /// How many of the queries found a contact.
 [[nodiscard]] std::size_t contact_count(const PosesReport& report);
 
-/// JSON by the schema toccata/check-poses/1 of docs/reference/check-report.md; `scene` holds A and then B. Doubles
+/// JSON by the schema toccata/check-poses/2 of docs/reference/check-report.md; `scene` holds A and then B. Doubles
 /// round-trip.
-[[nodiscard]] std::string poses_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                             const PosesReport& report, std::span<const std::string> warnings);
 
 /// Comma-separated values with a header line: a line per query.

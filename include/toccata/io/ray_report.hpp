@@ -17,7 +17,7 @@ struct ReportedRay {
 };
 
 /// JSON by the schema toccata/ray/1 of docs/reference/ray-report.md. Doubles round-trip.
-[[nodiscard]] std::string ray_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string ray_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                           std::span<const ReportedRay> rays, std::span<const std::string> warnings);
 
 /// Comma-separated values with a header line: a line per ray.

@@ -12,10 +12,10 @@ namespace toccata {
 
 /// One piece of what two faces have in common: its extreme points in world units, each number the double nearest to the
 /// exact one.
-struct ReportedMeeting {
-  MeetingKind kind = MeetingKind::none;
+struct ReportedIntersection {
+  IntersectionKind kind = IntersectionKind::none;
   std::vector<Vec3> points;
-  friend bool operator==(const ReportedMeeting&, const ReportedMeeting&) = default;
+  friend bool operator==(const ReportedIntersection&, const ReportedIntersection&) = default;
 };
 
 /// Two faces of the files that meet. Faces of more than three corners may meet in several pieces.
@@ -23,7 +23,7 @@ struct ReportedFacePair {
   Index face_a = 0;
   Index face_b = 0;
   bool crossing = false;
-  std::vector<ReportedMeeting> meetings;
+  std::vector<ReportedIntersection> intersections;
 };
 
 struct ReportedPair {
@@ -67,11 +67,11 @@ struct ReportOptions {
 };
 
 /// Throws Error where touching is to be ignored and a clearance is asked for: a pair that touches is nearer than any.
-[[nodiscard]] CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer,
+[[nodiscard]] CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                                             const ReportOptions& options = {});
 
 /// JSON by the schema docs/reference/check-report.md. Doubles round-trip.
-[[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                             const CheckReport& report, std::span<const std::string> warnings);
 
 /// A JSON document, such as check_report_json makes, and its name.
@@ -91,7 +91,7 @@ struct NamedReport {
 /// "none", "a_in_b", "b_in_a", "equal".
 [[nodiscard]] std::string name_of(Containment containment);
 /// "none", "point", "segment", "polygon".
-[[nodiscard]] std::string name_of(MeetingKind kind);
+[[nodiscard]] std::string name_of(IntersectionKind kind);
 /// "exact", "undecided", "not_converged".
 [[nodiscard]] std::string name_of(Status status);
 

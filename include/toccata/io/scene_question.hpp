@@ -134,11 +134,11 @@ struct AskOptions {
 /// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
 /// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
 /// no double tells.
-[[nodiscard]] SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question,
+[[nodiscard]] SceneAnswer ask(std::span<const SceneInstance> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
 /// The same; a question about the scene's tree of nodes needs the scene, whose objects the models are.
-[[nodiscard]] SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQuestion& question,
+[[nodiscard]] SceneAnswer ask(const Scene& scene, std::span<const SceneInstance> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
@@ -146,8 +146,8 @@ struct AskOptions {
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
-[[nodiscard]] std::string report_json(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
-                                      std::span<const std::string> warnings = {});
+[[nodiscard]] std::string report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                      const SceneAnswer& answer, std::span<const std::string> warnings = {});
 
 /// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
 /// `inspect`, `decompose` and `minkowski`, and of crowds.

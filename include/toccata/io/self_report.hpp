@@ -23,15 +23,15 @@ struct SelfReport {
 };
 
 /// `contacts` is `self_contacts_each(models)`.
-[[nodiscard]] SelfReport make_self_report(std::span<const Posed> models, std::span<const std::vector<Contact>> contacts,
-                                          bool faces);
+[[nodiscard]] SelfReport make_self_report(std::span<const SceneInstance> models,
+                                          std::span<const std::vector<Contact>> contacts, bool faces);
 
-/// How many of the objects meet themselves.
-[[nodiscard]] std::size_t self_meeting_count(const SelfReport& report);
+/// How many of the objects intersect themselves.
+[[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
 
-/// JSON by the schema toccata/check-self/1 of docs/reference/check-report.md. Doubles round-trip.
-[[nodiscard]] std::string self_report_json(const Scene& scene, std::span<const Posed> models, const SelfReport& report,
-                                           std::span<const std::string> warnings);
+/// JSON by the schema toccata/check-self/2 of docs/reference/check-report.md. Doubles round-trip.
+[[nodiscard]] std::string self_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                           const SelfReport& report, std::span<const std::string> warnings);
 
 /// Comma-separated values with a header line: a line per object, or per pair of faces when the report has them.
 [[nodiscard]] std::string self_report_csv(const Scene& scene, const SelfReport& report);

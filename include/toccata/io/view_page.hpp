@@ -40,8 +40,9 @@ struct ViewOptions {
 /// to 1/65535 of their boxes; poses, depths and distances stay exact (docs/reference/view-page.md). Names may hold
 /// anything. Throws Error when an object reaches beyond the doubles, and when hierarchies or partitions of more than 32
 /// meshes are asked for.
-[[nodiscard]] std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
-                                    const ViewOptions& options = {}, std::span<const std::string> warnings = {});
+[[nodiscard]] std::string view_page(const Scene& scene, std::span<const SceneInstance> models,
+                                    const SceneAnswer& answer, const ViewOptions& options = {},
+                                    std::span<const std::string> warnings = {});
 
 /// Writes a page: the file is complete or not there. Throws Error naming the file when it exists and was not written by
 /// Toccata, or cannot be written (write_output).

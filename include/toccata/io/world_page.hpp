@@ -21,7 +21,7 @@ class WorldRecording {
   /// moved takes 24, a pair about 150.
   static constexpr std::size_t most_bytes = 48'000'000;
 
-  enum class Change : std::uint8_t { begun, kept, ended };
+  enum class Change : std::uint8_t { begin, persist, end };
 
   struct Place {
     Index object = 0;  ///< of `objects`
@@ -29,7 +29,7 @@ class WorldRecording {
   };
   struct Pair {
     Index a = 0, b = 0;  ///< of `objects`
-    Change change = Change::begun;
+    Change change = Change::begin;
     bool in_contact = false;
     Vec3 middle_a, middle_b;  ///< of their boxes; not finite for half-spaces
     std::shared_ptr<const PairDetails> details{};
@@ -37,7 +37,7 @@ class WorldRecording {
   struct Frame {
     std::vector<Place> placed;  ///< bodies that are new or have another pose than when they were last seen
     std::vector<Index> gone;    ///< that were there at the frame before
-    std::vector<Pair> pairs;    ///< begun, kept and ended
+    std::vector<Pair> pairs;    ///< begin, persist and end
   };
 
   /// The bodies as they are and what the last step found: to be called after a step, before anything moves. Throws
@@ -69,7 +69,7 @@ class WorldRecording {
 [[nodiscard]] WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
-/// each frame as they have begun, are kept and have ended, with contact points and distances where the World tells
+/// each frame as they begin, persist and end, with contact points and distances where the World tells
 /// these, and a list of them. Places are rounded for display to floats and turns to 1/32767; poses at first, depths and
 /// distances are exact in its text. Of `options` it takes `title` and `up`. Throws Error when nothing is recorded, when
 /// a body reaches beyond the doubles, and naming a body whose pose has changed by more than a turn and a move.

@@ -19,13 +19,13 @@ struct Cast {
 
 /// A ray from `origin` to `origin + motion`: the time is the fraction of the way. Throws Error when a number is not
 /// finite or the motion is zero.
-[[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target);
+[[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedPolytope& target);
 [[nodiscard]] Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target);
 
 /// A moves by `motion`, without turning; B stands. Throws Error when the motion is not finite. A workspace saves time
 /// at the start, and all of it where the plane that kept the shapes apart the last time does so again.
-[[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b,
-                              ConvexWorkspace* workspace = nullptr);
-[[nodiscard]] Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b);
+[[nodiscard]] Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b,
+                              SimplexCache* workspace = nullptr);
+[[nodiscard]] Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b);
 
 }  // namespace toccata

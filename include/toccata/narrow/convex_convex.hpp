@@ -5,7 +5,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/core/status.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/set_relation.hpp"
 
 // Two bounded convex shapes, whichever they are. Everything is in world coordinates and units.
@@ -24,7 +24,7 @@ struct ConvexCounts {
 
 /// What a caller may keep of a pair from one question to the next: where the last search ended. It saves time when the
 /// shapes have moved little, and changes no answer. One thread may use it at a time.
-struct ConvexWorkspace {
+struct SimplexCache {
   Vec3 direction{};  ///< from A to B; zero: nothing is known
   std::array<Index, 4> vertex_a{};
   std::array<Index, 4> vertex_b{};
@@ -55,12 +55,12 @@ struct Distance {
 };
 
 /// Do they have a point in common? Touching counts. Exact.
-[[nodiscard]] bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] bool overlap(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace = nullptr);
 
-[[nodiscard]] Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] Distance distance(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace = nullptr);
 
 /// Exact, with containment.
-[[nodiscard]] Relation relation(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] Relation relation(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace = nullptr);
 
 /// The shortest way to part two solids that meet.
 struct Penetration {
@@ -79,7 +79,8 @@ struct Penetration {
 };
 
 /// Throws Error when one is a surface: it has no interior that another could leave.
-[[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] Penetration penetration(const PosedPolytope& a, const PosedPolytope& b,
+                                      SimplexCache* workspace = nullptr);
 
 /// A feature of a convex shape: a face, a half-edge or a vertex by its number in `HullTopology`.
 struct ConvexFeature {
@@ -105,6 +106,6 @@ struct Manifold {
 };
 
 /// Empty exactly when the shapes are apart.
-[[nodiscard]] Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace = nullptr);
 
 }  // namespace toccata

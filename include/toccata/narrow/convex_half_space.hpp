@@ -16,18 +16,18 @@ struct PosedHalfSpace {
   explicit PosedHalfSpace(const HalfSpace& shape, const Pose& pose = {});
 };
 
-[[nodiscard]] bool overlap(const PosedConvex& a, const PosedHalfSpace& b);
+[[nodiscard]] bool overlap(const PosedPolytope& a, const PosedHalfSpace& b);
 [[nodiscard]] bool overlap(const PosedHalfSpace& a, const PosedHalfSpace& b);
 
-[[nodiscard]] Distance distance(const PosedConvex& a, const PosedHalfSpace& b);
+[[nodiscard]] Distance distance(const PosedPolytope& a, const PosedHalfSpace& b);
 [[nodiscard]] Distance distance(const PosedHalfSpace& a, const PosedHalfSpace& b);
 
-[[nodiscard]] Relation relation(const PosedConvex& a, const PosedHalfSpace& b);
+[[nodiscard]] Relation relation(const PosedPolytope& a, const PosedHalfSpace& b);
 [[nodiscard]] Relation relation(const PosedHalfSpace& a, const PosedHalfSpace& b);
 
 /// Throws Error when the convex shape is a surface.
-[[nodiscard]] Penetration penetration(const PosedConvex& a, const PosedHalfSpace& b);
+[[nodiscard]] Penetration penetration(const PosedPolytope& a, const PosedHalfSpace& b);
 
-[[nodiscard]] Manifold manifold(const PosedConvex& a, const PosedHalfSpace& b);
+[[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedHalfSpace& b);
 
 }  // namespace toccata

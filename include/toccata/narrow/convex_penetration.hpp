@@ -9,6 +9,6 @@ namespace toccata {
 /// By expanding a polytope within the Minkowski difference of the cores (G. van den Bergen, "Proximity queries and
 /// penetration depth computation on 3D game objects", 2001), with exact signs: for shapes of any size. The width of
 /// [lower, upper] is at most 2^-40 · upper.
-[[nodiscard]] Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
 
 }  // namespace toccata

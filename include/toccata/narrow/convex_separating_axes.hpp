@@ -9,12 +9,12 @@ namespace toccata {
 /// Convex Polyhedra", 2013; of two boxes the fifteen axes of S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996).
 /// Exact: where the rounded axes leave a doubt, and about radii, `overlap` decides. The axis kept in the workspace is
 /// tried first. The cost grows with the product of the numbers of edges.
-[[nodiscard]] bool overlap_by_separating_axes(const PosedConvex& a, const PosedConvex& b,
-                                              ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] bool overlap_by_separating_axes(const PosedPolytope& a, const PosedPolytope& b,
+                                              SimplexCache* workspace = nullptr);
 
 /// Penetration as the least overlap along one of these axes, without iteration. [lower, upper] is as narrow as that of
 /// `penetration_by_expansion`, which takes over where rounding makes the axes' bracket wider. Throws Error when one of
 /// the shapes is a surface.
-[[nodiscard]] Penetration penetration_by_separating_axes(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] Penetration penetration_by_separating_axes(const PosedPolytope& a, const PosedPolytope& b);
 
 }  // namespace toccata

@@ -32,9 +32,9 @@ struct GjkOptions {
 /// What `overlap` and `distance` promise, holds here too; where these use a formula for the pair, other numbers of the
 /// same interval may be told. Every bit of the answers is the same whatever the options are; what they save is told by
 /// the counts of the workspace: `steps` and `heights`.
-[[nodiscard]] bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options = {},
-                                  ConvexWorkspace* workspace = nullptr);
-[[nodiscard]] Distance distance_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options = {},
-                                       ConvexWorkspace* workspace = nullptr);
+[[nodiscard]] bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
+                                  SimplexCache* workspace = nullptr);
+[[nodiscard]] Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
+                                       SimplexCache* workspace = nullptr);
 
 }  // namespace toccata

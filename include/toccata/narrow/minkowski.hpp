@@ -6,7 +6,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 #include "toccata/shapes/hull_topology.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
@@ -15,7 +15,7 @@ namespace toccata {
 
 /// A vertex of a sum is the sum of one vertex of each operand, and of no other two.
 struct SumVertex {
-  Index on_a = 0;  ///< as `PosedConvex::vertex` numbers them
+  Index on_a = 0;  ///< as `PosedPolytope::vertex` numbers them
   Index on_b = 0;
   friend constexpr bool operator==(const SumVertex&, const SumVertex&) = default;
 };
@@ -86,9 +86,9 @@ class MinkowskiSum {
 };
 
 /// Throws Error when a vertex of the sum is not finite.
-[[nodiscard]] MinkowskiSum minkowski_sum(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] MinkowskiSum minkowski_sum(const PosedPolytope& a, const PosedPolytope& b);
 
 /// A − B: B moved by a vector meets A exactly when the vector is in it.
-[[nodiscard]] MinkowskiSum minkowski_difference(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] MinkowskiSum minkowski_difference(const PosedPolytope& a, const PosedPolytope& b);
 
 }  // namespace toccata

@@ -38,7 +38,7 @@ namespace toccata {
 [[nodiscard]] Distance distance(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 
 /// A plane against any bounded convex shape: has it vertices on both sides, or one nearer than its radius? Exact.
-[[nodiscard]] bool overlap(const PosedConvex& a, const Plane& b);
+[[nodiscard]] bool overlap(const PosedPolytope& a, const Plane& b);
 
 // The lecture's ways to test a sphere against a triangle ("Special collision cases", CS679, University of Wisconsin,
 // 2003). Each gives the exact answer by itself, and first asks `plane_rejects`; the others are its oracles.

@@ -20,37 +20,37 @@ struct Feature {
   friend constexpr auto operator<=>(const Feature&, const Feature&) = default;
 };
 
-enum class MeetingKind : std::uint8_t {
+enum class IntersectionKind : std::uint8_t {
   none,     ///< the triangles have no point in common
   point,    ///< exactly one
   segment,  ///< a segment of positive length
   polygon,  ///< a piece of area: the triangles are coplanar and overlap
 };
 
-/// One extreme point of a meeting: the single point in which these two features meet.
-struct MeetingPoint {
+/// One extreme point of an intersection: the single point in which these two features meet.
+struct IntersectionPoint {
   Feature on_a;
   Feature on_b;
-  friend constexpr auto operator<=>(const MeetingPoint&, const MeetingPoint&) = default;
+  friend constexpr auto operator<=>(const IntersectionPoint&, const IntersectionPoint&) = default;
 };
 
 /// The exact common set of two closed triangles, told by features, without a rounded coordinate.
-struct Meeting {
-  MeetingKind kind = MeetingKind::none;
+struct Intersection {
+  IntersectionKind kind = IntersectionKind::none;
   bool coplanar = false;  ///< all six vertices lie in one plane
   bool crossing = false;  ///< the relative interiors meet and the six vertices are not coplanar
-  Feature on_a;           ///< the smallest feature of each triangle that contains the whole meeting
+  Feature on_a;           ///< the smallest feature of each triangle that contains the whole intersection
   Feature on_b;
   std::uint8_t count = 0;  ///< of extreme points: 0, 1, 2, or up to 6
   /// Of a segment the lesser first, by (on_a, on_b); of a polygon in cyclic order, from the least towards the lesser of
   /// its two neighbours.
-  std::array<MeetingPoint, 6> points{};
-  friend constexpr bool operator==(const Meeting&, const Meeting&) = default;
+  std::array<IntersectionPoint, 6> points{};
+  friend constexpr bool operator==(const Intersection&, const Intersection&) = default;
 };
 
-/// The extreme points of a meeting as coordinates. Each number is the double nearest to the exact one, so it is off by
-/// at most half a unit in the last place, and by nothing where the point is a vertex.
-struct MeetingCoordinates {
+/// The extreme points of an intersection as coordinates. Each number is the double nearest to the exact one, so it is
+/// off by at most half a unit in the last place, and by nothing where the point is a vertex.
+struct IntersectionPoints {
   std::uint8_t count = 0;
   std::array<Vec3, 6> points{};
 };
@@ -71,12 +71,12 @@ struct MeetingCoordinates {
 [[nodiscard]] bool overlap(const Triangle& a, const Triangle& b);
 
 /// What the two triangles have in common.
-[[nodiscard]] Meeting meeting(const Triangle& a, const Triangle& b);
+[[nodiscard]] Intersection intersect(const Triangle& a, const Triangle& b);
 
-/// Coordinates of `m = meeting(a, b)`.
-[[nodiscard]] MeetingCoordinates coordinates(const Meeting& m, const Triangle& a, const Triangle& b);
+/// The points of `m = intersect(a, b)`.
+[[nodiscard]] IntersectionPoints intersection_points(const Intersection& m, const Triangle& a, const Triangle& b);
 
 /// The same with the roles of a and b exchanged.
-[[nodiscard]] Meeting flipped(const Meeting& m);
+[[nodiscard]] Intersection flipped(const Intersection& m);
 
 }  // namespace toccata

@@ -29,7 +29,7 @@ struct TrackedPair {
     meeting,  ///< at the last question the shapes met; the features are what is known
   } state = State::unknown;
   bool cores_meet = false;  ///< at the last question, the shapes without their radii
-  ConvexWorkspace workspace{};
+  SimplexCache workspace{};
   VoronoiCounts counts{};
 };
 
@@ -66,14 +66,14 @@ struct VoronoiPath {
 /// All that `distance_by_gjk` promises, bit by bit. `regions_a` and `regions_b` are those of the shapes, without radii,
 /// in their own frames; throws Error where they are of another number of vertices. Regions of another shape cost a
 /// search and change nothing; those of an equal hull that was built apart, a look at its vertices.
-[[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
-                                                const PosedConvex& b, const VoronoiRegions& regions_b,
+[[nodiscard]] Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a,
+                                                const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked);
 
 /// The same, and tells the way, for pictures and teaching. It is walked from what is kept even where a proof would have
 /// told at once that nothing has changed; the answer is the same.
-[[nodiscard]] Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a,
-                                                const PosedConvex& b, const VoronoiRegions& regions_b,
+[[nodiscard]] Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a,
+                                                const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked, VoronoiPath& path);
 
 }  // namespace toccata

@@ -70,7 +70,7 @@ concept SpacePartition = requires(const P& partition, const Aabb& box) {
 
 /// The items that meet the box, ascending. Exact.
 template <SpacePartition P>
-[[nodiscard]] std::vector<Index> items_meeting(const P& partition, const PartitionItems& items, const Aabb& box) {
+[[nodiscard]] std::vector<Index> items_intersecting(const P& partition, const PartitionItems& items, const Aabb& box) {
   std::vector<Index> found = partition.candidates(box);
   if (!items.triangles().empty()) std::erase_if(found, [&](Index item) { return !items.meets(item, box); });
   return found;
@@ -78,7 +78,7 @@ template <SpacePartition P>
 
 /// The pairs of items that meet, ascending. Exact.
 template <SpacePartition P>
-[[nodiscard]] std::vector<IndexPair> pairs_meeting(const P& partition, const PartitionItems& items) {
+[[nodiscard]] std::vector<IndexPair> pairs_intersecting(const P& partition, const PartitionItems& items) {
   std::vector<IndexPair> found = partition.candidate_pairs();
   if (!items.triangles().empty())
     std::erase_if(found, [&](const IndexPair& pair) { return !items.meet(pair.first, pair.second); });

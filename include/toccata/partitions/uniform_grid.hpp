@@ -33,7 +33,8 @@ class UniformGrid {
   /// With the cells of `grid_for`.
   explicit UniformGrid(const PartitionItems& items, const UniformGridOptions& options = {}) requires(D <= 3);
   /// Boxes that move, each in the cells of space and time that it visits: none is missing, and there may be
-  /// some that it comes up to by a hair, or reaches when their time ends. Throws Error naming one that is no motion.
+  /// some that it comes up to by a rounding error, or reaches when their time ends. Throws Error naming one that is no
+  /// motion.
   UniformGrid(const GridCells<D>& grid, std::span<const MovingBox> motions,
               const UniformGridOptions& options = {}) requires(D == 4);
 

@@ -7,7 +7,6 @@
 
 #include "toccata/core/progress.hpp"
 #include "toccata/query/casts.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
@@ -15,6 +14,7 @@
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 
@@ -28,7 +28,7 @@ struct BatchOptions {
   Progress progress{};
   /// None, or one for each query or pair: where its search ended. A caller who asks about the same ones step by step
   /// keeps them; that saves time, and changes no answer. Throws Error when there are more or fewer.
-  std::span<ConvexWorkspace> kept{};
+  std::span<SimplexCache> warm_start{};
 };
 
 /// An entry of an array of pairs. A Model is cheap to copy: copies share what is large.
@@ -77,10 +77,11 @@ struct ContactCount {
                                                   const BatchOptions& options = {});
 [[nodiscard]] std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
 
-[[nodiscard]] std::vector<bool> closer_than_each(const Model& a, const Model& b, double tolerance,
-                                                 std::span<const PairQuery> queries, const BatchOptions& options = {});
-[[nodiscard]] std::vector<bool> closer_than_each(std::span<const ModelPair> pairs, double tolerance,
-                                                 const BatchOptions& options = {});
+[[nodiscard]] std::vector<bool> within_distance_each(const Model& a, const Model& b, double tolerance,
+                                                     std::span<const PairQuery> queries,
+                                                     const BatchOptions& options = {});
+[[nodiscard]] std::vector<bool> within_distance_each(std::span<const ModelPair> pairs, double tolerance,
+                                                     const BatchOptions& options = {});
 
 [[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
                                                                         std::span<const PairQuery> queries,

@@ -16,7 +16,7 @@
 namespace toccata {
 
 /// A model at a place, as part of many.
-struct Posed {
+struct SceneInstance {
   Model model;
   Pose pose{};
   Solid solid = Solid::automatic;
@@ -52,10 +52,10 @@ struct PairClearance {
 };
 
 struct CheckOptions {
-  bool contacts = false;     ///< list the meeting triangles of every pair
+  bool contacts = false;     ///< list the intersecting triangles of every pair
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
-  /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly (closer_than),
-  /// and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
+  /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly
+  /// (within_distance), and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};  ///< instead of it (or of 0), for some pairs; one length for each
   int threads = 0;                               ///< 0: as many as the machine has; the answer does not depend on it
@@ -73,6 +73,6 @@ struct CheckAnswer {
 /// whose boxes overlap, or are as near, are looked at. Throws Error naming the model when one is asked about wrongly,
 /// and for a clearance that is no length or of models that are not there, of two models of one group, or of a pair that
 /// has another one.
-[[nodiscard]] CheckAnswer check_all(std::span<const Posed> models, const CheckOptions& options = {});
+[[nodiscard]] CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options = {});
 
 }  // namespace toccata

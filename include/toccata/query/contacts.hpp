@@ -19,7 +19,7 @@ struct Contact {
   Index triangle_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
-  Meeting meeting;  ///< of two triangles; else of kind none, and `manifold` tells points
+  Intersection intersection;  ///< of two triangles; else of kind none, and `manifold` tells points
 };
 
 /// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact, as `overlap` is; nothing is left out.
@@ -38,8 +38,8 @@ struct Contact {
 [[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query,
                                                    Workspace& workspace);
 
-/// A world triangle of a contact, for coordinates(contact.meeting, …). `triangle` is less than the model's count of
-/// elements. Throws Error when the element is no triangle.
+/// A world triangle of a contact, for intersection_points(contact.intersection, …). `triangle` is less than the model's
+/// count of elements. Throws Error when the element is no triangle.
 [[nodiscard]] Triangle world_triangle(const Model& model, const Pose& pose, Index triangle);
 
 /// Make a Model of it, once: `Model(mesh)`.

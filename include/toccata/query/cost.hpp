@@ -45,21 +45,21 @@ enum class CostTask {
 };
 
 /// The usual one first.
-inline constexpr std::array all_tree_methods{TreeMethod::heuristic, TreeMethod::mean,          TreeMethod::median,
-                                             TreeMethod::morton,    TreeMethod::agglomeration, TreeMethod::insertion};
+inline constexpr std::array all_bvh_methods{BvhMethod::heuristic, BvhMethod::mean,          BvhMethod::median,
+                                            BvhMethod::morton,    BvhMethod::agglomeration, BvhMethod::insertion};
 
 // As the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
 [[nodiscard]] std::string_view name_of(CostVolume volume);
 [[nodiscard]] std::string_view name_of(CostWorkload workload);
 [[nodiscard]] std::string_view name_of(CostTask task);
-[[nodiscard]] std::string_view name_of(TreeMethod method);
+[[nodiscard]] std::string_view name_of(BvhMethod method);
 
 struct CostOptions {
   CostTask task = CostTask::overlap;
   std::vector<CostWorkload> workloads{all_cost_workloads.begin(), all_cost_workloads.end()};
   std::vector<CostVolume> volumes{all_cost_volumes.begin(), all_cost_volumes.end()};
   std::vector<int> arities{2, 4, 8};  ///< each 2 to 8
-  std::vector<TreeMethod> methods{all_tree_methods.begin(), all_tree_methods.end()};
+  std::vector<BvhMethod> methods{all_bvh_methods.begin(), all_bvh_methods.end()};
   Index leaf_size = 2;
   std::size_t most_rigid = 8;     ///< of more queries so many are measured, evenly chosen
   std::size_t most_updating = 1;  ///< the same for the other workloads, each query of which touches every volume
@@ -75,7 +75,7 @@ struct CostRow {
   CostWorkload workload = CostWorkload::rigid;
   CostVolume volume = CostVolume::aabb;
   int arity = 2;
-  TreeMethod method = TreeMethod::heuristic;
+  BvhMethod method = BvhMethod::heuristic;
   Index leaf_size = 1;
   std::size_t queries = 0;
   WalkCounts counts;  ///< N_u, N_bv and N_p, summed over the queries. They depend on the input alone.
@@ -124,11 +124,11 @@ struct CostTable {
 struct VolumeCost {
   CostVolume volume = CostVolume::aabb;
   int arity = 2;
-  TreeMethod method = TreeMethod::heuristic;
+  BvhMethod method = BvhMethod::heuristic;
   double root_volume = 0;   ///< of the volume around the whole mesh, in its units cubed
   double root_surface = 0;  ///< in units squared
   double fill = 0;          ///< the part of it that the mesh's convex hull takes up; 1 at best, 0 for flat meshes
-  TreeBalance balance;
+  BvhBalance balance;
   std::size_t bytes = 0;
   double build_ns = 0;
 };

@@ -54,9 +54,9 @@ class DistanceCache {
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query, DistanceCache& cache);
 
 /// The same of many pairs, as in batch.hpp, on several threads: caches[i] is that of pairs[i], step by step. (Of one
-/// pair at many poses each question waits for the one before: ask them in turn.) `kept` of the options is not looked
-/// at. Throws like it ("pair i: "; what other pairs' caches know then differs, and no answer), and Error when there is
-/// not one cache for each pair.
+/// pair at many poses each question waits for the one before: ask them in turn.) `warm_start` of the options is not
+/// looked at. Throws like it ("pair i: "; what other pairs' caches know then differs, and no answer), and Error when
+/// there is not one cache for each pair.
 [[nodiscard]] std::vector<Distance> distance_each(std::span<const ModelPair> pairs, std::span<DistanceCache> caches,
                                                   const BatchOptions& options = {});
 

@@ -9,7 +9,7 @@
 namespace toccata {
 
 [[nodiscard]] inline Contact flipped(const Contact& c) {
-  return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.meeting)};
+  return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.intersection)};
 }
 
 /// In their order; sort them anew.

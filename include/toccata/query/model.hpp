@@ -11,9 +11,9 @@
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
+#include "toccata/trees/bvh.hpp"
 #include "toccata/trees/refit.hpp"
-#include "toccata/trees/tree.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -21,15 +21,15 @@ struct LeafTriangles;
 struct OrientedBlock;
 struct WindingMoments;
 
-/// A shape of which only the real image is posed: `PosedSmooth`.
+/// A shape of which only the real image is posed: `PosedQuadric`.
 template <class S>
-concept SmoothShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
+concept QuadricShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
 
 /// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
 template <class S>
 concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::same_as<S, Triangle> ||
     std::same_as<S, HalfSpace> || std::same_as<S, Sphere> || std::same_as<S, Box> || std::same_as<S, Capsule> ||
-    std::same_as<S, ConvexHull> || std::same_as<S, Rounded> || SmoothShape<S>;
+    std::same_as<S, ConvexHull> || std::same_as<S, Rounded> || QuadricShape<S>;
 
 /// A shape with a tree to build, or any. Questions take a Model of it, made once: `Model(mesh)`.
 template <class S>
@@ -52,7 +52,7 @@ class Model {
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = 1);
   /// With a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over the
   /// mesh's triangles, which it looks through once.
-  explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideTree tree);
+  explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideBvh tree);
   explicit Model(HeightField field, int threads = 1);
   explicit Model(Compound compound, int threads = 1);
   template <std::same_as<Shape> S>
@@ -89,7 +89,7 @@ class Model {
   [[nodiscard]] const TriangleMesh& mesh() const;
 
   /// Over the triangles: the tree that questions use.
-  [[nodiscard]] const WideTree& wide_tree() const;
+  [[nodiscard]] const WideBvh& wide_bvh() const;
 
   /// Turned boxes for the lanes of its blocks, for questions of distance; made when first asked for. Some 75 bytes a
   /// triangle. For the library itself.
@@ -108,7 +108,7 @@ class Model {
   [[nodiscard]] const LeafTriangles* leaf_triangles_for(std::size_t questions) const;
 
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
-  [[nodiscard]] const Tree<Aabb>& tree() const;
+  [[nodiscard]] const Bvh<Aabb>& tree() const;
 
   /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
   [[nodiscard]] const Aabb& bounds() const;

@@ -30,7 +30,7 @@ struct SurfacePoint {
   Vec3 point{};
   Index element = 0;              ///< as in Model: the triangle of a mesh
   Index face = 0;                 ///< the file's own face, counted from 0; of a shape that is one element 0
-  Status status = Status::exact;  ///< not_converged: wider, by a smooth shape
+  Status status = Status::exact;  ///< not_converged: wider, by a quadric
   friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t question_count = 8;
 [[nodiscard]] std::string_view name_of(ShapeQuestion question);
 
 /// What decides how a pair is answered.
-enum class ShapeClass : std::uint8_t { convex, smooth, half_space, triangles, compound };
+enum class ShapeClass : std::uint8_t { convex, quadric, half_space, triangles, compound };
 
 [[nodiscard]] constexpr ShapeClass class_of(ShapeKind kind) {
   switch (kind) {
@@ -39,7 +39,7 @@ enum class ShapeClass : std::uint8_t { convex, smooth, half_space, triangles, co
     case ShapeKind::cylinder:
     case ShapeKind::cone:
     case ShapeKind::ellipsoid:
-      return ShapeClass::smooth;
+      return ShapeClass::quadric;
     case ShapeKind::height_field:
     case ShapeKind::mesh:
       return ShapeClass::triangles;
@@ -94,21 +94,21 @@ inline constexpr PairCell first_by_tree{PairState::defined, "moving boxes, first
 inline constexpr PairCell by_proof{PairState::defined, "proved apart or in contact, else undecided within 10⁻¹²"};
 inline constexpr PairCell nearest_by_proof{PairState::defined, "Newton's method, proved interval"};
 inline constexpr PairCell depth_by_proof{PairState::defined, "expanding polytope, proved bracket"};
-inline constexpr PairCell by_planes{PairState::defined, "parting planes, proved interval"};
+inline constexpr PairCell by_planes{PairState::defined, "separating planes, proved interval"};
 inline constexpr PairCell by_roots{PairState::defined,
-                                   "roots of a quadratic equation, else parting planes; proved interval"};
+                                   "roots of a quadratic equation, else separating planes; proved interval"};
 inline constexpr PairCell proof_by_tree{PairState::defined, "tree, proved pairs, else undecided within 10⁻¹²"};
-inline constexpr PairCell smooth_features{PairState::defined,
-                                          "clipped faces, lines and rims along the direction of depth"};
+inline constexpr PairCell quadric_features{PairState::defined,
+                                           "clipped faces, lines and rims along the direction of depth"};
 
 constexpr bool has(ShapeClass wanted, ShapeClass a, ShapeClass b) { return a == wanted || b == wanted; }
 
 constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return by_parts;
-  if (has(ShapeClass::smooth, a, b) && has(ShapeClass::triangles, a, b)) return proof_by_tree;
+  if (has(ShapeClass::quadric, a, b) && has(ShapeClass::triangles, a, b)) return proof_by_tree;
   if (has(ShapeClass::triangles, a, b)) return question == ShapeQuestion::contacts ? by_tree_alone : by_tree;
   if (question == ShapeQuestion::contacts) return one_contact;
-  if (has(ShapeClass::smooth, a, b)) return by_proof;
+  if (has(ShapeClass::quadric, a, b)) return by_proof;
   if (has(ShapeClass::half_space, a, b)) return half_spaces;
   return question == ShapeQuestion::relation ? by_normals : by_gjk;
 }
@@ -116,7 +116,7 @@ constexpr PairCell yes_no(ShapeQuestion question, ShapeClass a, ShapeClass b) {
 constexpr PairCell distance(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return least_part;
   if (has(ShapeClass::triangles, a, b)) return nearest_by_tree;
-  if (has(ShapeClass::smooth, a, b)) return nearest_by_proof;
+  if (has(ShapeClass::quadric, a, b)) return nearest_by_proof;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_gjk;
 }
 
@@ -124,26 +124,26 @@ constexpr PairCell penetration(ShapeKind kind_a, ShapeKind kind_b, ShapeClass a,
   if (always_surface(kind_a) || always_surface(kind_b)) return surface;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return endless;
   if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return by_inner_parts;
-  if (has(ShapeClass::smooth, a, b)) return depth_by_proof;
+  if (has(ShapeClass::quadric, a, b)) return depth_by_proof;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_expansion;
 }
 
 constexpr PairCell manifold(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b) || has(ShapeClass::triangles, a, b)) return many_manifolds;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return boundless;
-  return has(ShapeClass::smooth, a, b) ? smooth_features : by_features;
+  return has(ShapeClass::quadric, a, b) ? quadric_features : by_features;
 }
 
 constexpr PairCell cast(ShapeClass a, ShapeClass b) {
   if (has(ShapeClass::compound, a, b)) return earliest_part;
   if (has(ShapeClass::triangles, a, b)) return first_by_tree;
   if (a == ShapeClass::half_space && b == ShapeClass::half_space) return always_met;
-  if (has(ShapeClass::smooth, a, b)) return by_planes;
+  if (has(ShapeClass::quadric, a, b)) return by_planes;
   return has(ShapeClass::half_space, a, b) ? half_spaces : by_advance;
 }
 
 constexpr PairCell ray(ShapeClass target) {
-  if (target == ShapeClass::smooth) return by_roots;
+  if (target == ShapeClass::quadric) return by_roots;
   return target == ShapeClass::triangles ? by_tree_alone : cast(ShapeClass::convex, target);
 }
 

@@ -6,7 +6,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/shapes/scene.hpp"
-#include "toccata/trees/tree.hpp"
+#include "toccata/trees/bvh.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata {
@@ -15,7 +15,7 @@ namespace toccata {
 /// are nodes of the scene or were put in, leaves hold one object each, and every box is fitted to the objects below it,
 /// in the world. A node has as many children as the scene gives it, one or thousands; walks take it as any other tree.
 struct SceneHierarchy {
-  Tree<Aabb, 0> tree;                             ///< arity 0: any; its items are numbers of Scene::objects
+  Bvh<Aabb, 0> tree;                              ///< arity 0: any; its items are numbers of Scene::objects
   std::vector<std::optional<Index>> scene_nodes;  ///< for each of its nodes the one of Scene::nodes it stands for
   /// Objects that have no box with an end: half-spaces. They are in no leaf.
   std::vector<Index> unbounded;
@@ -29,7 +29,7 @@ struct SceneHierarchy {
 /// How a bad hierarchy is made better. The scene itself stays as it is.
 enum class Rebalance {
   /// All inner nodes are made anew from the objects' boxes, two children each, by the surface-area heuristic
-  /// (build_tree in trees/build.hpp). None stands for a node of the scene.
+  /// (build_bvh in trees/build.hpp). None stands for a node of the scene.
   rebuild,
   /// Nodes that are good stay, with what they stand for: those whose box is less than 0.8 of their parent's (by area)
   /// and shares less than a quarter with boxes beside it. Others, and those with a single child, give way to

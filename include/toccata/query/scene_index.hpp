@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "toccata/broad/box_tree.hpp"
+#include "toccata/broad/box_bvh.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/check_all.hpp"
@@ -50,7 +50,7 @@ struct ObjectDistance : Distance {
 
 /// A shape that moves by `motion` (world) without turning.
 struct MovingShape {
-  Posed shape;
+  SceneInstance shape;
   Vec3 motion;
 };
 
@@ -68,10 +68,10 @@ class SceneIndex {
   SceneIndex() = default;
   /// The models are copied; copies share what is large. Throws Error naming the model that has a pose which is not
   /// finite or that its shape may not have, or is asked to be a solid that it is not.
-  explicit SceneIndex(std::span<const Posed> models);
+  explicit SceneIndex(std::span<const SceneInstance> models);
 
-  [[nodiscard]] std::span<const Posed> models() const { return models_; }
-  [[nodiscard]] const BoxTree& boxes() const { return boxes_; }
+  [[nodiscard]] std::span<const SceneInstance> models() const { return models_; }
+  [[nodiscard]] const BoxBvh& boxes() const { return boxes_; }
 
   /// The first that the ray meets; none where it meets nothing, which is proved. Throws like `cast_ray`.
   [[nodiscard]] std::optional<ObjectRayHit> cast_ray(const Ray& ray, const ObjectFilter& filter = {}) const;
@@ -83,17 +83,19 @@ class SceneIndex {
   [[nodiscard]] std::optional<ObjectCast> cast_shape(const MovingShape& moving, const ObjectFilter& filter = {}) const;
 
   /// Those that have a point in common with the shape, ascending. Throws like `overlap`.
-  [[nodiscard]] std::vector<Index> overlapping(const Posed& shape, const ObjectFilter& filter = {}) const;
+  [[nodiscard]] std::vector<Index> overlapping(const SceneInstance& shape, const ObjectFilter& filter = {}) const;
   /// The same, and how: the shape is A. Throws like `relation`.
-  [[nodiscard]] std::vector<ObjectRelation> relations(const Posed& shape, const ObjectFilter& filter = {}) const;
+  [[nodiscard]] std::vector<ObjectRelation> relations(const SceneInstance& shape,
+                                                      const ObjectFilter& filter = {}) const;
 
-  /// The nearest to the shape; none where none is within the greatest distance, decided exactly (`closer_than`). Throws
-  /// like `distance`, and when the greatest distance is negative or no number.
-  [[nodiscard]] std::optional<ObjectDistance> nearest(const Posed& shape,
+  /// The nearest to the shape; none where none is within the greatest distance, decided exactly (`within_distance`).
+  /// Throws like `distance`, and when the greatest distance is negative or no number.
+  [[nodiscard]] std::optional<ObjectDistance> nearest(const SceneInstance& shape,
                                                       double max_distance = std::numeric_limits<double>::infinity(),
                                                       const ObjectFilter& filter = {}) const;
-  /// Those that are at most so far from the shape, ascending, decided exactly. Throws like `closer_than`.
-  [[nodiscard]] std::vector<Index> within(const Posed& shape, double distance, const ObjectFilter& filter = {}) const;
+  /// Those that are at most so far from the shape, ascending, decided exactly. Throws like `within_distance`.
+  [[nodiscard]] std::vector<Index> within(const SceneInstance& shape, double distance,
+                                          const ObjectFilter& filter = {}) const;
 
   // The same asked many times at once; an error begins with "ray i: " or "shape i: ", of the least such i.
 
@@ -103,19 +105,19 @@ class SceneIndex {
   [[nodiscard]] std::vector<std::optional<ObjectCast>> cast_shape_each(std::span<const MovingShape> moving,
                                                                        const ObjectFilter& filter = {},
                                                                        const BatchOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::vector<Index>> overlapping_each(std::span<const Posed> shapes,
+  [[nodiscard]] std::vector<std::vector<Index>> overlapping_each(std::span<const SceneInstance> shapes,
                                                                  const ObjectFilter& filter = {},
                                                                  const BatchOptions& options = {}) const;
   [[nodiscard]] std::vector<std::optional<ObjectDistance>> nearest_each(
-      std::span<const Posed> shapes, double max_distance = std::numeric_limits<double>::infinity(),
+      std::span<const SceneInstance> shapes, double max_distance = std::numeric_limits<double>::infinity(),
       const ObjectFilter& filter = {}, const BatchOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::vector<Index>> within_each(std::span<const Posed> shapes, double distance,
+  [[nodiscard]] std::vector<std::vector<Index>> within_each(std::span<const SceneInstance> shapes, double distance,
                                                             const ObjectFilter& filter = {},
                                                             const BatchOptions& options = {}) const;
 
  private:
-  std::vector<Posed> models_;
-  BoxTree boxes_;
+  std::vector<SceneInstance> models_;
+  BoxBvh boxes_;
 };
 
 }  // namespace toccata

@@ -25,7 +25,7 @@ struct ScenePoint {
 /// For each point what `nearest_points` tells, of the elements of all models: in the order of (upper, object, element).
 /// The same for any number of threads. Throws like it.
 [[nodiscard]] std::vector<std::vector<ScenePoint>> nearest_points_each(
-    std::span<const Vec3> points, std::size_t k, std::span<const Posed> models,
+    std::span<const Vec3> points, std::size_t k, std::span<const SceneInstance> models,
     double max_distance = std::numeric_limits<double>::infinity(), const BatchOptions& options = {});
 
 /// How far a point is from the nearest surface of all, negative when it is inside some model.
@@ -42,7 +42,7 @@ struct SceneSignedDistance {
 /// is not looked at); but of a point on a surface `sign_by` is that of the object whose surface it is. Throws like it,
 /// and Error where there is no model.
 [[nodiscard]] std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points,
-                                                                    std::span<const Posed> models,
+                                                                    std::span<const SceneInstance> models,
                                                                     SignBy sign_by = SignBy::automatic,
                                                                     const BatchOptions& options = {});
 

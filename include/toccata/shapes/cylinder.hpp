@@ -3,7 +3,7 @@
 namespace toccata {
 
 /// A solid cylinder around the z axis of its own frame, from z = −half_height to z = half_height. Any pose that is not
-/// singular may place it, one that deforms included (docs/truth.md, "smooth").
+/// singular may place it, one that deforms included (docs/truth.md, "quadric").
 class Cylinder {
  public:
   /// Throws Error when a number is not positive, or not finite.

@@ -5,7 +5,7 @@
 namespace toccata {
 
 /// A solid ellipsoid around the origin of its own frame, its half axes along the axes. Any pose that is not singular
-/// may place it, one that deforms included (docs/truth.md, "smooth").
+/// may place it, one that deforms included (docs/truth.md, "quadric").
 class Ellipsoid {
  public:
   /// Throws Error when a half axis is not positive, or not finite.

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/trees/tree.hpp"
+#include "toccata/trees/bvh.hpp"
 
 namespace toccata {
 
@@ -16,6 +16,6 @@ struct BuildOptions {
 /// Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast construction of
 /// SAH-based bounding volume hierarchies", 2007), and in halves where centres coincide. The same boxes give the same
 /// tree.
-[[nodiscard]] Tree<Aabb> build_tree(std::span<const Aabb> boxes, const BuildOptions& options = {});
+[[nodiscard]] Bvh<Aabb> build_bvh(std::span<const Aabb> boxes, const BuildOptions& options = {});
 
 }  // namespace toccata

@@ -7,15 +7,15 @@
 #include "toccata/bounds/volume.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/trees/bvh.hpp"
 #include "toccata/trees/refit.hpp"
-#include "toccata/trees/tree.hpp"
 
 namespace toccata {
 
 /// How a hierarchy over triangles is found. None depends on the volume: every method serves every volume. Where things
 /// of growing size lie in each other, agglomeration and insertion may make a tree as deep as there are of them; walks
 /// keep stacks of their own.
-enum class TreeMethod {
+enum class BvhMethod {
   /// From the top down by the plane through the mean across the direction of greatest variance, else of the next
   /// (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996); in halves where no such plane parts the centroids.
   mean,
@@ -37,12 +37,12 @@ enum class TreeMethod {
 };
 
 /// From the top down by a stack of tasks or by functions that call themselves: the same tree.
-enum class TreeDriver { iterative, recursive };
+enum class BvhDriver { iterative, recursive };
 
-struct TreeOptions {
-  TreeMethod method = TreeMethod::heuristic;
+struct BvhOptions {
+  BvhMethod method = BvhMethod::heuristic;
   Index leaf_size = 1;  ///< at most this many triangles in a leaf; at least 1
-  TreeDriver driver = TreeDriver::iterative;
+  BvhDriver driver = BvhDriver::iterative;
   /// Up to so many (0: as many as the machine has); the tree does not depend on it. Volumes are fitted by all of them,
   /// and `mean`, `median`, `agglomeration` and `morton` find their shape so too, but for the last one's sort.
   int threads = 1;
@@ -52,45 +52,45 @@ struct NoVolume {};
 
 /// A hierarchy before volumes are put around its nodes. Items are in the order of the leaves, so that those below a
 /// node are a run of them.
-struct TreeShape {
-  std::vector<TreeNode<NoVolume>> nodes;
+struct BvhShape {
+  std::vector<BvhNode<NoVolume>> nodes;
   std::vector<Index> items;
 };
 
 /// With up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
 /// another arity, and for coordinates that are not finite or above 2^1000.
-[[nodiscard]] TreeShape build_tree_shape(std::span<const Triangle> triangles, int arity, const TreeOptions& options);
+[[nodiscard]] BvhShape build_bvh_shape(std::span<const Triangle> triangles, int arity, const BvhOptions& options);
 
 /// The items below every node, as runs of the items' order.
 struct ItemRun {
   Index first = 0;
   Index count = 0;
 };
-[[nodiscard]] std::vector<ItemRun> item_runs(const TreeShape& shape);
+[[nodiscard]] std::vector<ItemRun> item_runs(const BvhShape& shape);
 
 /// A hierarchy of which every node's volume is fitted to the triangles below it.
 template <BoundingVolume Volume, int Arity = 2>
-[[nodiscard]] Tree<Volume, Arity> build_tree(std::span<const Triangle> triangles, const TreeOptions& options = {}) {
-  const TreeShape shape = build_tree_shape(triangles, Arity, options);
+[[nodiscard]] Bvh<Volume, Arity> build_bvh(std::span<const Triangle> triangles, const BvhOptions& options = {}) {
+  const BvhShape shape = build_bvh_shape(triangles, Arity, options);
   std::vector<Triangle> ordered;
   ordered.reserve(triangles.size());
   for (const Index item : shape.items) ordered.push_back(triangles[item]);
-  Tree<Volume, Arity> tree;
+  Bvh<Volume, Arity> tree;
   tree.items = shape.items;
   tree.nodes.resize(shape.nodes.size());
   const std::vector<ItemRun> runs = item_runs(shape);
   parallel_for(runs.size(), options.threads, [&](std::size_t i) {
-    const TreeNode<NoVolume>& node = shape.nodes[i];
+    const BvhNode<NoVolume>& node = shape.nodes[i];
     const auto below = std::span<const Triangle>(ordered).subspan(runs[i].first, runs[i].count);
     tree.nodes[i] = {fit<Volume>(below), node.first, node.count, node.child_count};
   });
   tree.built_size = 0;
-  for (const TreeNode<Volume>& node : tree.nodes) tree.built_size += half_area(node.volume);
+  for (const BvhNode<Volume>& node : tree.nodes) tree.built_size += half_area(node.volume);
   return tree;
 }
 
 /// How even a hierarchy is.
-struct TreeBalance {
+struct BvhBalance {
   std::size_t nodes = 0;
   std::size_t leaves = 0;
   int least_depth = 0;  ///< of a leaf; the root's is 0
@@ -99,11 +99,11 @@ struct TreeBalance {
   int best_depth = 0;  ///< the least greatest depth that so many leaves can have
 };
 
-[[nodiscard]] TreeBalance balance_of(const TreeShape& shape, int arity);
+[[nodiscard]] BvhBalance balance_of(const BvhShape& shape, int arity);
 
 template <class Volume, int Arity>
-[[nodiscard]] TreeBalance balance_of(const Tree<Volume, Arity>& tree) {
-  TreeShape shape;
+[[nodiscard]] BvhBalance balance_of(const Bvh<Volume, Arity>& tree) {
+  BvhShape shape;
   for (const auto& node : tree.nodes) shape.nodes.push_back({{}, node.first, node.count, node.child_count});
   return balance_of(shape, Arity);
 }
@@ -112,7 +112,7 @@ template <class Volume, int Arity>
 /// from the last node to the first. `triangles` are numbered as when the tree was built. A tree of unknown built_size
 /// is taken as just built.
 template <BoundingVolume Volume, int Arity>
-Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
+Refit refit(Bvh<Volume, Arity>& tree, std::span<const Triangle> triangles) {
   if (tree.built_size < 0) {
     tree.built_size = 0;
     for (const auto& node : tree.nodes) tree.built_size += half_area(node.volume);
@@ -120,7 +120,7 @@ Refit refit(Tree<Volume, Arity>& tree, std::span<const Triangle> triangles) {
   double size = 0;
   std::vector<Triangle> below;
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    TreeNode<Volume>& node = tree.nodes[i];
+    BvhNode<Volume>& node = tree.nodes[i];
     if (node.is_leaf()) {
       below.clear();
       for (Index k = 0; k < node.count; ++k) below.push_back(triangles[tree.items[node.first + k]]);

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "toccata/shapes/triangle_mesh.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 
@@ -18,6 +18,6 @@ struct Refit {
 /// Puts the boxes of a tree over the mesh's triangles around them after its vertices have moved; which triangles lie
 /// below which box stays. On up to `threads` threads (0: as many as the machine has), whatever they are the same tree.
 /// Throws Error when the tree was built over another number of triangles. To do it for a model: Model::deform.
-Refit refit(WideTree& tree, const TriangleMesh& mesh, int threads = 1);
+Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads = 1);
 
 }  // namespace toccata

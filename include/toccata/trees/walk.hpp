@@ -10,7 +10,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
-#include "toccata/trees/tree.hpp"
+#include "toccata/trees/bvh.hpp"
 
 namespace toccata {
 
@@ -104,7 +104,7 @@ struct PendingPair {
 };
 
 template <class Volume>
-std::span<const Index> items_of(const TreeNode<Volume>& leaf, const std::vector<Index>& items) {
+std::span<const Index> items_of(const BvhNode<Volume>& leaf, const std::vector<Index>& items) {
   return std::span(items).subspan(leaf.first, leaf.count);
 }
 
@@ -112,7 +112,7 @@ std::span<const Index> items_of(const TreeNode<Volume>& leaf, const std::vector<
 inline bool is_pruned(double bound, double limit) { return bound > limit; }
 
 template <class VolumeA, class VolumeB, class Q>
-bool splits_a(const TreeNode<VolumeA>& a, const TreeNode<VolumeB>& b, const Q& question) {
+bool splits_a(const BvhNode<VolumeA>& a, const BvhNode<VolumeB>& b, const Q& question) {
   if (a.is_leaf() || b.is_leaf()) return !a.is_leaf();
   if constexpr (requires { question.split_first(a.volume, b.volume); })
     return question.split_first(a.volume, b.volume);
@@ -211,7 +211,7 @@ class PairWalk {
 
 /// Asks a question about the items of one tree. Depth first, first child first.
 template <class Volume, int Arity, Question<Volume> Q>
-WalkCounts walk(const Tree<Volume, Arity>& tree, Q& question) {
+WalkCounts walk(const Bvh<Volume, Arity>& tree, Q& question) {
   WalkCounts counts;
   walking::Batch<Index> batch;
   std::vector<walking::PendingNode> stack;
@@ -225,7 +225,7 @@ WalkCounts walk(const Tree<Volume, Arity>& tree, Q& question) {
     const walking::PendingNode pending = stack.back();
     stack.pop_back();
     if (walking::is_pruned(pending.bound, question.limit())) continue;
-    const TreeNode<Volume>& node = tree.nodes[pending.node];
+    const BvhNode<Volume>& node = tree.nodes[pending.node];
     for (Index i = node.child_count; i-- > 0;) push(node.first + i);
     if (node.is_leaf())
       batch.add_all(node.count, question, [&](const auto& take) {
@@ -239,17 +239,17 @@ WalkCounts walk(const Tree<Volume, Arity>& tree, Q& question) {
 
 /// Asks a question about the pairs (item of a, item of b). The larger of two volumes is split.
 template <class VolumeA, int ArityA, class VolumeB, int ArityB, PairQuestion<VolumeA, VolumeB> Q>
-WalkCounts walk_pair(const Tree<VolumeA, ArityA>& a, const Tree<VolumeB, ArityB>& b, Q& question) {
-  walking::PairWalk<walking::Order::as_found, Tree<VolumeA, ArityA>, Tree<VolumeB, ArityB>, Q> search(a, b, question);
+WalkCounts walk_pair(const Bvh<VolumeA, ArityA>& a, const Bvh<VolumeB, ArityB>& b, Q& question) {
+  walking::PairWalk<walking::Order::as_found, Bvh<VolumeA, ArityA>, Bvh<VolumeB, ArityB>, Q> search(a, b, question);
   if (!a.nodes.empty() && !b.nodes.empty()) search.push(0, 0);
   return search.run();
 }
 
 /// Asks a question about each two different items of one tree, each unordered pair once, the smaller number first.
 template <class Volume, int Arity, PairQuestion<Volume> Q>
-WalkCounts walk_self(const Tree<Volume, Arity>& tree, Q& question) {
-  walking::PairWalk<walking::Order::least_first, Tree<Volume, Arity>, Tree<Volume, Arity>, Q> search(tree, tree,
-                                                                                                     question);
+WalkCounts walk_self(const Bvh<Volume, Arity>& tree, Q& question) {
+  walking::PairWalk<walking::Order::least_first, Bvh<Volume, Arity>, Bvh<Volume, Arity>, Q> search(tree, tree,
+                                                                                                   question);
   if (!tree.nodes.empty()) search.push_untested(0, 0);
   return search.run();
 }

@@ -32,17 +32,17 @@ struct std::hash<toccata::BodyId> {
 namespace toccata {
 
 /// Which pairs are of interest. Any body may be given another pose at any time.
-enum class Motion : std::uint8_t {
-  fixed,      ///< part of the surroundings: two fixed bodies never make a pair
-  kinematic,  ///< goes where its owner says, whatever it meets
-  moving,     ///< reacts to what it meets
+enum class BodyType : std::uint8_t {
+  static_body,     ///< part of the surroundings: two static bodies never make a pair
+  kinematic_body,  ///< goes where its owner says, whatever it meets
+  dynamic_body,    ///< reacts to what it meets
 };
 
 /// A shape at its place and what is to be told of it. The model and what it refers to are shared, so a body is small.
 struct Body {
   Model model;
   Pose pose{};
-  Motion motion = Motion::moving;
+  BodyType type = BodyType::dynamic_body;
   Solid solid = Solid::automatic;
   /// Groups that it is in, and groups that it is to be compared with, a bit each: two bodies make a pair only if each
   /// is in a group of the other's mask.

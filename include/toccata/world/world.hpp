@@ -27,7 +27,7 @@ struct WorldOptions {
   bool manifold = false;  ///< of pairs in contact, where it is defined (pairs.hpp): of two convex shapes or one and a
                           ///< half-space
   bool penetration = false;  ///< of two solids in contact, where it is defined
-  /// Whether two kinematic bodies, and a kinematic and a fixed one, make pairs.
+  /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
   BroadPhaseMethod broad_phase = BroadPhaseMethod::automatic;
   int threads = 1;  ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
@@ -52,12 +52,12 @@ struct PairReport {
 
 /// What a step found. Each list is ascending by (a, b).
 struct WorldStep {
-  std::vector<PairReport> begun;  ///< not there at the step before
-  std::vector<PairReport> kept;   ///< there at both; told as it is now
-  std::vector<PairReport> ended;  ///< there at the step before only; told as it was then. Bodies removed since are
-                                  ///< named by the ids that they had
-  std::size_t candidates = 0;     ///< pairs to be decided: boxes overlap, and no rule leaves them out
-  std::size_t asked = 0;          ///< of them, those that could not be taken over from the step before
+  std::vector<PairReport> begin;    ///< not there at the step before
+  std::vector<PairReport> persist;  ///< there at both; told as it is now
+  std::vector<PairReport> end;      ///< there at the step before only; told as it was then. Bodies removed since are
+                                    ///< named by the ids that they had
+  std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out
+  std::size_t asked = 0;            ///< of them, those that could not be taken over from the step before
 };
 
 /// What is said about two bodies in particular, in either order.
@@ -96,7 +96,7 @@ class World {
   std::vector<BodyId> add(std::span<const Body> bodies);
   std::vector<BodyId> add(std::initializer_list<Body> bodies);
   BodyId add(const Body& body);
-  BodyId add(const Model& model, const Pose& pose, Motion motion = Motion::moving);
+  BodyId add(const Model& model, const Pose& pose, BodyType type = BodyType::dynamic_body);
 
   /// With their rules. Throws Error naming an id that is of no body here, or given twice.
   void remove(std::span<const BodyId> ids);
@@ -122,7 +122,7 @@ class World {
 
   /// What the last step found.
   [[nodiscard]] const WorldStep& last_step() const;
-  /// All pairs of the last step, begun and kept, ascending.
+  /// All pairs of the last step, `begin` and `persist`, ascending.
   [[nodiscard]] std::span<const PairReport> pairs() const;
 
   /// How many bodies there are.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "toccata/broad/box_tree.hpp"
+#include "toccata/broad/box_bvh.hpp"
 #include "toccata/query/scene_index.hpp"
 #include "toccata/world/world.hpp"
 
@@ -69,15 +69,16 @@ class WorldQueries {
   /// The first body that the shape meets on its way.
   [[nodiscard]] std::optional<BodyCast> cast_shape(const MovingShape& moving, const BodyFilter& filter = {}) const;
   /// The bodies that have a point in common with the shape, ascending.
-  [[nodiscard]] std::vector<BodyId> overlapping(const Posed& shape, const BodyFilter& filter = {}) const;
+  [[nodiscard]] std::vector<BodyId> overlapping(const SceneInstance& shape, const BodyFilter& filter = {}) const;
   /// The same, and how: the shape is A.
-  [[nodiscard]] std::vector<BodyRelation> relations(const Posed& shape, const BodyFilter& filter = {}) const;
+  [[nodiscard]] std::vector<BodyRelation> relations(const SceneInstance& shape, const BodyFilter& filter = {}) const;
   /// The body nearest to the shape; none where none is within the greatest distance, decided exactly.
-  [[nodiscard]] std::optional<BodyDistance> nearest(const Posed& shape,
+  [[nodiscard]] std::optional<BodyDistance> nearest(const SceneInstance& shape,
                                                     double max_distance = std::numeric_limits<double>::infinity(),
                                                     const BodyFilter& filter = {}) const;
   /// The bodies that are at most so far from the shape, ascending, decided exactly.
-  [[nodiscard]] std::vector<BodyId> within(const Posed& shape, double distance, const BodyFilter& filter = {}) const;
+  [[nodiscard]] std::vector<BodyId> within(const SceneInstance& shape, double distance,
+                                           const BodyFilter& filter = {}) const;
 
   // The same asked many times at once; an error begins with "ray i: " or "shape i: ", of the least such i.
 
@@ -87,19 +88,19 @@ class WorldQueries {
   [[nodiscard]] std::vector<std::optional<BodyCast>> cast_shape_each(std::span<const MovingShape> moving,
                                                                      const BodyFilter& filter = {},
                                                                      const BatchOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::vector<BodyId>> overlapping_each(std::span<const Posed> shapes,
+  [[nodiscard]] std::vector<std::vector<BodyId>> overlapping_each(std::span<const SceneInstance> shapes,
                                                                   const BodyFilter& filter = {},
                                                                   const BatchOptions& options = {}) const;
   [[nodiscard]] std::vector<std::optional<BodyDistance>> nearest_each(
-      std::span<const Posed> shapes, double max_distance = std::numeric_limits<double>::infinity(),
+      std::span<const SceneInstance> shapes, double max_distance = std::numeric_limits<double>::infinity(),
       const BodyFilter& filter = {}, const BatchOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::vector<BodyId>> within_each(std::span<const Posed> shapes, double distance,
+  [[nodiscard]] std::vector<std::vector<BodyId>> within_each(std::span<const SceneInstance> shapes, double distance,
                                                              const BodyFilter& filter = {},
                                                              const BatchOptions& options = {}) const;
 
  private:
   const World* world_;
-  BoxTree boxes_;
+  BoxBvh boxes_;
   std::uint64_t revision_ = 0;
 };
 

@@ -16,9 +16,9 @@
 namespace toccata {
 namespace {
 
-bool in_one_group(const Posed& a, const Posed& b) { return !a.group.empty() && a.group == b.group; }
+bool in_one_group(const SceneInstance& a, const SceneInstance& b) { return !a.group.empty() && a.group == b.group; }
 
-Distance distance_of(const Posed& a, const Posed& b, Workspace& workspace) {
+Distance distance_of(const SceneInstance& a, const SceneInstance& b, Workspace& workspace) {
   try {
     return distance(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
   } catch (const Error& error) {
@@ -30,7 +30,7 @@ Distance distance_of(const Posed& a, const Posed& b, Workspace& workspace) {
 class Asking {
  public:
   /// `scene`, where it is known, is the models'.
-  Asking(std::span<const Posed> models, const AskOptions& options, const Scene* scene = nullptr)
+  Asking(std::span<const SceneInstance> models, const AskOptions& options, const Scene* scene = nullptr)
       : models_(models), options_(options), scene_(scene) {}
 
   SceneAnswer operator()(const CheckQuestion& question) const {
@@ -105,9 +105,9 @@ class Asking {
     FacesReport report{question.region, {}};
     Workspace workspace;
     for (std::size_t i = 0; i < models_.size(); ++i) {
-      const Posed& posed = models_[i];
-      const auto here =
-          io::asked_of(posed.name, [&] { return faces_within(question.region, posed.model, posed.pose, workspace); });
+      const SceneInstance& posed = models_[i];
+      const auto here = io::asked_of(
+          posed.name, [&] { return faces_in_region(question.region, posed.model, posed.pose, workspace); });
       if (!here.empty()) report.found.push_back({static_cast<Index>(i), {here.begin(), here.end()}});
     }
     return report;
@@ -149,7 +149,7 @@ class Asking {
                       models_.size() == 1 ? "is" : "are", models_.size()));
   }
 
-  [[nodiscard]] std::vector<RayHit> hits_of(const Posed& target, std::vector<RayQuery> rays) const {
+  [[nodiscard]] std::vector<RayHit> hits_of(const SceneInstance& target, std::vector<RayQuery> rays) const {
     for (RayQuery& ray : rays) {
       ray.pose = target.pose;
       ray.solid = target.solid;
@@ -164,7 +164,7 @@ class Asking {
     return batch;
   }
 
-  std::span<const Posed> models_;
+  std::span<const SceneInstance> models_;
   const AskOptions& options_;
   const Scene* scene_;
 };
@@ -172,7 +172,7 @@ class Asking {
 /// Writes the report of one answer after the other.
 struct ReportWriter {
   const Scene& scene;
-  std::span<const Posed> models;
+  std::span<const SceneInstance> models;
   std::span<const std::string> warnings;
 
   std::string operator()(const CheckReport& r) const { return check_report_json(scene, models, r, warnings); }
@@ -222,11 +222,11 @@ struct CsvWriter {
 
 }  // namespace
 
-SceneAnswer ask(std::span<const Posed> models, const SceneQuestion& question, const AskOptions& options) {
+SceneAnswer ask(std::span<const SceneInstance> models, const SceneQuestion& question, const AskOptions& options) {
   return std::visit(Asking(models, options), question);
 }
 
-SceneAnswer ask(const Scene& scene, std::span<const Posed> models, const SceneQuestion& question,
+SceneAnswer ask(const Scene& scene, std::span<const SceneInstance> models, const SceneQuestion& question,
                 const AskOptions& options) {
   return std::visit(Asking(models, options, &scene), question);
 }
@@ -242,7 +242,7 @@ std::string name_of(const SceneQuestion& question) {
   return names[question.index()];
 }
 
-std::string report_json(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+std::string report_json(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer,
                         std::span<const std::string> warnings) {
   return std::visit(ReportWriter{scene, models, warnings}, answer);
 }

@@ -23,22 +23,22 @@ ConvexHull hull_of(const TriangleMesh& mesh, bool of_any) {
 /// Keeps the hull that a posed shape refers to.
 class Operand {
  public:
-  Operand(const Posed& posed, bool hull_of_any)
+  Operand(const SceneInstance& posed, bool hull_of_any)
       : posed_(asked_of(posed.name, [&] { return convex_of(posed, hull_of_any); })) {}
   Operand(const Operand&) = delete;
   Operand& operator=(const Operand&) = delete;
-  [[nodiscard]] const PosedConvex& convex() const { return posed_; }
+  [[nodiscard]] const PosedPolytope& convex() const { return posed_; }
 
  private:
-  [[nodiscard]] PosedConvex convex_of(const Posed& posed, bool hull_of_any) {
+  [[nodiscard]] PosedPolytope convex_of(const SceneInstance& posed, bool hull_of_any) {
     if (const auto mesh = mesh_of(posed.model.shape())) {
       hull_ = hull_of(*mesh, hull_of_any);
-      return PosedConvex(*hull_, posed.pose);
+      return PosedPolytope(*hull_, posed.pose);
     }
     return std::visit(
-        [&](const auto& shape) -> PosedConvex {
-          if constexpr (std::is_constructible_v<PosedConvex, decltype(shape), const Pose&>)
-            return PosedConvex(shape, posed.pose);
+        [&](const auto& shape) -> PosedPolytope {
+          if constexpr (std::is_constructible_v<PosedPolytope, decltype(shape), const Pose&>)
+            return PosedPolytope(shape, posed.pose);
           else
             throw Error(fmt::format("a {} has no sum here; give bounded convex shapes, or a mesh",
                                     name_of(posed.model.shape())));
@@ -47,11 +47,11 @@ class Operand {
   }
 
   std::optional<ConvexHull> hull_;
-  PosedConvex posed_;
+  PosedPolytope posed_;
 };
 
 /// As the pose places it: what is asked and told of it is in the world.
-Model model_in_world(const Posed& posed) {
+Model model_in_world(const SceneInstance& posed) {
   if (!posed.model.has_mesh() || posed.pose == Pose{}) return posed.model;
   const TriangleMesh& mesh = posed.model.mesh();
   return Model(std::make_shared<const TriangleMesh>(mesh.with_vertices(transform(posed.pose, mesh.vertices()))));
@@ -61,12 +61,12 @@ const char* is_or_are(std::size_t count) { return count == 1 ? "is" : "are"; }
 
 }  // namespace
 
-DecomposeReport ask_decompose(std::span<const Posed> models, const DecomposeQuestion& question,
+DecomposeReport ask_decompose(std::span<const SceneInstance> models, const DecomposeQuestion& question,
                               const AskOptions& options) {
   if (models.size() != 1)
     throw Error(fmt::format("one closed mesh is cut into convex parts; here {} {} objects: name one file, of one mesh",
                             is_or_are(models.size()), models.size()));
-  const Posed& posed = models[0];
+  const SceneInstance& posed = models[0];
   return asked_of(posed.name, [&] {
     return DecomposeReport{posed.name, Pose{},
                            decompose(model_in_world(posed), {.max_parts = question.max_parts,
@@ -76,7 +76,7 @@ DecomposeReport ask_decompose(std::span<const Posed> models, const DecomposeQues
   });
 }
 
-MinkowskiReport ask_minkowski(std::span<const Posed> models, const MinkowskiQuestion& question) {
+MinkowskiReport ask_minkowski(std::span<const SceneInstance> models, const MinkowskiQuestion& question) {
   if (models.size() != 2)
     throw Error(fmt::format("a sum is of two objects, A and B; here {} {}", is_or_are(models.size()), models.size()));
   const Operand a(models[0], question.hulls), b(models[1], question.hulls);

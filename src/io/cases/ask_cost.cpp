@@ -7,7 +7,7 @@
 namespace toccata::io {
 namespace {
 
-const TriangleMesh& mesh_of(const Posed& posed) {
+const TriangleMesh& mesh_of(const SceneInstance& posed) {
   if (!posed.model.has_mesh())
     throw Error(fmt::format("'{}' is a {}; costs are measured of meshes", posed.name, name_of(posed.model.shape())));
   return posed.model.mesh();
@@ -15,7 +15,7 @@ const TriangleMesh& mesh_of(const Posed& posed) {
 
 }  // namespace
 
-CostReport ask_cost(std::span<const Posed> models, const CostQuestion& question, const Progress& progress) {
+CostReport ask_cost(std::span<const SceneInstance> models, const CostQuestion& question, const Progress& progress) {
   if (models.size() != 2)
     throw Error(fmt::format("costs are measured of two meshes; here {} {}: name two files of one mesh each",
                             models.size() == 1 ? "is" : "are", models.size()));

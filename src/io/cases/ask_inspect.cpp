@@ -3,7 +3,7 @@
 namespace toccata::io {
 namespace {
 
-SceneObject object_of(const Posed& posed) {
+SceneObject object_of(const SceneInstance& posed) {
   SceneObject object;
   object.name = posed.name;
   object.shape = posed.model.shape();
@@ -15,11 +15,12 @@ SceneObject object_of(const Posed& posed) {
 
 }  // namespace
 
-InspectReport ask_inspect(std::span<const Posed> models, const InspectQuestion& question, const Progress& progress) {
+InspectReport ask_inspect(std::span<const SceneInstance> models, const InspectQuestion& question,
+                          const Progress& progress) {
   CostOptions options;
   options.progress = progress;
   InspectReport report;
-  for (const Posed& posed : models) {
+  for (const SceneInstance& posed : models) {
     InspectedObject& inspected = report.objects.emplace_back(inspect(object_of(posed)));
     const auto mesh = inspected.object.mesh();
     if (mesh && question.faults) inspected.faults = mesh_faults(*mesh);

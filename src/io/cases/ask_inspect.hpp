@@ -5,7 +5,7 @@
 namespace toccata::io {
 
 /// What each of them is, by itself.
-[[nodiscard]] InspectReport ask_inspect(std::span<const Posed> models, const InspectQuestion& question,
+[[nodiscard]] InspectReport ask_inspect(std::span<const SceneInstance> models, const InspectQuestion& question,
                                         const Progress& progress);
 
 /// The same, with the sources of the scene's objects, which posed models do not know.

@@ -12,7 +12,7 @@ namespace toccata::io {
 namespace {
 
 /// A distance beyond the doubles is not told by one.
-void check_finite(std::span<const Posed> models, const std::vector<ReportedPoint>& points) {
+void check_finite(std::span<const SceneInstance> models, const std::vector<ReportedPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (const ReportedSurfacePoint& one : points[i].nearest)
       if (!std::isfinite(one.nearest.upper))
@@ -42,14 +42,14 @@ std::vector<std::size_t> points_near(Index object, const std::vector<ReportedPoi
 }
 
 /// On which side of each object found every point is, once for each.
-void find_sides(std::span<const Posed> models, const BatchOptions& batch, std::vector<ReportedPoint>& points) {
+void find_sides(std::span<const SceneInstance> models, const BatchOptions& batch, std::vector<ReportedPoint>& points) {
   for (std::size_t place = 0; place < models.size(); ++place) {
     const auto object = static_cast<Index>(place);
     const std::vector<std::size_t> near = points_near(object, points);
     if (near.empty()) continue;
     std::vector<Vec3> asked;
     for (const std::size_t i : near) asked.push_back(points[i].point);
-    const Posed& surface = models[place];
+    const SceneInstance& surface = models[place];
     const auto sides = asked_of(surface.name, [&] {
       return signed_distance_each(asked, surface.model, surface.pose, SignBy::automatic, batch);
     });
@@ -61,7 +61,8 @@ void find_sides(std::span<const Posed> models, const BatchOptions& batch, std::v
 
 }  // namespace
 
-NearestReport ask_nearest(std::span<const Posed> models, const NearestQuestion& question, const BatchOptions& batch) {
+NearestReport ask_nearest(std::span<const SceneInstance> models, const NearestQuestion& question,
+                          const BatchOptions& batch) {
   const auto found = nearest_points_each(question.points, question.k, models, question.within, batch);
   std::vector<ReportedPoint> points;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -92,14 +92,14 @@ std::string text_of(const Case& content) {
   return text + "\n}\n";
 }
 
-std::string name_for(const Posed& posed, std::size_t place) {
+std::string name_for(const SceneInstance& posed, std::size_t place) {
   if (!posed.name.empty()) return io::as_utf8(posed.name);
   return place < 26 ? std::string(1, static_cast<char>('a' + place)) : fmt::format("object {}", place);
 }
 
 std::string answer_or_error(const Case& content, const AskOptions& options) {
   try {
-    const std::vector<Posed> models = scene_models(content.scene, options.threads);
+    const std::vector<SceneInstance> models = scene_models(content.scene, options.threads);
     return report_json(content.scene, models, ask(content.scene, models, *content.question, options));
   } catch (const Error& error) {
     return error_json(error.what());
@@ -108,11 +108,11 @@ std::string answer_or_error(const Case& content, const AskOptions& options) {
 
 }  // namespace
 
-Scene scene_of(std::span<const Posed> models, const std::string& unit) {
+Scene scene_of(std::span<const SceneInstance> models, const std::string& unit) {
   Scene scene;
   scene.unit = unit;
   io::UniqueNames names;
-  for (const Posed& posed : models) {
+  for (const SceneInstance& posed : models) {
     SceneObject object;
     object.name = names.make(name_for(posed, scene.objects.size()));
     object.shape = posed.model.shape();

@@ -86,7 +86,7 @@ CostQuestion cost_question_of(const JsonValue& value) {
   if (value.has("task")) options.task = named<CostTask>(value.at("task"), all_tasks);
   take_list<CostWorkload>(options.workloads, value, "workloads", all_cost_workloads);
   take_list<CostVolume>(options.volumes, value, "volumes", all_cost_volumes);
-  take_list<TreeMethod>(options.methods, value, "builders", all_tree_methods);
+  take_list<BvhMethod>(options.methods, value, "builders", all_bvh_methods);
   if (value.has("arities")) {
     options.arities.clear();
     for (const JsonValue& arity : value.elements("arities"))

@@ -86,7 +86,7 @@ bool is_schema(const nlohmann::json& document) {
   return document["schema"].get_ref<const std::string&>().starts_with("toccata/");
 }
 
-/// Reports of questions are named after them: toccata/check-poses/1.
+/// Reports of questions are named after them: toccata/check-poses/2.
 void require_answer(const io::JsonValue& top, const SceneQuestion& question) {
   if (top.at("schema").text() != "toccata/" + name_of(question) + "/1")
     top.at("schema").fail(fmt::format("this is no answer to the question {} in \"asked\"", name_of(question)),

@@ -157,7 +157,7 @@ std::uint64_t digest_of(const TriangleMesh& mesh) {
   return checksum.value();
 }
 
-std::string tree_bytes(const WideTree& tree, const TriangleMesh& mesh) {
+std::string tree_bytes(const WideBvh& tree, const TriangleMesh& mesh) {
   std::string bytes;
   bytes.reserve(tree_header_size + tree.blocks.size() * block_size + tree.items.size() * sizeof(Index));
   bytes += magic;
@@ -178,13 +178,13 @@ std::string tree_bytes(const WideTree& tree, const TriangleMesh& mesh) {
   return bytes.replace(tree_checksum_at, checksum.size(), checksum);
 }
 
-WideTree parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::string_view name) {
+WideBvh parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::string_view name) {
   require_known(bytes, name);
   ByteReader reader(bytes);
   const Header header = next_header(reader);
   require_whole(bytes, header, name);
   require_same_mesh(header, mesh, name);
-  WideTree tree;
+  WideBvh tree;
   tree.origin = reader.next_vector();
   tree.unit = reader.next<double>();
   tree.box.lower = reader.next_vector();

@@ -7,16 +7,16 @@
 #include <string_view>
 
 #include "toccata/shapes/triangle_mesh.hpp"
-#include "toccata/trees/wide_tree.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata::io {
 
 /// The content of a tree file (docs/reference/tree-file.md) for the tree over a mesh.
-[[nodiscard]] std::string tree_bytes(const WideTree& tree, const TriangleMesh& mesh);
+[[nodiscard]] std::string tree_bytes(const WideBvh& tree, const TriangleMesh& mesh);
 
 /// The tree in such bytes; what it holds is not yet looked at. Throws Error naming the file for bytes that are damaged,
 /// of another version, or of another mesh.
-[[nodiscard]] WideTree parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::string_view name);
+[[nodiscard]] WideBvh parse_tree(std::span<const char> bytes, const TriangleMesh& mesh, std::string_view name);
 
 /// Whether a file of these bytes was meant as a tree file: its first eight are those of one.
 [[nodiscard]] bool begins_as_tree(std::string_view bytes);

@@ -50,13 +50,13 @@ void save_tree(const Model& model, const std::filesystem::path& path) {
     throw Error(
         fmt::format("{}: the tree of a mesh is saved, and the model is a {}", path.string(), name_of(model.shape())));
   require_tree_or_nothing(path);
-  io::write_file(end_of_links(path), io::tree_bytes(model.wide_tree(), model.mesh()));
+  io::write_file(end_of_links(path), io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
 Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::filesystem::path& tree) {
   if (!mesh) throw Error("a model needs a mesh, and the pointer given is null");
   const io::FileBytes bytes = io::read_file(tree);
-  WideTree parsed = io::parse_tree(bytes.span(), *mesh, tree.string());
+  WideBvh parsed = io::parse_tree(bytes.span(), *mesh, tree.string());
   try {
     return Model(std::move(mesh), std::move(parsed));
   } catch (const Error& error) {

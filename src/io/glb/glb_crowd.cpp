@@ -96,7 +96,7 @@ std::string recording_glb(const CrowdRecording& recording, const ViewOptions& op
   const DrawnBoxes drawn(scene);
   const auto keys = keys_of(recording, drawn);
   const Model box(Box({1, 1, 1}));
-  std::vector<Posed> models;
+  std::vector<SceneInstance> models;
   for (std::size_t i = 0; i < keys.size(); ++i) models.push_back({box, {}, Solid::automatic, fmt::format("box {}", i)});
   const io::ViewMeshes meshes(models, io::places_of(keys));
   io::GlbScene glb(models, meshes);

@@ -10,16 +10,17 @@ namespace toccata {
 namespace {
 
 /// As they are drawn; those that move through poses are at their own places, as their nodes move.
-std::vector<Posed> models_of(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer) {
-  std::vector<Posed> drawn = io::drawn_scene(scene, models, answer).models;
+std::vector<SceneInstance> models_of(const Scene& scene, std::span<const SceneInstance> models,
+                                     const SceneAnswer& answer) {
+  std::vector<SceneInstance> drawn = io::drawn_scene(scene, models, answer).models;
   if (!io::queries_of(answer).empty())
-    for (Posed& posed : drawn) posed.pose = {};
+    for (SceneInstance& posed : drawn) posed.pose = {};
   return drawn;
 }
 
 }  // namespace
 
-std::string scene_glb(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+std::string scene_glb(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer,
                       const ViewOptions& options) {
   if (const auto* crowd = std::get_if<CrowdReport>(&answer))
     return recording_glb(record_crowd(crowd->question), options);
@@ -30,7 +31,7 @@ std::string scene_glb(const Scene& scene, std::span<const Posed> models, const S
     throw Error(
         "hierarchies, partitions, Voronoi regions and walks through them, of objects that move, are not in a GLB file; "
         "a page shows them: view_page, or -o FILE.html");
-  const std::vector<Posed> drawn = models_of(scene, models, answer);
+  const std::vector<SceneInstance> drawn = models_of(scene, models, answer);
   const io::ViewMeshes meshes(drawn, io::places_of(io::queries_of(answer)));
   io::GlbScene glb(drawn, meshes);
   io::add_objects(glb, answer);

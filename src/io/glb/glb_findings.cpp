@@ -51,7 +51,8 @@ class FindingNodes {
       const ReportedSelf& found = report.objects[i];
       if (found.faces.empty()) continue;
       std::vector<Shown> shown = shown_of(contact_geometry(found.faces));
-      shown.push_back({corners(static_cast<Index>(i), faces_meeting(found.faces)), GlbMode::triangles, first_faces});
+      shown.push_back(
+          {corners(static_cast<Index>(i), faces_intersecting(found.faces)), GlbMode::triangles, first_faces});
       add_node("contacts of " + glb_.name_of(i) + " with itself", shown, {{"face_pairs", found.face_pairs}});
     }
     glb_.add_group("self-contacts", nodes_);
@@ -171,9 +172,10 @@ class FindingNodes {
     for (const ContactManifold& one : pair.manifolds)
       for (int i = 0; i < one.manifold.count; ++i)
         found.points.push_back(one.manifold.points[static_cast<std::size_t>(i)].position);
-    std::vector<Shown> shown{
-        {corners(pair.a, meeting_faces(pair.face_pairs, &ReportedFacePair::face_a)), GlbMode::triangles, first_faces},
-        {corners(pair.b, meeting_faces(pair.face_pairs, &ReportedFacePair::face_b)), GlbMode::triangles, second_faces}};
+    std::vector<Shown> shown{{corners(pair.a, intersecting_faces(pair.face_pairs, &ReportedFacePair::face_a)),
+                              GlbMode::triangles, first_faces},
+                             {corners(pair.b, intersecting_faces(pair.face_pairs, &ReportedFacePair::face_b)),
+                              GlbMode::triangles, second_faces}};
     for (Shown& part : shown_of(std::move(found))) shown.push_back(std::move(part));
     const std::string remark = remark_on(pair.relation);
     add_node(title("contacts", {pair.a, pair.b}), shown,

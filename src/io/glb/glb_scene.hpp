@@ -50,9 +50,9 @@ struct GlbKey {
 /// unit, the axes, and where the scene is.
 class GlbScene {
  public:
-  GlbScene(std::span<const Posed> models, const ViewMeshes& meshes) : models_(models), meshes_(meshes) {}
+  GlbScene(std::span<const SceneInstance> models, const ViewMeshes& meshes) : models_(models), meshes_(meshes) {}
 
-  [[nodiscard]] std::span<const Posed> models() const { return models_; }
+  [[nodiscard]] std::span<const SceneInstance> models() const { return models_; }
   [[nodiscard]] const ViewMeshes& meshes() const { return meshes_; }
   [[nodiscard]] std::string name_of(std::size_t object) const;
   /// From what is drawn of the object to the world.
@@ -89,7 +89,7 @@ class GlbScene {
                std::size_t width);
   std::size_t material(const GlbPaint& paint);
 
-  std::span<const Posed> models_;
+  std::span<const SceneInstance> models_;
   const ViewMeshes& meshes_;
   GlbFrame frame_ = GlbFrame::around(meshes_.frame());
   GlbWriter writer_;

@@ -15,9 +15,9 @@ const GlbPaint edges{"boxes of trees", 0x0072b2};
 
 void add_trees(GlbScene& glb, const Scene& scene, const RebalanceReport& report) {
   std::vector<std::size_t> trees;
-  for (const DrawnTree& tree : drawn_trees(scene, report)) {
+  for (const DrawnBvh& tree : drawn_bvhs(scene, report)) {
     std::vector<std::size_t> levels;
-    for (const DrawnTree::Level& level : tree.levels) {
+    for (const DrawnBvh::Level& level : tree.levels) {
       const std::string name = fmt::format("level {}", levels.size());
       const std::span<const Aabb> boxes = std::span(tree.boxes).subspan(level.first, level.count);
       Aabb around;

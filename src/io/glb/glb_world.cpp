@@ -17,7 +17,7 @@ using Change = WorldRecording::Change;
 
 const std::array pairs_paints{io::GlbPaint{"pairs begun", 0xd55e00}, io::GlbPaint{"pairs kept", 0x0072b2},
                               io::GlbPaint{"pairs ended", 0x999999}};
-constexpr std::array pairs_names{"begun", "kept", "ended"};
+constexpr std::array pairs_names{"begin", "persist", "end"};
 const io::GlbPaint points_paint{"contact points", 0x000000};
 const io::GlbPaint lengths_paint{"depths, distances and rays", 0xcc79a7};
 
@@ -43,14 +43,14 @@ std::vector<bool> are_in_pairs(const WorldRecording& recording) {
 
 /// What is drawn of the pairs of a frame.
 struct DrawnPairs {
-  std::array<std::vector<Vec3>, 3> middles;  ///< begun, kept, ended
+  std::array<std::vector<Vec3>, 3> middles;  ///< begin, persist, end
   std::vector<Vec3> points, distances;
 
   explicit DrawnPairs(const WorldFrame& frame) {
     for (const WorldRecording::Pair& pair : frame.pairs) {
       std::vector<Vec3>& ends = middles[static_cast<std::size_t>(pair.change)];
       ends.insert(ends.end(), {pair.middle_a, pair.middle_b});
-      if (pair.change != Change::ended && pair.details) add(*pair.details);
+      if (pair.change != Change::end && pair.details) add(*pair.details);
     }
   }
 
@@ -84,7 +84,7 @@ void add_steps(io::GlbScene& glb, const WorldRecording& recording) {
 std::string recording_glb(const WorldRecording& recording, const ViewOptions& options) {
   io::require_recorded(recording.frames().size(), recording.objects().size());
   io::RecordedBodies bodies(recording.objects());
-  for (Posed& posed : bodies.models) posed.pose = {};  // as their nodes move
+  for (SceneInstance& posed : bodies.models) posed.pose = {};  // as their nodes move
   const auto keys = keys_of(recording);
   const io::ViewMeshes meshes(bodies.models, io::places_of(keys));
   io::GlbScene glb(bodies.models, meshes);

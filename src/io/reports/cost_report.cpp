@@ -40,7 +40,7 @@ Json winners_of(const CostTable& table) {
 
 }  // namespace
 
-std::string cost_report_json(const Scene& scene, std::span<const Posed> models, const CostTable& table,
+std::string cost_report_json(const Scene& scene, std::span<const SceneInstance> models, const CostTable& table,
                              std::span<const std::string> warnings) {
   Json json = io::report_head("toccata/cost/1", scene, models, warnings);
   json["task"] = name_of(table.task);

@@ -93,8 +93,8 @@ CrowdRun run_of(BroadPhaseMethod method, const CrowdQuestion& question, const Pr
       crowd.crowd(), question.frames, [&](std::span<const Index> moved) { return crowd.update(moved); },
       [&] {
         const PairChanges changes = phase.changes();
-        run.begun += changes.begun.size();
-        run.ended += changes.ended.size();
+        run.begin += changes.begin.size();
+        run.end += changes.end.size();
         if (progress) progress(++done, total);
         return digest_of(phase.pairs());
       });
@@ -111,7 +111,7 @@ void require_same(const std::vector<CrowdRun>& runs) {
     if (differ.first != run.frames.pairs.end())
       throw Error(fmt::format("{} and {} found different pairs in frame {}: this is a defect of Toccata",
                               name_of(run.method), name_of(first.method), differ.first - run.frames.pairs.begin() + 1));
-    if (run.begun != first.begun || run.ended != first.ended)
+    if (run.begin != first.begin || run.end != first.end)
       throw Error(fmt::format("of {} and {} other pairs began or ended: this is a defect of Toccata",
                               name_of(run.method), name_of(first.method)));
   }
@@ -128,8 +128,8 @@ Json json_of(const CrowdRun& run) {
           {"median_ms", run.frames.median_ms()},
           {"worst_ms", run.frames.worst_ms()},
           {"pairs", run.pairs()},
-          {"begun", run.begun},
-          {"ended", run.ended},
+          {"begin", run.begin},
+          {"end", run.end},
           {"digest", io::text_of(run.frames.pairs)},
           {"bytes_per_body", run.bytes_per_body},
           {"reason", run.reason}};
@@ -172,7 +172,7 @@ CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progr
 
 std::string crowd_report_json(const CrowdReport& report) {
   const CrowdQuestion& question = report.question;
-  Json json = {{"schema", "toccata/crowd/1"}, {"version", version},
+  Json json = {{"schema", "toccata/crowd/2"}, {"version", version},
                {"scene", question.scene},     {"bounds", name_of(question.bounds)},
                {"count", question.count},     {"frames", question.frames},
                {"seed", question.seed},       {"threads", question.threads},

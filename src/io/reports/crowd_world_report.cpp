@@ -68,8 +68,8 @@ CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progr
     const WorldStep& step = bodies.step();
     report.frames.milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     report.frames.pairs.push_back(digest_of_contacts(bodies.world()));
-    report.begun += step.begun.size();
-    report.ended += step.ended.size();
+    report.begin += step.begin.size();
+    report.end += step.end.size();
     if (progress) progress(frame + 1, question.frames);
   }
   report.used = bodies.world().broad_phase().method();
@@ -92,7 +92,7 @@ WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Prog
 
 std::string crowd_world_report_json(const CrowdWorldReport& report) {
   const CrowdWorldQuestion& question = report.question;
-  return io::document({{"schema", "toccata/crowd-world/1"},
+  return io::document({{"schema", "toccata/crowd-world/2"},
                        {"version", version},
                        {"count", question.count},
                        {"frames", question.frames},
@@ -103,8 +103,8 @@ std::string crowd_world_report_json(const CrowdWorldReport& report) {
                        {"median_ms", report.frames.median_ms()},
                        {"worst_ms", report.frames.worst_ms()},
                        {"pairs", report.pairs()},
-                       {"begun", report.begun},
-                       {"ended", report.ended},
+                       {"begin", report.begin},
+                       {"end", report.end},
                        {"digest", io::text_of(report.frames.pairs)}});
 }
 

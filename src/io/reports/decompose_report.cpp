@@ -54,8 +54,8 @@ Scene parts_scene(const DecomposeReport& report, const std::string& unit) {
   return scene;
 }
 
-std::string decompose_report_json(const Scene& scene, std::span<const Posed> models, const DecomposeReport& report,
-                                  std::span<const std::string> warnings) {
+std::string decompose_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                  const DecomposeReport& report, std::span<const std::string> warnings) {
   const ConvexParts& parts = report.parts;
   io::Json json = io::report_head("toccata/decompose/1", scene, models, warnings);
   json["mesh_volume"] = parts.mesh_volume;

@@ -32,7 +32,7 @@ std::string line_of(const DistancePosesReport& report, std::size_t i) {
 
 }  // namespace
 
-std::string distance_report_json(const Scene& scene, std::span<const Posed> models,
+std::string distance_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                  std::span<const ReportedDistance> distances, std::span<const std::string> warnings) {
   return io::with_list(io::document(io::report_head("toccata/distance/1", scene, models, warnings)), "pairs",
                        distances.size(), [&](std::size_t i) { return line_of(distances[i], scene); });
@@ -46,15 +46,15 @@ std::string distance_report_csv(const Scene& scene, std::span<const ReportedDist
   return csv;
 }
 
-std::size_t meeting_count(const DistancePosesReport& report) {
+std::size_t intersecting_count(const DistancePosesReport& report) {
   return static_cast<std::size_t>(
       std::count_if(report.distances.begin(), report.distances.end(), [](const Distance& d) { return d.upper == 0; }));
 }
 
-std::string distance_poses_report_json(const Scene& scene, std::span<const Posed> models,
+std::string distance_poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                        const DistancePosesReport& report, std::span<const std::string> warnings) {
-  io::Json head = io::report_head("toccata/distance-poses/1", scene, models, warnings);
-  head["meeting"] = meeting_count(report);
+  io::Json head = io::report_head("toccata/distance-poses/2", scene, models, warnings);
+  head["intersecting"] = intersecting_count(report);
   return io::with_list(io::document(head), "queries", report.queries.size(),
                        [&](std::size_t i) { return line_of(report, i); });
 }

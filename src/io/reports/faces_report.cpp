@@ -48,7 +48,7 @@ std::string line_of(const Scene& scene, const FoundFace& face) {
 
 }  // namespace
 
-std::string faces_report_json(const Scene& scene, std::span<const Posed> models, const Region& region,
+std::string faces_report_json(const Scene& scene, std::span<const SceneInstance> models, const Region& region,
                               std::span<const ReportedFaces> found, std::span<const std::string> warnings) {
   io::Json head = io::report_head("toccata/faces/1", scene, models, warnings);
   head["region"] = json_of(region);

@@ -48,8 +48,8 @@ RebalanceReport rebalance_report(const Scene& scene) {
           named_inner_nodes(as_is), named_inner_nodes(cured), as_is.unbounded.size()};
 }
 
-std::string hierarchy_report_json(const Scene& scene, std::span<const Posed> models, const RebalanceReport& report,
-                                  std::span<const std::string> warnings) {
+std::string hierarchy_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                  const RebalanceReport& report, std::span<const std::string> warnings) {
   Json json = io::report_head("toccata/hierarchy/1", scene, models, warnings);
   json["as_is"] = json_of(report.as_is);
   json["cured"] = json_of(report.cured);

@@ -43,8 +43,8 @@ SceneObject sum_object(const MinkowskiReport& report) {
   return object;
 }
 
-std::string minkowski_report_json(const Scene& scene, std::span<const Posed> models, const MinkowskiReport& report,
-                                  std::span<const std::string> warnings) {
+std::string minkowski_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                  const MinkowskiReport& report, std::span<const std::string> warnings) {
   const MinkowskiSum& sum = report.sum;
   io::Json json = io::report_head("toccata/minkowski/1", scene, models, warnings);
   json["operation"] = report.question.difference ? "difference" : "sum";

@@ -73,7 +73,7 @@ std::string csv_of(const Scene& scene, const ReportedSurfacePoint& one, bool sid
 
 }  // namespace
 
-std::string nearest_report_json(const Scene& scene, std::span<const Posed> models,
+std::string nearest_report_json(const Scene& scene, std::span<const SceneInstance> models,
                                 std::span<const ReportedPoint> points, std::span<const std::string> warnings) {
   return io::with_list(io::document(io::report_head("toccata/nearest/1", scene, models, warnings)), "points",
                        points.size(), [&](std::size_t i) { return line_of(scene, points[i], i); });

@@ -37,8 +37,8 @@ std::size_t contact_count(const PosesReport& report) {
                     [&](const Relation& relation) { return counts_as_contact(relation, report.touching); }));
 }
 
-PosesReport with_face_pairs(PosesReport report, std::span<const Posed> models, std::size_t most) {
-  Posed a = models[0], b = models[1];
+PosesReport with_face_pairs(PosesReport report, std::span<const SceneInstance> models, std::size_t most) {
+  SceneInstance a = models[0], b = models[1];
   report.face_pairs.clear();
   std::size_t total = 0;
   for (std::size_t i = 0; i < report.queries.size(); ++i) {
@@ -55,9 +55,9 @@ PosesReport with_face_pairs(PosesReport report, std::span<const Posed> models, s
   return report;
 }
 
-std::string poses_report_json(const Scene& scene, std::span<const Posed> models, const PosesReport& report,
+std::string poses_report_json(const Scene& scene, std::span<const SceneInstance> models, const PosesReport& report,
                               std::span<const std::string> warnings) {
-  io::Json head = io::report_head("toccata/check-poses/1", scene, models, warnings);
+  io::Json head = io::report_head("toccata/check-poses/2", scene, models, warnings);
   head["in_contact"] = contact_count(report);
   return io::with_list(io::document(head), "queries", report.queries.size(),
                        [&](std::size_t i) { return io::line_of(json_of_query(report, i)); });

@@ -40,8 +40,8 @@ std::string csv_of(const Scene& scene, const ReportedRay& ray) {
 
 }  // namespace
 
-std::string ray_report_json(const Scene& scene, std::span<const Posed> models, std::span<const ReportedRay> rays,
-                            std::span<const std::string> warnings) {
+std::string ray_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                            std::span<const ReportedRay> rays, std::span<const std::string> warnings) {
   return io::with_list(io::document(io::report_head("toccata/ray/1", scene, models, warnings)), "rays", rays.size(),
                        [&](std::size_t i) { return line_of(scene, rays, i); });
 }

@@ -21,7 +21,7 @@ std::string verb_of(const Relation& relation) {
     case RelationKind::overlapping:
       return "overlaps";
     case RelationKind::crossing:
-      return "crosses";
+      return "intersects";
   }
   return {};
 }

@@ -144,15 +144,15 @@ std::string name_of(Containment containment) {
   return {};
 }
 
-std::string name_of(MeetingKind kind) {
+std::string name_of(IntersectionKind kind) {
   switch (kind) {
-    case MeetingKind::none:
+    case IntersectionKind::none:
       return "none";
-    case MeetingKind::point:
+    case IntersectionKind::point:
       return "point";
-    case MeetingKind::segment:
+    case IntersectionKind::segment:
       return "segment";
-    case MeetingKind::polygon:
+    case IntersectionKind::polygon:
       return "polygon";
   }
   return {};
@@ -176,7 +176,8 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
          relation.status != Status::exact;
 }
 
-CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& answer, const ReportOptions& options) {
+CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
+                              const ReportOptions& options) {
   const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
   if (asks_clearance && options.touching == Touching::ignore)
     throw Error("pairs that touch are nearer than any clearance, so they cannot be ignored where one is asked for");
@@ -206,9 +207,9 @@ CheckReport make_check_report(std::span<const Posed> models, const CheckAnswer& 
   return report;
 }
 
-std::string check_report_json(const Scene& scene, std::span<const Posed> models, const CheckReport& report,
+std::string check_report_json(const Scene& scene, std::span<const SceneInstance> models, const CheckReport& report,
                               std::span<const std::string> warnings) {
-  Json json = io::report_head("toccata/check/1", scene, models, warnings);
+  Json json = io::report_head("toccata/check/2", scene, models, warnings);
   json["candidate_pairs"] = report.candidate_pairs;
   json["ignored_touching"] = report.ignored_touching;
   add_clearances(json, scene, report);

@@ -15,10 +15,11 @@
 namespace toccata::io {
 namespace {
 
-ReportedMeeting reported_meeting(const Posed& a, const Posed& b, const Contact& contact) {
-  const MeetingCoordinates found = coordinates(contact.meeting, world_triangle(a.model, a.pose, contact.triangle_a),
-                                               world_triangle(b.model, b.pose, contact.triangle_b));
-  return {contact.meeting.kind, {found.points.begin(), found.points.begin() + found.count}};
+ReportedIntersection reported_intersection(const SceneInstance& a, const SceneInstance& b, const Contact& contact) {
+  const IntersectionPoints found =
+      intersection_points(contact.intersection, world_triangle(a.model, a.pose, contact.triangle_a),
+                          world_triangle(b.model, b.pose, contact.triangle_b));
+  return {contact.intersection.kind, {found.points.begin(), found.points.begin() + found.count}};
 }
 
 Json json_of_feature(const ConvexFeature& feature) {
@@ -30,7 +31,7 @@ Json json_of_feature(const ConvexFeature& feature) {
 
 Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
 
-Json json_of(const SceneObject& object, const Posed& posed) {
+Json json_of(const SceneObject& object, const SceneInstance& posed) {
   const auto mesh = object.mesh();
   return {{"name", as_utf8(object.name)},
           {"source", as_utf8(object.source)},
@@ -43,19 +44,19 @@ Json json_of(const SceneObject& object, const Posed& posed) {
           {"pose", object.pose.numbers()}};
 }
 
-std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
+std::vector<ReportedFacePair> reported_face_pairs(const SceneInstance& a, const SceneInstance& b,
                                                   const std::vector<Contact>& contacts) {
   std::map<std::pair<Index, Index>, ReportedFacePair> pairs;
   for (const Contact& contact : contacts) {
     ReportedFacePair& pair = pairs[{contact.face_a, contact.face_b}];
     pair.face_a = contact.face_a;
     pair.face_b = contact.face_b;
-    pair.crossing = pair.crossing || contact.meeting.crossing;
-    if (contact.meeting.kind == MeetingKind::none) continue;  // one of the two is not made of triangles
+    pair.crossing = pair.crossing || contact.intersection.crossing;
+    if (contact.intersection.kind == IntersectionKind::none) continue;  // one of the two is not made of triangles
     // The triangles that a larger face was cut into often meet the other in the same point or edge.
-    ReportedMeeting meeting = reported_meeting(a, b, contact);
-    if (std::find(pair.meetings.begin(), pair.meetings.end(), meeting) == pair.meetings.end())
-      pair.meetings.push_back(std::move(meeting));
+    ReportedIntersection intersection = reported_intersection(a, b, contact);
+    if (std::find(pair.intersections.begin(), pair.intersections.end(), intersection) == pair.intersections.end())
+      pair.intersections.push_back(std::move(intersection));
   }
   std::vector<ReportedFacePair> result;
   result.reserve(pairs.size());
@@ -64,14 +65,16 @@ std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b
 }
 
 Json json_of(const ReportedFacePair& pair) {
-  Json meetings = Json::array();
-  for (const ReportedMeeting& meeting : pair.meetings) {
+  Json intersections = Json::array();
+  for (const ReportedIntersection& intersection : pair.intersections) {
     Json points = Json::array();
-    for (const Vec3& point : meeting.points) points.push_back(json_of(point));
-    meetings.push_back({{"kind", name_of(meeting.kind)}, {"points", std::move(points)}});
+    for (const Vec3& point : intersection.points) points.push_back(json_of(point));
+    intersections.push_back({{"kind", name_of(intersection.kind)}, {"points", std::move(points)}});
   }
-  return {
-      {"face_a", pair.face_a}, {"face_b", pair.face_b}, {"crossing", pair.crossing}, {"meetings", std::move(meetings)}};
+  return {{"face_a", pair.face_a},
+          {"face_b", pair.face_b},
+          {"crossing", pair.crossing},
+          {"intersections", std::move(intersections)}};
 }
 
 Json json_of(const Penetration& penetration) {
@@ -164,7 +167,7 @@ std::string with_list(std::string document, const std::string& name, std::size_t
   return document + (count == 0 ? "]\n}\n" : "\n  ]\n}\n");
 }
 
-Json report_head(const std::string& schema, const Scene& scene, std::span<const Posed> models,
+Json report_head(const std::string& schema, const Scene& scene, std::span<const SceneInstance> models,
                  std::span<const std::string> warnings) {
   Json json = {{"schema", schema}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};
   Json& objects = json["objects"] = Json::array();

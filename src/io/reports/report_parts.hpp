@@ -20,10 +20,10 @@ namespace toccata::io {
 [[nodiscard]] Json json_of_length(double length);
 
 /// An object as it was checked.
-[[nodiscard]] Json json_of(const SceneObject& object, const Posed& posed);
+[[nodiscard]] Json json_of(const SceneObject& object, const SceneInstance& posed);
 
 /// The contacts by faces of the files, ascending.
-[[nodiscard]] std::vector<ReportedFacePair> reported_face_pairs(const Posed& a, const Posed& b,
+[[nodiscard]] std::vector<ReportedFacePair> reported_face_pairs(const SceneInstance& a, const SceneInstance& b,
                                                                 const std::vector<Contact>& contacts);
 
 [[nodiscard]] Json json_of(const ReportedFacePair& pair);
@@ -58,7 +58,7 @@ inline constexpr const char* csv_distance_names =
 [[nodiscard]] std::string line_of(const Json& json);
 
 /// The head that all reports of `check` have; `schema` is its name and number.
-[[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, std::span<const Posed> models,
+[[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, std::span<const SceneInstance> models,
                                std::span<const std::string> warnings);
 
 /// A field with a comma, quote or line break is quoted (RFC 4180).

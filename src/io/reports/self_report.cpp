@@ -18,7 +18,7 @@ namespace {
 std::vector<Contact> lesser_face_first(std::vector<Contact> contacts) {
   for (Contact& contact : contacts)
     if (contact.face_b < contact.face_a)
-      contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.meeting)};
+      contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
   return contacts;
 }
 
@@ -42,7 +42,8 @@ std::string csv_of_faces(const Scene& scene, const SelfReport& report) {
 
 }  // namespace
 
-SelfReport make_self_report(std::span<const Posed> models, std::span<const std::vector<Contact>> contacts, bool faces) {
+SelfReport make_self_report(std::span<const SceneInstance> models, std::span<const std::vector<Contact>> contacts,
+                            bool faces) {
   SelfReport report;
   report.has_faces = faces;
   for (std::size_t i = 0; i < models.size(); ++i) {
@@ -55,15 +56,15 @@ SelfReport make_self_report(std::span<const Posed> models, std::span<const std::
   return report;
 }
 
-std::size_t self_meeting_count(const SelfReport& report) {
+std::size_t self_intersecting_count(const SelfReport& report) {
   return static_cast<std::size_t>(std::count_if(report.objects.begin(), report.objects.end(),
                                                 [](const ReportedSelf& object) { return object.triangle_pairs > 0; }));
 }
 
-std::string self_report_json(const Scene& scene, std::span<const Posed> models, const SelfReport& report,
+std::string self_report_json(const Scene& scene, std::span<const SceneInstance> models, const SelfReport& report,
                              std::span<const std::string> warnings) {
-  io::Json json = io::report_head("toccata/check-self/1", scene, models, warnings);
-  json["meeting_themselves"] = self_meeting_count(report);
+  io::Json json = io::report_head("toccata/check-self/2", scene, models, warnings);
+  json["self_intersecting"] = self_intersecting_count(report);
   io::Json& list = json["self_contacts"] = io::Json::array();
   for (std::size_t i = 0; i < report.objects.size(); ++i) {
     const ReportedSelf& object = report.objects[i];

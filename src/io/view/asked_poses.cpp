@@ -8,8 +8,8 @@ std::span<const PairQuery> queries_of(const SceneAnswer& answer) {
   return {};
 }
 
-std::vector<Posed> drawn_models(std::span<const Posed> models, const SceneAnswer& answer) {
-  std::vector<Posed> drawn(models.begin(), models.end());
+std::vector<SceneInstance> drawn_models(std::span<const SceneInstance> models, const SceneAnswer& answer) {
+  std::vector<SceneInstance> drawn(models.begin(), models.end());
   const auto* cost = std::get_if<CostReport>(&answer);
   if (cost == nullptr || cost->question.queries.empty() || drawn.size() != 2) return drawn;
   drawn[0].pose = cost->question.queries.front().pose_a;

@@ -11,6 +11,6 @@ namespace toccata::io {
 [[nodiscard]] std::span<const PairQuery> queries_of(const SceneAnswer& answer);
 
 /// The models as they are drawn: of costs the first two where the first of the queries has them.
-[[nodiscard]] std::vector<Posed> drawn_models(std::span<const Posed> models, const SceneAnswer& answer);
+[[nodiscard]] std::vector<SceneInstance> drawn_models(std::span<const SceneInstance> models, const SceneAnswer& answer);
 
 }  // namespace toccata::io

@@ -6,7 +6,7 @@ namespace toccata::io {
 namespace {
 
 /// A point, a segment, or a convex polygon: its area and its outline.
-void add_meeting(ContactGeometry& found, const std::vector<Vec3>& points) {
+void add_intersection(ContactGeometry& found, const std::vector<Vec3>& points) {
   if (points.size() == 1) found.points.push_back(points[0]);
   for (std::size_t i = 0; i + 1 < points.size() || (i + 1 == points.size() && points.size() > 2); ++i) {
     found.segments.push_back(points[i]);
@@ -27,17 +27,17 @@ std::vector<Index> each_once(std::vector<Index> faces) {
 ContactGeometry contact_geometry(const std::vector<ReportedFacePair>& pairs) {
   ContactGeometry found;
   for (const ReportedFacePair& faces : pairs)
-    for (const ReportedMeeting& meeting : faces.meetings) add_meeting(found, meeting.points);
+    for (const ReportedIntersection& intersection : faces.intersections) add_intersection(found, intersection.points);
   return found;
 }
 
-std::vector<Index> meeting_faces(const std::vector<ReportedFacePair>& pairs, Index ReportedFacePair::*side) {
+std::vector<Index> intersecting_faces(const std::vector<ReportedFacePair>& pairs, Index ReportedFacePair::*side) {
   std::vector<Index> faces;
   for (const ReportedFacePair& found : pairs) faces.push_back(found.*side);
   return each_once(std::move(faces));
 }
 
-std::vector<Index> faces_meeting(const std::vector<ReportedFacePair>& pairs) {
+std::vector<Index> faces_intersecting(const std::vector<ReportedFacePair>& pairs) {
   std::vector<Index> faces;
   for (const ReportedFacePair& found : pairs) faces.insert(faces.end(), {found.face_a, found.face_b});
   return each_once(std::move(faces));

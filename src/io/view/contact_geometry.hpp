@@ -16,10 +16,10 @@ struct ContactGeometry {
 [[nodiscard]] ContactGeometry contact_geometry(const std::vector<ReportedFacePair>& pairs);
 
 /// The faces of one side that meet a face of the other, ascending, each once.
-[[nodiscard]] std::vector<Index> meeting_faces(const std::vector<ReportedFacePair>& pairs,
-                                               Index ReportedFacePair::*side);
+[[nodiscard]] std::vector<Index> intersecting_faces(const std::vector<ReportedFacePair>& pairs,
+                                                    Index ReportedFacePair::*side);
 
 /// The faces of both sides, which are of one object.
-[[nodiscard]] std::vector<Index> faces_meeting(const std::vector<ReportedFacePair>& pairs);
+[[nodiscard]] std::vector<Index> faces_intersecting(const std::vector<ReportedFacePair>& pairs);
 
 }  // namespace toccata::io

@@ -152,9 +152,9 @@ std::size_t count_without(const std::vector<IndexPair>& a, const std::vector<Ind
 /// What has begun and ended since the frame that is shown before; of the first, since the update before it.
 std::string changes_of(std::span<const Frame> frames, std::size_t i) {
   const Frame& frame = frames[i];
-  const std::size_t begun = i == 0 ? frame.begun : count_without(frame.pairs, frames[i - 1].pairs);
-  const std::size_t ended = i == 0 ? frame.ended : count_without(frames[i - 1].pairs, frame.pairs);
-  return fmt::format("{} begun, {} ended", begun, ended);
+  const std::size_t begin = i == 0 ? frame.begin : count_without(frame.pairs, frames[i - 1].pairs);
+  const std::size_t end = i == 0 ? frame.end : count_without(frames[i - 1].pairs, frame.pairs);
+  return fmt::format("{} begun, {} ended", begin, end);
 }
 
 Json time_of(const CrowdRecording& recording) {
@@ -184,7 +184,7 @@ std::string summary_of(const CrowdRecording& recording) {
 std::string crowd_page(const CrowdRecording& recording, const ViewOptions& options) {
   if (recording.frames().empty()) throw Error("there is no frame to be shown: record an update first");
   io::ViewData data;
-  Json header = {{"format", "toccata/view/2"},
+  Json header = {{"format", "toccata/view/3"},
                  {"title", io::as_utf8(options.title)},
                  {"up", options.up == UpAxis::y ? "y" : "z"},
                  {"summary", summary_of(recording)},

@@ -31,8 +31,8 @@ void require_room(std::size_t boxes, std::size_t bytes) {
 CrowdRecording::Frame frame_of(const BroadPhase& phase, std::size_t number, BroadPhaseCells space) {
   const PairChanges changes = phase.changes();
   CrowdRecording::Frame frame{.number = number,
-                              .begun = changes.begun.size(),
-                              .ended = changes.ended.size(),
+                              .begin = changes.begin.size(),
+                              .end = changes.end.size(),
                               .method = phase.method(),
                               .space = std::move(space)};
   frame.boxes.reserve(phase.size());

@@ -34,7 +34,7 @@ std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
 }
 
 /// The nodes of a level below these; the same ones when all are leaves.
-std::vector<Index> next_level(const TreeShape& shape, const std::vector<Index>& level) {
+std::vector<Index> next_level(const BvhShape& shape, const std::vector<Index>& level) {
   std::vector<Index> next;
   for (const Index number : level) {
     const auto& node = shape.nodes[number];
@@ -55,13 +55,13 @@ Vec3 normal_of(const ConvexHull& hull, Index face) {
   return length > 0 ? (1 / length) * normal : normal;
 }
 
-TreeShape binary_shape(const std::vector<Triangle>& triangles) {
-  return build_tree_shape(triangles, 2, {.method = TreeMethod::heuristic, .leaf_size = 2});
+BvhShape binary_shape(const std::vector<Triangle>& triangles) {
+  return build_bvh_shape(triangles, 2, {.method = BvhMethod::heuristic, .leaf_size = 2});
 }
 
 /// The production tree as a hierarchy of up to eight children a node, with an item in each leaf.
-TreeShape tree_shape_of(const WideTree& tree) {
-  TreeShape shape{{{}}, tree.items};
+BvhShape bvh_shape_of(const WideBvh& tree) {
+  BvhShape shape{{{}}, tree.items};
   std::vector<std::int32_t> child_of{0};  // of each node, as the blocks tell it: a block, or the place of an item
   for (std::size_t number = 0; number < shape.nodes.size(); ++number) {
     const std::int32_t child = child_of[number];
@@ -117,8 +117,7 @@ std::vector<Vec3> drawn_points(const Kdop<k>& volume, std::size_t siblings) {
 template <class Volume>
 class Drawing {
  public:
-  Drawing(const std::vector<Triangle>& triangles, TreeShape shape)
-      : shape_(std::move(shape)), runs_(item_runs(shape_)) {
+  Drawing(const std::vector<Triangle>& triangles, BvhShape shape) : shape_(std::move(shape)), runs_(item_runs(shape_)) {
     for (const Index item : shape_.items) ordered_.push_back(triangles[item]);
     drawn_.order = shape_.items;
   }
@@ -200,7 +199,7 @@ class Drawing {
     return one == other || dot(normal_of(hull, one), normal_of(hull, other)) < 0.9999;
   }
 
-  TreeShape shape_;
+  BvhShape shape_;
   std::vector<ItemRun> runs_;
   std::vector<Triangle> ordered_;
   DrawnHierarchy drawn_;
@@ -243,14 +242,15 @@ DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
     case CostVolume::hull:
       return drawn<HullBound>(triangles);
     case CostVolume::wide:
-      return Drawing<Aabb>(triangles, tree_shape_of(model.wide_tree())).all_levels();
+      return Drawing<Aabb>(triangles, bvh_shape_of(model.wide_bvh())).all_levels();
   }
   return {};
 }
 
-std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const Posed> models, CostVolume volume) {
+std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const SceneInstance> models,
+                                                                CostVolume volume) {
   std::map<const TriangleMesh*, const Model*> model_of;
-  for (const Posed& posed : models)
+  for (const SceneInstance& posed : models)
     if (posed.model.has_mesh()) model_of.try_emplace(&posed.model.mesh(), &posed.model);
   if (model_of.size() > most_meshes)
     throw Error(fmt::format("hierarchies of more than {} meshes are too many to look at: show fewer", most_meshes));

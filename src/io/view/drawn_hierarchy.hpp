@@ -42,7 +42,7 @@ struct DrawnHierarchy {
 [[nodiscard]] DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume);
 
 /// That of each mesh of these models. Throws Error when there are more than 32, too many to be looked at.
-[[nodiscard]] std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const Posed> models,
+[[nodiscard]] std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const SceneInstance> models,
                                                                               CostVolume volume);
 
 }  // namespace toccata::io

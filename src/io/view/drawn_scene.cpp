@@ -5,10 +5,10 @@
 
 namespace toccata::io {
 
-DrawnScene drawn_scene(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer) {
+DrawnScene drawn_scene(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer) {
   if (const auto* parts = std::get_if<DecomposeReport>(&answer)) {
     Scene drawn = parts_scene(*parts, scene.unit);
-    std::vector<Posed> posed = scene_models(drawn, 1);
+    std::vector<SceneInstance> posed = scene_models(drawn, 1);
     return {std::move(drawn), std::move(posed)};
   }
   DrawnScene drawn{scene, drawn_models(models, answer)};

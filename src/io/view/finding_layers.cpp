@@ -18,9 +18,9 @@ void add_contacts(LayerWriter& layers, const std::vector<ReportedFacePair>& pair
   layers.add_points("contact", found.points);
 }
 
-void add_meeting_faces(LayerWriter& layers, Index a, Index b, const std::vector<ReportedFacePair>& pairs) {
-  layers.add_faces("contact", a, meeting_faces(pairs, &ReportedFacePair::face_a));
-  layers.add_faces("contact", b, meeting_faces(pairs, &ReportedFacePair::face_b));
+void add_intersecting_faces(LayerWriter& layers, Index a, Index b, const std::vector<ReportedFacePair>& pairs) {
+  layers.add_faces("contact", a, intersecting_faces(pairs, &ReportedFacePair::face_a));
+  layers.add_faces("contact", b, intersecting_faces(pairs, &ReportedFacePair::face_b));
   add_contacts(layers, pairs);
 }
 
@@ -74,7 +74,7 @@ struct FindingMarks {
     for (std::size_t i = 0; i < report.pairs.size(); ++i) {
       const ReportedPair& pair = report.pairs[i];
       layers.begin(i);
-      add_meeting_faces(layers, pair.a, pair.b, pair.face_pairs);
+      add_intersecting_faces(layers, pair.a, pair.b, pair.face_pairs);
       add_depth(layers, pair.penetration);
       if (pair.distance) add_distance(layers, *pair.distance);
       add_normals(layers, pair.regions, pair.manifold);
@@ -85,7 +85,7 @@ struct FindingMarks {
   void operator()(const PosesReport& report) const {
     for (std::size_t i = 0; i < report.queries.size(); ++i) {
       layers.begin(i);
-      if (i < report.face_pairs.size()) add_meeting_faces(layers, 0, 1, report.face_pairs[i]);
+      if (i < report.face_pairs.size()) add_intersecting_faces(layers, 0, 1, report.face_pairs[i]);
       if (!report.penetrations.empty()) add_depth(layers, report.penetrations[i]);
       if (!report.regions.empty()) add_normals(layers, report.regions[i], std::nullopt);
     }
@@ -94,7 +94,7 @@ struct FindingMarks {
   void operator()(const SelfReport& report) const {
     for (std::size_t i = 0; i < report.objects.size(); ++i) {
       layers.begin(i);
-      layers.add_faces("contact", static_cast<Index>(i), faces_meeting(report.objects[i].faces));
+      layers.add_faces("contact", static_cast<Index>(i), faces_intersecting(report.objects[i].faces));
       add_contacts(layers, report.objects[i].faces);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 /// How things were found, by the table of pairs: texts, each once, and their numbers.
 class Methods {
  public:
-  explicit Methods(std::span<const Posed> models) : models_(models) {}
+  explicit Methods(std::span<const SceneInstance> models) : models_(models) {}
 
   std::size_t number_of(ShapeQuestion question, Index a, Index b) {
     const PairCell cell = pair_cell(question, kind_of(models_[a].model.shape()), kind_of(models_[b].model.shape()));
@@ -27,7 +27,7 @@ class Methods {
   [[nodiscard]] const Json& texts() const { return texts_; }
 
  private:
-  std::span<const Posed> models_;
+  std::span<const SceneInstance> models_;
   Json texts_ = Json::array();
 };
 
@@ -43,7 +43,7 @@ struct Words {
   Json operator()(const CheckReport& report) const {
     Json words = Json::array();
     for (const ReportedPair& pair : report.pairs) {
-      Json entry = words_of(pair.relation, "is near");
+      Json entry = words_of(pair.relation, "is closer than its clearance to");
       if (report.has_faces) entry["face_pairs"] = pair.face_pairs.size();
       Json& by = entry["methods"] = {{"relation", methods.number_of(ShapeQuestion::relation, pair.a, pair.b)}};
       if (pair.penetration) by["penetration"] = methods.number_of(ShapeQuestion::penetration, pair.a, pair.b);
@@ -118,7 +118,7 @@ struct Words {
 
 }  // namespace
 
-void add_words(Json& header, std::span<const Posed> models, const SceneAnswer& answer) {
+void add_words(Json& header, std::span<const SceneInstance> models, const SceneAnswer& answer) {
   Methods methods(models);
   header["words"] = std::visit(Words{methods}, answer);
   header["methods"] = methods.texts();

@@ -9,6 +9,6 @@ namespace toccata::io {
 
 /// Adds to a page's header its "words" for each finding, and the "methods" that these name
 /// (docs/reference/view-page.md).
-void add_words(Json& header, std::span<const Posed> models, const SceneAnswer& answer);
+void add_words(Json& header, std::span<const SceneInstance> models, const SceneAnswer& answer);
 
 }  // namespace toccata::io

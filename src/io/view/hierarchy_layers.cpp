@@ -101,7 +101,7 @@ Json layer_of(const Model& model, const DrawnHierarchy& hierarchy, ViewData& dat
 
 }  // namespace
 
-std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume volume, ViewData& data) {
+std::vector<Json> hierarchy_layers(std::span<const SceneInstance> models, CostVolume volume, ViewData& data) {
   const std::map<const TriangleMesh*, DrawnHierarchy> hierarchies = drawn_hierarchies(models, volume);
   std::map<const TriangleMesh*, Json> layer_of_mesh;
   std::vector<Json> layers;

@@ -11,6 +11,7 @@ namespace toccata::io {
 
 /// A layer for every mesh or height field: the levels of a hierarchy of these volumes. Throws Error when there are too
 /// many meshes to be looked at.
-[[nodiscard]] std::vector<Json> hierarchy_layers(std::span<const Posed> models, CostVolume volume, ViewData& data);
+[[nodiscard]] std::vector<Json> hierarchy_layers(std::span<const SceneInstance> models, CostVolume volume,
+                                                 ViewData& data);
 
 }  // namespace toccata::io

@@ -88,7 +88,7 @@ void require_few_partitions(std::size_t meshes) {
     throw Error(fmt::format("partitions of more than {} meshes are too many to look at: show fewer", most));
 }
 
-std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind kind, ViewData& data) {
+std::vector<Json> partition_layers(std::span<const SceneInstance> models, PartitionKind kind, ViewData& data) {
   std::map<const TriangleMesh*, Json> layer_of_mesh;
   std::vector<Json> layers;
   for (std::size_t i = 0; i < models.size(); ++i) {

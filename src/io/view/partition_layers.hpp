@@ -20,6 +20,7 @@ void require_few_partitions(std::size_t meshes);
 
 /// A layer for every mesh or height field: the cells of a partition over its triangles, level by level. Throws Error
 /// when there are too many meshes to be looked at, or a triangle is too large for a partition.
-[[nodiscard]] std::vector<Json> partition_layers(std::span<const Posed> models, PartitionKind kind, ViewData& data);
+[[nodiscard]] std::vector<Json> partition_layers(std::span<const SceneInstance> models, PartitionKind kind,
+                                                 ViewData& data);
 
 }  // namespace toccata::io

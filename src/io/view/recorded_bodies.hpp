@@ -12,7 +12,7 @@ namespace toccata::io {
 /// The bodies of a recording as objects, as they were first seen.
 struct RecordedBodies {
   Scene scene;
-  std::vector<Posed> models;
+  std::vector<SceneInstance> models;
 
   explicit RecordedBodies(std::span<const Body> objects);
 };

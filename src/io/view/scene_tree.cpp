@@ -8,11 +8,11 @@ namespace {
 constexpr std::size_t most_boxes = 100'000;
 
 /// Children come after their parent, so one pass finds how deep all are.
-std::vector<std::vector<Aabb>> boxes_by_depth(const Tree<Aabb, 0>& tree) {
+std::vector<std::vector<Aabb>> boxes_by_depth(const Bvh<Aabb, 0>& tree) {
   std::vector<std::vector<Aabb>> levels;
   std::vector<std::size_t> depths(tree.nodes.size(), 0);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const TreeNode<Aabb>& node = tree.nodes[i];
+    const BvhNode<Aabb>& node = tree.nodes[i];
     if (depths[i] == levels.size()) levels.emplace_back();
     levels[depths[i]].push_back(node.volume);
     for (Index child = 0; child < node.child_count; ++child) depths[node.first + child] = depths[i] + 1;
@@ -20,8 +20,8 @@ std::vector<std::vector<Aabb>> boxes_by_depth(const Tree<Aabb, 0>& tree) {
   return levels;
 }
 
-DrawnTree drawn_tree(const char* name, const SceneHierarchy& hierarchy, const HierarchyReport& report) {
-  DrawnTree drawn{name, {}, {}};
+DrawnBvh drawn_bvh(const char* name, const SceneHierarchy& hierarchy, const HierarchyReport& report) {
+  DrawnBvh drawn{name, {}, {}};
   const std::vector<std::vector<Aabb>> levels = boxes_by_depth(hierarchy.tree);
   for (std::size_t depth = 0; depth < levels.size(); ++depth) {
     if (drawn.boxes.size() + levels[depth].size() > most_boxes) break;
@@ -42,9 +42,9 @@ Json written(const std::vector<Aabb>& boxes, const DisplayFrame& frame, ViewData
   return data.add(numbers);
 }
 
-Json steps_of(const DrawnTree& tree) {
+Json steps_of(const DrawnBvh& tree) {
   Json steps = Json::array();
-  for (const DrawnTree::Level& level : tree.levels)
+  for (const DrawnBvh::Level& level : tree.levels)
     steps.push_back({{"label", fmt::format("level {}", steps.size())},
                      {"note", fmt::format("{} box{}, {} of them objects; {} of {} pairs of siblings overlap",
                                           level.count, level.count == 1 ? "" : "es", level.told->leaves,
@@ -56,18 +56,18 @@ Json steps_of(const DrawnTree& tree) {
 
 }  // namespace
 
-std::array<DrawnTree, 3> drawn_trees(const Scene& scene, const RebalanceReport& report) {
+std::array<DrawnBvh, 3> drawn_bvhs(const Scene& scene, const RebalanceReport& report) {
   const SceneHierarchy as_is = hierarchy_of(scene);
-  return {drawn_tree("as it is", as_is, report.as_is),
-          drawn_tree("cured", rebalanced(as_is, Rebalance::cure), report.cured),
-          drawn_tree("rebuilt", rebalanced(as_is, Rebalance::rebuild), report.rebuilt)};
+  return {drawn_bvh("as it is", as_is, report.as_is),
+          drawn_bvh("cured", rebalanced(as_is, Rebalance::cure), report.cured),
+          drawn_bvh("rebuilt", rebalanced(as_is, Rebalance::rebuild), report.rebuilt)};
 }
 
 std::vector<Json> scene_tree_layers(const Scene& scene, const RebalanceReport& report, const DisplayFrame& frame,
                                     ViewData& data) {
   std::vector<Json> layers;
   std::size_t finding = 0;
-  for (const DrawnTree& tree : drawn_trees(scene, report)) {
+  for (const DrawnBvh& tree : drawn_bvhs(scene, report)) {
     const Json array = written(tree.boxes, frame, data);
     layers.push_back({{"kind", "boxes"}, {"role", "tree"}, {"finding", finding++}, {"data", array}});
     layers.push_back({{"kind", "boxes"},

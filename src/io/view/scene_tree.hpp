@@ -13,7 +13,7 @@
 namespace toccata::io {
 
 /// A hierarchy over the objects of a scene, as it is drawn: its boxes in the world, level by level, down to 100,000.
-struct DrawnTree {
+struct DrawnBvh {
   struct Level {
     std::size_t first = 0, count = 0;  ///< of `boxes`
     const HierarchyLevel* told = nullptr;
@@ -24,7 +24,7 @@ struct DrawnTree {
 };
 
 /// The scene's tree of nodes as it is, cured, and rebuilt. `report` is about that scene, and outlives what is returned.
-[[nodiscard]] std::array<DrawnTree, 3> drawn_trees(const Scene& scene, const RebalanceReport& report);
+[[nodiscard]] std::array<DrawnBvh, 3> drawn_bvhs(const Scene& scene, const RebalanceReport& report);
 
 /// Their layers: of each a slider over its levels, and all its boxes as a finding.
 [[nodiscard]] std::vector<Json> scene_tree_layers(const Scene& scene, const RebalanceReport& report,

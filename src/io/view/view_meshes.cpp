@@ -72,7 +72,7 @@ std::array<Vec3, 8> corners(const Aabb& box) {
   return all;
 }
 
-bool is_half_space(const Posed& posed) { return kind_of(posed.model.shape()) == ShapeKind::half_space; }
+bool is_half_space(const SceneInstance& posed) { return kind_of(posed.model.shape()) == ShapeKind::half_space; }
 
 /// How round shapes are drawn: where there are many, each is small on the screen.
 int circles_for(std::size_t objects) {
@@ -143,9 +143,9 @@ Json written(const DisplayMesh& mesh, ViewData& data) {
 
 }  // namespace
 
-ViewMeshes::ViewMeshes(std::span<const Posed> models, std::span<const Place> places)
+ViewMeshes::ViewMeshes(std::span<const SceneInstance> models, std::span<const Place> places)
     : circles_(circles_for(models.size())) {
-  for (const Posed& posed : models) drawn_.push_back(drawn_of(posed));
+  for (const SceneInstance& posed : models) drawn_.push_back(drawn_of(posed));
   Aabb world;
   std::vector<Aabb> boxes;
   for (const DisplayMesh& mesh : meshes_) boxes.push_back(box_of(mesh));
@@ -172,7 +172,7 @@ Aabb ViewMeshes::box_at(std::size_t model, const Aabb& mesh_box, const Pose& pos
   return box;
 }
 
-ViewMeshes::Drawn ViewMeshes::drawn_of(const Posed& posed) {
+ViewMeshes::Drawn ViewMeshes::drawn_of(const SceneInstance& posed) {
   const Shape& shape = posed.model.shape();
   return {mesh_number(key_of(shape), posed.model), fit_of(shape)};
 }

@@ -29,7 +29,7 @@ class ViewMeshes {
     Pose pose;
   };
 
-  explicit ViewMeshes(std::span<const Posed> models, std::span<const Place> places = {});
+  explicit ViewMeshes(std::span<const SceneInstance> models, std::span<const Place> places = {});
 
   [[nodiscard]] const DisplayFrame& frame() const { return frame_; }
   [[nodiscard]] const std::vector<DisplayMesh>& meshes() const { return meshes_; }
@@ -43,7 +43,7 @@ class ViewMeshes {
   void write(Json& header, ViewData& data) const;
 
  private:
-  Drawn drawn_of(const Posed& posed);
+  Drawn drawn_of(const SceneInstance& posed);
   std::size_t mesh_number(const std::string& key, const Model& model);
   /// The box in the world of a model that is there.
   [[nodiscard]] Aabb box_at(std::size_t model, const Aabb& mesh_box, const Pose& pose, const std::string& name) const;

@@ -28,7 +28,7 @@ using io::Json;
 namespace {
 
 /// The report as the subcommand writes it with --json, without the faces, which are in the layers.
-std::string report_of(const Scene& scene, std::span<const Posed> models, SceneAnswer answer,
+std::string report_of(const Scene& scene, std::span<const SceneInstance> models, SceneAnswer answer,
                       std::span<const std::string> warnings) {
   if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = false;
   if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = false;
@@ -73,12 +73,12 @@ void append(Json& layers, std::vector<Json> more) {
   for (Json& layer : more) layers.push_back(std::move(layer));
 }
 
-std::string page_of(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+std::string page_of(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer,
                     const ViewOptions& options, std::span<const std::string> warnings) {
   const io::ViewMeshes meshes(models, io::places_of(io::queries_of(answer)));
   io::ViewData data;
   Json header = {
-      {"format", "toccata/view/2"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
+      {"format", "toccata/view/3"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
   meshes.write(header, data);
   io::add_words(header, models, answer);
   add_nodes(header, scene);
@@ -95,7 +95,7 @@ std::string page_of(const Scene& scene, std::span<const Posed> models, const Sce
 
 }  // namespace
 
-std::string view_page(const Scene& scene, std::span<const Posed> models, const SceneAnswer& answer,
+std::string view_page(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer,
                       const ViewOptions& options, std::span<const std::string> warnings) {
   if (const auto* crowd = std::get_if<CrowdReport>(&answer)) return crowd_page(record_crowd(crowd->question), options);
   if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))

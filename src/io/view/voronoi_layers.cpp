@@ -19,7 +19,7 @@ constexpr Index most_vertices = 2000;
 constexpr int arc_parts = 5;
 
 /// The vertices in the shape's own frame.
-std::vector<Vec3> corners_of(const Posed& posed) {
+std::vector<Vec3> corners_of(const SceneInstance& posed) {
   const Model& model = posed.model;
   if (model.has_mesh()) {
     const ConvexHull hull = hull_of_convex_mesh(model.mesh());
@@ -149,7 +149,7 @@ double reach_of(const ConvexHull& hull) {
   return 0.2 * plain_length(upper - lower);
 }
 
-DrawnVoronoi drawn_of(const Posed& posed) {
+DrawnVoronoi drawn_of(const SceneInstance& posed) {
   const ConvexHull hull = world_polytope(posed);
   VoronoiCells cells(hull, reach_of(hull));
   return {as_utf8(posed.name),
@@ -160,7 +160,7 @@ DrawnVoronoi drawn_of(const Posed& posed) {
 
 }  // namespace
 
-ConvexHull world_polytope(const Posed& posed) {
+ConvexHull world_polytope(const SceneInstance& posed) {
   const std::string name = as_utf8(posed.name);
   std::vector<Vec3> vertices;
   try {
@@ -175,13 +175,13 @@ ConvexHull world_polytope(const Posed& posed) {
   return hull;
 }
 
-std::vector<DrawnVoronoi> drawn_voronoi(std::span<const Posed> models) {
+std::vector<DrawnVoronoi> drawn_voronoi(std::span<const SceneInstance> models) {
   std::vector<DrawnVoronoi> drawn;
-  for (const Posed& posed : models) drawn.push_back(drawn_of(posed));
+  for (const SceneInstance& posed : models) drawn.push_back(drawn_of(posed));
   return drawn;
 }
 
-std::vector<Json> voronoi_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
+std::vector<Json> voronoi_layers(std::span<const SceneInstance> models, const ViewMeshes& meshes, ViewData& data) {
   std::vector<Json> layers;
   for (const DrawnVoronoi& regions : drawn_voronoi(models)) {
     Json steps = Json::array();

@@ -68,7 +68,7 @@ std::string note_of(const VoronoiPath& path, std::size_t i) {
 DrawnWalk walk_of(const Walked& a, const Walked& b) {
   TrackedPair tracked;
   VoronoiPath path;
-  (void)distance_by_voronoi_walk(PosedConvex(a.hull), a.regions, PosedConvex(b.hull), b.regions, tracked, path);
+  (void)distance_by_voronoi_walk(PosedPolytope(a.hull), a.regions, PosedPolytope(b.hull), b.regions, tracked, path);
   DrawnWalk walk{a.name, b.name, {}};
   for (std::size_t i = 0; i < path.visits.size(); ++i)
     walk.visits.push_back({ends_at(a, b, path.visits, i), fmt::format("{} of {}", i + 1, path.visits.size()),
@@ -95,13 +95,13 @@ Json layer_of(const DrawnWalk& walk, const ViewMeshes& meshes, ViewData& data) {
 
 }  // namespace
 
-std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const Posed> models) {
+std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const SceneInstance> models) {
   const std::size_t pairs = models.size() * (models.size() - 1) / 2;
   if (models.size() < 2 || pairs > most_pairs)
     throw Error(fmt::format("--voronoi-walk is about 1 to {} pairs of objects, and here are {}: give two objects",
                             most_pairs, models.size() < 2 ? 0 : pairs));
   std::vector<Walked> walked;
-  for (const Posed& posed : models) {
+  for (const SceneInstance& posed : models) {
     const ConvexHull hull = world_polytope(posed);
     walked.push_back({as_utf8(posed.name), hull, VoronoiRegions(hull)});
   }
@@ -111,7 +111,7 @@ std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const Posed> models) {
   return walks;
 }
 
-std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewMeshes& meshes, ViewData& data) {
+std::vector<Json> voronoi_walk_layers(std::span<const SceneInstance> models, const ViewMeshes& meshes, ViewData& data) {
   std::vector<Json> layers;
   for (const DrawnWalk& walk : drawn_voronoi_walks(models)) layers.push_back(layer_of(walk, meshes, data));
   return layers;

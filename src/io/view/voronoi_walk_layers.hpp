@@ -26,12 +26,12 @@ struct DrawnWalk {
 };
 
 /// Of every pair of objects. Throws Error as voronoi_walk_layers does.
-[[nodiscard]] std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const Posed> models);
+[[nodiscard]] std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const SceneInstance> models);
 
 /// A layer for every pair of convex polytopes: the walk from a vertex of each through the Voronoi regions to the
 /// nearest features, a step for each pair of features it visits: their edges, the way between them, and the way so far.
 /// Throws Error naming an object that is none or has more than 2,000 vertices, and for more than 32 pairs or none.
-[[nodiscard]] std::vector<Json> voronoi_walk_layers(std::span<const Posed> models, const ViewMeshes& meshes,
+[[nodiscard]] std::vector<Json> voronoi_walk_layers(std::span<const SceneInstance> models, const ViewMeshes& meshes,
                                                     ViewData& data);
 
 }  // namespace toccata::io

@@ -29,7 +29,7 @@ using Change = WorldRecording::Change;
 using RecordedFrame = WorldRecording::Frame;
 using RecordedPair = WorldRecording::Pair;
 
-constexpr std::array<const char*, 3> change_names{"begun", "kept", "ended"};
+constexpr std::array<const char*, 3> change_names{"begin", "persist", "end"};
 
 const char* name_of(Change change) { return change_names[static_cast<std::size_t>(change)]; }
 
@@ -55,7 +55,7 @@ Json json_of(const RecordedPair& pair) {
 }
 
 std::string report_of(const WorldRecording& recording, const io::RecordedBodies& bodies) {
-  Json json = io::report_head("toccata/world/1", bodies.scene, bodies.models, {});
+  Json json = io::report_head("toccata/world/2", bodies.scene, bodies.models, {});
   Json& steps = json["steps"] = Json::array();
   for (const RecordedFrame& frame : recording.frames()) {
     Json pairs = Json::array();
@@ -103,13 +103,13 @@ class MomentLayer {
 
 Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, io::ViewData& data) {
   std::array<MomentLayer, 5> layers{
-      MomentLayer{"segments", "begun", "Pairs begun", 6}, MomentLayer{"segments", "kept", "Pairs kept", 6},
-      MomentLayer{"segments", "ended", "Pairs ended", 6}, MomentLayer{"points", "contact", "Contact points", 3},
-      MomentLayer{"segments", "distance", "Distance", 6}};
+      MomentLayer{"segments", "begin", "Pairs that begin", 6},
+      MomentLayer{"segments", "persist", "Pairs that persist", 6}, MomentLayer{"segments", "end", "Pairs that end", 6},
+      MomentLayer{"points", "contact", "Contact points", 3}, MomentLayer{"segments", "distance", "Distance", 6}};
   for (const RecordedFrame& one : recording.frames()) {
     for (const RecordedPair& pair : one.pairs) {
       layers[static_cast<std::size_t>(pair.change)].add(frame, {pair.middle_a, pair.middle_b});
-      if (pair.change == Change::ended || !pair.details) continue;
+      if (pair.change == Change::end || !pair.details) continue;
       const auto& manifold = pair.details->manifold;
       for (int i = 0; manifold && i < manifold->count; ++i)
         layers[3].add(frame, {manifold->points[static_cast<std::size_t>(i)].position});
@@ -127,11 +127,11 @@ Json time_of(const WorldRecording& recording) {
   Json moments = Json::array();
   for (std::size_t i = 0; i < recording.frames().size(); ++i) {
     const RecordedFrame& frame = recording.frames()[i];
-    const std::size_t begun = count_of(frame, Change::begun), kept = count_of(frame, Change::kept);
+    const std::size_t begin = count_of(frame, Change::begin), persist = count_of(frame, Change::persist);
     moments.push_back(
         {{"label", fmt::format("step {}", i)},
-         {"note", fmt::format("{}, {} begun, {} kept; {} ended", io::counted(begun + kept, "pair", "pairs"), begun,
-                              kept, count_of(frame, Change::ended))}});
+         {"note", fmt::format("{}, {} begin, {} persist; {} end", io::counted(begin + persist, "pair", "pairs"), begin,
+                              persist, count_of(frame, Change::end))}});
   }
   return {{"per_second", 12}, {"moments", std::move(moments)}};
 }
@@ -143,7 +143,7 @@ std::string world_page(const WorldRecording& recording, const ViewOptions& optio
   const io::RecordedBodies bodies(recording.objects());
   const io::ViewMeshes meshes(bodies.models, io::places_of(recording));
   io::ViewData data;
-  Json header = {{"format", "toccata/view/2"},
+  Json header = {{"format", "toccata/view/3"},
                  {"title", io::as_utf8(options.title)},
                  {"up", options.up == UpAxis::y ? "y" : "z"},
                  {"summary", io::counted(bodies.models.size(), "body", "bodies") + " · " +

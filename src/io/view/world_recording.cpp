@@ -59,9 +59,9 @@ void WorldRecording::add(const World& world) {
   Next next;
   add_bodies(world, next);
   const WorldStep& step = world.last_step();
-  add_pairs(step.begun, Change::begun, next);
-  add_pairs(step.kept, Change::kept, next);
-  add_pairs(step.ended, Change::ended, next);
+  add_pairs(step.begin, Change::begin, next);
+  add_pairs(step.persist, Change::persist, next);
+  add_pairs(step.end, Change::end, next);
   const std::size_t bytes = bytes_ + bytes_of(next.frame);
   if (bytes > most_bytes)
     throw Error(fmt::format("{} frames of {} bodies are more than the {:.0f} MB that a page may hold: record fewer",

@@ -34,7 +34,7 @@ AlignedCoordinate aligned(const double* along) {
 }
 
 /// Of a box whose corners have only two coordinates along every axis, whichever of its edges is along which.
-std::optional<Extents> extents(const PosedConvex& box) {
+std::optional<Extents> extents(const PosedPolytope& box) {
   if (box.vertex_count() != 8 || !box.in_world() || box.radius() != 0) return {};
   Extents extents;
   int bits = 0;
@@ -78,7 +78,7 @@ double middle_of(double lower, double upper) { return std::max(lower, std::min(u
 
 }  // namespace
 
-std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedConvex& b) {
+std::optional<Distance> aligned_box_distance(const PosedPolytope& a, const PosedPolytope& b) {
   const auto extents_a = extents(a);
   if (!extents_a) return {};
   const auto extents_b = extents(b);
@@ -99,7 +99,7 @@ std::optional<Distance> aligned_box_distance(const PosedConvex& a, const PosedCo
   return result;
 }
 
-std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& b) {
+std::optional<bool> aligned_boxes_meet(const PosedPolytope& a, const PosedPolytope& b) {
   const auto extents_a = extents(a);
   if (!extents_a) return {};
   const auto extents_b = extents(b);
@@ -111,7 +111,7 @@ std::optional<bool> aligned_boxes_meet(const PosedConvex& a, const PosedConvex& 
 }
 
 // The difference of two such boxes is one too, so that the depth is the least of six differences of coordinates.
-std::optional<Penetration> aligned_box_penetration(const PosedConvex& a, const PosedConvex& b) {
+std::optional<Penetration> aligned_box_penetration(const PosedPolytope& a, const PosedPolytope& b) {
   const auto extents_a = extents(a);
   if (!extents_a) return {};
   const auto extents_b = extents(b);

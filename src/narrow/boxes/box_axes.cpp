@@ -47,9 +47,11 @@ Halves normal_scales(const Halves& half) {
 
 }  // namespace
 
-bool is_box(const PosedConvex& shape) { return shape.topology().face_start.data() == box_topology().face_start.data(); }
+bool is_box(const PosedPolytope& shape) {
+  return shape.topology().face_start.data() == box_topology().face_start.data();
+}
 
-BoxFrame box_frame(const PosedConvex& box) {
+BoxFrame box_frame(const PosedPolytope& box) {
   const Vec3 corner = box.vertex(0);
   const Vec3 x = box.vertex(1) - corner, y = box.vertex(2) - corner, z = box.vertex(4) - corner;
   const Vec3 xy = x + y;
@@ -61,7 +63,7 @@ BoxFrame box_frame(const PosedConvex& box) {
   return frame;
 }
 
-BoxAxes::BoxAxes(const PosedConvex& a, const PosedConvex& b) : a_(box_frame(a)), b_(box_frame(b)) {
+BoxAxes::BoxAxes(const PosedPolytope& a, const PosedPolytope& b) : a_(box_frame(a)), b_(box_frame(b)) {
   const Vec3 from_corner_a = (a_.half[0] + a_.half[1]) + a_.half[2];
   const Vec3 from_corner_b = (b_.half[0] + b_.half[1]) + b_.half[2];
   way_ = (b_.corner - a_.corner) + (from_corner_b - from_corner_a);

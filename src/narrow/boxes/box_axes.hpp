@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 // The fifteen axes along which two boxes can be separated: the normals of the three faces of each, and the cross
 // products of their edges (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996). In doubles, with a bound on the
@@ -11,7 +11,7 @@
 namespace toccata {
 
 /// Made by Box, whatever its radius.
-[[nodiscard]] bool is_box(const PosedConvex& shape);
+[[nodiscard]] bool is_box(const PosedPolytope& shape);
 
 /// A box as a parallelepiped: the eight corners centre ± half[0] ± half[1] ± half[2]. World corners are rounded each by
 /// itself, so they lie up to `bent` beside.
@@ -22,7 +22,7 @@ struct BoxFrame {
   double bent = 0;
 };
 
-[[nodiscard]] BoxFrame box_frame(const PosedConvex& box);
+[[nodiscard]] BoxFrame box_frame(const PosedPolytope& box);
 
 /// Two boxes seen along an axis.
 struct BoxAxis {
@@ -34,7 +34,7 @@ struct BoxAxis {
 
 class BoxAxes {
  public:
-  BoxAxes(const PosedConvex& a, const PosedConvex& b);
+  BoxAxes(const PosedPolytope& a, const PosedPolytope& b);
 
   /// Whether the boxes, without radii, have a point in common, where the bounds on the errors leave no doubt.
   [[nodiscard]] std::optional<bool> meet() const;

@@ -4,7 +4,7 @@
 
 #include "narrow/boxes/box_manifold.hpp"
 #include "narrow/convex/canonical_order.hpp"
-#include "narrow/convex/convex_parting.hpp"
+#include "narrow/convex/convex_separation.hpp"
 
 namespace toccata {
 namespace {
@@ -15,7 +15,7 @@ struct GivenBox {
   const Pose& pose;
   BoxView view;
 
-  [[nodiscard]] PosedConvex as_convex() const { return PosedConvex(shape, pose); }
+  [[nodiscard]] PosedPolytope as_convex() const { return PosedPolytope(shape, pose); }
 };
 
 GivenBox given(const PosedBox& box) { return {box.shape, box.pose, view_of(box)}; }
@@ -31,8 +31,8 @@ std::optional<bool> is_first(const GivenBox& a, const GivenBox& b) {
 Penetration penetration_of(const GivenBox& a, const GivenBox& b) {
   if (const std::optional<bool> is_ordered = is_first(a, b)) {
     const BoxView first = *is_ordered ? a.view : b.view, second = *is_ordered ? b.view : a.view;
-    if (const std::optional<CoreParting> core = part_rigid_boxes(first, second, 0))
-      return *is_ordered ? grown(*core, 0, 0) : flipped(grown(*core, 0, 0));
+    if (const std::optional<CoreSeparation> core = part_rigid_boxes(first, second, 0))
+      return *is_ordered ? offset_outward(*core, 0, 0) : flipped(offset_outward(*core, 0, 0));
   }
   return penetration(a.as_convex(), b.as_convex());
 }
@@ -68,7 +68,7 @@ Manifold manifold(const PosedBox& a, const PosedBox& b) { return manifold_of(giv
 bool overlap(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
   const Nearness nearness = nearness_of_boxes(a, pose_a, b, pose_b);
   if (nearness != Nearness::unknown) return nearness == Nearness::meet;
-  return overlap(PosedConvex(a, pose_a), PosedConvex(b, pose_b));
+  return overlap(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b));
 }
 
 // What is not rigid, not finite or too big has no slack, and is refused or answered by the general way.

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "narrow/boxes/box_overlay.hpp"
-#include "narrow/boxes/box_parting.hpp"
+#include "narrow/boxes/box_separation.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 // Faces of boxes over each other, in the frame of one of them.

@@ -131,16 +131,16 @@ unsigned resting_candidates(const BoxOverlay& overlay) {
   return overlay.points & each_bits([&](std::size_t k) { return load(overlay.gap.data() + 4 * k) <= limit; });
 }
 
-/// Of those within the width of a hair of each other only the first.
+/// Of those within the tolerance of each other only the first.
 unsigned without_doubles(const BoxOverlay& overlay, unsigned candidates) {
-  const double hair = 0x1p-42 * overlay.size;
+  const double tolerance = 0x1p-42 * overlay.size;
   unsigned kept = 0;
   for (unsigned left = candidates; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
     const auto is_same = [&](std::size_t k) {
       const Row x = load(overlay.x.data() + 4 * k) - row_of(overlay.x[i]);
       const Row y = load(overlay.y.data() + 4 * k) - row_of(overlay.y[i]);
-      return is_within(x, hair) & is_within(y, hair);
+      return is_within(x, tolerance) & is_within(y, tolerance);
     };
     if ((each_bits(is_same) & kept) == 0) kept |= 1U << i;
   }

@@ -6,7 +6,7 @@
 
 #include "math/vec3_coordinates.hpp"
 #include "narrow/primitives/nearness.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
 
 // The fifteen axes of two boxes under nearly rigid poses: edges stand for the face normals, and everything is read off
@@ -28,7 +28,7 @@ struct BoxView {
   [[nodiscard]] double half_extent(std::size_t i) const { return box->half_extents.*vec3_coordinates[i]; }
 };
 
-[[nodiscard]] inline BoxView view_of(const PosedConvex& box) { return {&box.pose().linear, &box.as_box()}; }
+[[nodiscard]] inline BoxView view_of(const PosedPolytope& box) { return {&box.pose().linear, &box.as_box()}; }
 [[nodiscard]] inline BoxView view_of(const PosedBox& box) { return {&box.pose.linear, &box.rigid}; }
 
 /// Rigid but for what a long product rounds, and squares neither over- nor underflow: numbers are as good as if

@@ -218,7 +218,7 @@ bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose
 bool overlap(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
   const Nearness found = HWY_DYNAMIC_DISPATCH(sphere_triangle_nearness)(a, pose_a, b, pose_b);
   if (found != Nearness::unknown) return found == Nearness::meet;
-  return overlap(PosedConvex(a, pose_a), PosedConvex(b, pose_b));
+  return overlap(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b));
 }
 
 bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {

@@ -2,7 +2,7 @@
 
 namespace toccata {
 
-bool is_canonical_order(const PosedConvex& a, const PosedConvex& b) {
+bool is_canonical_order(const PosedPolytope& a, const PosedPolytope& b) {
   if (a.vertex_count() != b.vertex_count()) return a.vertex_count() > b.vertex_count();
   for (Index i = 0; i < a.vertex_count(); ++i) {
     const Vec3 p = a.vertex(i), q = b.vertex(i);

@@ -7,6 +7,6 @@
 namespace toccata {
 
 /// A comes first: by vertices, then by radius. Shapes of which neither comes before the other are the same.
-[[nodiscard]] bool is_canonical_order(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] bool is_canonical_order(const PosedPolytope& a, const PosedPolytope& b);
 
 }  // namespace toccata

@@ -39,7 +39,7 @@ struct CastMeeting {
 /// One cast: A is moved, B stands.
 class ShapeCast {
  public:
-  ShapeCast(const PosedConvex& a, const Vec3& motion, const PosedConvex& b)
+  ShapeCast(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b)
       : a_(a),
         b_(b),
         motion_(motion),
@@ -54,8 +54,8 @@ class ShapeCast {
   }
 
   /// The same by the plane between their nearest points at that time, if it is known to do so.
-  [[nodiscard]] std::optional<Vec3> parting_until(double time) const {
-    const PosedConvex moved = a_.moved(time * motion_);
+  [[nodiscard]] std::optional<Vec3> separation_until(double time) const {
+    const PosedPolytope moved = a_.moved(time * motion_);
     const GjkEnd end = search_nearest({moved, kernels_}, {b_, kernels_}, {}, {std::nan("")});
     if (end.inside || end.nearest == Vec3{} || !is_finite(end.nearest)) return {};
     const Vec3 direction = scaled_direction(-end.nearest);
@@ -66,7 +66,7 @@ class ShapeCast {
   [[nodiscard]] bool was_exact() const { return was_exact_; }
 
   /// The direction that has kept them apart all the way.
-  [[nodiscard]] const Vec3& parting() const { return parting_; }
+  [[nodiscard]] const Vec3& separating_direction() const { return separating_; }
 
   /// For shapes that are apart at the start.
   Cast answer() {
@@ -83,14 +83,14 @@ class ShapeCast {
   /// of rigid body systems", 1996; each step ends where the plane of the last one no longer separates.
   bool advance() {
     for (int step = 0; step < most_cast_steps; ++step) {
-      const PosedConvex moved = a_.moved(free_until_ * motion_);
+      const PosedPolytope moved = a_.moved(free_until_ * motion_);
       const GjkEnd end = search_nearest({moved, kernels_}, {b_, kernels_}, last_, {std::nan("")});
       last_ = end.simplex.pairs;
       if (end.inside || end.nearest == Vec3{}) return false;
       const Vec3 direction = scaled_direction(-end.nearest);
       const Separation found = separation(direction);
       if (found.for_ever || found.time > 1) {
-        parting_ = direction;
+        separating_ = direction;
         return true;
       }
       if (!(found.time > free_until_)) return false;
@@ -139,7 +139,7 @@ class ShapeCast {
   }
 
   /// The least height of a vertex along a direction; nothing where too many may be the lowest.
-  [[nodiscard]] std::optional<BoundedNumber> sharp_height(const PosedConvex& shape, const Vec3& direction) const {
+  [[nodiscard]] std::optional<BoundedNumber> sharp_height(const PosedPolytope& shape, const Vec3& direction) const {
     const SupportSearch support(shape, kernels_);
     std::array<Index, 16> lowest{};
     const Index first = support.least(direction);
@@ -185,7 +185,7 @@ class ShapeCast {
 
   /// From core to core, at a time; zero where it is not certain.
   [[nodiscard]] Vec3 across_at(double time) const {
-    const PosedConvex moved = a_.moved(time * motion_);
+    const PosedPolytope moved = a_.moved(time * motion_);
     const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
     return nearest && nearest->unique() ? high_parts(nearest->difference) : Vec3{};
   }
@@ -198,7 +198,7 @@ class ShapeCast {
   }
 
   /// The same, by looking at each.
-  [[nodiscard]] double rounded_by(double time, const PosedConvex& moved) const {
+  [[nodiscard]] double rounded_by(double time, const PosedPolytope& moved) const {
     const BoundedVector way = exactly(time) * exactly(motion_);
     double greatest = 0;
     for (Index i = 0; i < a_.vertex_count(); ++i) {
@@ -214,7 +214,7 @@ class ShapeCast {
   [[nodiscard]] std::optional<CastMeeting> met_by_nearness(double width) const {
     if (!a_.in_world()) return {};
     const double late = std::fmin(1, free_until_ + width);
-    const PosedConvex moved = a_.moved(late * motion_);
+    const PosedPolytope moved = a_.moved(late * motion_);
     const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);
     if (!nearest || !nearest->unique()) return {};
     const double distance = nearest->distance.value.high + 4 * nearest->distance.error;
@@ -301,8 +301,8 @@ class ShapeCast {
     return cast;
   }
 
-  const PosedConvex& a_;
-  const PosedConvex& b_;
+  const PosedPolytope& a_;
+  const PosedPolytope& b_;
   Vec3 motion_;
   SupportKernels kernels_;
   double reach_;
@@ -310,7 +310,7 @@ class ShapeCast {
   double free_until_ = 0;
   bool was_exact_ = false;
   Vec3 normal_{};
-  Vec3 parting_{};
+  Vec3 separating_{};
 };
 
 Cast met_at_start(const Vec3& point) {
@@ -322,7 +322,7 @@ Cast met_at_start(const Vec3& point) {
 
 }  // namespace
 
-Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, ConvexWorkspace* workspace) {
+Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b, SimplexCache* workspace) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   if (overlap(a, b, workspace)) return met_at_start(distance(a, b, workspace).on_b);
   if (motion == Vec3{}) return {};
@@ -331,25 +331,26 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, 
   if (workspace != nullptr && cast.is_kept_apart(workspace->direction, 1)) return {};
   const Cast answer = cast.answer();
   if (workspace != nullptr) workspace->counts.exact += cast.was_exact() ? 1 : 0;
-  if (workspace != nullptr && !(cast.parting() == Vec3{})) workspace->direction = cast.parting();
+  if (workspace != nullptr && !(cast.separating_direction() == Vec3{}))
+    workspace->direction = cast.separating_direction();
   return answer;
 }
 
-std::optional<Cast> cast_shape_until(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, double limit,
-                                     ConvexWorkspace& workspace) {
+std::optional<Cast> cast_shape_until(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b, double limit,
+                                     SimplexCache& workspace) {
   const ShapeCast cast(a, motion, b);
   if (cast.is_kept_apart(workspace.direction, limit)) return {};
-  if (const auto direction = cast.parting_until(limit)) {
+  if (const auto direction = cast.separation_until(limit)) {
     workspace.direction = *direction;
     return {};
   }
   return cast_shape(a, motion, b, &workspace);
 }
 
-Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedConvex& target) {
+Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedPolytope& target) {
   if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
   if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
-  return cast_shape(PosedConvex(Point(origin)), motion, target);
+  return cast_shape(PosedPolytope(Point(origin)), motion, target);
 }
 
 }  // namespace toccata

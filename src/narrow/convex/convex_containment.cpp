@@ -18,7 +18,7 @@ namespace toccata {
 namespace {
 
 /// The hull in the world: there rounding may have bent the shape's own faces.
-ConvexHull world_hull(const PosedConvex& shape) {
+ConvexHull world_hull(const PosedPolytope& shape) {
   std::vector<Vec3> vertices(shape.vertex_count());
   for (Index i = 0; i < shape.vertex_count(); ++i) vertices[i] = shape.vertex(i);
   return ConvexHull(vertices);
@@ -29,7 +29,7 @@ struct Bounds {
   Vec3 upper;
 };
 
-Bounds bounds_of(const PosedConvex& shape) {
+Bounds bounds_of(const PosedPolytope& shape) {
   Bounds bounds{shape.vertex(0), shape.vertex(0)};
   for (Index i = 1; i < shape.vertex_count(); ++i) {
     const Vec3 v = shape.vertex(i);
@@ -44,9 +44,9 @@ Bounds bounds_of(const PosedConvex& shape) {
 /// A shape with what both directions of the question need of it.
 class SolidSide {
  public:
-  explicit SolidSide(const PosedConvex& shape) : shape_(&shape), bounds_(bounds_of(shape)) {}
+  explicit SolidSide(const PosedPolytope& shape) : shape_(&shape), bounds_(bounds_of(shape)) {}
 
-  [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
+  [[nodiscard]] const PosedPolytope& shape() const { return *shape_; }
   [[nodiscard]] double radius() const { return shape_->radius(); }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
@@ -56,7 +56,7 @@ class SolidSide {
   }
 
  private:
-  const PosedConvex* shape_;
+  const PosedPolytope* shape_;
   Bounds bounds_;
   std::optional<ConvexHull> core_;
 };
@@ -134,7 +134,7 @@ Decided is_near_core(const SolidSide& a, const SolidSide& b, SharedBoundary boun
   VertexPairs start;
   bool by_exact = false;
   for (Index i = 0; i < a.shape().vertex_count(); ++i) {
-    const PosedConvex vertex{Point(a.shape().vertex(i))};
+    const PosedPolytope vertex{Point(a.shape().vertex(i))};
     start.a = {};  // the point's only vertex; those of B are where the last search ended
     const CoreDistanceOrder order = compare_core_distance(vertex, b.shape(), b.radius(), -a.radius(), start);
     start = order.simplex;
@@ -154,7 +154,7 @@ Decided is_within(SolidSide& a, SolidSide& b, SharedBoundary boundary) {
 
 }  // namespace
 
-ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex& b) {
+ContainmentAnswer containment_of_solids(const PosedPolytope& a, const PosedPolytope& b) {
   SolidSide side_a(a), side_b(b);
   const Decided a_in_b = is_within(side_a, side_b, SharedBoundary::allowed);
   const Decided b_in_a = is_within(side_b, side_a, SharedBoundary::allowed);
@@ -163,13 +163,13 @@ ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex&
   return {b_in_a.yes ? Containment::b_in_a : Containment::none, by_exact};
 }
 
-ContainmentAnswer containment_in_interior(const PosedConvex& a, const PosedConvex& b) {
+ContainmentAnswer containment_in_interior(const PosedPolytope& a, const PosedPolytope& b) {
   SolidSide side_a(a), side_b(b);
   const Decided within = is_within(side_a, side_b, SharedBoundary::excluded);
   return {within.yes ? Containment::a_in_b : Containment::none, within.by_exact};
 }
 
-bool has_interior(const PosedConvex& shape) {
+bool has_interior(const PosedPolytope& shape) {
   if (shape.radius() > 0) return true;
   if (shape.vertex_count() < 4) return false;
   // Of a box the corners 0, 1, 2 and 4; of a hull any four, which nearly always are enough.

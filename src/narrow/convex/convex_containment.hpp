@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/set_relation.hpp"
 
 namespace toccata {
@@ -14,15 +14,15 @@ struct ContainmentAnswer {
 };
 
 /// Of two solids with an interior: every point of one is a point of the other.
-[[nodiscard]] ContainmentAnswer containment_of_solids(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] ContainmentAnswer containment_of_solids(const PosedPolytope& a, const PosedPolytope& b);
 
 /// Every point of the surface A lies in the interior of the solid B: a_in_b, or none.
-[[nodiscard]] ContainmentAnswer containment_in_interior(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] ContainmentAnswer containment_in_interior(const PosedPolytope& a, const PosedPolytope& b);
 
 /// The world vertices span space, or there is a radius; exactly.
-[[nodiscard]] bool has_interior(const PosedConvex& shape);
+[[nodiscard]] bool has_interior(const PosedPolytope& shape);
 
 /// A solid that rounding has left without an interior at its place: others can touch it only.
-[[nodiscard]] inline bool is_flattened(const PosedConvex& shape) { return shape.solid() && !has_interior(shape); }
+[[nodiscard]] inline bool is_flattened(const PosedPolytope& shape) { return shape.solid() && !has_interior(shape); }
 
 }  // namespace toccata

@@ -4,12 +4,12 @@
 
 #include "math/constants.hpp"
 #include "narrow/boxes/aligned_boxes.hpp"
+#include "narrow/convex/cached_simplex.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/gjk.hpp"
-#include "narrow/convex/kept_simplex.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "narrow/exact/exact_nearest.hpp"
-#include "narrow/exact/meeting_certificate.hpp"
+#include "narrow/exact/intersection_certificate.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 #include "narrow/exact/nearest_formula.hpp"
 #include "narrow/exact/within.hpp"
@@ -20,14 +20,14 @@
 namespace toccata {
 namespace {
 
-void keep(ConvexWorkspace& workspace, const VertexPairs& simplex, const Vec3& difference) {
+void keep(SimplexCache& workspace, const VertexPairs& simplex, const Vec3& difference) {
   workspace.vertex_a = simplex.a;
   workspace.vertex_b = simplex.b;
   workspace.simplex_size = static_cast<int>(simplex.size);
   workspace.direction = -difference;
 }
 
-/// What `grown_meet` knows for certain: positive is apart.
+/// What `offset_shapes_meet` knows for certain: positive is apart.
 std::optional<bool> certain_meeting(const BoundedNumber& gap) {
   if (gap.is_positive()) return false;
   if (gap.is_negative()) return true;
@@ -50,8 +50,8 @@ std::optional<Distance> at_common_point(const BoundedVector& point) {
 /// One question about two shapes; of `is_within` and `certainly_beyond` with the length.
 class ConvexQuestion {
  public:
-  ConvexQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace, const GjkOptions& options = {},
-                 double length = 0)
+  ConvexQuestion(const PosedPolytope& a, const PosedPolytope& b, SimplexCache& workspace,
+                 const GjkOptions& options = {}, double length = 0)
       : kernels_(support_kernels()),
         options_(options),
         a_(a, kernels_, options.support),
@@ -71,7 +71,7 @@ class ConvexQuestion {
     GjkEnd end;
     if (const std::optional<bool> within = certainly_within(end)) return *within;
     ++workspace_.counts.exact;
-    return grown_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
+    return offset_shapes_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
   }
 
   bool is_within() {
@@ -80,7 +80,7 @@ class ConvexQuestion {
     ++workspace_.counts.exact;
     const ExactNearest nearest = exact(end.simplex.pairs);
     return nearest.meet ||
-           compare_grown_distance(nearest, a_.shape().radius(), b_.shape().radius(), length_) != Sign::positive;
+           compare_offset_distance(nearest, a_.shape().radius(), b_.shape().radius(), length_) != Sign::positive;
   }
 
   bool certainly_beyond() {
@@ -92,7 +92,7 @@ class ConvexQuestion {
   /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
   /// there the search starts anew.
   Distance distance() {
-    const VertexPairs kept = kept_simplex(workspace_, a_.shape(), b_.shape());
+    const VertexPairs kept = cached_simplex(workspace_, a_.shape(), b_.shape());
     if (kept.size > 0) {
       // Shapes that moved little often have the same nearest features.
       if (const auto distance = distance_by_formula(kept)) return *distance;
@@ -144,7 +144,7 @@ class ConvexQuestion {
   }
 
   GjkEnd search_to_reach() {
-    return search(kept_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
+    return search(cached_simplex(workspace_, a_.shape(), b_.shape()), {reach_.value.high, options_.acceleration});
   }
 
   static const Vec3& direction_of(const GjkEnd& end) {
@@ -214,11 +214,11 @@ class ConvexQuestion {
     keep(workspace_, found->pairs, high_parts(found->difference));
     if (!found->unique()) return exact_on_faces(*found);
     if (const std::optional<Distance> distance = distance_by_formula(found->pairs)) return distance;
-    const std::optional<Distance> distance = grown_distance(*found);
+    const std::optional<Distance> distance = offset_distance(*found);
     return distance ? certified(distance) : distance;
   }
 
-  [[nodiscard]] std::optional<Distance> grown_distance(const CertainNearest& found) const {
+  [[nodiscard]] std::optional<Distance> offset_distance(const CertainNearest& found) const {
     if (reach_.value.high == 0) return rounded(found.distance, found.on_a, found.on_b);
     const BoundedNumber gap = found.distance - reach_;
     const BoundedNumber radius_a = exactly(a_.shape().radius()), radius_b = exactly(b_.shape().radius());
@@ -250,14 +250,14 @@ class ConvexQuestion {
   double length_;
   BoundedNumber reach_;                   // the sum of the radii and the length
   std::optional<NearestFeatures> asked_;  // of the formula, in vain
-  ConvexWorkspace& workspace_;
+  SimplexCache& workspace_;
 };
 
 /// Sums of longer ones overflow.
 constexpr double greatest_asked_length = 0x1p1000;
 
-std::optional<Distance> distance_by_closed_form(const PosedConvex& a, const PosedConvex& b,
-                                                ConvexWorkspace* workspace) {
+std::optional<Distance> distance_by_closed_form(const PosedPolytope& a, const PosedPolytope& b,
+                                                SimplexCache* workspace) {
   std::optional<Distance> found;
   if (const Distance distance = distance_of_primitives(a, b); is_known(distance)) found = distance;
   if (!found) found = aligned_box_distance(a, b);
@@ -267,7 +267,7 @@ std::optional<Distance> distance_by_closed_form(const PosedConvex& a, const Pose
 
 }  // namespace
 
-bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+bool overlap(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (const Nearness nearness = nearness_by_formula(a, b); nearness != Nearness::unknown) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return nearness == Nearness::meet;
@@ -279,33 +279,34 @@ bool overlap(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* worksp
   return overlap_by_gjk(a, b, {}, workspace);
 }
 
-Distance distance(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Distance distance(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (const auto found = distance_by_closed_form(a, b, workspace)) return *found;
   return distance_by_gjk(a, b, {}, workspace);
 }
 
-bool is_within(const PosedConvex& a, const PosedConvex& b, double tolerance, ConvexWorkspace* workspace) {
+bool is_within(const PosedPolytope& a, const PosedPolytope& b, double tolerance, SimplexCache* workspace) {
   if (const auto found = distance_by_closed_form(a, b, workspace)) return is_within(*found, a, b, tolerance);
-  ConvexWorkspace alone;
-  ConvexWorkspace& used = workspace != nullptr ? *workspace : alone;
+  SimplexCache alone;
+  SimplexCache& used = workspace != nullptr ? *workspace : alone;
   if (!(tolerance < greatest_asked_length)) return is_within(distance_by_gjk(a, b, {}, &used), a, b, tolerance);
   return ConvexQuestion(a, b, used, {}, tolerance).is_within();
 }
 
-bool certainly_beyond(const PosedConvex& a, const PosedConvex& b, double length, ConvexWorkspace* workspace) {
+bool certainly_beyond(const PosedPolytope& a, const PosedPolytope& b, double length, SimplexCache* workspace) {
   if (!(length < greatest_asked_length)) return false;
-  ConvexWorkspace alone;
+  SimplexCache alone;
   return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).certainly_beyond();
 }
 
-bool overlap_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options, ConvexWorkspace* workspace) {
-  ConvexWorkspace alone;
+bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options,
+                    SimplexCache* workspace) {
+  SimplexCache alone;
   return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
 }
 
-Distance distance_by_gjk(const PosedConvex& a, const PosedConvex& b, const GjkOptions& options,
-                         ConvexWorkspace* workspace) {
-  ConvexWorkspace alone;
+Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options,
+                         SimplexCache* workspace) {
+  SimplexCache alone;
   return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).distance();
 }
 

@@ -9,7 +9,7 @@
 #include "narrow/boxes/box_manifold.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/contact_choices.hpp"
-#include "narrow/convex/convex_parting.hpp"
+#include "narrow/convex/convex_separation.hpp"
 #include "narrow/convex/face_clipping.hpp"
 #include "narrow/convex/plain_scale.hpp"
 
@@ -37,7 +37,7 @@ struct FacePair {
   [[nodiscard]] const ContactFace& incident() const { return b_is_reference ? a : b; }
 };
 
-Index farthest_corner(const PosedConvex& box, const Vec3& direction) {
+Index farthest_corner(const PosedPolytope& box, const Vec3& direction) {
   Index corner = 0;
   for (const Index bit : {1U, 2U, 4U})
     if (dot(box.vertex(bit) - box.vertex(0), direction) > 0) corner |= bit;
@@ -63,10 +63,11 @@ void make_face_of_parallel_segments(FacePair& faces, const Vec3& normal) {
   faces.a.facing = 1;
 }
 
-ManifoldPoint single_point(const PosedConvex& a, const PosedConvex& b, const ConvexParting& parting) {
-  const Penetration& p = parting.penetration;
+ManifoldPoint single_point(const PosedPolytope& a, const PosedPolytope& b, const ConvexSeparation& separation) {
+  const Penetration& p = separation.penetration;
   return {p.on_a + 0.5 * (p.on_b - p.on_a), dot(p.on_a - p.on_b, p.direction),
-          feature_of(a, parting.pairs.a, parting.pairs.size), feature_of(b, parting.pairs.b, parting.pairs.size)};
+          feature_of(a, separation.pairs.a, separation.pairs.size),
+          feature_of(b, separation.pairs.b, separation.pairs.size)};
 }
 
 /// The features of a polygon's corner, between the side that comes in and the one that leaves.
@@ -170,7 +171,7 @@ void take_four(Manifold& result, ManifoldPoints& points) {
 
 /// The points of the contact of two faces; none when the normal is not that of a face. Along it the shapes overlap by
 /// no more than `most`, whatever the rough plane of a needle's face makes of it.
-ManifoldPoints points_of_faces(const PosedConvex& a, const PosedConvex& b, const Vec3& normal, double most,
+ManifoldPoints points_of_faces(const PosedPolytope& a, const PosedPolytope& b, const Vec3& normal, double most,
                                const std::optional<Anchors>& anchors, std::pmr::memory_resource& memory) {
   FacePair faces{facing_face(a, normal), facing_face(b, -normal), {}, false};
   faces.anchors = anchors ? *anchors : Anchors{a.vertex(faces.a.vertex), b.vertex(faces.b.vertex)};
@@ -184,7 +185,7 @@ ManifoldPoints points_of_faces(const PosedConvex& a, const PosedConvex& b, const
 }
 
 /// Of the edges between two box corners each that are nearest along a direction.
-ManifoldPoint point_of_edges(const PosedConvex& a, const PosedConvex& b, const BoxAxis& axis) {
+ManifoldPoint point_of_edges(const PosedPolytope& a, const PosedPolytope& b, const BoxAxis& axis) {
   const Index low_a = farthest_corner(a, axis.direction) & ~(1U << axis.edge_a), high_a = low_a | 1U << axis.edge_a;
   const Index low_b = farthest_corner(b, -axis.direction) & ~(1U << axis.edge_b), high_b = low_b | 1U << axis.edge_b;
   const Vec3 p = a.vertex(low_a), u = a.vertex(high_a) - p, q = b.vertex(low_b), v = b.vertex(high_b) - q, w = q - p;
@@ -203,7 +204,7 @@ Manifold made_of(const Vec3& normal, ManifoldPoints& points) {
   return result;
 }
 
-Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axes) {
+Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes& axes) {
   std::array<std::byte, 4096> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const BoxAxis axis = axes.least(edge_share);
@@ -213,31 +214,31 @@ Manifold of_boxes(const PosedConvex& a, const PosedConvex& b, const BoxAxes& axe
   return made_of(axis.direction, points);
 }
 
-Manifold of_any(const PosedConvex& a, const PosedConvex& b) {
+Manifold of_any(const PosedPolytope& a, const PosedPolytope& b) {
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  const ConvexParting parting = part_by_expansion(a, b);
-  const Penetration& p = parting.penetration;
+  const ConvexSeparation separation = part_by_expansion(a, b);
+  const Penetration& p = separation.penetration;
   const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
   ManifoldPoints points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
   // The deepest point may lie beside the reference face.
   double deepest = -infinity;
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
-  if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, parting));
+  if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, separation));
   return made_of(p.direction, points);
 }
 
 /// Of shapes that meet, of any size.
-Manifold of_any_size(const PosedConvex& a, const PosedConvex& b) {
+Manifold of_any_size(const PosedPolytope& a, const PosedPolytope& b) {
   const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
   return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
 }
 
-bool are_boxes(const PosedConvex& a, const PosedConvex& b) {
+bool are_boxes(const PosedPolytope& a, const PosedPolytope& b) {
   return is_box(a) && is_box(b) && a.radius() == 0 && b.radius() == 0;
 }
 
-Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Manifold in_canonical_order(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   const auto any = [&] { return overlap(a, b, workspace) ? of_any_size(a, b) : Manifold{}; };
   if (!are_boxes(a, b)) return any();
   const BoxAxes axes(a, b);
@@ -247,7 +248,7 @@ Manifold in_canonical_order(const PosedConvex& a, const PosedConvex& b, ConvexWo
 }
 
 /// Of two boxes; nothing where their formula finds no points.
-std::optional<Manifold> of_rigid_boxes(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+std::optional<Manifold> of_rigid_boxes(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
   const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));
   const bool is_first = by_centre ? *by_centre : is_canonical_order(a, b);
@@ -263,7 +264,7 @@ std::optional<Manifold> of_rigid_boxes(const PosedConvex& a, const PosedConvex& 
 
 }  // namespace
 
-Manifold manifold(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (are_boxes(a, b))
     if (const std::optional<Manifold> found = of_rigid_boxes(a, b, workspace)) return *found;
   if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);

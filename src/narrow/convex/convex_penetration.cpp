@@ -3,17 +3,17 @@
 #include <optional>
 #include <string>
 
-#include "narrow/boxes/box_parting.hpp"
+#include "narrow/boxes/box_separation.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_containment.hpp"
-#include "narrow/convex/convex_parting.hpp"
+#include "narrow/convex/convex_separation.hpp"
 #include "narrow/convex/solid_check.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-void require_solid(const PosedConvex& shape, const char* which) {
+void require_solid(const PosedPolytope& shape, const char* which) {
   if (shape.solid()) return;
   throw Error(std::string("penetration: the ") + which +
               " shape is a surface (a point, a segment, a triangle or a flat hull), which has no interior that another "
@@ -22,26 +22,26 @@ void require_solid(const PosedConvex& shape, const char* which) {
 
 }  // namespace
 
-void require_solids(const PosedConvex& a, const PosedConvex& b) {
+void require_solids(const PosedPolytope& a, const PosedPolytope& b) {
   require_solid(a, "first");
   require_solid(b, "second");
 }
 
-Penetration without_depth(const PosedConvex& a, const PosedConvex& b) {
+Penetration without_depth(const PosedPolytope& a, const PosedPolytope& b) {
   if (!is_canonical_order(a, b)) return flipped(without_depth(b, a));
-  const Penetration parting = part_by_expansion(a, b).penetration;
+  const Penetration separation = part_by_expansion(a, b).penetration;
   const Distance common = distance(a, b);
-  return {0, 0, parting.direction, common.on_a, common.on_b, parting.status};
+  return {0, 0, separation.direction, common.on_a, common.on_b, separation.status};
 }
 
-Penetration penetration_by_expansion(const PosedConvex& a, const PosedConvex& b) {
+Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope& b) {
   require_solids(a, b);
   if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
   if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
   return flipped(part_by_expansion(b, a).penetration);
 }
 
-Penetration penetration(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
+Penetration penetration(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
   if (const std::optional<Penetration> of_boxes = penetration_of_boxes(a, b)) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;

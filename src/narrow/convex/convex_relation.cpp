@@ -1,6 +1,6 @@
+#include "narrow/convex/cached_simplex.hpp"
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/core_distance.hpp"
-#include "narrow/convex/kept_simplex.hpp"
 #include "narrow/exact/exact_interior.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -12,7 +12,7 @@ namespace {
 /// One question about two shapes.
 class RelationQuestion {
  public:
-  RelationQuestion(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace& workspace)
+  RelationQuestion(const PosedPolytope& a, const PosedPolytope& b, SimplexCache& workspace)
       : a_(a), b_(b), workspace_(workspace) {}
 
   /// The question counts once, whatever it is made of.
@@ -42,13 +42,13 @@ class RelationQuestion {
   /// sum.
   bool meet_deeply() {
     if (is_flattened(a_) || is_flattened(b_)) return false;
-    const VertexPairs simplex = kept_simplex(workspace_, a_, b_);
+    const VertexPairs simplex = cached_simplex(workspace_, a_, b_);
     if (a_.radius() > 0 || b_.radius() > 0) {
       const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);
       by_exact_ = by_exact_ || order.by_exact;
       return order.sign == Sign::negative;
     }
-    // A formula proves a meeting by more than any rounding: solids without radii meet inside then.
+    // A formula proves an intersection by more than any rounding: solids without radii meet inside then.
     if (a_.solid() && b_.solid() && nearness_by_formula(a_, b_) == Nearness::meet) return true;
     if (simplex.size == 4 && origin_within_tetrahedron(a_, b_, simplex)) return true;
     by_exact_ = true;
@@ -67,16 +67,16 @@ class RelationQuestion {
     return answer.containment;
   }
 
-  const PosedConvex& a_;
-  const PosedConvex& b_;
-  ConvexWorkspace& workspace_;
+  const PosedPolytope& a_;
+  const PosedPolytope& b_;
+  SimplexCache& workspace_;
   bool by_exact_ = false;
 };
 
 }  // namespace
 
-Relation relation(const PosedConvex& a, const PosedConvex& b, ConvexWorkspace* workspace) {
-  ConvexWorkspace alone;
+Relation relation(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
+  SimplexCache alone;
   return RelationQuestion(a, b, workspace != nullptr ? *workspace : alone).answer();
 }
 

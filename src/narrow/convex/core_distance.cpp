@@ -10,7 +10,7 @@
 #include "narrow/convex/gjk.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "narrow/exact/exact_nearest.hpp"
-#include "narrow/exact/meeting_certificate.hpp"
+#include "narrow/exact/intersection_certificate.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 
 namespace toccata {
@@ -39,7 +39,7 @@ Weights weights_of(const SimplexPoints& p, std::size_t size) {
 }
 
 /// What the simplex proves. The lengths are rounded sums, taken one place further.
-std::optional<Sign> certain_order(const PosedConvex& a, const PosedConvex& b, double x, double y,
+std::optional<Sign> certain_order(const PosedPolytope& a, const PosedPolytope& b, double x, double y,
                                   const VertexPairs& simplex) {
   const double length = x + y;
   if (simplex.size == 0) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<Sign> certain_order(const PosedConvex& a, const PosedConvex& b, do
   return std::nullopt;
 }
 
-CoreDistanceOrder exact_order(const PosedConvex& a, const PosedConvex& b, double x, double y, VertexPairs start) {
+CoreDistanceOrder exact_order(const PosedPolytope& a, const PosedPolytope& b, double x, double y, VertexPairs start) {
   if (start.size == 0) start.append(0, 0);
   const ExactNearest nearest = exact_nearest(a, b, start);
   return {compare_core_distance(nearest, x, y), true, nearest.simplex};
@@ -61,7 +61,7 @@ CoreDistanceOrder exact_order(const PosedConvex& a, const PosedConvex& b, double
 
 // The weights are not negative and add up to 1 within
 // 2^-52, so the rounded point is off a point of the simplex by less than eight roundings of the sum of magnitudes.
-bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex, double length) {
+bool certainly_nearer(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex, double length) {
   SimplexPoints points;
   for (std::size_t i = 0; i < simplex.size; ++i) points[i] = a.vertex(simplex.a[i]) - b.vertex(simplex.b[i]);
   const Weights weights = weights_of(points, simplex.size);
@@ -75,7 +75,7 @@ bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPa
   return distance + (0x1p-48 * (magnitude + distance) + 0x1p-1000) < length;
 }
 
-CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex& b, double x, double y,
+CoreDistanceOrder compare_core_distance(const PosedPolytope& a, const PosedPolytope& b, double x, double y,
                                         const VertexPairs& start) {
   const SupportKernels kernels = support_kernels();
   const SupportSearch search_a(a, kernels), search_b(b, kernels);
@@ -87,7 +87,7 @@ CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex&
   return exact_order(a, b, x, y, simplex);
 }
 
-CoreDistanceOrder compare_core_distance_at(const PosedConvex& a, const PosedConvex& b, double x, double y,
+CoreDistanceOrder compare_core_distance_at(const PosedPolytope& a, const PosedPolytope& b, double x, double y,
                                            const VertexPairs& simplex) {
   if (const auto sign = certain_order(a, b, x, y, simplex)) return {*sign, false, simplex};
   return exact_order(a, b, x, y, simplex);

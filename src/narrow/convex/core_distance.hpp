@@ -2,7 +2,7 @@
 
 #include "narrow/exact/vertex_pairs.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -14,15 +14,15 @@ struct CoreDistanceOrder {
 };
 
 /// With the length x + y, which is not negative; exactly. Searches from `start`, which may be empty.
-[[nodiscard]] CoreDistanceOrder compare_core_distance(const PosedConvex& a, const PosedConvex& b, double x, double y,
-                                                      const VertexPairs& start);
+[[nodiscard]] CoreDistanceOrder compare_core_distance(const PosedPolytope& a, const PosedPolytope& b, double x,
+                                                      double y, const VertexPairs& start);
 
 /// The same, but without a search in doubles: `simplex` is where one has ended.
-[[nodiscard]] CoreDistanceOrder compare_core_distance_at(const PosedConvex& a, const PosedConvex& b, double x, double y,
-                                                         const VertexPairs& simplex);
+[[nodiscard]] CoreDistanceOrder compare_core_distance_at(const PosedPolytope& a, const PosedPolytope& b, double x,
+                                                         double y, const VertexPairs& simplex);
 
 /// Some point of the simplex is nearer to the origin than the length: proved in doubles.
-[[nodiscard]] bool certainly_nearer(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex,
+[[nodiscard]] bool certainly_nearer(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex,
                                     double length);
 
 }  // namespace toccata

@@ -12,7 +12,7 @@ namespace {
 constexpr Index block = 8;  ///< a loop of constant length becomes vector instructions
 
 /// World coordinates, by the formula of the truth page.
-void place(const PosedConvex& shape, const std::array<double*, 3>& world) {
+void place(const PosedPolytope& shape, const std::array<double*, 3>& world) {
   const Index count = shape.padded_count();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vec3& row = shape.pose().linear[static_cast<int>(axis)];
@@ -47,7 +47,7 @@ Range range_of(const double* values, Index count) {
 
 }  // namespace
 
-CoreVertices::CoreVertices(const PosedConvex& shape) : count_(shape.vertex_count()), padded_(shape.padded_count()) {
+CoreVertices::CoreVertices(const PosedPolytope& shape) : count_(shape.vertex_count()), padded_(shape.padded_count()) {
   if (count_ > few) many_ = std::make_unique_for_overwrite<double[]>(std::size_t{6} * padded_);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     world_[axis] = many_ ? many_.get() + axis * padded_ : few_[axis].data();
@@ -80,7 +80,7 @@ int CoreVertices::least_exponent() const {
 }
 
 // The first factor keeps the differences finite, the second brings them to about 1.
-DifferenceBody::DifferenceBody(const PosedConvex& a, const PosedConvex& b) : a_(a), b_(b) {
+DifferenceBody::DifferenceBody(const PosedPolytope& a, const PosedPolytope& b) : a_(a), b_(b) {
   const double largest = std::max({largest_magnitude(a_.least()), largest_magnitude(a_.greatest()),
                                    largest_magnitude(b_.least()), largest_magnitude(b_.greatest())});
   first_ = largest > 0x1p1000 ? 0x1p-100 : 1.0;

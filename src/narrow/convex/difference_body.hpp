@@ -7,7 +7,7 @@
 #include "math/double_word.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/support_scan.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 // The Minkowski difference D = A − B of two cores, the convex hull of all a − b: what penetration is measured in. B
 // moved by t meets A exactly when t lies in D; so the shortest way out of D's interior parts the two.
@@ -17,7 +17,7 @@ namespace toccata {
 /// scaled.
 class CoreVertices {
  public:
-  explicit CoreVertices(const PosedConvex& shape);
+  explicit CoreVertices(const PosedPolytope& shape);
   CoreVertices(const CoreVertices&) = delete;
   CoreVertices& operator=(const CoreVertices&) = delete;
 
@@ -79,7 +79,7 @@ inline PrecisePoint cross(const PrecisePoint& p, const PrecisePoint& q) {
 
 class DifferenceBody {
  public:
-  DifferenceBody(const PosedConvex& a, const PosedConvex& b);
+  DifferenceBody(const PosedPolytope& a, const PosedPolytope& b);
   DifferenceBody(const DifferenceBody&) = delete;
   DifferenceBody& operator=(const DifferenceBody&) = delete;
 

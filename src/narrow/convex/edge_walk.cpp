@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {}  // namespace
 
-EdgeWalk::EdgeWalk(const PosedConvex& hull, const SupportScan& scan)
+EdgeWalk::EdgeWalk(const PosedPolytope& hull, const SupportScan& scan)
     : scan_(scan),
       topology_(hull.topology()),
       extent_(hull.stored_extent()),

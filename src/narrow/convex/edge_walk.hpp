@@ -23,7 +23,7 @@ class EdgeWalk {
  public:
   /// Along the direction of the scan, whose spread is used by `least_depth` and `close` only. The vertices of the scan
   /// are those of the hull, in its own frame.
-  EdgeWalk(const PosedConvex& hull, const SupportScan& scan);
+  EdgeWalk(const PosedPolytope& hull, const SupportScan& scan);
 
   /// As in SupportKernels. The walk begins at `start` or where the hull's guide says, whichever is lower.
   [[nodiscard]] std::optional<Index> least(Index start);

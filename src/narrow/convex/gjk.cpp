@@ -122,7 +122,7 @@ bool in_certain_range(const Vec3& direction) {
   return size >= 0x1p-300 && size <= 0x1p300;
 }
 
-SupportSearch::SupportSearch(const PosedConvex& shape, const SupportKernels& kernels, GjkSupport support)
+SupportSearch::SupportSearch(const PosedPolytope& shape, const SupportKernels& kernels, GjkSupport support)
     : shape_(&shape),
       kernels_(&kernels),
       plain_{shape.along(0), shape.along(1), shape.along(2), shape.padded_count(), {}, {}, shape.vertex_count()},

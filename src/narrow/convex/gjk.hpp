@@ -14,9 +14,9 @@ namespace toccata {
 /// begins is remembered, so that one thread may use it at a time.
 class SupportSearch {
  public:
-  SupportSearch(const PosedConvex& shape, const SupportKernels& kernels, GjkSupport support = GjkSupport::automatic);
+  SupportSearch(const PosedPolytope& shape, const SupportKernels& kernels, GjkSupport support = GjkSupport::automatic);
 
-  [[nodiscard]] const PosedConvex& shape() const { return *shape_; }
+  [[nodiscard]] const PosedPolytope& shape() const { return *shape_; }
 
   /// In the world.
   [[nodiscard]] Vec3 vertex(Index i) const {
@@ -64,7 +64,7 @@ class SupportSearch {
   [[nodiscard]] Index walked_close(const SupportScan& scan, double bound, std::span<const Index> own,
                                    std::span<Index> found) const;
 
-  const PosedConvex* shape_;
+  const PosedPolytope* shape_;
   const SupportKernels* kernels_;
   SupportScan plain_;    // without direction
   Mat3 world_in_local_;  // the transpose of the pose's R; of world coordinates the identity

@@ -11,7 +11,7 @@
 namespace toccata {
 
 /// The greatest magnitude of a coordinate, or the radius.
-[[nodiscard]] inline double greatest_length(const PosedConvex& shape) {
+[[nodiscard]] inline double greatest_length(const PosedPolytope& shape) {
   double greatest = shape.radius();
   for (Index i = 0; i < shape.vertex_count(); ++i) {
     const Vec3 v = shape.vertex(i);

@@ -11,7 +11,7 @@ namespace toccata {
 /// Of the vertices 0 and 1.
 [[nodiscard]] HullTopology segment_topology();
 
-/// Of a world triangle: as posed_convex.hpp says where it has no area.
+/// Of a world triangle: as posed_polytope.hpp says where it has no area.
 [[nodiscard]] HullTopology triangle_topology(const Triangle& triangle);
 
 /// Vertices as numbered by `Box::corner`; faces: −x, +x, −y, +y, −z, +z.

@@ -28,7 +28,7 @@ constexpr double doubtful_angle = 0x1p-34;  ///< of faces; arcs are compared wit
 
 /// How far a world vertex may lie beside the one without rounding: four roundings a coordinate, each of at most 2^-53
 /// of what was added up so far.
-double bend_of(const PosedConvex& shape) {
+double bend_of(const PosedPolytope& shape) {
   if (shape.in_world()) return 0;
   Vec3 largest;
   for (int axis = 0; axis < 3; ++axis)
@@ -67,7 +67,7 @@ bool may_cross(const Edge& e, const Vec3& along_e, const Edge& f, const Vec3& al
 
 }  // namespace
 
-PolyhedronAxes::PolyhedronAxes(const PosedConvex& a, const PosedConvex& b)
+PolyhedronAxes::PolyhedronAxes(const PosedPolytope& a, const PosedPolytope& b)
     : body_(a, b), a_(outline_of(a, body_.a())), b_(outline_of(b, body_.b())), bent_(a_.bent + b_.bent) {}
 
 double PolyhedronAxes::angle_error(const Vec3& u, const Vec3& v, double length) const {
@@ -75,7 +75,7 @@ double PolyhedronAxes::angle_error(const Vec3& u, const Vec3& v, double length) 
   return off * (sum_of_magnitudes(u) + sum_of_magnitudes(v)) / length;
 }
 
-PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedConvex& shape, const CoreVertices& core, Index f,
+PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedPolytope& shape, const CoreVertices& core, Index f,
                                              double bent) const {
   const HullTopology topology = shape.topology();
   const Index first = topology.face_start[f], count = topology.face_start[f + 1] - first;
@@ -93,7 +93,7 @@ PolyhedronAxes::Face PolyhedronAxes::face_of(const PosedConvex& shape, const Cor
   return {(mirrored / length) * n, angle};
 }
 
-PolyhedronAxes::Outline PolyhedronAxes::outline_of(const PosedConvex& shape, const CoreVertices& core) const {
+PolyhedronAxes::Outline PolyhedronAxes::outline_of(const PosedPolytope& shape, const CoreVertices& core) const {
   Outline outline;
   const HullTopology topology = shape.topology();
   outline.bent =

@@ -10,7 +10,7 @@ namespace toccata {
 /// are those of the difference body.
 class PolyhedronAxes {
  public:
-  PolyhedronAxes(const PosedConvex& a, const PosedConvex& b);
+  PolyhedronAxes(const PosedPolytope& a, const PosedPolytope& b);
 
   struct Edge {
     Vec3 along;  ///< scaled; the faces' normals, left × right, turn round it counter-clockwise
@@ -44,8 +44,8 @@ class PolyhedronAxes {
     double bent = 0;  ///< how far world vertices lie beside those without rounding
   };
 
-  [[nodiscard]] Outline outline_of(const PosedConvex& shape, const CoreVertices& core) const;
-  [[nodiscard]] Face face_of(const PosedConvex& shape, const CoreVertices& core, Index f, double bent) const;
+  [[nodiscard]] Outline outline_of(const PosedPolytope& shape, const CoreVertices& core) const;
+  [[nodiscard]] Face face_of(const PosedPolytope& shape, const CoreVertices& core, Index f, double bent) const;
   [[nodiscard]] double angle_error(const Vec3& u, const Vec3& v, double length) const;
   /// Along a unit vector that may be off by the angle; false when it separates.
   bool try_axis(const Vec3& axis, double angle, const Edge* e = nullptr, const Edge* f = nullptr);

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "narrow/pose_checks.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 namespace {
@@ -21,7 +21,7 @@ bool may_overflow(const Pose& pose, double largest_coordinate) {
 
 }  // namespace
 
-PosedConvex::PosedConvex(const ConvexHull& shape, const Pose& pose)
+PosedPolytope::PosedPolytope(const ConvexHull& shape, const Pose& pose)
     : pose_(pose),
       topology_(shape.topology()),
       stored_extent_(shape.largest_coordinate()),
@@ -36,8 +36,8 @@ PosedConvex::PosedConvex(const ConvexHull& shape, const Pose& pose)
     if (!is_finite(vertex(i))) refuse_vertex(i, shape.vertex(i), pose, "the hull");
 }
 
-PosedConvex::PosedConvex(const Rounded& shape, const Pose& pose)
-    : PosedConvex(std::visit([&](const auto& core) { return PosedConvex(core, pose); }, shape.core())) {
+PosedPolytope::PosedPolytope(const Rounded& shape, const Pose& pose)
+    : PosedPolytope(std::visit([&](const auto& core) { return PosedPolytope(core, pose); }, shape.core())) {
   require_undeformed(pose, "the rounded shape");
   radius_ = shape.radius();
   solid_ = true;

@@ -2,13 +2,13 @@
 
 #include <span>
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
 /// The vertices that are scanned, and along what. Each kernel reads all of them once.
 struct SupportScan {
-  const double* x = nullptr;  ///< as PosedConvex::along, padded to a multiple of eight
+  const double* x = nullptr;  ///< as PosedPolytope::along, padded to a multiple of eight
   const double* y = nullptr;
   const double* z = nullptr;
   Index padded_count = 0;

@@ -19,7 +19,7 @@ int unit_of(std::initializer_list<double> values) {
 /// Vertices of A are numbered twice: 2 i where it starts, 2 i + 1 where it ends.
 class SweptPair {
  public:
-  SweptPair(const PosedConvex& a, const Vec3& motion, double until, const PosedConvex& b) : a_(a), b_(b) {
+  SweptPair(const PosedPolytope& a, const Vec3& motion, double until, const PosedPolytope& b) : a_(a), b_(b) {
     const BinaryFraction time = binary_fraction(until);
     const int unit = unit_of({motion.x, motion.y, motion.z});
     shift_ = WideInteger(time.mantissa) * scaled_wide(motion, unit);
@@ -66,8 +66,8 @@ class SweptPair {
   }
 
  private:
-  const PosedConvex& a_;
-  const PosedConvex& b_;
+  const PosedPolytope& a_;
+  const PosedPolytope& b_;
   IntegerVector shift_;  // in 2^shift_exponent_, like the next ones
   int shift_exponent_ = 0;
   WideInteger reach_;
@@ -76,7 +76,7 @@ class SweptPair {
 
 }  // namespace
 
-bool swept_meets(const PosedConvex& a, const Vec3& motion, double until, const PosedConvex& b) {
+bool swept_meets(const PosedPolytope& a, const Vec3& motion, double until, const PosedPolytope& b) {
   const SweptPair pair(a, motion, until, b);
   VertexPairs pairs;
   pairs.append(0, 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -9,6 +9,6 @@ namespace toccata {
 ///
 /// The search of exact_nearest.hpp, where every vertex of A stands for itself and for itself moved; it ends for the
 /// same reason.
-[[nodiscard]] bool swept_meets(const PosedConvex& a, const Vec3& motion, double until, const PosedConvex& b);
+[[nodiscard]] bool swept_meets(const PosedPolytope& a, const Vec3& motion, double until, const PosedPolytope& b);
 
 }  // namespace toccata

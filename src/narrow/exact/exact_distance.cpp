@@ -92,7 +92,7 @@ double likely_distance(const ExactNearest& nearest, double radius_a, double radi
 
 }  // namespace
 
-bool grown_meet(const ExactNearest& nearest, double radius_a, double radius_b) {
+bool offset_shapes_meet(const ExactNearest& nearest, double radius_a, double radius_b) {
   return nearest.meet || compare_distance(nearest, radius_a, radius_b, 0, 0) != Sign::positive;
 }
 
@@ -100,13 +100,13 @@ Sign compare_core_distance(const ExactNearest& nearest, double x, double y) {
   return compare_distance(nearest, x, y, 0, 0);
 }
 
-Sign compare_grown_distance(const ExactNearest& nearest, double radius_a, double radius_b, double length) {
+Sign compare_offset_distance(const ExactNearest& nearest, double radius_a, double radius_b, double length) {
   return compare_distance(nearest, radius_a, radius_b, length, length);
 }
 
 Distance rounded_distance(const ExactNearest& nearest, double radius_a, double radius_b) {
   if (nearest.meet) return at_common_point(nearest.on_a, nearest.exponent);
-  if (grown_meet(nearest, radius_a, radius_b))
+  if (offset_shapes_meet(nearest, radius_a, radius_b))
     return at_common_point(dividing_point(nearest, radius_a, radius_b), nearest.exponent);
   const auto compare = [&](double x, double y) { return compare_distance(nearest, radius_a, radius_b, x, y); };
   Distance result;

@@ -6,13 +6,14 @@
 namespace toccata {
 
 /// The shapes, grown by their radii, have a point in common.
-[[nodiscard]] bool grown_meet(const ExactNearest& nearest, double radius_a, double radius_b);
+[[nodiscard]] bool offset_shapes_meet(const ExactNearest& nearest, double radius_a, double radius_b);
 
 /// The sign of (distance of the cores) − (x + y), exactly; x + y is not negative.
 [[nodiscard]] Sign compare_core_distance(const ExactNearest& nearest, double x, double y);
 
 /// The sign of (distance of the cores) − (radius_a + radius_b + length), exactly; the sum is not negative.
-[[nodiscard]] Sign compare_grown_distance(const ExactNearest& nearest, double radius_a, double radius_b, double length);
+[[nodiscard]] Sign compare_offset_distance(const ExactNearest& nearest, double radius_a, double radius_b,
+                                           double length);
 
 /// The answer of `distance`, from the exact nearest points of the cores.
 ///

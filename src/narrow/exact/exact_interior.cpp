@@ -102,20 +102,20 @@ class KnownVertices {
 };
 
 /// The vertex that is least along the normal, if it lies behind it.
-std::optional<Difference> vertex_behind(const PosedConvex& a, const PosedConvex& b, const IntegerVector& normal) {
+std::optional<Difference> vertex_behind(const PosedPolytope& a, const PosedPolytope& b, const IntegerVector& normal) {
   const Difference least{a.vertex(least_vertices(a, normal).front()), b.vertex(least_vertices(b, -normal).front())};
   const std::array<Vec3, 2> points{least.head, least.tail};
   const WideInteger height = dot(normal, difference_over(least, common_exponent(points)));
   return height < 0 ? std::optional(least) : std::nullopt;
 }
 
-Difference difference_of(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs, std::size_t i) {
+Difference difference_of(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs, std::size_t i) {
   return {a.vertex(pairs.a[i]), b.vertex(pairs.b[i])};
 }
 
 }  // namespace
 
-bool origin_within_tetrahedron(const PosedConvex& a, const PosedConvex& b, const VertexPairs& four) {
+bool origin_within_tetrahedron(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& four) {
   const auto volume = [&](std::size_t i, std::size_t j, std::size_t k) {
     return triple_product_sign(difference_of(a, b, four, i), difference_of(a, b, four, j),
                                difference_of(a, b, four, k));
@@ -124,7 +124,7 @@ bool origin_within_tetrahedron(const PosedConvex& a, const PosedConvex& b, const
   return sign != Sign::zero && volume(0, 2, 3) == -sign && volume(0, 1, 3) == sign && volume(0, 1, 2) == -sign;
 }
 
-bool interiors_meet(const PosedConvex& a, const PosedConvex& b, const VertexPairs& hint) {
+bool interiors_meet(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& hint) {
   if (hint.size == 4 && origin_within_tetrahedron(a, b, hint)) return true;
   KnownVertices known;
   for (std::size_t i = 0; i < hint.size; ++i) known.append(difference_of(a, b, hint, i));

@@ -10,7 +10,8 @@ namespace toccata {
 namespace {
 
 /// The vertex pair lies before the plane through the simplex's nearest point, across its direction.
-bool lies_before(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs, const IntegerVector& direction) {
+bool lies_before(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs,
+                 const IntegerVector& direction) {
   VertexPairs first_and_last;
   first_and_last.append(pairs.a[0], pairs.b[0]);
   first_and_last.append(pairs.a[pairs.size - 1], pairs.b[pairs.size - 1]);
@@ -19,7 +20,7 @@ bool lies_before(const PosedConvex& a, const PosedConvex& b, const VertexPairs& 
 }
 
 /// The simplex after a step towards one more pair, or itself if that brings it no nearer.
-VertexPairs after_step(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex,
+VertexPairs after_step(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex,
                        const IntegerVector& direction, Index vertex_a, Index vertex_b) {
   VertexPairs more = simplex;
   more.append(vertex_a, vertex_b);
@@ -27,12 +28,12 @@ VertexPairs after_step(const PosedConvex& a, const PosedConvex& b, const VertexP
   return needed_pairs(integer_simplex(a, b, more));
 }
 
-IntegerVector direction_of(const PosedConvex& a, const PosedConvex& b, const VertexPairs& simplex) {
+IntegerVector direction_of(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex) {
   return nearest_of(integer_simplex(a, b, simplex)).direction;
 }
 
 /// What of the given pairs is needed, which makes them independent too.
-VertexPairs independent_part(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start) {
+VertexPairs independent_part(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& start) {
   VertexPairs simplex;
   simplex.append(start.a[0], start.b[0]);
   for (std::size_t i = 1; i < start.size; ++i) {
@@ -58,7 +59,7 @@ HomogeneousVector weighted_difference(const IntegerSimplex& simplex, const Simpl
   return point;
 }
 
-ExactNearest meeting_of(const IntegerSimplex& simplex) {
+ExactNearest intersection_of(const IntegerSimplex& simplex) {
   ExactNearest nearest;
   nearest.meet = true;
   nearest.exponent = simplex.exponent;
@@ -71,7 +72,7 @@ ExactNearest meeting_of(const IntegerSimplex& simplex) {
 
 }  // namespace
 
-ExactNearest exact_nearest_of_faces(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs,
+ExactNearest exact_nearest_of_faces(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs,
                                     std::span<const Index> face_a, std::span<const Index> face_b) {
   std::vector<Vec3> vertices;
   for (const Index i : face_a) vertices.push_back(a.vertex(i));
@@ -95,11 +96,11 @@ ExactNearest exact_nearest_of_faces(const PosedConvex& a, const PosedConvex& b, 
   return nearest;
 }
 
-ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start) {
+ExactNearest exact_nearest(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& start) {
   VertexPairs simplex = independent_part(a, b, start);
   while (true) {
     const IntegerVector direction = direction_of(a, b, simplex);
-    if (is_zero(direction)) return meeting_of(integer_simplex(a, b, simplex));
+    if (is_zero(direction)) return intersection_of(integer_simplex(a, b, simplex));
     const std::vector<Index> face_a = least_vertices(a, direction);
     const std::vector<Index> face_b = least_vertices(b, -direction);
     VertexPairs more = simplex;

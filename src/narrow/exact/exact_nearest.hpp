@@ -4,7 +4,7 @@
 
 #include "math/homogeneous_vector.hpp"
 #include "narrow/exact/vertex_pairs.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -27,11 +27,11 @@ struct ExactNearest {
 /// three-dimensional space", 1988, in integers. It ends: a vertex is added only when it lies before the plane through
 /// the nearest point of the simplex, so that simplices stay affinely independent and each is nearer than the one
 /// before; there are finitely many.
-[[nodiscard]] ExactNearest exact_nearest(const PosedConvex& a, const PosedConvex& b, const VertexPairs& start);
+[[nodiscard]] ExactNearest exact_nearest(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& start);
 
 /// The same where it is known already which vertices lie in the planes across the direction of nearest points:
 /// `simplex` contains that direction's foot, `face_a` and `face_b` are all vertices in the two planes.
-[[nodiscard]] ExactNearest exact_nearest_of_faces(const PosedConvex& a, const PosedConvex& b,
+[[nodiscard]] ExactNearest exact_nearest_of_faces(const PosedPolytope& a, const PosedPolytope& b,
                                                   const VertexPairs& simplex, std::span<const Index> face_a,
                                                   std::span<const Index> face_b);
 

@@ -54,7 +54,7 @@ IntegerSimplex face_of(const IntegerSimplex& simplex, unsigned bits) {
 }
 
 /// No point of the simplex lies before the plane through the face's nearest point, and that point is within the face.
-bool is_carrier(const IntegerSimplex& simplex, const IntegerSimplex& face) {
+bool is_witness(const IntegerSimplex& simplex, const IntegerSimplex& face) {
   const SimplexNearest nearest = nearest_of(face);
   for (std::size_t i = 0; i < face.pairs.size; ++i)
     if (nearest.weight[i] <= 0) return false;
@@ -73,7 +73,7 @@ unsigned likely_face(const IntegerSimplex& simplex) {
 
 }  // namespace
 
-IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs) {
+IntegerSimplex integer_simplex(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs) {
   std::array<Vec3, 8> vertices;
   for (std::size_t i = 0; i < pairs.size; ++i) {
     vertices[2 * i] = a.vertex(pairs.a[i]);
@@ -82,7 +82,7 @@ IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const
   return integer_simplex(a, b, pairs, common_exponent({vertices.data(), 2 * pairs.size}));
 }
 
-IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs, int exponent) {
+IntegerSimplex integer_simplex(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs, int exponent) {
   IntegerSimplex simplex;
   simplex.pairs = pairs;
   simplex.exponent = exponent;
@@ -111,11 +111,11 @@ SimplexNearest nearest_of(const IntegerSimplex& simplex) {
 VertexPairs needed_pairs(const IntegerSimplex& simplex) {
   const unsigned last = 1U << (simplex.pairs.size - 1);
   const unsigned likely = likely_face(simplex);
-  if (const IntegerSimplex face = face_of(simplex, likely); is_carrier(simplex, face)) return face.pairs;
+  if (const IntegerSimplex face = face_of(simplex, likely); is_witness(simplex, face)) return face.pairs;
   for (unsigned others = 0; others < last - 1; ++others) {
     if ((others | last) == likely) continue;
     const IntegerSimplex face = face_of(simplex, others | last);
-    if (is_carrier(simplex, face)) return face.pairs;
+    if (is_witness(simplex, face)) return face.pairs;
   }
   return simplex.pairs;
 }

@@ -6,7 +6,7 @@
 
 #include "math/wide_integer.hpp"
 #include "narrow/exact/vertex_pairs.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -19,10 +19,10 @@ struct IntegerSimplex {
   int exponent = 0;
 };
 
-[[nodiscard]] IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs);
+[[nodiscard]] IntegerSimplex integer_simplex(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs);
 
 /// Over a given exponent, for which all coordinates are whole.
-[[nodiscard]] IntegerSimplex integer_simplex(const PosedConvex& a, const PosedConvex& b, const VertexPairs& pairs,
+[[nodiscard]] IntegerSimplex integer_simplex(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& pairs,
                                              int exponent);
 
 /// The point nearest to the origin in the affine hull of a simplex: Σ weight · point / total, with total > 0.

@@ -23,7 +23,7 @@ Height height_of(const Vec3& direction, const Vec3& vertex) {
 }
 
 /// Those that may be the least. Nothing overflows, because the direction's coordinates are at most 1/4.
-std::vector<Index> candidates(const PosedConvex& shape, const Vec3& direction) {
+std::vector<Index> candidates(const PosedPolytope& shape, const Vec3& direction) {
   double bound = infinity;
   for (Index i = 0; i < shape.vertex_count(); ++i) {
     const Height height = height_of(direction, shape.vertex(i));
@@ -39,7 +39,7 @@ std::vector<Index> candidates(const PosedConvex& shape, const Vec3& direction) {
 
 }  // namespace
 
-std::vector<Index> least_vertices(const PosedConvex& shape, const IntegerVector& direction) {
+std::vector<Index> least_vertices(const PosedPolytope& shape, const IntegerVector& direction) {
   const std::vector<Index> close = candidates(shape, rounded_direction(direction));
   if (close.size() == 1) return close;
   std::vector<Vec3> vertices;

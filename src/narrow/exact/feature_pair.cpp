@@ -34,7 +34,7 @@ Filtered less(const Filtered& a, const Filtered& b) {
 
 }  // namespace
 
-FeaturePair::FeaturePair(const PosedConvex& a, const PosedConvex& b, const NearestFeatures& features)
+FeaturePair::FeaturePair(const PosedPolytope& a, const PosedPolytope& b, const NearestFeatures& features)
     : features_(features), first_a_(a.vertex(features.a[0])), first_b_(b.vertex(features.b[0])) {
   for (std::size_t i = 1; i < features.count_a; ++i) edge_[edges_++] = {a.vertex(features.a[i]), first_a_};
   for (std::size_t i = 1; i < features.count_b; ++i) edge_[edges_++] = {first_b_, b.vertex(features.b[i])};

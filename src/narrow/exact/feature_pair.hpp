@@ -7,7 +7,7 @@
 #include "narrow/exact/vertex_pairs.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -32,7 +32,7 @@ inline VertexPairs pairs_of(const NearestFeatures& f) {
 /// the Minkowski difference, those of B are turned round.
 class FeaturePair {
  public:
-  FeaturePair(const PosedConvex& a, const PosedConvex& b, const NearestFeatures& features);
+  FeaturePair(const PosedPolytope& a, const PosedPolytope& b, const NearestFeatures& features);
 
   [[nodiscard]] const NearestFeatures& features() const { return features_; }
   [[nodiscard]] const Vec3& first_a() const { return first_a_; }

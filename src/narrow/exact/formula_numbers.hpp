@@ -174,7 +174,7 @@ inline bool is_along_axis(const Vec3& v) {
 
 /// Of shapes with radii: the answer of `distance`, if the numbers are good enough for what is promised of it. They are
 /// given by value, so that those of shapes without radii need no memory.
-[[nodiscard]] std::optional<Distance> grown_formula_distance(FormulaNearest nearest, double radius_a, double radius_b);
+[[nodiscard]] std::optional<Distance> offset_formula_distance(FormulaNearest nearest, double radius_a, double radius_b);
 
 /// The same of shapes without.
 [[gnu::always_inline]] inline std::optional<Distance> plain_formula_distance(const FormulaNearest& nearest) {

@@ -56,7 +56,7 @@ std::span<const Index> own_a(const NearestFeatures& f) { return std::span(f.a).f
 std::span<const Index> own_b(const NearestFeatures& f) { return std::span(f.b).first(f.count_b); }
 
 /// Looks at the close vertices of one shape that are not of the feature, and adds those in its plane to the face.
-Verification verify_others(const FeaturePair& pair, const PosedConvex& shape, const CloseVertices& close, bool of_a,
+Verification verify_others(const FeaturePair& pair, const PosedPolytope& shape, const CloseVertices& close, bool of_a,
                            FaceVertices& face) {
   if (close.count > close.vertex.size()) return {};
   const std::span<const Index> own = of_a ? own_a(pair.features()) : own_b(pair.features());
@@ -116,7 +116,7 @@ NearestFeatures exchanged(const NearestFeatures& features, std::size_t i, const 
 
 /// The pair of features with the vertex that lies before the plane of the present ones, in place of one of theirs,
 /// which must lie beyond the new plane: on faces that rounding has bent, the next nearest pair.
-std::optional<FeaturePair> nearer_pair(const PosedConvex& a, const PosedConvex& b, const NearestFeatures& present,
+std::optional<FeaturePair> nearer_pair(const PosedPolytope& a, const PosedPolytope& b, const NearestFeatures& present,
                                        const Verification& before) {
   for (std::size_t i = 0; i < 4; ++i) {
     const NearestFeatures other = exchanged(present, i, before);

@@ -98,11 +98,11 @@ bool NearestFormula::others_beyond(const SupportSearch& a, const SupportSearch& 
 
 std::optional<Distance> NearestFormula::distance(double radius_a, double radius_b) const {
   return radius_a + radius_b == 0 ? plain_formula_distance(numbers_.nearest)
-                                  : grown_formula_distance(numbers_.nearest, radius_a, radius_b);
+                                  : offset_formula_distance(numbers_.nearest, radius_a, radius_b);
 }
 
 /// The points are off as those of the cores, and as the difference turns.
-std::optional<Distance> grown_formula_distance(FormulaNearest nearest, double radius_a, double radius_b) {
+std::optional<Distance> offset_formula_distance(FormulaNearest nearest, double radius_a, double radius_b) {
   constexpr double u = formula_unit;
   const double reach = radius_a + radius_b;
   const Vec3 &on_a = nearest.on_a, &on_b = nearest.on_b;

@@ -41,14 +41,14 @@ PosedHalfSpace::PosedHalfSpace(const HalfSpace& shape, const Pose& pose) {
   if (normal == Vec3{}) throw Error("the half-space: its normal vanishes in the world; give a longer normal");
 }
 
-bool overlap(const PosedConvex& a, const PosedHalfSpace& b) {
+bool overlap(const PosedPolytope& a, const PosedHalfSpace& b) {
   const ExtremeVertex lowest = extreme_vertex(a, b, Reach::below);
   return reach_sign(lowest.position, a.radius(), b, Reach::below) != Sign::negative;
 }
 
 bool overlap(const PosedHalfSpace& a, const PosedHalfSpace& b) { return relation(a, b).kind != RelationKind::apart; }
 
-Relation relation(const PosedConvex& a, const PosedHalfSpace& b) {
+Relation relation(const PosedPolytope& a, const PosedHalfSpace& b) {
   Relation result;
   result.a_solid = a.solid();
   result.b_solid = true;

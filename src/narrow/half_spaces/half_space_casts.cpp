@@ -47,7 +47,7 @@ class FallingBall {
 
 }  // namespace
 
-Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b) {
+Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
   Cast cast;
@@ -70,14 +70,14 @@ Cast cast_shape(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& 
   return cast;
 }
 
-Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedConvex& b) {
+Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b) {
   return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
 Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target) {
   if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
   if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
-  return cast_shape(PosedConvex(Point(origin)), motion, target);
+  return cast_shape(PosedPolytope(Point(origin)), motion, target);
 }
 
 }  // namespace toccata

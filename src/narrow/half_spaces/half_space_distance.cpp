@@ -70,7 +70,7 @@ Distance apart_by(const Vec3& centre, double radius, const PosedHalfSpace& h) {
   return {lower, upper, gap.on_ball(), gap.foot(), Status::exact};
 }
 
-Distance meeting_in(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
+Distance intersection_in(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
 
 /// The point on both planes that is nearest to a.point; for normals that are not parallel.
 Vec3 point_on_planes(const PosedHalfSpace& a, const PosedHalfSpace& b) {
@@ -95,20 +95,20 @@ double depth_that_parts(double upper) { return std::nextafter(upper * (1 + 0x1p-
 
 }  // namespace
 
-Distance distance(const PosedConvex& a, const PosedHalfSpace& b) {
+Distance distance(const PosedPolytope& a, const PosedHalfSpace& b) {
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
-  if (height_sign(b, lowest) != Sign::positive) return meeting_in(lowest);
+  if (height_sign(b, lowest) != Sign::positive) return intersection_in(lowest);
   if (reach_sign(lowest, a.radius(), b, Reach::below) == Sign::negative) return apart_by(lowest, a.radius(), b);
   const auto foot = likely_gap(lowest, a.radius(), b).foot;
-  return meeting_in(foot ? *foot : HalfSpaceGap(lowest, a.radius(), b).foot());
+  return intersection_in(foot ? *foot : HalfSpaceGap(lowest, a.radius(), b).foot());
 }
 
 Distance distance(const PosedHalfSpace& a, const PosedHalfSpace& b) {
   if (relation(a, b).kind == RelationKind::apart) return apart_by(a.point, 0, b);
-  return meeting_in(common_point(a, b));
+  return intersection_in(common_point(a, b));
 }
 
-Penetration penetration(const PosedConvex& a, const PosedHalfSpace& b) {
+Penetration penetration(const PosedPolytope& a, const PosedHalfSpace& b) {
   if (!a.solid()) throw Error("penetration: a surface has no interior that a half-space could leave; ask for distance");
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
   if (reach_sign(lowest, a.radius(), b, Reach::below) != Sign::positive || is_flattened(a)) return {};

@@ -66,7 +66,7 @@ ExactHeight exact_height(const PosedHalfSpace& h, const Vec3& point) {
   return result;
 }
 
-ExtremeVertex extreme_vertex(const PosedConvex& a, const PosedHalfSpace& h, Reach reach) {
+ExtremeVertex extreme_vertex(const PosedPolytope& a, const PosedHalfSpace& h, Reach reach) {
   ExtremeVertex best{0, a.vertex(0), filtered_height(h, a.vertex(0))};
   for (Index i = 1; i < a.vertex_count(); ++i) {
     const Vec3 position = a.vertex(i);

@@ -31,7 +31,7 @@ struct ExtremeVertex {
   Filtered height;
 };
 
-[[nodiscard]] ExtremeVertex extreme_vertex(const PosedConvex& a, const PosedHalfSpace& h, Reach reach);
+[[nodiscard]] ExtremeVertex extreme_vertex(const PosedPolytope& a, const PosedHalfSpace& h, Reach reach);
 
 /// The sign of how far a ball reaches to that side of the plane. Exact.
 [[nodiscard]] Sign reach_sign(const Vec3& centre, double radius, const PosedHalfSpace& h, Reach reach);

@@ -18,7 +18,7 @@ std::vector<Index> vertices_of_face(const HullTopology& topology, Index face) {
 }
 
 /// The sum of the triangles' normals of a fan, rounded.
-Vec3 normal_of_face(const PosedConvex& a, const std::vector<Index>& corners) {
+Vec3 normal_of_face(const PosedPolytope& a, const std::vector<Index>& corners) {
   Vec3 sum;
   const Vec3 first = a.vertex(corners[0]);
   for (std::size_t i = 2; i < corners.size(); ++i)
@@ -27,7 +27,7 @@ Vec3 normal_of_face(const PosedConvex& a, const std::vector<Index>& corners) {
 }
 
 /// How much a face turns to the half-space: the cosine between its outward normal and −normal.
-double facing(const PosedConvex& a, const std::vector<Index>& corners, const Vec3& normal) {
+double facing(const PosedPolytope& a, const std::vector<Index>& corners, const Vec3& normal) {
   const Vec3 outward = normal_of_face(a, corners);
   const double length = std::sqrt(dot(outward, outward));
   if (!(length > 0)) return 0;
@@ -35,7 +35,7 @@ double facing(const PosedConvex& a, const std::vector<Index>& corners, const Vec
 }
 
 /// The vertices of the face at a vertex that turns most to the half-space; of a point, the point.
-std::vector<Index> facing_corners(const PosedConvex& a, Index vertex, const Vec3& normal) {
+std::vector<Index> facing_corners(const PosedPolytope& a, Index vertex, const Vec3& normal) {
   const HullTopology topology = a.topology();
   if (topology.face_count() == 0) return {vertex};
   const Index first = topology.leaving[vertex];
@@ -54,13 +54,13 @@ std::vector<Index> facing_corners(const PosedConvex& a, Index vertex, const Vec3
   return best;
 }
 
-double farthest(const PosedConvex& a, const std::vector<Index>& corners, const Vec3& from) {
+double farthest(const PosedPolytope& a, const std::vector<Index>& corners, const Vec3& from) {
   double squared = 0;
   for (const Index i : corners) squared = std::fmax(squared, dot(a.vertex(i) - from, a.vertex(i) - from));
   return std::sqrt(squared);
 }
 
-ManifoldPoint point_at(const PosedConvex& a, Index vertex, const PosedHalfSpace& b, const Vec3& normal) {
+ManifoldPoint point_at(const PosedPolytope& a, Index vertex, const PosedHalfSpace& b, const Vec3& normal) {
   const Vec3 position = a.vertex(vertex);
   const double height = dot(normal, position - b.point);
   const ConvexFeature plane{ConvexFeature::Kind::face, 0}, corner{ConvexFeature::Kind::vertex, vertex};
@@ -92,7 +92,7 @@ Manifold four_of(const std::vector<ManifoldPoint>& points, const Vec3& normal) {
 }
 
 /// Of shapes of plain sizes that meet.
-Manifold of_plain_sizes(const PosedConvex& a, Index lowest, const PosedHalfSpace& b) {
+Manifold of_plain_sizes(const PosedPolytope& a, Index lowest, const PosedHalfSpace& b) {
   const Vec3 normal = unit_normal(b);
   const std::vector<Index> corners = facing_corners(a, lowest, normal);
   const double gap = gap_of_resting * farthest(a, corners, a.vertex(lowest));
@@ -106,7 +106,7 @@ Manifold of_plain_sizes(const PosedConvex& a, Index lowest, const PosedHalfSpace
 
 }  // namespace
 
-Manifold manifold(const PosedConvex& a, const PosedHalfSpace& b) {
+Manifold manifold(const PosedPolytope& a, const PosedHalfSpace& b) {
   const ExtremeVertex lowest = extreme_vertex(a, b, Reach::below);
   if (reach_sign(lowest.position, a.radius(), b, Reach::below) == Sign::negative) return {};
   const double of_plane = std::max({std::fabs(b.point.x), std::fabs(b.point.y), std::fabs(b.point.z)});

@@ -24,7 +24,7 @@ Rational height(const Plane& plane, const RationalPoint& normal, const RationalP
 }
 
 /// Where the line through p and q, which is not parallel to the plane, meets it.
-Vec3 meeting_point(const Plane& plane, const Vec3& p, const Vec3& q) {
+Vec3 intersection_point(const Plane& plane, const Vec3& p, const Vec3& q) {
   const RationalPoint normal = exact_normal(plane), from = to_rational(p), to = to_rational(q);
   const Rational height_from = height(plane, normal, from), height_to = height(plane, normal, to);
   return nearest_doubles(from + (height_from / (height_from - height_to)) * (to - from));
@@ -49,13 +49,13 @@ PlaneCut cut_segment(const Plane& plane, const Vec3& p, const Vec3& q) {
   if (from == Sign::zero) return {PlaneCutKind::point, p};
   if (to == Sign::zero) return {PlaneCutKind::point, q};
   if (from == to) return {};
-  return {PlaneCutKind::point, meeting_point(plane, p, q)};
+  return {PlaneCutKind::point, intersection_point(plane, p, q)};
 }
 
 PlaneCut cut_line(const Plane& plane, const Vec3& p, const Vec3& q) {
   if (p == q) throw Error("a line needs two different points");
   const Sign along = triple_product_sign({plane.b(), plane.a()}, {plane.c(), plane.a()}, {q, p});
-  if (along != Sign::zero) return {PlaneCutKind::point, meeting_point(plane, p, q)};
+  if (along != Sign::zero) return {PlaneCutKind::point, intersection_point(plane, p, q)};
   return side(plane, p) == Sign::zero ? PlaneCut{PlaneCutKind::whole, p} : PlaneCut{};
 }
 

@@ -142,7 +142,7 @@ std::vector<Vec3> rounded_vertices(const SumParts& parts) {
   return result;
 }
 
-MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
+MinkowskiSum combine(const PosedPolytope& a, const PosedPolytope& b, bool negated) {
   auto parts = std::make_shared<SumParts>(a, b, negated);
   std::optional<SumFacets> general = general_overlay(parts->a, parts->b);
   SumFacets facets = general ? *std::move(general) : overlay(parts->a, parts->b);
@@ -160,8 +160,8 @@ MinkowskiSum combine(const PosedConvex& a, const PosedConvex& b, bool negated) {
 
 }  // namespace
 
-MinkowskiSum minkowski_sum(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, false); }
-MinkowskiSum minkowski_difference(const PosedConvex& a, const PosedConvex& b) { return combine(a, b, true); }
+MinkowskiSum minkowski_sum(const PosedPolytope& a, const PosedPolytope& b) { return combine(a, b, false); }
+MinkowskiSum minkowski_difference(const PosedPolytope& a, const PosedPolytope& b) { return combine(a, b, true); }
 
 MinkowskiSum::MinkowskiSum(std::shared_ptr<const SumParts> parts) : parts_(std::move(parts)) {}
 

@@ -9,7 +9,7 @@ namespace toccata {
 namespace {
 
 /// Vertices in the world are those of the hull itself, so that its faces are exact.
-bool is_in_place(const PosedConvex& shape) { return !shape.in_world() && shape.pose() == Pose{}; }
+bool is_in_place(const PosedPolytope& shape) { return !shape.in_world() && shape.pose() == Pose{}; }
 
 int dimension_of(const HullTopology& topology, Index vertices) {
   if (vertices < 3) return static_cast<int>(vertices) - 1;
@@ -18,7 +18,7 @@ int dimension_of(const HullTopology& topology, Index vertices) {
 
 }  // namespace
 
-SumOperand::SumOperand(const PosedConvex& shape, bool negated) {
+SumOperand::SumOperand(const PosedPolytope& shape, bool negated) {
   const Index count = shape.vertex_count();
   points_.reserve(count);
   for (Index i = 0; i < count; ++i) points_.push_back(negated ? -shape.vertex(i) : shape.vertex(i));

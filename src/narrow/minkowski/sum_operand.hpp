@@ -7,7 +7,7 @@
 #include "core/no_index.hpp"
 #include "math/filter.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {
 
@@ -15,7 +15,7 @@ namespace toccata {
 /// maps reads it. A vertex of it is a region of the Gauss map, an edge an arc, a face a point.
 class SumOperand {
  public:
-  SumOperand(const PosedConvex& shape, bool negated);
+  SumOperand(const PosedPolytope& shape, bool negated);
 
   struct HalfEdge {
     Vec3 along;  ///< target − origin, rounded

@@ -9,7 +9,7 @@
 namespace toccata {
 
 struct MinkowskiSum::Parts {
-  Parts(const PosedConvex& of_a, const PosedConvex& of_b, bool negated)
+  Parts(const PosedPolytope& of_a, const PosedPolytope& of_b, bool negated)
       : a(of_a, false), b(of_b, negated), radius_a(of_a.radius()), radius_b(of_b.radius()), frame(a, b) {}
 
   SumOperand a;

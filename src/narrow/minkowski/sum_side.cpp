@@ -134,7 +134,7 @@ Sign compare_exactly_with_radius(const SumParts& sum, const Vec3& point) {
 }
 
 Sign compare_with_radius(const SumParts& sum, const Vec3& point) {
-  const Distance distance_of_rounded = distance(PosedConvex(Point{point}), PosedConvex(*sum.rounded_core));
+  const Distance distance_of_rounded = distance(PosedPolytope(Point{point}), PosedPolytope(*sum.rounded_core));
   double largest = 0;
   for (Index i = 0; i < sum.rounded_core->vertex_count(); ++i)
     largest = std::max(largest, largest_magnitude(sum.rounded_core->vertex(i)));

@@ -9,10 +9,10 @@
 namespace toccata {
 namespace {
 
-Triangle triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
+Triangle triangle_of(const PosedPolytope& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
 
 /// A sphere or a point against what has a formula.
-Nearness nearness_of_point_shape(const Vec3& p, const PosedConvex& b, double reach) {
+Nearness nearness_of_point_shape(const Vec3& p, const PosedPolytope& b, double reach) {
   switch (b.vertex_count()) {
     case 1:
       return nearness_of_points(p, b.vertex(0), reach);
@@ -60,7 +60,7 @@ Nearness nearness_of_point_corners(const Vec3& p, const std::array<const double*
   return judge(gap, dot(d, d), reach, 2 * magnitude, bend);
 }
 
-Nearness nearness_of_boxes(const PosedConvex& a, const PosedConvex& b) {
+Nearness nearness_of_boxes(const PosedPolytope& a, const PosedPolytope& b) {
   const Nearness nearness = nearness_of_rigid_boxes(view_of(a), view_of(b));
   if (nearness != Nearness::unknown) return nearness;
   const std::optional<bool> meet = BoxAxes(a, b).meet();
@@ -68,7 +68,7 @@ Nearness nearness_of_boxes(const PosedConvex& a, const PosedConvex& b) {
   return *meet ? Nearness::meet : Nearness::apart;
 }
 
-Nearness nearness_by_formula(const PosedConvex& a, const PosedConvex& b) {
+Nearness nearness_by_formula(const PosedPolytope& a, const PosedPolytope& b) {
   const double reach = a.radius() + b.radius();
   if (a.vertex_count() == 1) return nearness_of_point_shape(a.vertex(0), b, reach);
   if (b.vertex_count() == 1) return nearness_of_point_shape(b.vertex(0), a, reach);

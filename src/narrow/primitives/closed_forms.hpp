@@ -4,7 +4,7 @@
 #include <array>
 
 #include "narrow/primitives/nearness.hpp"
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
 #include "toccata/shapes/triangle.hpp"
 
@@ -107,6 +107,6 @@ inline Nearness nearness_of_point_triangle(const Vec3& p, const Triangle& t, dou
                                                  double reach);
 
 /// For two shapes, if there is a formula for the pair.
-[[nodiscard]] Nearness nearness_by_formula(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] Nearness nearness_by_formula(const PosedPolytope& a, const PosedPolytope& b);
 
 }  // namespace toccata

@@ -6,9 +6,9 @@
 namespace toccata {
 namespace {
 
-PosedCapsule segment_of(const PosedConvex& shape) { return {shape.vertex(0), shape.vertex(1), shape.radius()}; }
+PosedCapsule segment_of(const PosedPolytope& shape) { return {shape.vertex(0), shape.vertex(1), shape.radius()}; }
 
-Distance of_point(const PosedConvex& a, const PosedConvex& b) {
+Distance of_point(const PosedPolytope& a, const PosedPolytope& b) {
   const PosedSphere point(a.vertex(0), a.radius());
   switch (b.vertex_count()) {
     case 1:
@@ -25,7 +25,7 @@ Distance of_point(const PosedConvex& a, const PosedConvex& b) {
 
 }  // namespace
 
-Distance distance_of_primitives(const PosedConvex& a, const PosedConvex& b) {
+Distance distance_of_primitives(const PosedPolytope& a, const PosedPolytope& b) {
   if (a.vertex_count() == 1) return of_point(a, b);
   if (b.vertex_count() == 1) {
     Distance distance = of_point(b, a);

@@ -11,7 +11,7 @@
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/convex/convex_of.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "narrow/triangles/grown_cores.hpp"
+#include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/one_lane.hpp"
 #include "toccata/narrow/capsule.hpp"
 
@@ -20,8 +20,8 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-using OnePoint = GrownPoint<OneVector>;
-using OneSegment = GrownSegment<OneVector>;
+using OnePoint = OffsetPoint<OneVector>;
+using OneSegment = OffsetSegment<OneVector>;
 using OneNear = NearPoints<OneVector>;
 using OneReached = Reached<OneVector>;
 using OneFound = Found<OneVector>;
@@ -339,7 +339,7 @@ Distance distance(const Sphere& a, const Pose& pose_a, const Capsule& b, const P
 
 Distance distance(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
   Distance found = HWY_DYNAMIC_DISPATCH(distance_of_sphere_triangle)(a, pose_a, b, pose_b);
-  if (!is_known(found)) found = distance(PosedConvex(a, pose_a), PosedConvex(b, pose_b));
+  if (!is_known(found)) found = distance(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b));
   return found;
 }
 

@@ -6,7 +6,7 @@
 
 #include "narrow/primitives/column_lanes.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "narrow/triangles/grown_cores.hpp"
+#include "narrow/triangles/offset_cores.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
@@ -15,8 +15,8 @@ namespace {
 
 struct SphereSphereDistance {
   HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
-    return found_of(GrownPoint<Vector>{load_vector(pairs.a, 0, i), load(pairs.a, 3, i)},
-                    GrownPoint<Vector>{load_vector(pairs.b, 0, i), load(pairs.b, 3, i)});
+    return found_of(OffsetPoint<Vector>{load_vector(pairs.a, 0, i), load(pairs.a, 3, i)},
+                    OffsetPoint<Vector>{load_vector(pairs.b, 0, i), load(pairs.b, 3, i)});
   }
 };
 
@@ -24,7 +24,7 @@ struct SphereTriangleDistance {
   HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
     const NearPoints<Vector> near = near_of_point_triangle(load_vector(pairs.a, 0, i), load_vector(pairs.b, 0, i),
                                                            load_vector(pairs.b, 3, i), load_vector(pairs.b, 6, i));
-    return grown(near, load(pairs.a, 3, i), hn::Zero(tag));
+    return offset_outward(near, load(pairs.a, 3, i), hn::Zero(tag));
   }
 };
 
@@ -47,14 +47,14 @@ struct SphereBoxDistance {
       corner[k] = {load(pairs.b, k, i), load(pairs.b, 8 + k, i), load(pairs.b, 16 + k, i)};
     const BoxSides<Vector> sides = sides_of(p, corner[0], {corner[1], corner[2], corner[4]});
     for (std::size_t axis = 0; axis < 3; ++axis) turn(corner, axis, sides.far[axis]);
-    return grown(near_of_point_corners(p, corner, sides), load(pairs.a, 3, i), hn::Zero(tag));
+    return offset_outward(near_of_point_corners(p, corner, sides), load(pairs.a, 3, i), hn::Zero(tag));
   }
 };
 
 struct CapsuleCapsuleDistance {
   HWY_INLINE Found<Vector> operator()(const PairColumns& pairs, std::size_t i) const {
-    const GrownSegment<Vector> a{load_vector(pairs.a, 0, i), load_vector(pairs.a, 3, i), load(pairs.a, 6, i)};
-    const GrownSegment<Vector> b{load_vector(pairs.b, 0, i), load_vector(pairs.b, 3, i), load(pairs.b, 6, i)};
+    const OffsetSegment<Vector> a{load_vector(pairs.a, 0, i), load_vector(pairs.a, 3, i), load(pairs.a, 6, i)};
+    const OffsetSegment<Vector> b{load_vector(pairs.b, 0, i), load_vector(pairs.b, 3, i), load(pairs.b, 6, i)};
     return found_of(a, b);
   }
 };

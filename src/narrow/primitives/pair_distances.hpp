@@ -33,7 +33,7 @@ struct RoundBox {
 [[nodiscard]] Distance formula_distance(const PosedCapsule& a, const PosedCapsule& b);
 
 /// For two shapes, if there is a formula for the pair and it proves itself.
-[[nodiscard]] Distance distance_of_primitives(const PosedConvex& a, const PosedConvex& b);
+[[nodiscard]] Distance distance_of_primitives(const PosedPolytope& a, const PosedPolytope& b);
 
 /// Looks at as many pairs from the first on as fill whole vectors, writes a distance of each, and returns how many.
 using DistanceKernel = std::size_t (*)(const PairColumns& pairs, Distance* distances);

@@ -46,7 +46,7 @@ bool overlap(const PosedSphere& a, const PosedCapsule& b) {
 
 bool overlap(const PosedSphere& a, const Plane& b) { return overlap(convex_of(a), b); }
 
-bool overlap(const PosedConvex& a, const Plane& b) {
+bool overlap(const PosedPolytope& a, const Plane& b) {
   const Sign first = side(b, a.vertex(0));
   for (Index i = 1; i < a.vertex_count(); ++i)
     if (side(b, a.vertex(i)) != first) return true;

@@ -159,7 +159,7 @@ HWY_INLINE IntervalEdges edges_of_interval(const CornersInLanes& t, const Corner
 }
 
 struct Verdict {
-  Mask apart, meeting;
+  Mask apart, intersection;
   Mask b_inside_at_first, b_inside_at_last;
 };
 
@@ -244,7 +244,7 @@ HWY_INLINE std::uint64_t bits(const CornerSides& s) { return bits(s.p) | bits(s.
 
 /// Of as many lanes as a vector has, from bit 0 on.
 struct LaneVerdicts {
-  std::uint64_t meeting = 0, unknown = 0, signs = 0;
+  std::uint64_t intersection = 0, unknown = 0, signs = 0;
 };
 
 /// How two triangles are related to each other that a block holds.
@@ -276,8 +276,8 @@ HWY_INLINE LaneVerdicts classify_lanes(TrianglePairBlock& block, std::size_t lan
   if (hn::AllFalse(tag, general)) return result;
   const Verdict verdict =
       compare_intervals(edges_of_interval(a, of_a), edges_of_interval(b, of_b), error_bound(size_a, size_both, size_b));
-  result.meeting = bits(hn::And(general, verdict.meeting));
-  result.unknown &= ~(result.meeting | bits(hn::And(general, verdict.apart)));
+  result.intersection = bits(hn::And(general, verdict.intersection));
+  result.unknown &= ~(result.intersection | bits(hn::And(general, verdict.apart)));
   result.signs =
       bits(of_a) | bits(of_b) << 24U | bits(verdict.b_inside_at_first) << 48U | bits(verdict.b_inside_at_last) << 56U;
   return result;
@@ -288,12 +288,12 @@ void classify(TrianglePairBlock& block, PoseNumbers pose_a, PoseNumbers pose_b) 
   LaneVerdicts all;
   for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; lane += hn::Lanes(tag)) {
     const LaneVerdicts some = classify_lanes<kin>(block, lane, pose_a, pose_b);
-    all.meeting |= some.meeting << lane;
+    all.intersection |= some.intersection << lane;
     all.unknown |= some.unknown << lane;
     all.signs |= some.signs << lane;
   }
   const std::uint64_t used = (std::uint64_t{1} << block.count) - 1;
-  block.meeting = static_cast<std::uint8_t>(all.meeting & used);
+  block.intersection = static_cast<std::uint8_t>(all.intersection & used);
   block.unknown = static_cast<std::uint8_t>(all.unknown & used);
   block.signs = all.signs;
 }

@@ -6,7 +6,7 @@
 namespace toccata {
 namespace {
 
-Index farthest_vertex(const PosedConvex& shape, const Vec3& direction) {
+Index farthest_vertex(const PosedPolytope& shape, const Vec3& direction) {
   Index best = 0;
   double greatest = dot(shape.vertex(0), direction);
   for (Index i = 1; i < shape.vertex_count(); ++i) {
@@ -19,7 +19,7 @@ Index farthest_vertex(const PosedConvex& shape, const Vec3& direction) {
 }
 
 /// The sum of a fan's normals: not of length 1, and inwards when the pose mirrors.
-Vec3 area_vector(const PosedConvex& shape, Index face) {
+Vec3 area_vector(const PosedPolytope& shape, Index face) {
   const HullTopology topology = shape.topology();
   const Index first = topology.face_start[face], last = topology.face_start[face + 1];
   const Vec3 origin = shape.vertex(topology.origin[first]);
@@ -60,7 +60,7 @@ double turn_of_faces(const Mat3& linear) {
   return dot(cross(plain(linear[0]), plain(linear[1])), plain(linear[2])) < 0 ? -1 : 1;
 }
 
-ContactFace facing_face(const PosedConvex& shape, const Vec3& direction) {
+ContactFace facing_face(const PosedPolytope& shape, const Vec3& direction) {
   ContactFace best;
   best.shape = &shape;
   best.vertex = farthest_vertex(shape, direction);
@@ -81,7 +81,7 @@ ContactFace facing_face(const PosedConvex& shape, const Vec3& direction) {
   return best;
 }
 
-ConvexFeature feature_of(const PosedConvex& shape, const std::array<Index, 4>& vertices, std::size_t count) {
+ConvexFeature feature_of(const PosedPolytope& shape, const std::array<Index, 4>& vertices, std::size_t count) {
   const Index first = vertices[0];
   Index second = first;
   for (std::size_t k = 1; k < count; ++k)

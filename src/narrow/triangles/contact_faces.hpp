@@ -11,7 +11,7 @@ namespace toccata {
 /// What a core turns towards a direction: a face as a polygon, a segment or a point.
 struct ContactFace {
   static constexpr Index none = ~Index{0};
-  const PosedConvex* shape = nullptr;
+  const PosedPolytope* shape = nullptr;
   Index face = none;   ///< none: the core is a point
   Index vertex = 0;    ///< the core's vertex that is farthest along the direction
   Vec3 normal{};       ///< outwards, unit; zero when it has no area
@@ -22,7 +22,7 @@ struct ContactFace {
 };
 
 /// The face around the vertex farthest along the direction that turns most towards it.
-[[nodiscard]] ContactFace facing_face(const PosedConvex& shape, const Vec3& direction);
+[[nodiscard]] ContactFace facing_face(const PosedPolytope& shape, const Vec3& direction);
 
 /// −1 when the pose mirrors, which turns every face round; else 1. Of a matrix of any size.
 [[nodiscard]] double turn_of_faces(const Mat3& linear);
@@ -33,7 +33,7 @@ struct ContactFace {
 }
 
 /// The least feature that has all these vertices, repeated ones among them: a vertex, an edge or a face.
-[[nodiscard]] ConvexFeature feature_of(const PosedConvex& shape, const std::array<Index, 4>& vertices,
+[[nodiscard]] ConvexFeature feature_of(const PosedPolytope& shape, const std::array<Index, 4>& vertices,
                                        std::size_t count);
 
 }  // namespace toccata

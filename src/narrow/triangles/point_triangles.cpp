@@ -4,8 +4,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "narrow/triangles/grown_cores.hpp"
 #include "narrow/triangles/least_difference.hpp"
+#include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/point_triangles.hpp"
 
 #ifndef TOCCATA_NARROW_POINT_TRIANGLES_ONCE

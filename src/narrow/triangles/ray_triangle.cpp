@@ -119,7 +119,7 @@ std::optional<RayTime> certain_time(const PreparedRay& ray, const Triangle& targ
 }
 
 RayTime exact_time(const PreparedRay& ray, const Triangle& target) {
-  const Cast cast = cast_ray(ray.origin, ray.motion, PosedConvex(target));
+  const Cast cast = cast_ray(ray.origin, ray.motion, PosedPolytope(target));
   return {cast.hit, cast.lower, cast.upper, true};
 }
 
@@ -154,7 +154,7 @@ RayTime ray_time_of_passing(const PreparedRay& ray, const Triangle& target) {
 }
 
 Cast ray_hit(const PreparedRay& ray, const Triangle& target, const RayTime& time) {
-  if (time.exact) return cast_ray(ray.origin, ray.motion, PosedConvex(target));
+  if (time.exact) return cast_ray(ray.origin, ray.motion, PosedPolytope(target));
   Cast cast;
   cast.hit = true;
   cast.lower = time.lower;

@@ -35,16 +35,16 @@ constexpr Feature rising_edge(unsigned sides) {
 constexpr Feature falling_edge(unsigned sides) { return rising_edge(~sides & 7U); }
 
 /// The meeting of two triangles that cross and have no corner in the other's plane, by a lane's bits of `signs`.
-constexpr Meeting crossing_meeting(unsigned code) {
+constexpr Intersection crossing_intersection(unsigned code) {
   const unsigned sides_a = code & 7U, sides_b = (code >> 3U) & 7U;
-  // Along L the interval of b comes end first (`meeting_of_intervals`).
-  MeetingPoint first = (code & 64U) != 0 ? MeetingPoint{face_feature(), falling_edge(sides_b)}
-                                         : MeetingPoint{rising_edge(sides_a), face_feature()};
-  MeetingPoint last = (code & 128U) != 0 ? MeetingPoint{face_feature(), rising_edge(sides_b)}
-                                         : MeetingPoint{falling_edge(sides_a), face_feature()};
+  // Along L the interval of b comes end first (`intersection_of_intervals`).
+  IntersectionPoint first = (code & 64U) != 0 ? IntersectionPoint{face_feature(), falling_edge(sides_b)}
+                                              : IntersectionPoint{rising_edge(sides_a), face_feature()};
+  IntersectionPoint last = (code & 128U) != 0 ? IntersectionPoint{face_feature(), rising_edge(sides_b)}
+                                              : IntersectionPoint{falling_edge(sides_a), face_feature()};
   if (last < first) std::swap(first, last);
-  Meeting m;
-  m.kind = MeetingKind::segment;
+  Intersection m;
+  m.kind = IntersectionKind::segment;
   m.crossing = true;
   m.on_a = m.on_b = face_feature();
   m.count = 2;
@@ -53,13 +53,13 @@ constexpr Meeting crossing_meeting(unsigned code) {
   return m;
 }
 
-constexpr std::array<Meeting, 256> all_crossing_meetings() {
-  std::array<Meeting, 256> meetings{};
-  for (unsigned code = 0; code < meetings.size(); ++code) meetings[code] = crossing_meeting(code);
-  return meetings;
+constexpr std::array<Intersection, 256> all_crossing_intersections() {
+  std::array<Intersection, 256> intersections{};
+  for (unsigned code = 0; code < intersections.size(); ++code) intersections[code] = crossing_intersection(code);
+  return intersections;
 }
 
-constexpr std::array<Meeting, 256> crossing_meetings = all_crossing_meetings();
+constexpr std::array<Intersection, 256> crossing_intersections = all_crossing_intersections();
 
 /// Bit i is bit `lane` of byte i.
 constexpr unsigned column(std::uint64_t bytes, std::size_t lane) {
@@ -77,8 +77,8 @@ void set_pair(TrianglePairBlock& block, std::size_t lane, const Triangle& a, con
   put(block.b, lane, b);
 }
 
-const Meeting& meeting_in(const TrianglePairBlock& block, std::size_t lane) {
-  return crossing_meetings[column(block.signs, lane)];
+const Intersection& intersection_in(const TrianglePairBlock& block, std::size_t lane) {
+  return crossing_intersections[column(block.signs, lane)];
 }
 
 }  // namespace toccata

@@ -22,9 +22,9 @@ struct alignas(64) TrianglePairBlock {
   std::size_t count = 0;  ///< how many lanes hold pairs
 
   // Written by `classify_pairs`. Of the verdicts bit i is for lane i; a pair with neither is certainly apart.
-  std::uint8_t meeting = 0;  ///< certainly have a point in common
-  std::uint8_t unknown = 0;  ///< plain arithmetic cannot tell: ask `overlap` or `meeting`
-  std::uint64_t signs = 0;   ///< for `meeting_in`
+  std::uint8_t intersection = 0;  ///< certainly have a point in common
+  std::uint8_t unknown = 0;       ///< plain arithmetic cannot tell: ask `overlap` or `intersect`
+  std::uint64_t signs = 0;        ///< for `intersection_in`
 };
 
 /// Places a by `pose_a` and b by `pose_b`, to the bit as `transform` does, and decides every pair for which plain
@@ -44,7 +44,7 @@ void classify_neighbours(const Pose& pose, std::span<TrianglePairBlock> blocks);
 /// Puts a pair into a lane.
 void set_pair(TrianglePairBlock& block, std::size_t lane, const Triangle& a, const Triangle& b);
 
-/// What `meeting` says of the triangles in a lane whose bit in `meeting` is set.
-[[nodiscard]] const Meeting& meeting_in(const TrianglePairBlock& block, std::size_t lane);
+/// What `intersect` says of the triangles in a lane whose bit in `intersect` is set.
+[[nodiscard]] const Intersection& intersection_in(const TrianglePairBlock& block, std::size_t lane);
 
 }  // namespace toccata

@@ -21,7 +21,7 @@ template <ConvexFeature::Kind kind_a, ConvexFeature::Kind kind_b>
 }
 
 /// A look at all vertices, which is seldom needed.
-[[gnu::noinline]] bool others_beyond(const PosedConvex& a, const PosedConvex& b, const FeaturesAsked& asked) {
+[[gnu::noinline]] bool others_beyond(const PosedPolytope& a, const PosedPolytope& b, const FeaturesAsked& asked) {
   const SupportKernels kernels = support_kernels();
   const SupportSearch search_a(a, kernels), search_b(b, kernels);
   const NearestFeatures features = features_of(asked);
@@ -32,7 +32,7 @@ template <ConvexFeature::Kind kind_a, ConvexFeature::Kind kind_b>
 
 /// One function for each two kinds: its numbers are many and stay where they are.
 template <ConvexFeature::Kind kind_a, ConvexFeature::Kind kind_b>
-std::optional<Distance> proved(const PosedConvex& a, const WalkBody& body_a, const PosedConvex& b,
+std::optional<Distance> proved(const PosedPolytope& a, const WalkBody& body_a, const PosedPolytope& b,
                                const WalkBody& body_b, const FeaturesAsked& asked) {
   FormulaNumbers numbers;
   if (!solve_formula(spread_features<kind_a, kind_b>(body_a, body_b, asked), numbers)) return {};
@@ -45,14 +45,14 @@ std::optional<Distance> proved(const PosedConvex& a, const WalkBody& body_a, con
   if (a.radius() + b.radius() == 0) return plain_formula_distance(numbers.nearest);
   // Number by number: a copy as a whole would keep all of them in memory.
   const FormulaNearest& n = numbers.nearest;
-  return grown_formula_distance(
+  return offset_formula_distance(
       {n.on_a, n.on_b, n.point_error, n.difference, n.difference_error, n.distance, n.distance_error}, a.radius(),
       b.radius());
 }
 
 }  // namespace
 
-std::optional<Distance> proved_distance(const PosedConvex& a, const WalkBody& body_a, const PosedConvex& b,
+std::optional<Distance> proved_distance(const PosedPolytope& a, const WalkBody& body_a, const PosedPolytope& b,
                                         const WalkBody& body_b, const FeaturesAsked& asked) {
   const ConvexFeature::Kind kind_a = asked.feature[0].kind, kind_b = asked.feature[1].kind;
   if (kind_a == ConvexFeature::Kind::face)

@@ -37,8 +37,8 @@ struct FeaturesAsked {
 
 /// The distance of two shapes, as `distance_by_gjk` tells it, if the features are proved to be the only nearest ones.
 /// The bodies are those of the shapes.
-[[nodiscard]] std::optional<Distance> proved_distance(const PosedConvex& a, const WalkBody& body_a,
-                                                      const PosedConvex& b, const WalkBody& body_b,
+[[nodiscard]] std::optional<Distance> proved_distance(const PosedPolytope& a, const WalkBody& body_a,
+                                                      const PosedPolytope& b, const WalkBody& body_b,
                                                       const FeaturesAsked& asked);
 
 }  // namespace toccata

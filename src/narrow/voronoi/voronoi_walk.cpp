@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "narrow/convex/kept_simplex.hpp"
+#include "narrow/convex/cached_simplex.hpp"
 #include "narrow/exact/nearest_formula.hpp"
 #include "narrow/voronoi/feature_proof.hpp"
 #include "narrow/voronoi/walk_start.hpp"
@@ -23,13 +23,13 @@ namespace {
                   which, vertices_of_regions, vertices));
 }
 
-void require_regions_of(const PosedConvex& shape, const VoronoiRegions& regions, const char* which) {
+void require_regions_of(const PosedPolytope& shape, const VoronoiRegions& regions, const char* which) {
   const auto vertices = regions.parts().vertex_count;
   if (shape.vertex_count() != vertices) refuse_regions(shape.vertex_count(), vertices, which);
 }
 
 /// Those of a hull share its coordinates; else the vertices tell.
-bool are_regions_of(const WalkBody& body, const PosedConvex& shape) {
+bool are_regions_of(const WalkBody& body, const PosedPolytope& shape) {
   if (body.parts->stored == shape.along(0)) return true;
   for (Index i = 0; i < shape.vertex_count(); ++i)
     if (!(body.vertex(i) == shape.vertex(i))) return false;
@@ -84,7 +84,7 @@ ConvexFeature feature_of(const RegionParts& parts, std::span<const Index> vertic
 /// One question about a tracked pair.
 class TrackedQuestion {
  public:
-  TrackedQuestion(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+  TrackedQuestion(const PosedPolytope& a, const VoronoiRegions& regions_a, const PosedPolytope& b,
                   const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath* path)
       : a_(a),
         b_(b),
@@ -163,7 +163,7 @@ class TrackedQuestion {
   Distance searched() {
     ++tracked_.counts.searched;
     const Distance distance = distance_by_gjk(a_, b_, {}, &tracked_.workspace);
-    const VertexPairs simplex = kept_simplex(tracked_.workspace, a_, b_);
+    const VertexPairs simplex = cached_simplex(tracked_.workspace, a_, b_);
     const std::optional<NearestFeatures> features = canonical_features(simplex);
     tracked_.cores_meet = !features;
     if (features) {
@@ -174,14 +174,14 @@ class TrackedQuestion {
     return told(distance);
   }
 
-  const PosedConvex& a_;
-  const PosedConvex& b_;
+  const PosedPolytope& a_;
+  const PosedPolytope& b_;
   WalkBody body_a_, body_b_;
   TrackedPair& tracked_;
   VoronoiPath* path_;
 };
 
-Distance answered(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+Distance answered(const PosedPolytope& a, const VoronoiRegions& regions_a, const PosedPolytope& b,
                   const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath* path) {
   require_regions_of(a, regions_a, "A");
   require_regions_of(b, regions_b, "B");
@@ -190,12 +190,12 @@ Distance answered(const PosedConvex& a, const VoronoiRegions& regions_a, const P
 
 }  // namespace
 
-Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a, const PosedPolytope& b,
                                   const VoronoiRegions& regions_b, TrackedPair& tracked) {
   return answered(a, regions_a, b, regions_b, tracked, nullptr);
 }
 
-Distance distance_by_voronoi_walk(const PosedConvex& a, const VoronoiRegions& regions_a, const PosedConvex& b,
+Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a, const PosedPolytope& b,
                                   const VoronoiRegions& regions_b, TrackedPair& tracked, VoronoiPath& path) {
   path = {};
   return answered(a, regions_a, b, regions_b, tracked, &path);

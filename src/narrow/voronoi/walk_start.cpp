@@ -21,7 +21,7 @@ Index highest_from(const RegionParts& parts, const Vec3& direction, Index start)
   return highest;
 }
 
-Index farthest_vertex(const PosedConvex& shape, const WalkBody& body, const Vec3& direction) {
+Index farthest_vertex(const PosedPolytope& shape, const WalkBody& body, const Vec3& direction) {
   const std::span<const Index> guide = body.parts->topology.guide;
   if (guide.empty()) return SupportSearch(shape, support_kernels(), GjkSupport::scan).least(-direction);
   const Vec3 own = body.own(direction);
@@ -30,7 +30,7 @@ Index farthest_vertex(const PosedConvex& shape, const WalkBody& body, const Vec3
 
 }  // namespace
 
-std::array<Index, 2> facing_vertices(const PosedConvex& a, const WalkBody& body_a, const PosedConvex& b,
+std::array<Index, 2> facing_vertices(const PosedPolytope& a, const WalkBody& body_a, const PosedPolytope& b,
                                      const WalkBody& body_b) {
   const Vec3 way = body_b.point(body_b.parts->middle) - body_a.point(body_a.parts->middle);
   return {farthest_vertex(a, body_a, way), farthest_vertex(b, body_b, -way)};

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "narrow/half_spaces/half_space_casts.hpp"
-#include "narrow/smooth/casts/smooth_cast_until.hpp"
+#include "narrow/quadrics/casts/quadric_cast_until.hpp"
 #include "query/ask.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
@@ -19,7 +19,7 @@ namespace {
 ShapeHit whole(const Cast& cast) { return {cast, 0, 0, 0, 0}; }
 
 struct AskCast {
-  std::optional<ShapeHit> operator()(const PosedConvex& a, const PosedConvex& b) const {
+  std::optional<ShapeHit> operator()(const PosedPolytope& a, const PosedPolytope& b) const {
     return whole(cast_shape(a, motion, b, &scratch.convex));
   }
   std::optional<ShapeHit> operator()(const PosedHalfSpace&, const PosedHalfSpace&) const {
@@ -58,7 +58,7 @@ ShapeHit numbered(ShapeHit hit, const PosedPart& a, const PosedPart& b) {
 std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
                                    double limit, Workspace& workspace) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
-  const PosedModels models(a, b, query, workspace.scratch());
+  const PosedModelPair models(a, b, query, workspace.scratch());
   std::optional<ShapeHit> first;
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
     require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);

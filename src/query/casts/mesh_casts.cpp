@@ -6,7 +6,7 @@
 
 #include "narrow/convex/cast_until.hpp"
 #include "narrow/half_spaces/half_space_casts.hpp"
-#include "narrow/smooth/casts/smooth_cast_until.hpp"
+#include "narrow/quadrics/casts/quadric_cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"
@@ -22,13 +22,13 @@ const Shape& searched(const Shape& side) {
   return side;
 }
 
-const WideTree* tree_of(const PosedMesh& mesh) { return &mesh.model().wide_tree(); }
+const WideBvh* tree_of(const PosedMesh& mesh) { return &mesh.model().wide_bvh(); }
 template <class Shape>
-const WideTree* tree_of(const Shape&) {
+const WideBvh* tree_of(const Shape&) {
   return nullptr;
 }
 
-PosedConvex item_of(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
+PosedPolytope item_of(const PosedMesh& mesh, Index triangle) { return PosedPolytope(mesh.triangle(triangle)); }
 template <class Shape>
 const Shape& item_of(const Shape& shape, Index) {
   return shape;
@@ -40,29 +40,29 @@ Index face_of(const Shape&, Index) {
   return 0;
 }
 
-std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedConvex& b, double limit,
+std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b, double limit,
                                SearchScratch& scratch) {
   return cast_shape_until(a, motion, b, limit, scratch.convex);
 }
-std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedSmooth& b, double limit,
+std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedQuadric& b, double limit,
                                SearchScratch&) {
   return cast_shape_until(a, motion, b, limit);
 }
-std::optional<Cast> cast_items(const PosedSmooth& a, const Vec3& motion, const PosedConvex& b, double limit,
+std::optional<Cast> cast_items(const PosedQuadric& a, const Vec3& motion, const PosedPolytope& b, double limit,
                                SearchScratch&) {
   return cast_shape_until(a, motion, b, limit);
 }
-std::optional<Cast> cast_items(const PosedConvex& a, const Vec3& motion, const PosedHalfSpace& b, double,
+std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b, double,
                                SearchScratch&) {
   return cast_shape(a, motion, b);
 }
-std::optional<Cast> cast_items(const PosedHalfSpace& a, const Vec3& motion, const PosedConvex& b, double,
+std::optional<Cast> cast_items(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b, double,
                                SearchScratch&) {
   return cast_shape(a, motion, b);
 }
 
 template <class A, class B>
-constexpr bool has_smooth_side = std::same_as<A, PosedSmooth> || std::same_as<B, PosedSmooth>;
+constexpr bool has_quadric_side = std::same_as<A, PosedQuadric> || std::same_as<B, PosedQuadric>;
 
 /// The first two items that meet; of meshes, their surfaces alone.
 template <class A, class B>
@@ -77,7 +77,7 @@ class FirstMeeting {
     const SweptView view(a_, motion_, b_);
     const SweptWalk walk({tree_of(a_), tree_of(b_)}, view.directions());
     walk.run(scratch_.swept, limit_, [this](ItemPair items) {
-      if constexpr (has_smooth_side<A, B>)
+      if constexpr (has_quadric_side<A, B>)
         look_at(items);
       else
         cast(items);
@@ -96,9 +96,9 @@ class FirstMeeting {
     limit_ = std::min(limit_, first_->upper + widest_cast);
   }
 
-  /// Casts of smooth shapes cost much, and bounds of their times little: so items are cast in the order of these, and
+  /// Casts of quadrics cost much, and bounds of their times little: so items are cast in the order of these, and
   /// not before all that the walk has still to show come later.
-  void look_at(ItemPair items) requires has_smooth_side<A, B> {
+  void look_at(ItemPair items) requires has_quadric_side<A, B> {
     const double time = free_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_);
     std::vector<WaitingCast>& waiting = scratch_.casts;
     if (time <= limit_) {
@@ -179,13 +179,13 @@ requires std::same_as<A, PosedTriangles> || std::same_as<B, PosedTriangles> std:
 
 template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedTriangles&, double,
                                             SearchScratch&);
-template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedConvex&, double,
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedPolytope&, double,
                                             SearchScratch&);
-template std::optional<ShapeHit> cast_until(const PosedConvex&, const Vec3&, const PosedTriangles&, double,
+template std::optional<ShapeHit> cast_until(const PosedPolytope&, const Vec3&, const PosedTriangles&, double,
                                             SearchScratch&);
-template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedSmooth&, double,
+template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedQuadric&, double,
                                             SearchScratch&);
-template std::optional<ShapeHit> cast_until(const PosedSmooth&, const Vec3&, const PosedTriangles&, double,
+template std::optional<ShapeHit> cast_until(const PosedQuadric&, const Vec3&, const PosedTriangles&, double,
                                             SearchScratch&);
 template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedHalfSpace&, double,
                                             SearchScratch&);

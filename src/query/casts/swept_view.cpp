@@ -26,7 +26,7 @@ struct HeightsAlong {
 };
 
 HeightsAlong along(const PosedMesh& mesh, const Vec3& direction) {
-  const WideTree& tree = mesh.model().wide_tree();
+  const WideBvh& tree = mesh.model().wide_bvh();
   const Mat3& linear = mesh.pose().linear;
   const Vec3 on{dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
   const double at_origin = dot(direction, mesh.pose().offset);
@@ -40,7 +40,7 @@ HeightsAlong along(const PosedMesh& mesh, const Vec3& direction) {
           sum_of_magnitudes(largest_coordinates(mesh))};
 }
 
-HeightsAlong along(const PosedConvex& shape, const Vec3& direction) {
+HeightsAlong along(const PosedPolytope& shape, const Vec3& direction) {
   const SupportKernels kernels = support_kernels();
   const SupportSearch support(shape, kernels);
   const double reach = shape.radius() * plain_length(direction) * (1 + 0x1p-50);
@@ -53,7 +53,7 @@ HeightsAlong along(const PosedConvex& shape, const Vec3& direction) {
   return result;
 }
 
-HeightsAlong along(const PosedSmooth& shape, const Vec3& direction) {
+HeightsAlong along(const PosedQuadric& shape, const Vec3& direction) {
   const Mat3& linear = shape.pose().linear;
   const Vec3& half = shape.half();
   const double x = half.x * dot(direction, linear.column(0)), y = half.y * dot(direction, linear.column(1)),
@@ -64,11 +64,11 @@ HeightsAlong along(const PosedSmooth& shape, const Vec3& direction) {
   HeightsAlong result;
   result.size = dot(magnitudes(direction), largest);
   result.coordinates = sum_of_magnitudes(largest) + sum_of_magnitudes(half);
-  if (shape.kind() == PosedSmooth::Kind::cone) {
+  if (shape.kind() == PosedQuadric::Kind::cone) {
     result.whole = {middle + std::min(-z - across, z), middle + std::max(-z + across, z)};
     return result;
   }
-  const bool is_ellipsoid = shape.kind() == PosedSmooth::Kind::ellipsoid;
+  const bool is_ellipsoid = shape.kind() == PosedQuadric::Kind::ellipsoid;
   const double reach = is_ellipsoid ? std::hypot(across, z) : across + std::abs(z);
   result.whole = {middle - reach, middle + reach};
   return result;
@@ -127,13 +127,13 @@ SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b)
   for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
 }
 
-SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b) { add_around(a, a, motion, b); }
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedPolytope& b) { add_around(a, a, motion, b); }
 
-SweptView::SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b) { add_around(b, a, motion, b); }
+SweptView::SweptView(const PosedPolytope& a, const Vec3& motion, const PosedMesh& b) { add_around(b, a, motion, b); }
 
-SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedSmooth& b) { add_around(a, a, motion, b); }
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedQuadric& b) { add_around(a, a, motion, b); }
 
-SweptView::SweptView(const PosedSmooth& a, const Vec3& motion, const PosedMesh& b) { add_around(b, a, motion, b); }
+SweptView::SweptView(const PosedQuadric& a, const Vec3& motion, const PosedMesh& b) { add_around(b, a, motion, b); }
 
 SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b) {
   add(a, motion, b, near_unit(b.normal));

@@ -14,10 +14,10 @@ namespace toccata {
 class SweptView {
  public:
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b);
-  SweptView(const PosedMesh& a, const Vec3& motion, const PosedConvex& b);
-  SweptView(const PosedConvex& a, const Vec3& motion, const PosedMesh& b);
-  SweptView(const PosedMesh& a, const Vec3& motion, const PosedSmooth& b);
-  SweptView(const PosedSmooth& a, const Vec3& motion, const PosedMesh& b);
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedPolytope& b);
+  SweptView(const PosedPolytope& a, const Vec3& motion, const PosedMesh& b);
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedQuadric& b);
+  SweptView(const PosedQuadric& a, const Vec3& motion, const PosedMesh& b);
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b);
   SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b);
 

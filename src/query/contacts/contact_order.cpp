@@ -118,7 +118,7 @@ void order_alone(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
 
 Contact contact_of(const PosedMesh& a, const PosedMesh& b, const FoundPair& pair) {
   const Index first = pair.first(), second = pair.second();
-  return {first, second, a.model().mesh().face_of(first), b.model().mesh().face_of(second), *pair.meeting};
+  return {first, second, a.model().mesh().face_of(first), b.model().mesh().face_of(second), *pair.intersection};
 }
 
 void order_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {

@@ -12,7 +12,7 @@
 #include "math/vec3_measures.hpp"
 #include "query/contacts/region_depth.hpp"
 #include "query/meshes/pair_search.hpp"
-#include "query/posed_pair.hpp"
+#include "query/posed_mesh_pair.hpp"
 #include "shapes/union_find.hpp"
 #include "toccata/core/error.hpp"
 
@@ -70,17 +70,17 @@ struct Outline {
 
 class RegionSum {
  public:
-  RegionSum(const PosedPair& pair, double turn_a, double turn_b) : pair_(pair), turn_a_(turn_a), turn_b_(turn_b) {}
+  RegionSum(const PosedMeshPair& pair, double turn_a, double turn_b) : pair_(pair), turn_a_(turn_a), turn_b_(turn_b) {}
 
   void add(const Contact& contact) {
     const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
-    const MeetingCoordinates found = coordinates(contact.meeting, a, b);
+    const IntersectionPoints found = intersection_points(contact.intersection, a, b);
     const std::span<const Vec3> points(found.points.data(), found.count);
     outline_.points.insert(outline_.points.end(), points.begin(), points.end());
     const Vec3 normal_a = turn_a_ * normal_of_any_size(a), normal_b = turn_b_ * normal_of_any_size(b);
     outline_.of_normals = outline_.of_normals + (normal_a - normal_b);
-    if (contact.meeting.kind == MeetingKind::polygon) add_polygon(points, normal_a);
-    if (contact.meeting.kind == MeetingKind::segment && contact.meeting.crossing)
+    if (contact.intersection.kind == IntersectionKind::polygon) add_polygon(points, normal_a);
+    if (contact.intersection.kind == IntersectionKind::segment && contact.intersection.crossing)
       add_segment(points[0], points[1], cross(normal_a, normal_b));
   }
 
@@ -102,7 +102,7 @@ class RegionSum {
     outline_.ends.emplace_back(to, -1);
   }
 
-  const PosedPair& pair_;
+  const PosedMeshPair& pair_;
   double turn_a_;
   double turn_b_;
   Outline outline_;
@@ -136,7 +136,7 @@ std::size_t distinct_pairs(std::span<const Contact> contacts, std::span<const In
 
 class Regions {
  public:
-  Regions(const PosedPair& pair, std::span<const Contact> contacts)
+  Regions(const PosedMeshPair& pair, std::span<const Contact> contacts)
       : pair_(pair),
         contacts_(contacts),
         graph_a_(pair.a),
@@ -192,7 +192,7 @@ class Regions {
     region.depth = dot(region.normal, region.deepest - farthest);
   }
 
-  const PosedPair& pair_;
+  const PosedMeshPair& pair_;
   std::span<const Contact> contacts_;
   VertexGraph graph_a_;
   VertexGraph graph_b_;
@@ -212,7 +212,7 @@ std::vector<ContactRegion> contact_regions(const Model& a, const Model& b, const
   if (!a.has_mesh() || !b.has_mesh())
     throw Error(
         "contact regions are those of two meshes or height fields: ask for the contacts, or the manifold, of others");
-  const PosedPair pair(a, b, query);
+  const PosedMeshPair pair(a, b, query);
   const auto contacts = surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
   if (contacts.empty()) return {};
   return Regions(pair, contacts).sorted();

@@ -5,7 +5,7 @@
 #include "query/ask.hpp"
 #include "query/contacts/part_contacts.hpp"
 #include "query/meshes/pair_search.hpp"
-#include "query/posed_pair.hpp"
+#include "query/posed_mesh_pair.hpp"
 
 namespace toccata {
 
@@ -19,10 +19,10 @@ std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& q
 
 std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   if (a.has_mesh() && b.has_mesh()) {
-    const PosedPair pair(a, b, query);
+    const PosedMeshPair pair(a, b, query);
     return surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
   }
-  const PosedModels models(a, b, query, workspace.scratch());
+  const PosedModelPair models(a, b, query, workspace.scratch());
   return contacts_of(models.a, models.b, workspace.scratch(), query.threads);
 }
 
@@ -33,7 +33,7 @@ std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQ
 
 std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   if (a.has_mesh() && b.has_mesh()) {
-    const PosedPair pair(a, b, query);
+    const PosedMeshPair pair(a, b, query);
     return first_surface_contact(pair.a, pair.b, workspace.scratch());
   }
   const auto all = contacts(a, b, query, workspace);

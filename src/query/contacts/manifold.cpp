@@ -2,7 +2,7 @@
 
 #include "query/ask.hpp"
 #include "query/contacts/part_contacts.hpp"
-#include "toccata/narrow/smooth_manifold.hpp"
+#include "toccata/narrow/quadric_manifold.hpp"
 
 namespace toccata {
 namespace {
@@ -10,10 +10,10 @@ namespace {
 struct AskManifold {
   static constexpr ShapeQuestion question = ShapeQuestion::manifold;
 
-  Manifold operator()(const PosedConvex& a, const PosedConvex& b) const { return manifold(a, b, &scratch.convex); }
-  Manifold operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return manifold(a, b); }
+  Manifold operator()(const PosedPolytope& a, const PosedPolytope& b) const { return manifold(a, b, &scratch.convex); }
+  Manifold operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return manifold(a, b); }
   template <PosedConvexSet Other>
-  Manifold operator()(const PosedSmooth& a, const Other& b) const {
+  Manifold operator()(const PosedQuadric& a, const Other& b) const {
     return manifold(a, b);
   }
 
@@ -34,7 +34,7 @@ Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Worksp
 template <std::same_as<Contact> C>
 Manifold manifold(const Model& a, const Model& b, const C& contact, const PairQuery& query) {
   SearchScratch scratch;
-  const PosedModels models(a, b, query, scratch);
+  const PosedModelPair models(a, b, query, scratch);
   return manifold_of(posed_element(models.a, contact.triangle_a), posed_element(models.b, contact.triangle_b), scratch);
 }
 

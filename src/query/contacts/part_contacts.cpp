@@ -8,17 +8,17 @@
 #include "query/ask.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {
 
 /// It was made of a Triangle; no hull is in the world.
-bool is_triangle(const PosedConvex& shape) {
+bool is_triangle(const PosedPolytope& shape) {
   return shape.in_world() && shape.vertex_count() == 3 && shape.radius() == 0;
 }
 
-Triangle world_triangle_of(const PosedConvex& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
+Triangle world_triangle_of(const PosedPolytope& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
 
 /// Of one part of A and one of B; they lie in the scratch.
 struct PartContacts {
@@ -33,36 +33,36 @@ PartContacts flipped(const PartContacts& contacts) {
 struct AskContacts {
   static constexpr ShapeQuestion question = ShapeQuestion::contacts;
 
-  PartContacts operator()(const PosedConvex& a, const PosedConvex& b) const {
+  PartContacts operator()(const PosedPolytope& a, const PosedPolytope& b) const {
     if (!is_triangle(a) || !is_triangle(b)) return one_if(overlap(a, b, &scratch.convex));
-    const Meeting found = meeting(world_triangle_of(a), world_triangle_of(b));
-    return one_if(found.kind != MeetingKind::none, found);
+    const Intersection found = intersect(world_triangle_of(a), world_triangle_of(b));
+    return one_if(found.kind != IntersectionKind::none, found);
   }
-  PartContacts operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
+  PartContacts operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
   PartContacts operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return one_if(overlap(a, b)); }
-  PartContacts operator()(const PosedTriangles& a, const PosedSmooth& b) const {
-    return each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
+  PartContacts operator()(const PosedTriangles& a, const PosedQuadric& b) const {
+    return each_of(a.mesh, triangles_intersecting(a.mesh, b, scratch));
   }
   template <PosedConvexSet Other>
-  PartContacts operator()(const PosedSmooth& a, const Other& b) const {
+  PartContacts operator()(const PosedQuadric& a, const Other& b) const {
     return one_if(overlap(a, b));
   }
-  PartContacts operator()(const PosedTriangles& a, const PosedConvex& b) const {
-    const PartContacts contacts = each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
+  PartContacts operator()(const PosedTriangles& a, const PosedPolytope& b) const {
+    const PartContacts contacts = each_of(a.mesh, triangles_intersecting(a.mesh, b, scratch));
     if (is_triangle(b))
       for (Contact& contact : contacts.all)
-        contact.meeting = meeting(a.mesh.triangle(contact.triangle_a), world_triangle_of(b));
+        contact.intersection = intersect(a.mesh.triangle(contact.triangle_a), world_triangle_of(b));
     return contacts;
   }
   PartContacts operator()(const PosedTriangles& a, const PosedHalfSpace& b) const {
-    return each_of(a.mesh, triangles_meeting(a.mesh, b, scratch));
+    return each_of(a.mesh, triangles_intersecting(a.mesh, b, scratch));
   }
   PartContacts operator()(const PosedTriangles& a, const PosedTriangles& b) const {
     static_cast<void>(surface_contacts(a.mesh, b.mesh, scratch, threads));
     return {scratch.contacts};
   }
 
-  [[nodiscard]] PartContacts one_if(bool met, const Meeting& found = {}) const {
+  [[nodiscard]] PartContacts one_if(bool met, const Intersection& found = {}) const {
     scratch.part_contacts.assign(met ? 1 : 0, {0, 0, 0, 0, found});
     return {scratch.part_contacts};
   }
@@ -108,7 +108,7 @@ PosedPart posed_element(const PosedModel& model, Index element) {
     const Index number = element - part->first_element;
     if (number >= (triangles ? triangles->mesh.model().element_count() : 1)) break;
     if (!triangles) return *part;
-    return {PosedShape(std::in_place_type<PosedConvex>, triangles->mesh.triangle(number)), ShapeKind::triangle};
+    return {PosedShape(std::in_place_type<PosedPolytope>, triangles->mesh.triangle(number)), ShapeKind::triangle};
   }
   throw Error(fmt::format("there is no element {} in the model", element));
 }

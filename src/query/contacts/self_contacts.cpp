@@ -36,10 +36,11 @@ bool self_overlap(const Model& model, const Pose& pose) {
 }
 
 bool self_overlap(const Model& model, const Pose& pose, Workspace& workspace) {
-  return meets_itself(PosedMesh(model, pose), workspace.scratch());
+  return intersects_itself(PosedMesh(model, pose), workspace.scratch());
 }
 
-std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> models, const BatchOptions& options) {
+std::vector<std::vector<Contact>> self_contacts_each(std::span<const SceneInstance> models,
+                                                     const BatchOptions& options) {
   std::vector<std::vector<Contact>> found(models.size());
   TaskReporter reporter(options.progress, models.size());
   WorkspacePool workspaces;
@@ -47,7 +48,7 @@ std::vector<std::vector<Contact>> self_contacts_each(std::span<const Posed> mode
     if (reporter.cancelled()) return;
     if (std::holds_alternative<Compound>(models[i].model.shape()))
       throw Error(name_for_messages(models[i], i) +
-                  ": a compound is not asked where it meets itself; make objects of its parts");
+                  ": a compound is not asked where it intersects itself; make objects of its parts");
     if (models[i].model.has_mesh())
       found[i] = workspaces.with([&](Workspace& workspace) {
         return contacts_in(PosedMesh(models[i].model, models[i].pose, name_for_messages(models[i], i)), workspace);

@@ -122,7 +122,7 @@ class Measurement {
     const std::size_t steps = options_.methods.size() * options_.arities.size();
     std::size_t done = 0;
     if (is_among(options_.volumes, CostVolume::wide)) measure_library();
-    for (const TreeMethod method : options_.methods)
+    for (const BvhMethod method : options_.methods)
       for (const int arity : options_.arities) {
         measure_hierarchies(method, arity);
         if (options_.progress) options_.progress(++done, steps);
@@ -135,8 +135,8 @@ class Measurement {
   }
 
  private:
-  void measure_hierarchies(TreeMethod method, int arity) {
-    const TreeOptions tree{method, options_.leaf_size, TreeDriver::iterative};
+  void measure_hierarchies(BvhMethod method, int arity) {
+    const BvhOptions tree{method, options_.leaf_size, BvhDriver::iterative};
     const CostHierarchy a(a_, arity, tree), b(b_, arity, tree);
     if (asks_for(options_, CostWorkload::rigid))
       for (const CostVolume volume : plan_.volumes(CostWorkload::rigid, method, arity))
@@ -145,14 +145,14 @@ class Measurement {
     if (asks_for(options_, CostWorkload::rebuild)) measure_rebuild(method, arity, tree);
   }
 
-  void measure_rigid(CostVolume volume, TreeMethod method, const CostHierarchy& a, const CostHierarchy& b) {
+  void measure_rigid(CostVolume volume, BvhMethod method, const CostHierarchy& a, const CostHierarchy& b) {
     RowSum sum(CostWorkload::rigid, volume);
     const std::vector<QueryCost> costs = cost_functions_of(volume).of_poses(a, b, rigid_, options_.task);
     for (const QueryCost& cost : costs) sum.add(cost);
     finish(sum.row(), method, a, b, costs);
   }
 
-  void measure_refit(TreeMethod method, const CostHierarchy& a, const CostHierarchy& b) {
+  void measure_refit(BvhMethod method, const CostHierarchy& a, const CostHierarchy& b) {
     std::vector<CostHierarchy> moved_a, moved_b;
     for (const WorldMeshes& world : worlds_) {
       moved_a.push_back(a.over(world.a));
@@ -169,7 +169,7 @@ class Measurement {
     }
   }
 
-  void measure_rebuild(TreeMethod method, int arity, const TreeOptions& tree) {
+  void measure_rebuild(BvhMethod method, int arity, const BvhOptions& tree) {
     std::vector<CostHierarchy> a, b;
     for (const WorldMeshes& world : worlds_) {
       a.emplace_back(world.a, arity, tree);
@@ -200,7 +200,7 @@ class Measurement {
     return a.build_ns + b.build_ns + times[0].all_of(a) + times[1].all_of(b);
   }
 
-  void finish(CostRow row, TreeMethod method, const CostHierarchy& a, const CostHierarchy& b,
+  void finish(CostRow row, BvhMethod method, const CostHierarchy& a, const CostHierarchy& b,
               std::span<const QueryCost> costs) {
     row.arity = a.arity;
     row.method = method;
@@ -236,9 +236,9 @@ class Measurement {
     RowSum sum(workload, CostVolume::wide);
     for (const QueryCost& cost : costs) sum.add(cost);
     CostRow row = sum.row();
-    const LibraryTree a = library_tree(mesh_a_, options_.task), b = library_tree(mesh_b_, options_.task);
+    const LibraryBvh a = library_bvh(mesh_a_, options_.task), b = library_bvh(mesh_b_, options_.task);
     row.arity = 8;
-    row.method = TreeMethod::heuristic;
+    row.method = BvhMethod::heuristic;
     row.leaf_size = 1;
     row.nodes = a.boxes + b.boxes;
     row.bytes = a.bytes + b.bytes;

@@ -10,10 +10,10 @@ std::vector<Triangle> in_order(std::span<const Triangle> triangles, std::span<co
   return ordered;
 }
 
-Tree<NodeNumber, 8> numbered(TreeShape shape) {
-  Tree<NodeNumber, 8> tree;
+Bvh<NodeNumber, 8> numbered(BvhShape shape) {
+  Bvh<NodeNumber, 8> tree;
   tree.nodes.reserve(shape.nodes.size());
-  for (const TreeNode<NoVolume>& node : shape.nodes)
+  for (const BvhNode<NoVolume>& node : shape.nodes)
     tree.nodes.push_back({{static_cast<Index>(tree.nodes.size())}, node.first, node.count, node.child_count});
   tree.items = std::move(shape.items);
   return tree;
@@ -21,11 +21,10 @@ Tree<NodeNumber, 8> numbered(TreeShape shape) {
 
 }  // namespace
 
-CostHierarchy::CostHierarchy(std::span<const Triangle> triangles_of_mesh, int arity_of_nodes,
-                             const TreeOptions& options)
+CostHierarchy::CostHierarchy(std::span<const Triangle> triangles_of_mesh, int arity_of_nodes, const BvhOptions& options)
     : triangles(triangles_of_mesh), arity(arity_of_nodes), build_ns(0) {
-  TreeShape shape;
-  build_ns = nanoseconds_of([&] { shape = build_tree_shape(triangles, arity, options); });
+  BvhShape shape;
+  build_ns = nanoseconds_of([&] { shape = build_bvh_shape(triangles, arity, options); });
   runs = item_runs(shape);
   balance = balance_of(shape, arity);
   ordered = in_order(triangles, shape.items);

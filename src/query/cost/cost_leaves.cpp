@@ -69,7 +69,7 @@ void CostLeaves::look_at(std::span<const ItemPair> pairs) {
   }
   for (const ItemPair& pair : pairs)
     if (meet(pair)) {
-      ++meeting_;
+      ++intersection_;
       if (task_ == CostTask::overlap) limit_ = -1;
     }
 }
@@ -83,13 +83,14 @@ void CostLeaves::bound_distances(std::span<const ItemPair> pairs) {
   for (std::size_t lane = 0; lane < pairs.size() && limit_ >= 0; ++lane) {
     if (gaps.lower[lane] > limit_) continue;
     if (gaps.lower[lane] == 0 && meet(pairs[lane])) {
-      ++meeting_;
+      ++intersection_;
       limit_ = -1;
     } else {
       const bool known = gaps.upper[lane] < infinity;
       const double upper =
-          known ? gaps.upper[lane]
-                : distance(PosedConvex(a_.world(pairs[lane].first)), PosedConvex(b_.world(pairs[lane].second))).upper;
+          known
+              ? gaps.upper[lane]
+              : distance(PosedPolytope(a_.world(pairs[lane].first)), PosedPolytope(b_.world(pairs[lane].second))).upper;
       limit_ = std::min(limit_, upper);
     }
   }
@@ -98,13 +99,13 @@ void CostLeaves::bound_distances(std::span<const ItemPair> pairs) {
 double CostLeaves::answer() const {
   switch (task_) {
     case CostTask::overlap:
-      return meeting_ > 0 ? 1 : 0;
+      return intersection_ > 0 ? 1 : 0;
     case CostTask::contacts:
-      return static_cast<double>(meeting_);
+      return static_cast<double>(intersection_);
     case CostTask::distance:
       break;
   }
-  return meeting_ > 0 ? 0 : limit_;
+  return intersection_ > 0 ? 0 : limit_;
 }
 
 TimedOperations CostLeaves::time_items() {

@@ -61,7 +61,7 @@ class CostLeaves {
   const CostSide& a_;
   const CostSide& b_;
   double limit_;
-  std::size_t meeting_ = 0;
+  std::size_t intersection_ = 0;
   std::vector<ItemPair> sample_;
   TrianglePairBlock block_{};
 };

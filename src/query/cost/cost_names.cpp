@@ -19,9 +19,9 @@ std::string_view name_of(CostTask task) {
   return names[static_cast<std::size_t>(task)];
 }
 
-std::string_view name_of(TreeMethod method) {
-  constexpr std::array<std::string_view, all_tree_methods.size()> names{"mean",          "median",    "heuristic",
-                                                                        "agglomeration", "insertion", "morton"};
+std::string_view name_of(BvhMethod method) {
+  constexpr std::array<std::string_view, all_bvh_methods.size()> names{"mean",          "median",    "heuristic",
+                                                                       "agglomeration", "insertion", "morton"};
   return names[static_cast<std::size_t>(method)];
 }
 

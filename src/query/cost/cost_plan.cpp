@@ -67,7 +67,7 @@ CostPlan::CostPlan(const CostOptions& options, std::size_t triangles) {
   }
 }
 
-std::vector<CostVolume> CostPlan::volumes(CostWorkload workload, TreeMethod method, int arity) const {
+std::vector<CostVolume> CostPlan::volumes(CostWorkload workload, BvhMethod method, int arity) const {
   std::vector<CostVolume> volumes;
   for (const Combination& c : all_)
     if (c.measured && c.workload == workload && c.method == method && c.arity == arity) volumes.push_back(c.volume);

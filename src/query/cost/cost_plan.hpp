@@ -18,7 +18,7 @@ class CostPlan {
   /// For two meshes of so many triangles together.
   CostPlan(const CostOptions& options, std::size_t triangles);
 
-  [[nodiscard]] std::vector<CostVolume> volumes(CostWorkload workload, TreeMethod method, int arity) const;
+  [[nodiscard]] std::vector<CostVolume> volumes(CostWorkload workload, BvhMethod method, int arity) const;
 
   /// What is not measured, a line for each volume and workload.
   [[nodiscard]] std::vector<std::string> left_out() const;
@@ -27,7 +27,7 @@ class CostPlan {
   struct Combination {
     CostWorkload workload;
     CostVolume volume;
-    TreeMethod method;
+    BvhMethod method;
     int arity;
     double work = 0;
     double rank = 0;

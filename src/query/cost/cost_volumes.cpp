@@ -30,9 +30,9 @@ std::vector<VolumeCost> measure_volumes(const TriangleMesh& mesh, const CostOpti
   std::array<RootSize, all_cost_volumes.size()> roots;
   std::vector<VolumeCost> costs;
   std::size_t done = 0;
-  for (const TreeMethod method : options.methods)
+  for (const BvhMethod method : options.methods)
     for (const int arity : options.arities) {
-      const CostHierarchy hierarchy(triangles, arity, {method, options.leaf_size, TreeDriver::iterative});
+      const CostHierarchy hierarchy(triangles, arity, {method, options.leaf_size, BvhDriver::iterative});
       for (const CostVolume volume : options.volumes) {
         if (volume == CostVolume::wide) continue;
         const auto place = static_cast<std::size_t>(volume);

@@ -21,13 +21,13 @@ struct NodeNumber {
 
 /// A hierarchy without volumes. Nodes have up to eight children, whatever the arity it was built with.
 struct CostHierarchy {
-  CostHierarchy(std::span<const Triangle> triangles_of_mesh, int arity_of_nodes, const TreeOptions& options);
+  CostHierarchy(std::span<const Triangle> triangles_of_mesh, int arity_of_nodes, const BvhOptions& options);
 
   std::span<const Triangle> triangles;  ///< by item number
   std::vector<Triangle> ordered;        ///< in the order of the leaves
-  Tree<NodeNumber, 8> tree;
+  Bvh<NodeNumber, 8> tree;
   std::vector<ItemRun> runs;
-  TreeBalance balance;
+  BvhBalance balance;
   int arity;
   double build_ns;
 
@@ -126,7 +126,7 @@ class CostVolumes {
   std::vector<V> fitted_;
   std::vector<Placed> placed_;
   std::vector<Index> updated_;
-  Tree<V, 8> refitted_;
+  Bvh<V, 8> refitted_;
   Pose pose_;
   bool moves_ = false;
   std::uint32_t query_ = 0;
@@ -283,7 +283,7 @@ struct CostFunctions {
 
 template <BoundingVolume V>
 constexpr CostFunctions cost_functions(double work_of_update) {
-  return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(TreeNode<V>), work_of_update};
+  return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(BvhNode<V>), work_of_update};
 }
 
 [[nodiscard]] CostFunctions aabb_cost_functions();

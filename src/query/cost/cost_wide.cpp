@@ -50,9 +50,9 @@ void add_update(QueryCost& cost, std::size_t count, double time) {
   cost.measured_ns += time;
 }
 
-LibraryTree measured(const TimedModel& built, CostTask task) {
-  const WideTree& tree = built.model.wide_tree();
-  LibraryTree result{0, tree.blocks.size() * sizeof(WideBlock) + tree.items.size() * sizeof(Index), 0, built.time};
+LibraryBvh measured(const TimedModel& built, CostTask task) {
+  const WideBvh& tree = built.model.wide_bvh();
+  LibraryBvh result{0, tree.blocks.size() * sizeof(WideBlock) + tree.items.size() * sizeof(Index), 0, built.time};
   std::vector<int> depths(tree.blocks.size(), 0);
   for (std::size_t i = 0; i < tree.blocks.size(); ++i)
     for (std::uint32_t lane = 0; lane < tree.blocks[i].count; ++lane) {
@@ -108,6 +108,6 @@ QueryCost cost_of_library_deformed(const Model& a, const Model& b, const MovedVe
   return cost;
 }
 
-LibraryTree library_tree(const TriangleMesh& mesh, CostTask task) { return measured(build_model(mesh, task), task); }
+LibraryBvh library_bvh(const TriangleMesh& mesh, CostTask task) { return measured(build_model(mesh, task), task); }
 
 }  // namespace toccata

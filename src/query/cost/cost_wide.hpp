@@ -27,12 +27,12 @@ struct MovedVertices {
 [[nodiscard]] QueryCost cost_of_library_deformed(const Model& a, const Model& b, const MovedVertices& moved,
                                                  CostTask task);
 
-struct LibraryTree {
+struct LibraryBvh {
   std::size_t boxes = 0;
   std::size_t bytes = 0;
   int greatest_depth = 0;
   double build_ns = 0;
 };
-[[nodiscard]] LibraryTree library_tree(const TriangleMesh& mesh, CostTask task);
+[[nodiscard]] LibraryBvh library_bvh(const TriangleMesh& mesh, CostTask task);
 
 }  // namespace toccata

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {
@@ -40,7 +40,7 @@ bool is_plain(const PairQuery& query) {
 bool parts_are_apart(const ModelWithParts& a, const ModelWithParts& b, const PairQuery& query) {
   if (!is_plain(query)) return false;
   const double slack = slack_of(a, query.pose_a) + slack_of(b, query.pose_b);
-  return std::isfinite(slack) && !closer_than(a.parts(), b.parts(), slack, query);
+  return std::isfinite(slack) && !within_distance(a.parts(), b.parts(), slack, query);
 }
 
 bool overlap(const ModelWithParts& a, const ModelWithParts& b, const PairQuery& query) {

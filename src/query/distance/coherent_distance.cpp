@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "math/constants.hpp"
-#include "narrow/smooth/distance/smooth_coherent.hpp"
+#include "narrow/quadrics/distance/quadric_coherent.hpp"
 #include "query/distance/relative_motion.hpp"
 #include "query/nearest/nearest_triangles.hpp"
 
@@ -103,11 +103,12 @@ std::optional<Distance> kept_distance(const PosedMesh& a, const PosedMesh& b, Co
 
 /// From B to A, as the direction is; the other way round it is that of the exchanged pair.
 template <class A, class B>
-std::optional<Distance> smooth_distance([[maybe_unused]] const A& a, [[maybe_unused]] const B& b,
-                                        [[maybe_unused]] Vec3& direction) {
-  if constexpr (std::is_same_v<A, PosedSmooth> && (std::is_same_v<B, PosedSmooth> || std::is_same_v<B, PosedConvex>)) {
+std::optional<Distance> quadric_distance([[maybe_unused]] const A& a, [[maybe_unused]] const B& b,
+                                         [[maybe_unused]] Vec3& direction) {
+  if constexpr (std::is_same_v<A, PosedQuadric> &&
+                (std::is_same_v<B, PosedQuadric> || std::is_same_v<B, PosedPolytope>)) {
     return coherent_distance(a, b, direction);
-  } else if constexpr (std::is_same_v<A, PosedConvex> && std::is_same_v<B, PosedSmooth>) {
+  } else if constexpr (std::is_same_v<A, PosedPolytope> && std::is_same_v<B, PosedQuadric>) {
     direction = -direction;
     const Distance found = flipped(coherent_distance(b, a, direction));
     direction = -direction;
@@ -119,8 +120,8 @@ std::optional<Distance> smooth_distance([[maybe_unused]] const A& a, [[maybe_unu
 
 }  // namespace
 
-std::optional<Distance> coherent_smooth_distance(const PosedShape& a, const PosedShape& b, Vec3& direction) {
-  return std::visit([&](const auto& x, const auto& y) { return smooth_distance(x, y, direction); }, a, b);
+std::optional<Distance> coherent_quadric_distance(const PosedShape& a, const PosedShape& b, Vec3& direction) {
+  return std::visit([&](const auto& x, const auto& y) { return quadric_distance(x, y, direction); }, a, b);
 }
 
 Distance coherent_distance(const PosedTriangles& a, const PosedTriangles& b, CoherentState& state) {

@@ -22,11 +22,11 @@ struct CoherentState {
   bool solid_a = false;
   bool solid_b = false;
 
-  Vec3 smooth_direction;  ///< of two convex shapes of which one is smooth; zero: nothing is kept
+  Vec3 quadric_direction;  ///< of two convex shapes of which one is a quadric; zero: nothing is kept
 
   NearFront front;
   bool moved_little = true;  ///< at the last step: a front is worth its while
-  ConvexWorkspace nearest_pair;
+  SimplexCache nearest_pair;
 
   /// The surfaces are at least so far apart, and what lies within what is known; 0: nothing is known.
   double clearance = 0;
@@ -38,9 +38,9 @@ struct CoherentState {
   std::size_t next_rest = 0;
 };
 
-/// The distance of two shapes of which one is smooth and the other convex; nothing of others.
-[[nodiscard]] std::optional<Distance> coherent_smooth_distance(const PosedShape& a, const PosedShape& b,
-                                                               Vec3& direction);
+/// The distance of two shapes of which one is a quadric and the other convex; nothing of others.
+[[nodiscard]] std::optional<Distance> coherent_quadric_distance(const PosedShape& a, const PosedShape& b,
+                                                                Vec3& direction);
 
 /// The distance of two meshes (mesh_distance.hpp), to the last bit.
 [[nodiscard]] Distance coherent_distance(const PosedTriangles& a, const PosedTriangles& b, CoherentState& state);

@@ -5,7 +5,7 @@
 #include "query/distance/least_distance.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/search_scratch.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {
@@ -13,11 +13,11 @@ namespace {
 struct AskDistance {
   static constexpr ShapeQuestion question = ShapeQuestion::distance;
 
-  Distance operator()(const PosedConvex& a, const PosedConvex& b) const { return distance(a, b, &scratch.convex); }
-  Distance operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return distance(a, b); }
+  Distance operator()(const PosedPolytope& a, const PosedPolytope& b) const { return distance(a, b, &scratch.convex); }
+  Distance operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return distance(a, b); }
   Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
   template <PosedConvexSet Other>
-  Distance operator()(const PosedSmooth& a, const Other& b) const {
+  Distance operator()(const PosedQuadric& a, const Other& b) const {
     return distance(a, b);
   }
   template <class Other>
@@ -36,7 +36,7 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query) {
 }
 
 Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedModels models(a, b, query, workspace.scratch());
+  const PosedModelPair models(a, b, query, workspace.scratch());
   LeastDistance least(workspace.scratch());
   models.visit_near(infinity, [&](const PosedPart& part_a, const PosedPart& part_b) {
     if (!least.is_farther(part_a, part_b))

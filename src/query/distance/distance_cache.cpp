@@ -13,7 +13,7 @@ namespace {
 
 /// Two models of which nothing is kept between questions are the same to a cache.
 bool is_same(const Model& kept, const Model& given) {
-  return kept.has_mesh() ? given.has_mesh() && &kept.wide_tree() == &given.wide_tree() : !given.has_mesh();
+  return kept.has_mesh() ? given.has_mesh() && &kept.wide_bvh() == &given.wide_bvh() : !given.has_mesh();
 }
 
 void bind(CoherentState& state, const Model& a, const Model& b) {
@@ -27,13 +27,13 @@ void bind(CoherentState& state, const Model& a, const Model& b) {
         "each pair of models, asked in one order, or clear() it");
 }
 
-/// Of two convex shapes of which one is smooth; nothing of other models.
-std::optional<Distance> smooth_distance(const Model& a, const Model& b, const PairQuery& query, CoherentState& state) {
-  const PosedModels models(a, b, query, state.workspace.scratch());
+/// Of two convex shapes of which one is a quadric; nothing of other models.
+std::optional<Distance> quadric_distance(const Model& a, const Model& b, const PairQuery& query, CoherentState& state) {
+  const PosedModelPair models(a, b, query, state.workspace.scratch());
   if (models.a.parts.size() != 1 || models.b.parts.size() != 1) return {};
   const PosedPart &part_a = models.a.parts[0], &part_b = models.b.parts[0];
-  const bool is_kept = !(state.smooth_direction == Vec3{});
-  const auto found = coherent_smooth_distance(part_a.shape, part_b.shape, state.smooth_direction);
+  const bool is_kept = !(state.quadric_direction == Vec3{});
+  const auto found = coherent_quadric_distance(part_a.shape, part_b.shape, state.quadric_direction);
   if (!found) return {};
   state.counts.searches += is_kept ? 0 : 1;
   state.counts.last = {};
@@ -56,13 +56,13 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Distan
   bind(state, a, b);
   if (!a.has_mesh() || !b.has_mesh()) {
     ++state.counts.questions;
-    if (const auto found = smooth_distance(a, b, query, state)) return *found;
+    if (const auto found = quadric_distance(a, b, query, state)) return *found;
     ++state.counts.searches;
     const Distance found = distance(a, b, query, state.workspace);
     state.counts.last = state.workspace.counts();
     return found;
   }
-  const PosedModels models(a, b, query, state.workspace.scratch());
+  const PosedModelPair models(a, b, query, state.workspace.scratch());
   return coherent_distance(std::get<PosedTriangles>(models.a.parts[0].shape),
                            std::get<PosedTriangles>(models.b.parts[0].shape), state);
 }

@@ -17,8 +17,8 @@ double LeastDistance::limit(double before) const {
 
 bool LeastDistance::is_farther(const PosedPart& a, const PosedPart& b) const {
   constexpr Index few_vertices = 16;  // their distance is as quick
-  const auto* convex_a = std::get_if<PosedConvex>(&a.shape);
-  const auto* convex_b = std::get_if<PosedConvex>(&b.shape);
+  const auto* convex_a = std::get_if<PosedPolytope>(&a.shape);
+  const auto* convex_b = std::get_if<PosedPolytope>(&b.shape);
   return least_ && convex_a && convex_b && convex_a->vertex_count() + convex_b->vertex_count() > few_vertices &&
          certainly_beyond(*convex_a, *convex_b, limit_from(least_->upper), &scratch_.convex);
 }

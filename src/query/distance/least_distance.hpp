@@ -9,8 +9,8 @@
 
 namespace toccata {
 
-/// The least distance of pairs of parts, which come as `PosedModels::visit_near` has them: the answer is the one that
-/// all pairs, ascending, would have.
+/// The least distance of pairs of parts, which come as `PosedModelPair::visit_near` has them: the answer is the one
+/// that all pairs, ascending, would have.
 class LeastDistance {
  public:
   explicit LeastDistance(SearchScratch& scratch) : scratch_(scratch) {}

@@ -10,8 +10,8 @@
 
 #include "math/constants.hpp"
 #include "narrow/exact/within.hpp"
-#include "narrow/smooth/distance/smooth_beyond.hpp"
-#include "narrow/smooth/distance/smooth_within.hpp"
+#include "narrow/quadrics/distance/quadric_beyond.hpp"
+#include "narrow/quadrics/distance/quadric_within.hpp"
 #include "query/distance/near_view.hpp"
 #include "query/inside/part_inside.hpp"
 #include "query/meshes/pair_search.hpp"
@@ -24,32 +24,32 @@
 namespace toccata {
 namespace {
 
-PosedConvex convex(const PosedMesh& mesh, Index triangle) { return PosedConvex(mesh.triangle(triangle)); }
+PosedPolytope convex(const PosedMesh& mesh, Index triangle) { return PosedPolytope(mesh.triangle(triangle)); }
 
 // What the searches below ask of a triangle and a shape.
 
-double radius_of(const PosedConvex& shape) { return shape.radius(); }
-double radius_of(const PosedSmooth&) { return 0; }
+double radius_of(const PosedPolytope& shape) { return shape.radius(); }
+double radius_of(const PosedQuadric&) { return 0; }
 
-Distance distance(const PosedConvex& triangle, const PosedSmooth& shape, ConvexWorkspace*) {
+Distance distance(const PosedPolytope& triangle, const PosedQuadric& shape, SimplexCache*) {
   return toccata::distance(triangle, shape);
 }
 
 /// Or may be.
-bool is_within(const Distance& known, const PosedConvex& triangle, const PosedSmooth& shape, double tolerance) {
+bool is_within(const Distance& known, const PosedPolytope& triangle, const PosedQuadric& shape, double tolerance) {
   return known.upper <= tolerance || (known.lower <= tolerance && toccata::is_within(shape, triangle, tolerance));
 }
-bool is_within(const PosedConvex& triangle, const PosedSmooth& shape, double tolerance, ConvexWorkspace*) {
+bool is_within(const PosedPolytope& triangle, const PosedQuadric& shape, double tolerance, SimplexCache*) {
   return toccata::is_within(shape, triangle, tolerance);
 }
 
 /// The least of several distances, of which `nearest` has the least upper end.
-Distance least_of(Distance nearest, double, const PosedConvex&) {
+Distance least_of(Distance nearest, double, const PosedPolytope&) {
   nearest.lower = lower_from(nearest.upper);
   return nearest;
 }
 /// `lower` is the least lower end. Where all intervals are narrow, so is what is left of them.
-Distance least_of(Distance nearest, double lower, const PosedSmooth&) {
+Distance least_of(Distance nearest, double lower, const PosedQuadric&) {
   nearest.lower = lower;
   if (nearest.upper - lower <= 1e-12 * nearest.upper)
     nearest.status = Status::exact;
@@ -60,19 +60,19 @@ Distance least_of(Distance nearest, double lower, const PosedSmooth&) {
 
 /// Of shapes of which every triangle is looked at closely.
 struct NeverBeyond {
-  explicit NeverBeyond(const PosedConvex&) {}
+  explicit NeverBeyond(const PosedPolytope&) {}
   void look_along(const Vec3&) {}
   [[nodiscard]] bool is_beyond(const std::array<Vec3, 3>&, double) const { return false; }
 };
 
 template <class Shape>
-using Beyond = std::conditional_t<std::same_as<Shape, PosedSmooth>, SmoothBeyond, NeverBeyond>;
+using Beyond = std::conditional_t<std::same_as<Shape, PosedQuadric>, QuadricBeyond, NeverBeyond>;
 
 /// The nearest triangle to a convex shape; what is farther than the cutoff is not wanted.
 template <class Shape>
 class NearestToShape final : public NearQuestion {
  public:
-  NearestToShape(const PosedMesh& mesh, const Shape& shape, double cutoff, ConvexWorkspace& workspace)
+  NearestToShape(const PosedMesh& mesh, const Shape& shape, double cutoff, SimplexCache& workspace)
       : mesh_(mesh),
         shape_(shape),
         workspace_(workspace),
@@ -88,7 +88,7 @@ class NearestToShape final : public NearQuestion {
   void visit(std::span<const ItemPair> pairs) override {
     for (const ItemPair& pair : pairs) {
       if (beyond_.is_beyond(mesh_.triangle(pair.first).vertex, limit_)) continue;
-      const PosedConvex triangle = convex(mesh_, pair.first);
+      const PosedPolytope triangle = convex(mesh_, pair.first);
       Distance found = distance(triangle, shape_, &workspace_);
       found.element_a = pair.first;
       beyond_.look_along(found.on_a - found.on_b);
@@ -109,7 +109,7 @@ class NearestToShape final : public NearQuestion {
  private:
   const PosedMesh& mesh_;
   const Shape& shape_;
-  ConvexWorkspace& workspace_;
+  SimplexCache& workspace_;
   double cutoff_;
   double limit_;
   Beyond<Shape> beyond_;
@@ -122,7 +122,7 @@ class NearestToShape final : public NearQuestion {
 template <class Shape>
 class CloseToShape final : public NearQuestion {
  public:
-  CloseToShape(const PosedMesh& mesh, const Shape& shape, double tolerance, ConvexWorkspace& workspace)
+  CloseToShape(const PosedMesh& mesh, const Shape& shape, double tolerance, SimplexCache& workspace)
       : mesh_(mesh), shape_(shape), tolerance_(tolerance), workspace_(workspace) {}
 
   [[nodiscard]] double limit() const override {
@@ -142,7 +142,7 @@ class CloseToShape final : public NearQuestion {
   const PosedMesh& mesh_;
   const Shape& shape_;
   double tolerance_;
-  ConvexWorkspace& workspace_;
+  SimplexCache& workspace_;
   bool found_ = false;
 };
 
@@ -164,7 +164,7 @@ void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, Ne
   scratch.counts = scratch.near.counts;
 }
 
-bool surfaces_within(const PosedMesh& a, const PosedMesh& b, double tolerance, SearchScratch& scratch) {
+bool surfaces_in_region(const PosedMesh& a, const PosedMesh& b, double tolerance, SearchScratch& scratch) {
   CloseTriangles question(a, b, scratch, tolerance);
   ask_near(a, b, scratch, question);
   if (!question.found()) return false;
@@ -176,16 +176,16 @@ bool surfaces_within(const PosedMesh& a, const PosedMesh& b, double tolerance, S
 /// Where a shape meets triangles or lies inside the solid.
 template <class Shape>
 std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& b, SearchScratch& scratch) {
-  const auto meeting = triangles_meeting(a.mesh, b, scratch);
-  if (meeting.empty()) return {};
-  Distance found = distance(convex(a.mesh, meeting.front()), b);
-  found.element_a = meeting.front();
+  const auto intersection = triangles_intersecting(a.mesh, b, scratch);
+  if (intersection.empty()) return {};
+  Distance found = distance(convex(a.mesh, intersection.front()), b);
+  found.element_a = intersection.front();
   return with_faces(found, a.mesh);
 }
 
 /// Where it is proved; what is undecided is found by the distances.
-std::optional<Distance> at_least_triangle(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch) {
-  for (const Index triangle : triangles_meeting(a.mesh, b, scratch)) {
+std::optional<Distance> at_least_triangle(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
+  for (const Index triangle : triangles_intersecting(a.mesh, b, scratch)) {
     Distance found = toccata::distance(convex(a.mesh, triangle), b);
     if (found.upper > 0) continue;
     found.element_a = triangle;
@@ -201,9 +201,9 @@ void ask_near(const PosedMesh& a, const Shape& b, SearchScratch& scratch, NearQu
   scratch.near.counts = {};
   if (warm.first < a.model().element_count()) question.visit({&warm, 1});
   if (question.limit() >= 0) {
-    const ConvexNearTree shape(b);
+    const ConvexNearBvh shape(b);
     const NearFrame frame = near_frame(a);
-    const NearWalk walk({a.model().oriented_boxes(), a.model().wide_tree().items}, shape.tree(),
+    const NearWalk walk({a.model().oriented_boxes(), a.model().wide_bvh().items}, shape.tree(),
                         near_view(frame, shape.frame), near_view(shape.frame, frame));
     walk.run(scratch.near, question);
   }
@@ -283,8 +283,8 @@ Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
 
 NearWalk near_walk(const PosedMesh& a, const PosedMesh& b) {
   const NearFrame frame_a = near_frame(a), frame_b = near_frame(b);
-  return {{a.model().oriented_boxes(), a.model().wide_tree().items},
-          {b.model().oriented_boxes(), b.model().wide_tree().items},
+  return {{a.model().oriented_boxes(), a.model().wide_bvh().items},
+          {b.model().oriented_boxes(), b.model().wide_bvh().items},
           near_view(frame_a, frame_b),
           near_view(frame_b, frame_a)};
 }
@@ -336,11 +336,11 @@ std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, d
   return found;
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedConvex& b, double cutoff, SearchScratch& scratch) {
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b, double cutoff, SearchScratch& scratch) {
   return nearby_shape(a, b, cutoff, scratch);
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedSmooth& b, double cutoff, SearchScratch& scratch) {
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, double cutoff, SearchScratch& scratch) {
   return nearby_shape(a, b, cutoff, scratch);
 }
 
@@ -351,14 +351,14 @@ std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, d
 }
 
 bool is_within(const PosedTriangles& a, const PosedTriangles& b, double tolerance, SearchScratch& scratch) {
-  return surfaces_within(a.mesh, b.mesh, tolerance, scratch) || inner_part(a, b);
+  return surfaces_in_region(a.mesh, b.mesh, tolerance, scratch) || inner_part(a, b);
 }
 
-bool is_within(const PosedTriangles& a, const PosedConvex& b, double tolerance, SearchScratch& scratch) {
+bool is_within(const PosedTriangles& a, const PosedPolytope& b, double tolerance, SearchScratch& scratch) {
   return is_shape_within(a, b, tolerance, scratch);
 }
 
-bool is_within(const PosedTriangles& a, const PosedSmooth& b, double tolerance, SearchScratch& scratch) {
+bool is_within(const PosedTriangles& a, const PosedQuadric& b, double tolerance, SearchScratch& scratch) {
   return is_shape_within(a, b, tolerance, scratch);
 }
 
@@ -381,11 +381,11 @@ Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratc
   return nearby(a, b, infinity, scratch)->distance;
 }
 
-Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch) {
+Distance distance(const PosedTriangles& a, const PosedPolytope& b, SearchScratch& scratch) {
   return nearby(a, b, infinity, scratch)->distance;
 }
 
-Distance distance(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch) {
+Distance distance(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
   return nearby(a, b, infinity, scratch)->distance;
 }
 

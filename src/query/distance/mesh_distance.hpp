@@ -13,12 +13,12 @@
 namespace toccata {
 
 [[nodiscard]] Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch);
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedConvex& b, SearchScratch& scratch);
+[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedPolytope& b, SearchScratch& scratch);
 [[nodiscard]] Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch);
-/// The status is that of smooth.hpp: undecided when some triangle is and none is proved to meet the shape.
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedSmooth& b, SearchScratch& scratch);
+/// The status is that of quadrics.hpp: undecided when some triangle is and none is proved to meet the shape.
+[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch);
 
-/// A distance, and whether the exact one is at most a cutoff; of a smooth shape, whether it may be.
+/// A distance, and whether the exact one is at most a cutoff; of a quadric, whether it may be.
 struct Nearby {
   Distance distance;
   bool is_within;
@@ -32,11 +32,11 @@ struct Nearby {
 // it certainly is more, by more than 4 · 10⁻¹² of it.
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, double cutoff,
                                            SearchScratch& scratch);
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedConvex& b, double cutoff,
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b, double cutoff,
                                            SearchScratch& scratch);
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff,
                                            SearchScratch& scratch);
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedSmooth& b, double cutoff,
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, double cutoff,
                                            SearchScratch& scratch);
 
 // What these are made of, for two meshes.
@@ -67,10 +67,10 @@ struct PartInside {
 // The exact distance is at most `tolerance`, which is finite and not negative. Ends at the first triangles that are.
 [[nodiscard]] bool is_within(const PosedTriangles& a, const PosedTriangles& b, double tolerance,
                              SearchScratch& scratch);
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedConvex& b, double tolerance, SearchScratch& scratch);
+[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedPolytope& b, double tolerance, SearchScratch& scratch);
 [[nodiscard]] bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance,
                              SearchScratch& scratch);
 /// False is proved; true where the tolerance lies within the interval.
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedSmooth& b, double tolerance, SearchScratch& scratch);
+[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedQuadric& b, double tolerance, SearchScratch& scratch);
 
 }  // namespace toccata

@@ -34,7 +34,7 @@ Mat3 transposed_times(const Mat3& a, const Mat3& b) {
 /// Of a rotation times a number, that number; of anything else it says nothing.
 double factor_of(const Mat3& m) { return std::sqrt((dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])) / 3); }
 
-Aabb core_box(const PosedConvex& shape) {
+Aabb core_box(const PosedPolytope& shape) {
   Aabb box;
   for (Index i = 0; i < shape.vertex_count(); ++i) box = merge(box, shape.vertex(i));
   return box;
@@ -62,14 +62,14 @@ NearView general_view(const NearFrame& own, const NearFrame& other) {
 }  // namespace
 
 NearFrame near_frame(const PosedMesh& mesh) {
-  const WideTree& tree = mesh.model().wide_tree();
+  const WideBvh& tree = mesh.model().wide_bvh();
   return {mesh.pose().linear, transform(mesh.pose(), tree.origin), tree.unit, world_sizes(mesh)};
 }
 
-ConvexNearTree::ConvexNearTree(const PosedConvex& shape) : ConvexNearTree(core_box(shape)) {}
-ConvexNearTree::ConvexNearTree(const PosedSmooth& shape) : ConvexNearTree(world_box(shape)) {}
+ConvexNearBvh::ConvexNearBvh(const PosedPolytope& shape) : ConvexNearBvh(core_box(shape)) {}
+ConvexNearBvh::ConvexNearBvh(const PosedQuadric& shape) : ConvexNearBvh(world_box(shape)) {}
 
-ConvexNearTree::ConvexNearTree(const Aabb& box) {
+ConvexNearBvh::ConvexNearBvh(const Aabb& box) {
   const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper;
   frame.offset = middle;
   const Vec3 half{std::max(box.upper.x - middle.x, middle.x - box.lower.x),

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "query/meshes/posed_mesh.hpp"
-#include "toccata/narrow/posed_convex.hpp"
-#include "toccata/narrow/posed_smooth.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
+#include "toccata/narrow/posed_quadric.hpp"
 #include "trees/near_walk.hpp"
 
 namespace toccata {
@@ -17,18 +17,18 @@ struct NearFrame {
 
 [[nodiscard]] NearFrame near_frame(const PosedMesh& mesh);
 
-/// A convex shape as a tree of one box around its core, the radius left aside; a smooth shape is its own core.
-struct ConvexNearTree {
-  explicit ConvexNearTree(const PosedConvex& shape);
-  explicit ConvexNearTree(const PosedSmooth& shape);
+/// A convex shape as a tree of one box around its core, the radius left aside; a quadric is its own core.
+struct ConvexNearBvh {
+  explicit ConvexNearBvh(const PosedPolytope& shape);
+  explicit ConvexNearBvh(const PosedQuadric& shape);
   NearFrame frame;
   OrientedBlock block{};
   Index item = 0;
 
-  [[nodiscard]] NearTree tree() const { return {{&block, 1}, {&item, 1}}; }
+  [[nodiscard]] NearBvh tree() const { return {{&block, 1}, {&item, 1}}; }
 
  private:
-  explicit ConvexNearTree(const Aabb& box);
+  explicit ConvexNearBvh(const Aabb& box);
 };
 
 /// The constants of a walk that sees boxes of `other` from `own`; their pads cover all that is rounded

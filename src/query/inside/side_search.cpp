@@ -6,7 +6,7 @@
 #include "query/inside/inside_winding.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_boundary.hpp"
+#include "toccata/narrow/quadric_boundary.hpp"
 
 namespace toccata {
 namespace {
@@ -24,9 +24,10 @@ SignBy method_for(const PosedMesh& mesh, SignBy asked) {
 }
 
 /// Neither a mesh nor a surface.
-bool holds(const PosedShape& shape, const PosedConvex& point) {
-  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return side_of(point.vertex(0), *smooth) != Sign::positive;
-  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->solid() && overlap(point, *convex);
+bool holds(const PosedShape& shape, const PosedPolytope& point) {
+  if (const auto* quadric = std::get_if<PosedQuadric>(&shape))
+    return side_of(point.vertex(0), *quadric) != Sign::positive;
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return convex->solid() && overlap(point, *convex);
   const auto* half_space = std::get_if<PosedHalfSpace>(&shape);
   return half_space != nullptr && overlap(point, *half_space);
 }
@@ -66,7 +67,7 @@ SideSearch::SideSearch(const PosedModel& posed, SignBy asked) : posed_(posed) {
 }
 
 bool SideSearch::held_for_certain(const Vec3& point) const {
-  const PosedConvex convex(Point{point});
+  const PosedPolytope convex(Point{point});
   if (std::any_of(posed_.parts.begin(), posed_.parts.end(),
                   [&](const PosedPart& part) { return holds(part.shape, convex); }))
     return true;

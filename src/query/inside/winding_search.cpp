@@ -93,7 +93,7 @@ struct WindingSearch::Seen {
 };
 
 WindingSearch::WindingSearch(const PosedMesh& mesh)
-    : mesh_(mesh), tree_(mesh.model().wide_tree()), moments_(mesh.model().winding_moments()) {
+    : mesh_(mesh), tree_(mesh.model().wide_bvh()), moments_(mesh.model().winding_moments()) {
   const Pose& pose = mesh.pose();
   const Similarity shape = similarity(pose.linear);
   if (!(shape.defect < 0x1p-30)) return;

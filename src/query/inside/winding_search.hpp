@@ -28,7 +28,7 @@ class WindingSearch {
   [[nodiscard]] WindingNumber search(const Vec3& point, WindingEntries& memory, const Done& done) const;
 
   const PosedMesh& mesh_;
-  const WideTree& tree_;
+  const WideBvh& tree_;
   std::span<const WindingMoments> moments_;
   // From the world into the tree's units, up to rounding and up to what the pose deforms.
   Mat3 back_;

@@ -21,8 +21,8 @@ Vec3 world_sizes(const Pose& pose, const Aabb& local) {
   return sizes;
 }
 
-Vec3 largest_coordinates(const PosedMesh& mesh) { return largest_coordinates(mesh.model().wide_tree().box); }
+Vec3 largest_coordinates(const PosedMesh& mesh) { return largest_coordinates(mesh.model().wide_bvh().box); }
 
-Vec3 world_sizes(const PosedMesh& mesh) { return world_sizes(mesh.pose(), mesh.model().wide_tree().box); }
+Vec3 world_sizes(const PosedMesh& mesh) { return world_sizes(mesh.pose(), mesh.model().wide_bvh().box); }
 
 }  // namespace toccata

@@ -16,7 +16,7 @@ namespace toccata {
 /// numbers are.
 struct FoundPair {
   std::uint64_t number = 0;  ///< the first triangle · 2^32 + the second
-  const Meeting* meeting = nullptr;
+  const Intersection* intersection = nullptr;
 
   [[nodiscard]] Index first() const { return static_cast<Index>(number >> 32); }
   [[nodiscard]] Index second() const { return static_cast<Index>(number); }
@@ -26,14 +26,14 @@ struct FoundPair {
   return std::uint64_t{pair.first} << 32 | pair.second;
 }
 
-/// Meetings that stay where they are as long as this does or until it is cleared. Memory is kept.
-class KeptMeetings {
+/// Intersections that stay where they are as long as this does or until it is cleared. Memory is kept.
+class CachedIntersections {
  public:
-  const Meeting* keep(const Meeting& meeting) {
+  const Intersection* keep(const Intersection& intersection) {
     reserve(count_ + 1);
-    Meeting& kept = (*chunks_[count_ / chunk_size])[count_ % chunk_size];
+    Intersection& kept = (*chunks_[count_ / chunk_size])[count_ % chunk_size];
     ++count_;
-    return &(kept = meeting);
+    return &(kept = intersection);
   }
   void clear() { count_ = 0; }
   [[nodiscard]] std::size_t size() const { return count_; }
@@ -44,7 +44,7 @@ class KeptMeetings {
 
  private:
   static constexpr std::size_t chunk_size = 256;
-  using Chunk = std::array<Meeting, chunk_size>;
+  using Chunk = std::array<Intersection, chunk_size>;
   std::vector<std::unique_ptr<Chunk>> chunks_;
   std::size_t count_ = 0;
 };
@@ -52,14 +52,14 @@ class KeptMeetings {
 /// What one thread found.
 struct FoundPairs {
   std::vector<FoundPair> pairs;
-  KeptMeetings meetings;  ///< of pairs in special position; all others refer to a table
+  CachedIntersections intersections;  ///< of pairs in special position; all others refer to a table
 
   void clear() {
     pairs.clear();
-    meetings.clear();
+    intersections.clear();
   }
   /// The meeting must stay where it is.
-  void add(const ItemPair& pair, const Meeting* meeting) { pairs.push_back({number_of(pair), meeting}); }
+  void add(const ItemPair& pair, const Intersection* intersection) { pairs.push_back({number_of(pair), intersection}); }
 };
 
 /// Sorts pairs that are all different (a radix sort, least digit first). Says where they are now: where they were, or

@@ -11,7 +11,7 @@ namespace toccata {
 class MeshWalk {
  public:
   MeshWalk(const PosedMesh& a, const PosedMesh& b)
-      : cull_(wide_cull(PairCull(a, b), a, b)), walk_(a.model().wide_tree(), b.model().wide_tree(), cull_) {}
+      : cull_(wide_cull(PairCull(a, b), a, b)), walk_(a.model().wide_bvh(), b.model().wide_bvh(), cull_) {}
   // The walk refers to the constants.
   MeshWalk(const MeshWalk&) = delete;
   MeshWalk& operator=(const MeshWalk&) = delete;

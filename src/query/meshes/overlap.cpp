@@ -4,8 +4,8 @@
 #include "query/inside/part_inside.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
-#include "query/posed_pair.hpp"
-#include "toccata/narrow/smooth.hpp"
+#include "query/posed_mesh_pair.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {
@@ -18,15 +18,15 @@ bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b
 struct AskOverlap {
   static constexpr ShapeQuestion question = ShapeQuestion::overlap;
 
-  bool operator()(const PosedConvex& a, const PosedConvex& b) const { return overlap(a, b, &scratch.convex); }
-  bool operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return overlap(a, b); }
+  bool operator()(const PosedPolytope& a, const PosedPolytope& b) const { return overlap(a, b, &scratch.convex); }
+  bool operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return overlap(a, b); }
   bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return overlap(a, b); }
-  bool operator()(const PosedTriangles& a, const PosedSmooth& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedQuadric& b) const { return overlap(a, b); }
   template <PosedConvexSet Other>
-  bool operator()(const PosedSmooth& a, const Other& b) const {
+  bool operator()(const PosedQuadric& a, const Other& b) const {
     return overlap(a, b);
   }
-  bool operator()(const PosedTriangles& a, const PosedConvex& b) const { return overlap(a, b); }
+  bool operator()(const PosedTriangles& a, const PosedPolytope& b) const { return overlap(a, b); }
   bool operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return overlap(a, b); }
   bool operator()(const PosedTriangles& a, const PosedTriangles& b) const {
     return meshes_overlap(a.mesh, a.solid, b.mesh, b.solid, scratch);
@@ -36,7 +36,7 @@ struct AskOverlap {
 };
 
 bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
-  const PosedModels models(a, b, query, scratch);
+  const PosedModelPair models(a, b, query, scratch);
   bool found = false;
   models.visit_near(0, [&](const PosedPart& x, const PosedPart& y) {
     found = ask(AskOverlap{scratch}, x, y);
@@ -55,7 +55,7 @@ bool overlap(const Model& a, const Model& b, const PairQuery& query) {
 bool overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   workspace.scratch().counts = {};
   if (!a.has_mesh() || !b.has_mesh()) return shapes_overlap(a, b, query, workspace.scratch());
-  const PosedPair pair(a, b, query);
+  const PosedMeshPair pair(a, b, query);
   return meshes_overlap(pair.a, pair.a_solid, pair.b, pair.b_solid, workspace.scratch());
 }
 

@@ -59,7 +59,7 @@ void forget_found(SearchScratch& scratch) {
 }  // namespace
 
 bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  AnyMeeting<OfTwoMeshes> any(a, b, scratch.main);
+  AnyIntersection<OfTwoMeshes> any(a, b, scratch.main);
   run(a, b, small_batch, scratch, any);
   return any.found;
 }
@@ -92,16 +92,16 @@ std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b) {
 }
 
 std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  LeastMeeting least(a, b, scratch.main);
+  LeastIntersection least(a, b, scratch.main);
   run(a, b, WideWalk::largest_batch, scratch, least);
   if (!least.least) return std::nullopt;
   const auto [first, second] = *least.least;
-  const Meeting common = meeting(a.triangle(first), b.triangle(second));
+  const Intersection common = intersect(a.triangle(first), b.triangle(second));
   return contact_of(a, b, {number_of(*least.least), &common});
 }
 
-bool meets_itself(const PosedMesh& mesh, SearchScratch& scratch) {
-  AnyMeeting<OfOneMesh> any(mesh, mesh, scratch.main);
+bool intersects_itself(const PosedMesh& mesh, SearchScratch& scratch) {
+  AnyIntersection<OfOneMesh> any(mesh, mesh, scratch.main);
   run_self(mesh, small_batch, scratch, any);
   return any.found;
 }

@@ -31,8 +31,8 @@ void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratc
 [[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b,
                                                            SearchScratch& scratch);
 
-/// Some two triangles of one mesh have more in common than what they share (query/contacts/self_meeting.hpp).
-[[nodiscard]] bool meets_itself(const PosedMesh& mesh, SearchScratch& scratch);
+/// Some two triangles of one mesh have more in common than what they share (query/contacts/self_intersection.hpp).
+[[nodiscard]] bool intersects_itself(const PosedMesh& mesh, SearchScratch& scratch);
 
 /// All such pairs, the lesser triangle first, ascending; they lie in the scratch.
 [[nodiscard]] std::span<const Contact> self_contacts(const PosedMesh& mesh, SearchScratch& scratch);

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "narrow/triangles/triangle_pair_block.hpp"
-#include "query/contacts/self_meeting.hpp"
+#include "query/contacts/self_intersection.hpp"
 #include "query/meshes/posed_mesh.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/bounds/aabb.hpp"
@@ -35,8 +35,8 @@ inline bool boxes_meet(const Triangle& a, const Triangle& b) { return overlap(fi
 struct OfTwoMeshes {
   static constexpr bool one_mesh = false;
   static bool meet(const Triangle& a, const Triangle& b) { return boxes_meet(a, b) && overlap(a, b); }
-  static Meeting meeting_of(const Triangle& a, const Triangle& b) {
-    return boxes_meet(a, b) ? meeting(a, b) : Meeting{};
+  static Intersection intersection_of(const Triangle& a, const Triangle& b) {
+    return boxes_meet(a, b) ? intersect(a, b) : Intersection{};
   }
 };
 
@@ -45,14 +45,14 @@ struct OfTwoMeshes {
 struct OfOneMesh {
   static constexpr bool one_mesh = true;
   static bool meet(const Triangle& a, const Triangle& b) { return boxes_meet(a, b) && self_meet(a, b); }
-  static Meeting meeting_of(const Triangle& a, const Triangle& b) {
-    return boxes_meet(a, b) ? self_meeting(a, b) : Meeting{};
+  static Intersection intersection_of(const Triangle& a, const Triangle& b) {
+    return boxes_meet(a, b) ? self_intersection(a, b) : Intersection{};
   }
 };
 
 template <class Kind>
 bool lane_meets(const TrianglePairBlock& block, std::size_t lane) {
-  return (block.meeting >> lane & 1U) != 0 || Kind::meet(triangle_a(block, lane), triangle_b(block, lane));
+  return (block.intersection >> lane & 1U) != 0 || Kind::meet(triangle_a(block, lane), triangle_b(block, lane));
 }
 
 /// What the visitors below share.
@@ -89,7 +89,7 @@ class PairVisitor : public WideVisitor {
     return decide(pairs, [&](Blocks blocks, std::span<const ItemPair> part) {
       for (std::size_t i = 0; i < blocks.size(); ++i) {
         const auto of_block = part.subspan(i * TrianglePairBlock::lanes);
-        if (!each_lane(blocks[i].meeting | blocks[i].unknown,
+        if (!each_lane(blocks[i].intersection | blocks[i].unknown,
                        [&](std::size_t lane) { return see(blocks[i], lane, of_block[lane]); }))
           return false;
       }
@@ -116,9 +116,9 @@ class PairVisitor : public WideVisitor {
 
 /// Does any pair meet? Ends at the first.
 template <class Kind>
-class AnyMeeting final : public PairVisitor {
+class AnyIntersection final : public PairVisitor {
  public:
-  AnyMeeting(const PosedMesh& a, const PosedMesh& b, SearchPart& part) : PairVisitor(a, b, part, Kind::one_mesh) {}
+  AnyIntersection(const PosedMesh& a, const PosedMesh& b, SearchPart& part) : PairVisitor(a, b, part, Kind::one_mesh) {}
   bool visit(std::span<const ItemPair> pairs) override {
     found = !decide(pairs, [](Blocks blocks, auto) { return !known_to_meet(blocks) && none_meets(blocks); });
     return !found;
@@ -128,7 +128,7 @@ class AnyMeeting final : public PairVisitor {
 
  private:
   static bool known_to_meet(Blocks blocks) {
-    return std::any_of(blocks.begin(), blocks.end(), [](const auto& block) { return block.meeting != 0; });
+    return std::any_of(blocks.begin(), blocks.end(), [](const auto& block) { return block.intersection != 0; });
   }
   static bool none_meets(Blocks blocks) {
     return std::all_of(blocks.begin(), blocks.end(), [](const TrianglePairBlock& block) {
@@ -138,9 +138,9 @@ class AnyMeeting final : public PairVisitor {
 };
 
 /// The least pair of two meshes that meets.
-class LeastMeeting final : public PairVisitor {
+class LeastIntersection final : public PairVisitor {
  public:
-  LeastMeeting(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
+  LeastIntersection(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
       : PairVisitor(a, b, part, OfTwoMeshes::one_mesh) {}
   bool visit(std::span<const ItemPair> pairs) override {
     return each_not_apart(pairs, [&](const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
@@ -160,8 +160,8 @@ class Collector final : public PairVisitor {
       : PairVisitor(a, b, part, Kind::one_mesh), found_(part.found) {}
   bool visit(std::span<const ItemPair> pairs) override {
     return each_not_apart(pairs, [&](const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
-      if ((block.meeting >> lane & 1U) != 0)
-        found_.add(pair, &meeting_in(block, lane));
+      if ((block.intersection >> lane & 1U) != 0)
+        found_.add(pair, &intersection_in(block, lane));
       else
         decide_exactly(block, lane, pair);
       return true;
@@ -170,8 +170,8 @@ class Collector final : public PairVisitor {
 
  private:
   void decide_exactly(const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
-    const Meeting common = Kind::meeting_of(triangle_a(block, lane), triangle_b(block, lane));
-    if (common.kind != MeetingKind::none) found_.add(pair, found_.meetings.keep(common));
+    const Intersection common = Kind::intersection_of(triangle_a(block, lane), triangle_b(block, lane));
+    if (common.kind != IntersectionKind::none) found_.add(pair, found_.intersections.keep(common));
   }
 
   FoundPairs& found_;

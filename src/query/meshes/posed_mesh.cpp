@@ -50,7 +50,7 @@ PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who)
     throw Error(fmt::format("{}: this is asked of meshes, and it is a {}", who, name_of(model.shape())));
   require_finite(pose, who);
   if (may_overflow(pose, model.bounds())) require_finite_vertices(*this, who);
-  box_ = world_box(pose, model.wide_tree().box);
+  box_ = world_box(pose, model.wide_bvh().box);
 }
 
 std::vector<Triangle> PosedMesh::triangles() const {

@@ -52,16 +52,16 @@ void prepare_parts(SearchScratch& scratch, std::size_t count) {
 /// Which part finds what depends on timing. So each gets the memory that any may need in the same search: a second one
 /// allocates nothing, whoever is faster then.
 void share_growth(SearchScratch& scratch) {
-  std::size_t pairs = 0, meetings = 0;
+  std::size_t pairs = 0, intersections = 0;
   WideFrontier& largest = scratch.main.frontier;
   for (const auto& part : scratch.others) {
     pairs += part->found.pairs.size();
-    meetings += part->found.meetings.size();
+    intersections += part->found.intersections.size();
     largest.grow_like(part->frontier);
   }
   for (const auto& part : scratch.others) {
     part->found.pairs.reserve(pairs);
-    part->found.meetings.reserve(meetings);
+    part->found.intersections.reserve(intersections);
     part->frontier.grow_like(largest);
   }
 }

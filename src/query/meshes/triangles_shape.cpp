@@ -4,9 +4,9 @@
 
 #include "query/meshes/world_search.hpp"
 #include "query/relation/hull_mesh.hpp"
+#include "query/relation/quadric_signs.hpp"
 #include "query/relation/relation_convex.hpp"
 #include "query/relation/relation_locality.hpp"
-#include "query/relation/smooth_signs.hpp"
 
 namespace toccata {
 namespace {
@@ -15,18 +15,18 @@ namespace {
 /// false.
 template <class Bounded, class See>
 void visit_near(const PosedMesh& mesh, const Bounded& shape, const See& see) {
-  visit_triangles_near(mesh, world_box(shape), [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
+  visit_triangles_near(mesh, world_box(shape), [&](Index i) { return see(i, PosedPolytope(mesh.triangle(i))); });
 }
 
 template <class See>
 void visit_near(const PosedMesh& mesh, const PosedHalfSpace& shape, const See& see) {
-  visit_triangles_near(mesh, shape, [&](Index i) { return see(i, PosedConvex(mesh.triangle(i))); });
+  visit_triangles_near(mesh, shape, [&](Index i) { return see(i, PosedPolytope(mesh.triangle(i))); });
 }
 
 template <class Shape>
 bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
   bool met = false;
-  visit_near(mesh, shape, [&](Index, const PosedConvex& triangle) { return !(met = overlap(triangle, shape)); });
+  visit_near(mesh, shape, [&](Index, const PosedPolytope& triangle) { return !(met = overlap(triangle, shape)); });
   return met;
 }
 
@@ -34,7 +34,7 @@ bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
 template <class Shape>
 std::span<const Index> all_that_meet(const PosedMesh& mesh, const Shape& shape, std::vector<Index>& found) {
   found.clear();
-  visit_near(mesh, shape, [&](Index i, const PosedConvex& triangle) {
+  visit_near(mesh, shape, [&](Index i, const PosedPolytope& triangle) {
     if (overlap(triangle, shape)) found.push_back(i);
     return true;
   });
@@ -48,7 +48,7 @@ Relation relation_by_triangles(const PosedMesh& mesh, const Shape& shape) {
   Relation result;
   Index seen = 0;
   Known all_inside = Known::yes;
-  visit_near(mesh, shape, [&](Index, const PosedConvex& triangle) {
+  visit_near(mesh, shape, [&](Index, const PosedPolytope& triangle) {
     const Relation found = relation(triangle, shape);
     if (found.kind == RelationKind::crossing) result.kind = RelationKind::crossing;
     if (found.kind == RelationKind::touching && result.kind == RelationKind::apart) {
@@ -67,7 +67,7 @@ Relation relation_by_triangles(const PosedMesh& mesh, const Shape& shape) {
 }
 
 /// A convex shape that none of the solid's triangles meets, so that it lies inside as a whole or outside.
-Relation relation_off_the_faces(const PosedMesh& solid, const PosedConvex& shape) {
+Relation relation_off_the_faces(const PosedMesh& solid, const PosedPolytope& shape) {
   Relation result;
   if (!is_interior(shape.vertex(0), solid)) return result;
   const bool has_interior = shape.radius() > 0 || (shape.solid() && hull_mesh(shape).dimension == 3);
@@ -78,7 +78,7 @@ Relation relation_off_the_faces(const PosedMesh& solid, const PosedConvex& shape
   return result;
 }
 
-Relation relation_of_solid(const PosedMesh& solid, const PosedConvex& shape) {
+Relation relation_of_solid(const PosedMesh& solid, const PosedPolytope& shape) {
   std::vector<Index> memory;
   const auto contacts = all_that_meet(solid, shape, memory);
   if (contacts.empty()) return relation_off_the_faces(solid, shape);
@@ -92,7 +92,7 @@ Relation relation_of_solid(const PosedMesh& solid, const PosedHalfSpace& shape) 
   return contacts.empty() ? Relation{} : relation_of_solid_and_round(solid, shape, contacts);
 }
 
-Relation relation_of_solid(const PosedMesh& solid, const PosedSmooth& shape) {
+Relation relation_of_solid(const PosedMesh& solid, const PosedQuadric& shape) {
   std::vector<Index> memory;
   const auto contacts = all_that_meet(solid, shape, memory);
   if (!contacts.empty()) return relation_of_solid_and_round(solid, shape, contacts);
@@ -111,39 +111,39 @@ Relation relation_as_taken(const PosedTriangles& a, const Shape& b, bool b_solid
 
 }  // namespace
 
-bool overlap(const PosedTriangles& a, const PosedConvex& b) {
+bool overlap(const PosedTriangles& a, const PosedPolytope& b) {
   return some_triangle_meets(a.mesh, b) || (a.solid && is_interior(b.vertex(0), a.mesh));
 }
 
 bool overlap(const PosedTriangles& a, const PosedHalfSpace& b) { return some_triangle_meets(a.mesh, b); }
 
-bool overlap(const PosedTriangles& a, const PosedSmooth& b) {
+bool overlap(const PosedTriangles& a, const PosedQuadric& b) {
   return some_triangle_meets(a.mesh, b) || (a.solid && is_interior(some_point_of(b), a.mesh));
 }
 
-SmoothContact smooth_contact(const PosedTriangles& a, const PosedSmooth& b) {
-  SmoothContact found = SmoothContact::apart;
-  visit_near(a.mesh, b, [&](Index, const PosedConvex& triangle) {
-    const SmoothContact one = smooth_contact(triangle, b);
-    if (one != SmoothContact::apart) found = one;
-    return found != SmoothContact::contact;
+QuadricContact quadric_contact(const PosedTriangles& a, const PosedQuadric& b) {
+  QuadricContact found = QuadricContact::apart;
+  visit_near(a.mesh, b, [&](Index, const PosedPolytope& triangle) {
+    const QuadricContact one = quadric_contact(triangle, b);
+    if (one != QuadricContact::apart) found = one;
+    return found != QuadricContact::contact;
   });
-  const bool is_held = found != SmoothContact::contact && a.solid && is_interior(some_point_of(b), a.mesh);
-  return is_held ? SmoothContact::contact : found;
+  const bool is_held = found != QuadricContact::contact && a.solid && is_interior(some_point_of(b), a.mesh);
+  return is_held ? QuadricContact::contact : found;
 }
 
-std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedConvex& b, SearchScratch& scratch) {
+std::span<const Index> triangles_intersecting(const PosedMesh& a, const PosedPolytope& b, SearchScratch& scratch) {
   return all_that_meet(a, b, scratch.triangles);
 }
-std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedHalfSpace& b, SearchScratch& scratch) {
+std::span<const Index> triangles_intersecting(const PosedMesh& a, const PosedHalfSpace& b, SearchScratch& scratch) {
   return all_that_meet(a, b, scratch.triangles);
 }
-std::span<const Index> triangles_meeting(const PosedMesh& a, const PosedSmooth& b, SearchScratch& scratch) {
+std::span<const Index> triangles_intersecting(const PosedMesh& a, const PosedQuadric& b, SearchScratch& scratch) {
   return all_that_meet(a, b, scratch.triangles);
 }
 
-Relation relation(const PosedTriangles& a, const PosedConvex& b) { return relation_as_taken(a, b, b.solid()); }
+Relation relation(const PosedTriangles& a, const PosedPolytope& b) { return relation_as_taken(a, b, b.solid()); }
 Relation relation(const PosedTriangles& a, const PosedHalfSpace& b) { return relation_as_taken(a, b, true); }
-Relation relation(const PosedTriangles& a, const PosedSmooth& b) { return relation_as_taken(a, b, true); }
+Relation relation(const PosedTriangles& a, const PosedQuadric& b) { return relation_as_taken(a, b, true); }
 
 }  // namespace toccata

@@ -26,7 +26,7 @@ Form scaled(const Form& f, double factor) {
   return {factor * f.own, factor * f.other, factor * f.offset, std::abs(factor) * f.pad};
 }
 
-Form form_of(const CullDirection& d, const WideTree& a, const WideTree& b) {
+Form form_of(const CullDirection& d, const WideBvh& a, const WideBvh& b) {
   return {a.unit * d.on_a, b.unit * d.on_b, (dot(d.on_b, b.origin) - dot(d.on_a, a.origin)) - d.offset, 2 * d.pad};
 }
 
@@ -72,7 +72,7 @@ class AxesMaker {
  private:
   void add_straight(int i, Form form) {
     if (!is_usable(form)) return;
-    // |q| ≤ 2 (trees/wide_tree.hpp), so what the other two coordinates add is at most twice their factors.
+    // |q| ≤ 2 (trees/wide_bvh.hpp), so what the other two coordinates add is at most twice their factors.
     form.pad += 2 * (sum_of_magnitudes(form.own) - std::abs(form.own[i]));
     set(static_cast<std::size_t>(i), form, 2);
   }
@@ -98,7 +98,7 @@ class AxesMaker {
 
 double world_size(const PosedMesh& mesh) {
   const Mat3& linear = mesh.pose().linear;
-  return mesh.model().wide_tree().unit *
+  return mesh.model().wide_bvh().unit *
          std::max({largest_magnitude(linear[0]), largest_magnitude(linear[1]), largest_magnitude(linear[2])});
 }
 
@@ -107,7 +107,7 @@ double world_size(const PosedMesh& mesh) {
 WideCull wide_cull(const PairCull& cull, const PosedMesh& a, const PosedMesh& b) {
   AxesMaker of_a, of_b;
   for (const CullDirection& direction : cull.directions()) {
-    const Form form = form_of(direction, a.model().wide_tree(), b.model().wide_tree());
+    const Form form = form_of(direction, a.model().wide_bvh(), b.model().wide_bvh());
     of_a.add(form);
     of_b.add(seen_from_other(form));
   }
@@ -115,7 +115,7 @@ WideCull wide_cull(const PairCull& cull, const PosedMesh& a, const PosedMesh& b)
   return {of_a.axes(size_b / size_a), of_b.axes(size_a / size_b)};
 }
 
-void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe& probe) {
+void add_axis(const RegionDirection& direction, const WideBvh& tree, WideProbe& probe) {
   const double middle = 0.5 * direction.region.low + 0.5 * direction.region.high;
   const double half = 0.5 * direction.region.high - 0.5 * direction.region.low;
   const double origin = dot(direction.on_mesh, tree.origin) + direction.offset;

@@ -20,6 +20,6 @@ struct RegionDirection {
 };
 
 /// Adds it to a probe, unless floats cannot hold it.
-void add_axis(const RegionDirection& direction, const WideTree& tree, WideProbe& probe);
+void add_axis(const RegionDirection& direction, const WideBvh& tree, WideProbe& probe);
 
 }  // namespace toccata

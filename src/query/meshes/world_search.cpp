@@ -69,7 +69,7 @@ void add_directions_beside(const PosedMesh& mesh, const Aabb& ray, int axis, Wid
     const bool gives_an_axis = edge[(axis + 1) % 3] == 0 || edge[(axis + 2) % 3] == 0;
     if (gives_an_axis) continue;  // it is there already, or nothing
     const RegionDirection direction = beside_ray(mesh, ray, axis, edge);
-    if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
+    if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
   }
 }
 
@@ -78,7 +78,7 @@ void add_directions_beside(const PosedMesh& mesh, const Aabb& ray, int axis, Wid
 WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
   const Aabb part = within(region, mesh.box());
   WideProbe probe;
-  for (int axis = 0; axis < 3; ++axis) add_axis(along_axis(mesh, part, axis), mesh.model().wide_tree(), probe);
+  for (int axis = 0; axis < 3; ++axis) add_axis(along_axis(mesh, part, axis), mesh.model().wide_bvh(), probe);
   for (int axis = 0; axis < 3; ++axis)
     if (region.upper[axis] == infinity) add_directions_beside(mesh, part, axis, probe);
   return probe;
@@ -110,13 +110,13 @@ RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
 void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
   const RegionDirection direction = below(mesh, half_space);
-  if (is_usable(direction)) add_axis(direction, mesh.model().wide_tree(), probe);
-  walk_probe(mesh.model().wide_tree(), probe, visit);
+  if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
+  walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit) {
   if (!overlap(mesh.box(), region)) return;
-  walk_probe(mesh.model().wide_tree(), probe_of(mesh, region),
+  walk_probe(mesh.model().wide_bvh(), probe_of(mesh, region),
              [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
 }
 

@@ -79,7 +79,7 @@ const ConvexBoundary::Core& ConvexBoundary::core() const {
 }
 
 SurfacePoint ConvexBoundary::nearest(const Vec3& point, SearchScratch& scratch) const {
-  const Distance outside = distance(PosedConvex(Point{point}), shape_);
+  const Distance outside = distance(PosedPolytope(Point{point}), shape_);
   if (outside.upper > 0 || !shape_.solid()) return surface_point(outside.upper, outside.on_b, outside.status);
   return shape_.radius() > 0 ? from_within(point, scratch) : from_core(point, scratch);
 }
@@ -94,7 +94,7 @@ SurfacePoint ConvexBoundary::from_core(const Vec3& point, SearchScratch& scratch
 /// Of a shape with a radius: what that leaves of the way from the core, or, from within the core, the way out of it and
 /// the radius.
 SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scratch) const {
-  const PosedConvex from(Point{point});
+  const PosedPolytope from(Point{point});
   const double radius = shape_.radius();
   const ExactNearest way = exact_nearest(from, shape_, first_vertices());
   if (!way.meet) {
@@ -113,7 +113,7 @@ SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scrat
 }
 
 SurfacePoint nearest_of_boundary(const Vec3& point, const PosedHalfSpace& shape) {
-  const PosedConvex from(Point{point});
+  const PosedPolytope from(Point{point});
   Distance found = distance(from, shape);
   if (found.upper == 0) {
     PosedHalfSpace rest = shape;

@@ -13,7 +13,7 @@ namespace toccata {
 /// It refers to the shape, which has to outlive it. Many threads may ask.
 class ConvexBoundary {
  public:
-  explicit ConvexBoundary(const PosedConvex& shape) : shape_(shape) {}
+  explicit ConvexBoundary(const PosedPolytope& shape) : shape_(shape) {}
 
   /// Its point that is nearest to a finite one; element and face stay 0. The upper end is that of an interval of at
   /// most 0.993 · 10⁻¹² of it, and 0 only on the boundary.
@@ -27,7 +27,7 @@ class ConvexBoundary {
   [[nodiscard]] SurfacePoint from_within(const Vec3& point, SearchScratch& scratch) const;
   [[nodiscard]] SurfacePoint from_core(const Vec3& point, SearchScratch& scratch) const;
 
-  const PosedConvex& shape_;
+  const PosedPolytope& shape_;
   mutable std::once_flag once_;
   mutable std::shared_ptr<const Core> core_;
 };

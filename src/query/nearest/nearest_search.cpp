@@ -7,7 +7,7 @@
 
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_boundary.hpp"
+#include "toccata/narrow/quadric_boundary.hpp"
 
 namespace toccata {
 namespace {
@@ -16,7 +16,7 @@ void require_distance(double max_distance) {
   if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
 }
 
-SurfacePoint nearest_of_smooth(const Vec3& point, const PosedSmooth& shape) {
+SurfacePoint nearest_of_quadric(const Vec3& point, const PosedQuadric& shape) {
   const BoundaryPoint found = boundary_point(point, shape);
   const double lower = found.status == Status::exact ? lower_from(found.upper) : found.lower;
   return {true, lower, found.upper, found.point, 0, 0, found.status};
@@ -38,7 +38,7 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
   for (const PosedPart& part : posed_.parts) {
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
       meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);
-    if (const auto* convex = std::get_if<PosedConvex>(&part.shape))
+    if (const auto* convex = std::get_if<PosedPolytope>(&part.shape))
       convexes_.push_back(std::make_unique<ConvexBoundary>(*convex));
   }
 }
@@ -49,12 +49,12 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
   NearestElements nearest(k, max_distance_, scratch.surface_points);
   auto convex = convexes_.begin();
   for (const PosedPart& part : posed_.parts) {
-    if (std::holds_alternative<PosedConvex>(part.shape))
+    if (std::holds_alternative<PosedPolytope>(part.shape))
       nearest.see(numbered((*convex++)->nearest(point, scratch), part));
     if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
       nearest.see(numbered(nearest_of_boundary(point, *half_space), part));
-    if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape))
-      nearest.see(numbered(nearest_of_smooth(point, *smooth), part));
+    if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape))
+      nearest.see(numbered(nearest_of_quadric(point, *quadric), part));
   }
   for (const SurfaceTarget& mesh : meshes_) mesh.see_near(point, nearest, scratch);
   return nearest.in_order();

@@ -34,8 +34,8 @@ void PairDistances::bound_block(std::span<const ItemPair> pairs) {
   bound_gaps(block_, gaps_);
 }
 
-Distance PairDistances::exact(const ItemPair& pair, ConvexWorkspace* kept) const {
-  return distance(PosedConvex(a_[pair.first]), PosedConvex(b_[pair.second]), kept);
+Distance PairDistances::exact(const ItemPair& pair, SimplexCache* kept) const {
+  return distance(PosedPolytope(a_[pair.first]), PosedPolytope(b_[pair.second]), kept);
 }
 
 FrontGap PairDistances::gap_in(std::size_t lane, const NearCandidate& candidate) const {
@@ -114,7 +114,8 @@ bool PairDistances::is_within(const NearCandidate& candidate, double tolerance) 
     if (precise.upper <= tolerance) return true;
     if (precise.lower > tolerance) return false;
   }
-  return toccata::is_within(PosedConvex(a_[candidate.pair.first]), PosedConvex(b_[candidate.pair.second]), tolerance);
+  return toccata::is_within(PosedPolytope(a_[candidate.pair.first]), PosedPolytope(b_[candidate.pair.second]),
+                            tolerance);
 }
 
 /// False when two meet.
@@ -172,7 +173,7 @@ NearestTriangles::Key NearestTriangles::least() {
   return untold.empty() ? least : std::min(least, least_of(untold, PairDistances::Effort::whole, none));
 }
 
-Distance NearestTriangles::nearest(ConvexWorkspace* kept) {
+Distance NearestTriangles::nearest(SimplexCache* kept) {
   const Key best = least();
   Distance result = pairs_.exact(best.pair, kept);
   result.upper = std::min(result.upper, best.upper);

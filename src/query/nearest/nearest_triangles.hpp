@@ -106,7 +106,7 @@ class PairDistances {
     b_.prefetch_corners(pair.second);
   }
 
-  [[nodiscard]] Distance exact(const ItemPair& pair, ConvexWorkspace* kept = nullptr) const;
+  [[nodiscard]] Distance exact(const ItemPair& pair, SimplexCache* kept = nullptr) const;
   [[nodiscard]] bool meet(const ItemPair& pair) const { return overlap(a_[pair.first], b_[pair.second]); }
 
   /// A first try, which leaves infinity where more is needed, or all that is.
@@ -173,7 +173,7 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
 
   /// Of all pairs that were seen and wanted; none of them meet, and there is one. What is kept of the nearest two saves
   /// time and changes nothing.
-  [[nodiscard]] Distance nearest(ConvexWorkspace* kept = nullptr);
+  [[nodiscard]] Distance nearest(SimplexCache* kept = nullptr);
 
   /// Of the same: one is at most that far.
   [[nodiscard]] bool any_within(double tolerance) const;

@@ -23,7 +23,7 @@ void put(TriangleBlock& block, std::size_t lane, const Triangle& triangle) {
 SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face, std::size_t points)
     : posed_(mesh),
       mesh_(mesh.model().mesh()),
-      tree_(mesh.model().wide_tree()),
+      tree_(mesh.model().wide_bvh()),
       way_(mesh),
       stretch_(stretch_of(way_.back())),
       leaves_(stretch_.is_equal ? mesh.model().leaf_triangles_for(points) : nullptr),
@@ -142,7 +142,7 @@ void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, Nea
     Vec3 on_surface = distances.point(lane);
     Status status = Status::exact;
     if (!(upper >= 0)) {
-      const Distance exact = distance(PosedConvex(Point{point}), PosedConvex(world_triangle(triangle)));
+      const Distance exact = distance(PosedPolytope(Point{point}), PosedPolytope(world_triangle(triangle)));
       upper = exact.upper;
       on_surface = exact.on_b;
       status = exact.status;

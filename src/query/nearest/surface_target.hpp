@@ -47,7 +47,7 @@ class SurfaceTarget {
 
   const PosedMesh& posed_;
   const TriangleMesh& mesh_;
-  const WideTree& tree_;
+  const WideBvh& tree_;
   WayIntoTree way_;
   Stretch stretch_;              ///< what becomes of lengths on that way
   const LeafTriangles* leaves_;  ///< null when they do not pay, or say nothing of what is nearest in the world

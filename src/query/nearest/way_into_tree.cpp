@@ -24,7 +24,7 @@ Mat3 inverse(const Mat3& m, double scale) {
 }  // namespace
 
 WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
-  const WideTree& tree = mesh.model().wide_tree();
+  const WideBvh& tree = mesh.model().wide_bvh();
   const double scale = 1 / tree.unit;
   back_ = inverse(mesh.pose().linear, scale);
   origin_ = scale * tree.origin;

@@ -2,7 +2,7 @@
 
 #include "query/ask.hpp"
 #include "query/penetration/solid_penetration.hpp"
-#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/narrow/quadric_penetration.hpp"
 
 namespace toccata {
 namespace {
@@ -11,15 +11,15 @@ bool is_one_shape(const Model& model) { return !model.has_mesh() && kind_of(mode
 
 /// Of convex sets, not two half-spaces.
 struct AskDepth {
-  Penetration operator()(const PosedConvex& a, const PosedConvex& b) const {
+  Penetration operator()(const PosedPolytope& a, const PosedPolytope& b) const {
     return penetration(a, b, &scratch.convex);
   }
-  Penetration operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return penetration(a, b); }
-  Penetration operator()(const PosedHalfSpace& a, const PosedConvex& b) const { return flipped(penetration(b, a)); }
-  Penetration operator()(const PosedHalfSpace& a, const PosedSmooth& b) const { return penetration(a, b); }
-  Penetration operator()(const PosedConvex& a, const PosedSmooth& b) const { return penetration(a, b); }
+  Penetration operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return penetration(a, b); }
+  Penetration operator()(const PosedHalfSpace& a, const PosedPolytope& b) const { return flipped(penetration(b, a)); }
+  Penetration operator()(const PosedHalfSpace& a, const PosedQuadric& b) const { return penetration(a, b); }
+  Penetration operator()(const PosedPolytope& a, const PosedQuadric& b) const { return penetration(a, b); }
   template <PosedConvexSet B>
-  Penetration operator()(const PosedSmooth& a, const B& b) const {
+  Penetration operator()(const PosedQuadric& a, const B& b) const {
     return penetration(a, b);
   }
   template <class A, class B>
@@ -39,7 +39,7 @@ Penetration penetration(const Model& a, const Model& b, const PairQuery& query) 
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
-  const PosedModels models(a, b, query, workspace.scratch());
+  const PosedModelPair models(a, b, query, workspace.scratch());
   if (is_one_shape(a) && is_one_shape(b))
     return std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
   return penetration_of_solids(a, b, query, models, workspace);

@@ -6,10 +6,10 @@
 
 #include "math/vec3_measures.hpp"
 #include "query/meshes/triangles_shape.hpp"
-#include "query/penetration/smooth_hull.hpp"
+#include "query/penetration/quadric_hull.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/narrow/quadric_penetration.hpp"
 
 namespace toccata {
 namespace {
@@ -26,9 +26,9 @@ std::vector<Vec3> corners_of(const Aabb& box) {
 }
 
 Vec3 offset_of(const PosedShape& shape) {
-  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return convex->pose().offset;
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return convex->pose().offset;
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.pose().offset;
-  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return smooth->pose().offset;
+  if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return quadric->pose().offset;
   return {};
 }
 
@@ -48,7 +48,7 @@ ConvexHull shrunk(const ConvexHull& hull, const Vec3& towards, double by) {
 }
 
 /// Proved: no triangle meets it, and one of its points is inside.
-bool lies_within(const PosedConvex& shape, const PosedMesh& mesh) {
+bool lies_within(const PosedPolytope& shape, const PosedMesh& mesh) {
   return !overlap(PosedTriangles{mesh, false}, shape) && is_interior(shape.vertex(0), mesh);
 }
 
@@ -64,8 +64,8 @@ bool is_convex_solid(const PosedMesh& mesh) {
 }
 
 bool holds(const PosedShape& shape, const Vec3& point) {
-  if (const auto* convex = std::get_if<PosedConvex>(&shape)) return overlap(*convex, PosedConvex(Point(point)));
-  if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) return overlap(*smooth, PosedConvex(Point(point)));
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return overlap(*convex, PosedPolytope(Point(point)));
+  if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return overlap(*quadric, PosedPolytope(Point(point)));
   return is_interior(point, std::get<PosedTriangles>(shape).mesh);
 }
 
@@ -82,9 +82,9 @@ std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
 }  // namespace
 
 Penetration depth_between(const InnerPart& a, const InnerPart& b) {
-  if (a.smooth && b.smooth) return penetration(*a.smooth, *b.smooth);
-  if (a.smooth) return penetration(*a.smooth, b.shape);
-  return b.smooth ? penetration(a.shape, *b.smooth) : penetration(a.shape, b.shape);
+  if (a.quadric && b.quadric) return penetration(*a.quadric, *b.quadric);
+  if (a.quadric) return penetration(*a.quadric, b.shape);
+  return b.quadric ? penetration(a.shape, *b.quadric) : penetration(a.shape, b.shape);
 }
 
 SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
@@ -99,20 +99,20 @@ SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
 
 void SolidBody::find_inner_parts() {
   for (const PosedPart& part : posed_.parts) {
-    const auto* convex = std::get_if<PosedConvex>(&part.shape);
-    const auto* smooth = std::get_if<PosedSmooth>(&part.shape);
-    const std::optional<ConvexHull> hull = smooth != nullptr ? hull_within(*smooth) : std::nullopt;
+    const auto* convex = std::get_if<PosedPolytope>(&part.shape);
+    const auto* quadric = std::get_if<PosedQuadric>(&part.shape);
+    const std::optional<ConvexHull> hull = quadric != nullptr ? hull_within(*quadric) : std::nullopt;
     InnerPart* const kept = convex != nullptr ? &kept_.emplace_back(*convex)
                             : hull            ? &kept_.emplace_back(*hull)
                                               : nullptr;
-    if (hull) kept->smooth = *smooth;
+    if (hull) kept->quadric = *quadric;
     inner_.push_back(kept);
   }
 }
 
 const InnerPart* SolidBody::as_one() const {
   if (exactly_convex_) return whole_;
-  return std::holds_alternative<PosedSmooth>(posed_.parts[0].shape) && posed_.parts.size() == 1 ? inner_[0] : nullptr;
+  return std::holds_alternative<PosedQuadric>(posed_.parts[0].shape) && posed_.parts.size() == 1 ? inner_[0] : nullptr;
 }
 
 const InnerPart* SolidBody::within(const PosedPart& part) const {
@@ -120,11 +120,11 @@ const InnerPart* SolidBody::within(const PosedPart& part) const {
 }
 
 void SolidBody::find_whole() {
-  if (posed_.parts.size() > 1 || std::holds_alternative<PosedSmooth>(posed_.parts[0].shape)) {
+  if (posed_.parts.size() > 1 || std::holds_alternative<PosedQuadric>(posed_.parts[0].shape)) {
     outer_.emplace(ConvexHull{corners_of(box_)});
     return;
   }
-  if (const auto* convex = std::get_if<PosedConvex>(&posed_.parts[0].shape)) {
+  if (const auto* convex = std::get_if<PosedPolytope>(&posed_.parts[0].shape)) {
     outer_.emplace(*convex);
     exactly_convex_ = true;
   } else {
@@ -149,7 +149,7 @@ const InnerPart* SolidBody::keep(const PosedMesh& mesh, const ConvexHull& hull, 
   for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
     if (1 - less < least_share) break;
     const ConvexHull smaller = shrunk(hull, point, less);
-    if (smaller.dimension() == 3 && lies_within(PosedConvex(smaller), mesh)) return &kept_.emplace_back(smaller);
+    if (smaller.dimension() == 3 && lies_within(PosedPolytope(smaller), mesh)) return &kept_.emplace_back(smaller);
   }
   return nullptr;
 }

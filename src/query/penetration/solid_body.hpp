@@ -12,18 +12,18 @@ namespace toccata {
 
 /// A convex body that is proved to lie within a solid, and a box around it.
 struct InnerPart {
-  explicit InnerPart(const PosedConvex& within) : shape(within), box(world_box(within)) {}
+  explicit InnerPart(const PosedPolytope& within) : shape(within), box(world_box(within)) {}
   explicit InnerPart(const ConvexHull& within) : hull(within), shape(*hull), box(world_box(shape)) {}
   InnerPart(const InnerPart&) = delete;  // the shape refers to the hull
   InnerPart& operator=(const InnerPart&) = delete;
 
   std::optional<ConvexHull> hull;
-  PosedConvex shape;
+  PosedPolytope shape;
   Aabb box;
-  std::optional<PosedSmooth> smooth;  ///< the part itself, where it is smooth and the hull is one within
+  std::optional<PosedQuadric> quadric;  ///< the part itself, where it is a quadric and the hull is one within
 };
 
-/// How deep the two overlap; of smooth parts, these and not the hulls within them.
+/// How deep the two overlap; of quadric parts, these and not the hulls within them.
 [[nodiscard]] Penetration depth_between(const InnerPart& a, const InnerPart& b);
 
 /// A bounded solid as the union of posed parts, seen by convex bodies: one around it and as many within as were asked
@@ -38,23 +38,23 @@ class SolidBody {
   [[nodiscard]] const Aabb& box() const { return box_; }
 
   /// Contains the solid.
-  [[nodiscard]] const PosedConvex& outer() const { return outer_->shape; }
+  [[nodiscard]] const PosedPolytope& outer() const { return outer_->shape; }
 
   /// The solid as a whole, or all but a share of 2^-40 of it, where it is convex; else nothing.
   [[nodiscard]] const InnerPart* whole() const { return whole_; }
   /// It is convex, and `outer` is the solid.
   [[nodiscard]] bool exactly_convex() const { return exactly_convex_; }
 
-  /// The solid, where it is convex or smooth.
+  /// The solid, where it is convex or a quadric.
   [[nodiscard]] const InnerPart* as_one() const;
 
-  /// Of a part that is a convex shape or a smooth one: a body within it; of a convex shape all of it.
+  /// Of a part that is a convex shape or a quadric: a body within it; of a convex shape all of it.
   [[nodiscard]] const InnerPart* within(const PosedPart& part) const;
 
   /// Within some part of it.
   [[nodiscard]] bool contains(const Vec3& point) const;
 
-  /// The bodies within those of its parts that are convex or smooth, or all of it where it is convex.
+  /// The bodies within those of its parts that are convex or a quadric, or all of it where it is convex.
   [[nodiscard]] std::vector<const InnerPart*> convex_parts();
 
   /// A convex body around a point that it contains, grown as told; none where none could be proved to lie within. It

@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "math/vec3_measures.hpp"
-#include "query/penetration/parting_search.hpp"
+#include "query/penetration/separating_search.hpp"
 #include "query/penetration/solid_body.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/narrow/quadric_penetration.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
@@ -49,17 +49,17 @@ bool has_parts_without_end(const PosedModel& posed) {
   });
 }
 
-/// The vertices of its triangles or of its core, or the numbers of a smooth shape; none of a half-space.
+/// The vertices of its triangles or of its core, or the numbers of a quadric; none of a half-space.
 std::vector<Vec3> numbers_of(const PosedShape& shape) {
   std::vector<Vec3> vertices;
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) {
     for (Index t = 0; t < triangles->mesh.model().element_count(); ++t)
       for (const Vec3& corner : triangles->mesh.triangle(t).vertex) vertices.push_back(corner);
-  } else if (const auto* convex = std::get_if<PosedConvex>(&shape)) {
+  } else if (const auto* convex = std::get_if<PosedPolytope>(&shape)) {
     for (Index i = 0; i < convex->vertex_count(); ++i) vertices.push_back(convex->vertex(i));
-  } else if (const auto* smooth = std::get_if<PosedSmooth>(&shape)) {
-    const Mat3& linear = smooth->pose().linear;
-    vertices = {smooth->half(), linear[0], linear[1], linear[2], smooth->pose().offset};
+  } else if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) {
+    const Mat3& linear = quadric->pose().linear;
+    vertices = {quadric->half(), linear[0], linear[1], linear[2], quadric->pose().offset};
   }
   return vertices;
 }
@@ -90,46 +90,47 @@ Vec3 normal_at(const Model& model, const Pose& pose, Index element) {
   return unit_or_zero(cross(t[1] - t[0], t[2] - t[0]));
 }
 
-/// Those of a mesh and a smooth shape that lies as told.
-std::vector<SurfaceMeeting> meetings_with_smooth(const Model& a, const PosedSmooth& smooth, const PairQuery& query,
-                                                 std::span<const Contact> found) {
+/// Those of a mesh and a quadric that lies as told.
+std::vector<SurfaceIntersection> intersections_with_quadric(const Model& a, const PosedQuadric& quadric,
+                                                            const PairQuery& query, std::span<const Contact> found) {
   constexpr std::size_t most = 12;
-  std::vector<SurfaceMeeting> meetings;
+  std::vector<SurfaceIntersection> intersections;
   const std::size_t stride = 1 + found.size() / most;
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
     const Index element = found[i].triangle_a;
-    const Distance at = distance(PosedConvex(world_triangle(a, query.pose_a, element)), smooth);
-    meetings.push_back({at.on_a, normal_at(a, query.pose_a, element), {}});
+    const Distance at = distance(PosedPolytope(world_triangle(a, query.pose_a, element)), quadric);
+    intersections.push_back({at.on_a, normal_at(a, query.pose_a, element), {}});
   }
-  return meetings;
+  return intersections;
 }
 
 /// The points of some contacts of meshes, spread over all of them.
-std::vector<SurfaceMeeting> some_meetings(const Model& a, const Model& b, const PairQuery& query,
-                                          Workspace& workspace) {
+std::vector<SurfaceIntersection> some_intersections(const Model& a, const Model& b, const PairQuery& query,
+                                                    Workspace& workspace) {
   constexpr std::size_t most = 12;
-  std::vector<SurfaceMeeting> meetings;
-  if (!a.has_mesh() || kind_of(b.shape()) == ShapeKind::compound) return meetings;
+  std::vector<SurfaceIntersection> intersections;
+  if (!a.has_mesh() || kind_of(b.shape()) == ShapeKind::compound) return intersections;
   const PosedShape other = pose_shape(b, query.pose_b, query.solid_b, "model b");
-  if (const auto* smooth = std::get_if<PosedSmooth>(&other))
-    return meetings_with_smooth(a, *smooth, query, contacts(a, b, query, workspace));
-  if (!b.has_mesh()) return meetings;
+  if (const auto* quadric = std::get_if<PosedQuadric>(&other))
+    return intersections_with_quadric(a, *quadric, query, contacts(a, b, query, workspace));
+  if (!b.has_mesh()) return intersections;
   const auto found = contacts(a, b, query, workspace);
   const std::size_t stride = 1 + found.size() / most;
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
     const Contact& contact = found[i];
-    const MeetingCoordinates points = coordinates(contact.meeting, world_triangle(a, query.pose_a, contact.triangle_a),
-                                                  world_triangle(b, query.pose_b, contact.triangle_b));
+    const IntersectionPoints points =
+        intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.triangle_a),
+                            world_triangle(b, query.pose_b, contact.triangle_b));
     Vec3 middle;
     for (std::size_t k = 0; k < points.count; ++k) middle = middle + points.points[k];
-    meetings.push_back({(1.0 / points.count) * middle, normal_at(a, query.pose_a, contact.triangle_a),
-                        normal_at(b, query.pose_b, contact.triangle_b)});
+    intersections.push_back({(1.0 / points.count) * middle, normal_at(a, query.pose_a, contact.triangle_a),
+                             normal_at(b, query.pose_b, contact.triangle_b)});
   }
-  return meetings;
+  return intersections;
 }
 
 Penetration depth_of_part(const PosedPart& part, const PosedHalfSpace& b) {
-  if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape)) return penetration(*smooth, b);
+  if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape)) return penetration(*quadric, b);
   const PosedModel alone{{part}, true};
   const SolidBody body(alone);
   return penetration(body.outer(), b);
@@ -167,31 +168,31 @@ Penetration without_overlap(const Model& a, const Model& b, const PairQuery& que
   return {0, 0, across == Vec3{} ? Vec3{0, 0, 1} : across, between.on_a, between.on_b, status};
 }
 
-Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
                       Workspace& workspace) {
   SolidBody body_a(models.a), body_b(models.b);
   const InnerPart *one_a = body_a.as_one(), *one_b = body_b.as_one();
   if (Penetration depth = one_a && one_b ? depth_between(*one_a, *one_b) : Penetration{}; depth.upper > 0) {
-    if (one_a->smooth || one_b->smooth)
+    if (one_a->quadric || one_b->quadric)
       depth.status = depth.upper <= 1.5 * depth.lower ? Status::exact : Status::not_converged;
     part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
       return relation(a, b, moved(query, move), workspace).kind == RelationKind::overlapping;
     });
     return depth;
   }
-  PartingSearch search(body_a, body_b,
-                       {[&](const Vec3& move) {
-                          // What meets needs no distance, for which all triangles that meet a shape are looked at.
-                          const PairQuery there = moved(query, move);
-                          return overlap(a, b, there, workspace) ? 0 : distance(a, b, there, workspace).lower;
-                        },
-                        [&](const Vec3& move) { return some_meetings(a, b, moved(query, move), workspace); }});
+  SeparatingSearch search(body_a, body_b,
+                          {[&](const Vec3& move) {
+                             // What meets needs no distance, for which all triangles that meet a shape are looked at.
+                             const PairQuery there = moved(query, move);
+                             return overlap(a, b, there, workspace) ? 0 : distance(a, b, there, workspace).lower;
+                           },
+                           [&](const Vec3& move) { return some_intersections(a, b, moved(query, move), workspace); }});
   Penetration depth = search.answer();
   add_points(depth, distance(a, b, moved(query, depth.upper * depth.direction), workspace));
   return depth;
 }
 
-Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
                      Workspace& workspace) {
   const Relation lie = relation_of(models.a, models.b, workspace.scratch());
   if (lie.kind != RelationKind::overlapping) return without_overlap(a, b, query, workspace, lie.status);
@@ -207,7 +208,7 @@ bool may_be_parted(const PosedModel& a, const PosedModel& b) {
   return !has_parts_without_end(a) && !has_parts_without_end(b) && !(is_half_space(a) && is_half_space(b));
 }
 
-Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query, const PosedModels& models,
+Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
                                   Workspace& workspace) {
   require_solid(a, models.a, "model a");
   require_solid(b, models.b, "model b");
@@ -217,7 +218,7 @@ Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuer
         "from another for sure; ask about its parts");
   if (is_canonical_order(models.a, models.b)) return in_order(a, b, query, models, workspace);
   const PairQuery other{query.pose_b, query.pose_a, query.solid_b, query.solid_a, query.threads};
-  const PosedModels exchanged(b, a, other, workspace.scratch());
+  const PosedModelPair exchanged(b, a, other, workspace.scratch());
   return flipped(in_order(b, a, other, exchanged, workspace));
 }
 

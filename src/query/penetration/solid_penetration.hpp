@@ -11,6 +11,6 @@ namespace toccata {
 /// Of two models, posed, some part of which is a mesh, or of which there is more than one part. `models` are a and b.
 /// Throws Error when one is taken as a surface or has a half-space among several parts.
 [[nodiscard]] Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query,
-                                                const PosedModels& models, Workspace& workspace);
+                                                const PosedModelPair& models, Workspace& workspace);
 
 }  // namespace toccata

@@ -70,7 +70,7 @@ Aabb region_of(const PreparedRay& ray) {
 }  // namespace
 
 RayTarget::RayTarget(const PosedMesh& mesh)
-    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_tree()), stands_(mesh.pose() == Pose{}) {
+    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_bvh()), stands_(mesh.pose() == Pose{}) {
   const WayIntoTree way(mesh);
   usable_ = way.usable();
   const double scale = 1 / tree_.unit;

@@ -43,7 +43,7 @@ class RayTarget {
 
   const PosedMesh& posed_;
   const TriangleMesh& mesh_;
-  const WideTree& tree_;
+  const WideBvh& tree_;
   RayFrame frame_;
   bool usable_;  ///< the frame is; else the world is searched
   bool stands_;  ///< the pose changes nothing but the sign of a zero

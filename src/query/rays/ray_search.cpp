@@ -9,7 +9,7 @@
 #include "query/keep_least.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/smooth_casts.hpp"
+#include "toccata/narrow/quadric_casts.hpp"
 
 namespace toccata {
 namespace {
@@ -101,9 +101,9 @@ RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const Pre
   if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) return hit_of(*triangles, meshes_[mesh], ray);
   if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
     return numbered(cast_ray(ray.origin, ray.motion, *half_space));
-  if (const auto* smooth = std::get_if<PosedSmooth>(&part.shape))
-    return numbered(cast_ray(ray.origin, ray.motion, *smooth));
-  return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedConvex>(part.shape)));
+  if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape))
+    return numbered(cast_ray(ray.origin, ray.motion, *quadric));
+  return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedPolytope>(part.shape)));
 }
 
 RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {

@@ -28,7 +28,7 @@ CornerTriples triangles_of(const ConvexHull& hull) {
 
 }  // namespace
 
-HullMesh hull_mesh(const PosedConvex& shape) {
+HullMesh hull_mesh(const PosedPolytope& shape) {
   std::vector<Vec3> points;
   points.reserve(shape.vertex_count());
   for (Index i = 0; i < shape.vertex_count(); ++i) points.push_back(shape.vertex(i));

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "toccata/narrow/posed_convex.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
@@ -13,6 +13,6 @@ struct HullMesh {
   int dimension = 0;                         ///< of the hull in the world
 };
 
-[[nodiscard]] HullMesh hull_mesh(const PosedConvex& shape);
+[[nodiscard]] HullMesh hull_mesh(const PosedPolytope& shape);
 
 }  // namespace toccata

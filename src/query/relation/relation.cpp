@@ -6,11 +6,11 @@
 #include "query/ask.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
-#include "query/posed_pair.hpp"
+#include "query/posed_mesh_pair.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "query/relation/relation_solids.hpp"
 #include "query/relation/relation_unions.hpp"
-#include "toccata/narrow/smooth_penetration.hpp"
+#include "toccata/narrow/quadric_penetration.hpp"
 #include "toccata/query/flipped.hpp"
 
 namespace toccata {
@@ -19,14 +19,14 @@ namespace {
 Relation relation_of_surfaces(VisitContacts visit) {
   Relation result;
   visit([&](const Contact& contact) {
-    result.kind = contact.meeting.crossing ? RelationKind::crossing : RelationKind::touching;
-    return !contact.meeting.crossing;
+    result.kind = contact.intersection.crossing ? RelationKind::crossing : RelationKind::touching;
+    return !contact.intersection.crossing;
   });
   result.side_unresolved = result.kind == RelationKind::touching;
   return result;
 }
 
-Relation relation_as_taken(const TakenMesh& a, const TakenMesh& b, VisitContacts visit) {
+Relation relation_as_taken(const PosedTrianglesView& a, const PosedTrianglesView& b, VisitContacts visit) {
   if (a.solid && b.solid) return relation_of_solids(a.mesh, b.mesh, visit);
   if (a.solid) return relation_of_solid_and_surface(a.mesh, b.mesh, visit);
   if (!b.solid) return relation_of_surfaces(visit);
@@ -36,7 +36,7 @@ Relation relation_as_taken(const TakenMesh& a, const TakenMesh& b, VisitContacts
   return result;
 }
 
-Relation relation_with(const TakenMesh& a, const TakenMesh& b, VisitContacts visit) {
+Relation relation_with(const PosedTrianglesView& a, const PosedTrianglesView& b, VisitContacts visit) {
   Relation result = relation_as_taken(a, b, visit);
   result.a_solid = a.solid;
   result.b_solid = b.solid;
@@ -45,11 +45,11 @@ Relation relation_with(const TakenMesh& a, const TakenMesh& b, VisitContacts vis
 
 }  // namespace
 
-Relation relation_of(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch) {
+Relation relation_of(const PosedTrianglesView& a, const PosedTrianglesView& b, SearchScratch& scratch) {
   return relation_with(a, b, [&](SeeContact see) { visit_surface_contacts(a.mesh, b.mesh, scratch, see); });
 }
 
-Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts) {
+Relation relation_of(const PosedTrianglesView& a, const PosedTrianglesView& b, std::span<const Contact> contacts) {
   return relation_with(a, b,
                        [&](SeeContact see) { static_cast<void>(std::all_of(contacts.begin(), contacts.end(), see)); });
 }
@@ -59,15 +59,15 @@ namespace {
 struct AskRelation {
   static constexpr ShapeQuestion question = ShapeQuestion::relation;
 
-  Relation operator()(const PosedConvex& a, const PosedConvex& b) const { return relation(a, b, &scratch.convex); }
-  Relation operator()(const PosedConvex& a, const PosedHalfSpace& b) const { return relation(a, b); }
+  Relation operator()(const PosedPolytope& a, const PosedPolytope& b) const { return relation(a, b, &scratch.convex); }
+  Relation operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return relation(a, b); }
   Relation operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return relation(a, b); }
-  Relation operator()(const PosedTriangles& a, const PosedSmooth& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedQuadric& b) const { return relation(a, b); }
   template <PosedConvexSet Other>
-  Relation operator()(const PosedSmooth& a, const Other& b) const {
+  Relation operator()(const PosedQuadric& a, const Other& b) const {
     return relation(a, b);
   }
-  Relation operator()(const PosedTriangles& a, const PosedConvex& b) const { return relation(a, b); }
+  Relation operator()(const PosedTriangles& a, const PosedPolytope& b) const { return relation(a, b); }
   Relation operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return relation(a, b); }
   Relation operator()(const PosedTriangles& a, const PosedTriangles& b) const {
     return relation_of({a.mesh, a.solid}, {b.mesh, b.solid}, scratch);
@@ -94,10 +94,10 @@ Relation relation(const Model& a, const Model& b, const PairQuery& query) {
 Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   SearchScratch& scratch = workspace.scratch();
   if (a.has_mesh() && b.has_mesh()) {
-    const PosedPair pair(a, b, query);
+    const PosedMeshPair pair(a, b, query);
     return relation_of({pair.a, pair.a_solid}, {pair.b, pair.b_solid}, scratch);
   }
-  const PosedModels models(a, b, query, scratch);
+  const PosedModelPair models(a, b, query, scratch);
   return relation_of(models.a, models.b, scratch);
 }
 

@@ -93,7 +93,7 @@ class CellFinder {
     const PlanarSegment& s = segments_[i];
     std::vector<ExactNumber> ends{s.left.x, s.right.x};
     index_.visit_in(index_.box_around(s), [&](Index j) {
-      if (j != i) add_meeting(s, segments_[j], ends);
+      if (j != i) add_intersection(s, segments_[j], ends);
     });
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

@@ -4,7 +4,7 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/posed_smooth.hpp"
+#include "toccata/narrow/posed_quadric.hpp"
 #include "toccata/query/relation.hpp"
 
 // A solid mesh and a shape that some of its triangles meet, `contacts`, ascending. What each was taken for is left to
@@ -12,12 +12,12 @@
 namespace toccata {
 
 /// Of a shape without radius: the hull of its vertices is made a mesh, exactly, and the meshes are asked.
-[[nodiscard]] Relation relation_of_solid_and_polytope(const PosedMesh& solid, const PosedConvex& shape);
+[[nodiscard]] Relation relation_of_solid_and_polytope(const PosedMesh& solid, const PosedPolytope& shape);
 
-/// Of a shape with a radius, a smooth shape, or a half-space (docs/methods/relations-of-solids.md).
-[[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedConvex& shape,
+/// Of a shape with a radius, a quadric, or a half-space (docs/methods/relations-of-solids.md).
+[[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedPolytope& shape,
                                                    std::span<const Index> contacts);
-[[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedSmooth& shape,
+[[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedQuadric& shape,
                                                    std::span<const Index> contacts);
 [[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedHalfSpace& shape,
                                                    std::span<const Index> contacts);

@@ -6,7 +6,7 @@
 #include "query/index_set.hpp"
 #include "query/inside/inside_winding.hpp"
 #include "query/meshes/world_search.hpp"
-#include "query/relation/relation_sheets.hpp"
+#include "query/relation/relation_arrangement.hpp"
 
 namespace toccata {
 namespace {
@@ -72,8 +72,8 @@ RegionsKnown regions_at_contacts(const SolidPair& pair, const ContactTriangles& 
   append(beside, triangles_near(pair.b, of_interest));
 
   known.possible = possible_beyond_flat(pair, contacts);
-  const Sheets sheets(std::move(of_interest), std::move(beside));
-  sheets.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
+  const Arrangement arrangement(std::move(of_interest), std::move(beside));
+  arrangement.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
     const SidesOfPoint sides = sides_of(pair, p, sheet);
     if (sides.on_another_plane) return CellVisit::another;
     known.seen = known.seen | sides.seen;
@@ -92,14 +92,14 @@ RegionsSeen regions_possible_at_other_parts(const SolidPair& pair, const Contact
   return possible;
 }
 
-RegionsSeen glance_at_other_parts(const SolidPair& pair, const ContactTriangles& contacts) {
+RegionsSeen sample_other_parts(const SolidPair& pair, const ContactTriangles& contacts) {
   RegionsSeen seen;
-  const auto glance_at = [&](const PosedMesh& mesh, std::span<const Index> with_contacts) {
+  const auto sample_at = [&](const PosedMesh& mesh, std::span<const Index> with_contacts) {
     for (const Index part : parts_without(mesh, with_contacts))
-      if (const std::optional<Triangle> t = triangle_with_area(mesh, part)) seen = seen | glance(pair, *t);
+      if (const std::optional<Triangle> t = triangle_with_area(mesh, part)) seen = seen | sample(pair, *t);
   };
-  glance_at(pair.a, contacts.of_a);
-  glance_at(pair.b, contacts.of_b);
+  sample_at(pair.a, contacts.of_a);
+  sample_at(pair.b, contacts.of_b);
   return seen;
 }
 

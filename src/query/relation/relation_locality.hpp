@@ -28,7 +28,7 @@ struct RegionsKnown {
 [[nodiscard]] RegionsSeen regions_possible_at_other_parts(const SolidPair& pair, const ContactTriangles& contacts);
 
 /// What is seen beside one triangle of each of these parts.
-[[nodiscard]] RegionsSeen glance_at_other_parts(const SolidPair& pair, const ContactTriangles& contacts);
+[[nodiscard]] RegionsSeen sample_other_parts(const SolidPair& pair, const ContactTriangles& contacts);
 
 /// The parts of the mesh, by number, that have none of these triangles.
 [[nodiscard]] std::vector<Index> parts_without(const PosedMesh& mesh, std::span<const Index> triangles);

@@ -4,7 +4,7 @@
 
 namespace toccata {
 
-Relation relation_of_solid_and_polytope(const PosedMesh& solid, const PosedConvex& shape) {
+Relation relation_of_solid_and_polytope(const PosedMesh& solid, const PosedPolytope& shape) {
   const HullMesh hull = hull_mesh(shape);
   const bool has_interior = hull.dimension == 3;
   if (shape.solid() && !has_interior) return {.kind = RelationKind::touching};

@@ -12,16 +12,17 @@
 namespace toccata {
 
 /// A posed mesh and what it is taken for; a solid is closed and posed regularly.
-struct TakenMesh {
+struct PosedTrianglesView {
   const PosedMesh& mesh;
   bool solid;
 };
 
 /// `relation` of two meshes that are posed already.
-[[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch);
+[[nodiscard]] Relation relation_of(const PosedTrianglesView& a, const PosedTrianglesView& b, SearchScratch& scratch);
 
 /// The same where all contacts of the two are known: their trees are not walked again.
-[[nodiscard]] Relation relation_of(const TakenMesh& a, const TakenMesh& b, std::span<const Contact> contacts);
+[[nodiscard]] Relation relation_of(const PosedTrianglesView& a, const PosedTrianglesView& b,
+                                   std::span<const Contact> contacts);
 
 /// `relation` of any two models that are posed already.
 [[nodiscard]] Relation relation_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch);

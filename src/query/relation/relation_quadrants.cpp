@@ -21,16 +21,16 @@ Vec3 pierced(const Triangle& of_edge, int edge, const Triangle& plane) {
   return from + std::clamp(part, 0.0, 1.0) * (to - from);
 }
 
-Vec3 near_point(const MeetingPoint& point, const Triangle& a, const Triangle& b) {
+Vec3 near_point(const IntersectionPoint& point, const Triangle& a, const Triangle& b) {
   if (point.on_a.kind == FeatureKind::vertex) return a[point.on_a.index];
   if (point.on_b.kind == FeatureKind::vertex) return b[point.on_b.index];
   return point.on_a.kind == FeatureKind::edge ? pierced(a, point.on_a.index, b) : pierced(b, point.on_b.index, a);
 }
 
-Vec3 middle_of(const Meeting& meeting, const Triangle& a, const Triangle& b) {
+Vec3 middle_of(const Intersection& intersection, const Triangle& a, const Triangle& b) {
   Vec3 sum;
-  for (std::size_t i = 0; i < meeting.count; ++i) sum = sum + near_point(meeting.points[i], a, b);
-  return (1.0 / meeting.count) * sum;
+  for (std::size_t i = 0; i < intersection.count; ++i) sum = sum + near_point(intersection.points[i], a, b);
+  return (1.0 / intersection.count) * sum;
 }
 
 Vec3 unit_normal_or_zero(const Triangle& t) { return unit_or_zero(cross(t[1] - t[0], t[2] - t[0])); }
@@ -45,10 +45,11 @@ RegionsSeen region_at(const SolidPair& pair, const Vec3& point) {
 
 }  // namespace
 
-RegionsSeen glance_at_quadrants(const SolidPair& pair, const Triangle& a, const Triangle& b, const Meeting& meeting) {
+RegionsSeen sample_quadrants(const SolidPair& pair, const Triangle& a, const Triangle& b,
+                             const Intersection& intersection) {
   RegionsSeen seen;
-  if (meeting.count == 0) return seen;
-  const Vec3 middle = middle_of(meeting, a, b), of_a = unit_normal_or_zero(a), of_b = unit_normal_or_zero(b);
+  if (intersection.count == 0) return seen;
+  const Vec3 middle = middle_of(intersection, a, b), of_a = unit_normal_or_zero(a), of_b = unit_normal_or_zero(b);
   // Along either plane, away from the other one.
   const Vec3 beside_a = unit_or_zero(of_a - dot(of_a, of_b) * of_b);
   const Vec3 beside_b = unit_or_zero(of_b - dot(of_a, of_b) * of_a);

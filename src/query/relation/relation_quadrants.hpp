@@ -5,10 +5,10 @@
 
 namespace toccata {
 
-/// What is seen at a few points of doubles between two triangles that cross in `meeting`: where they are it is told
+/// What is seen at a few points of doubles between two triangles that cross in `intersect`: where they are it is told
 /// exactly, by winding numbers; that they are in the four quadrants between the planes is likely. Where it is so, all
 /// there is to see is seen, without a rational number.
-[[nodiscard]] RegionsSeen glance_at_quadrants(const SolidPair& pair, const Triangle& a, const Triangle& b,
-                                              const Meeting& meeting);
+[[nodiscard]] RegionsSeen sample_quadrants(const SolidPair& pair, const Triangle& a, const Triangle& b,
+                                           const Intersection& intersection);
 
 }  // namespace toccata

@@ -4,10 +4,10 @@
 
 #include "query/inside/inside_winding.hpp"
 #include "query/meshes/world_search.hpp"
+#include "query/relation/quadric_signs.hpp"
 #include "query/relation/relation_cells.hpp"
 #include "query/relation/relation_convex.hpp"
 #include "query/relation/relation_samples.hpp"
-#include "query/relation/smooth_signs.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 
 namespace toccata {
@@ -27,8 +27,9 @@ std::vector<Triangle> cuts_of(const PosedMesh& mesh, const Triangle& t) {
   visit_triangles_near(mesh, box_of(t), [&](Index number) {
     const Triangle other = mesh.triangle(number);
     if (!has_area(other) || std::is_permutation(t.vertex.begin(), t.vertex.end(), other.vertex.begin())) return true;
-    const Meeting m = meeting(t, other);
-    if (m.on_a.kind == FeatureKind::face && (m.kind == MeetingKind::segment || m.kind == MeetingKind::polygon))
+    const Intersection m = intersect(t, other);
+    if (m.on_a.kind == FeatureKind::face &&
+        (m.kind == IntersectionKind::segment || m.kind == IntersectionKind::polygon))
       cuts.push_back(other);
     return true;
   });
@@ -53,8 +54,8 @@ Beside beside(const PosedMesh& mesh, const Triangle& t) {
 }
 
 /// A world point in the interior, where one is at hand.
-std::optional<Vec3> inner_point(const PosedConvex& shape) { return shape.vertex(0); }
-std::optional<Vec3> inner_point(const PosedSmooth& shape) { return shape.pose().offset; }
+std::optional<Vec3> inner_point(const PosedPolytope& shape) { return shape.vertex(0); }
+std::optional<Vec3> inner_point(const PosedQuadric& shape) { return shape.pose().offset; }
 std::optional<Vec3> inner_point(const PosedHalfSpace&) { return std::nullopt; }
 
 /// Which regions there are of a solid mesh, A, and a convex shape with an interior, B. Every region within the shape
@@ -102,7 +103,7 @@ class RoundRelation {
     for (const Index number : contacts_) {
       if (seen_.in_both && seen_.only_in_b) return;
       const Triangle t = solid_.triangle(number);
-      const Known inside = has_area(t) ? reaches_into(PosedConvex(t), shape_) : Known::no;
+      const Known inside = has_area(t) ? reaches_into(PosedPolytope(t), shape_) : Known::no;
       if (inside == Known::no) continue;
       const Beside found = beside(solid_, t);
       if (inside == Known::undecided) {
@@ -150,17 +151,17 @@ class RoundRelation {
   std::span<const Index> contacts_;
   RegionsSeen seen_;
   RegionsSeen doubtful_;   ///< those that some cell may show
-  RegionsSeen undecided_;  ///< those beside triangles that may reach into a smooth shape, or stick out
+  RegionsSeen undecided_;  ///< those beside triangles that may reach into a quadric, or stick out
 };
 
 }  // namespace
 
-Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedConvex& shape,
+Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedPolytope& shape,
                                      std::span<const Index> contacts) {
   return RoundRelation(solid, shape, contacts).relation();
 }
 
-Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedSmooth& shape,
+Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedQuadric& shape,
                                      std::span<const Index> contacts) {
   return RoundRelation(solid, shape, contacts).relation();
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "query/inside/inside_winding.hpp"
-#include "query/relation/relation_sheets.hpp"
+#include "query/relation/relation_arrangement.hpp"
 
 namespace toccata {
 namespace {
@@ -14,7 +14,7 @@ RegionsSeen region_of(int winding_a, int winding_b) {
   return {in_a && in_b, in_a && !in_b, in_b && !in_a};
 }
 
-RegionsSeen glance_at_cells(const SolidPair& pair, const Triangle& t, std::span<const Triangle> cuts) {
+RegionsSeen sample_cells(const SolidPair& pair, const Triangle& t, std::span<const Triangle> cuts) {
   RegionsSeen seen;
   if (!has_area(t)) return seen;
   visit_cells(t, cuts, [&](const ExactPoint& p) {
@@ -46,10 +46,10 @@ SidesOfPoint sides_of(const SolidPair& pair, const ExactPoint& p, const Triangle
   return sides;
 }
 
-RegionsSeen glance(const SolidPair& pair, const Triangle& t) { return glance_at_cells(pair, t, {}); }
+RegionsSeen sample(const SolidPair& pair, const Triangle& t) { return sample_cells(pair, t, {}); }
 
-RegionsSeen glance(const SolidPair& pair, const Triangle& t, const Triangle& cut) {
-  return glance_at_cells(pair, t, std::span(&cut, 1));
+RegionsSeen sample(const SolidPair& pair, const Triangle& t, const Triangle& cut) {
+  return sample_cells(pair, t, std::span(&cut, 1));
 }
 
 RegionsSeen all_regions(const SolidPair& pair, const RegionsSeen& seen) {
@@ -57,8 +57,8 @@ RegionsSeen all_regions(const SolidPair& pair, const RegionsSeen& seen) {
   std::vector<Triangle> triangles = pair.a.triangles();
   const std::vector<Triangle> of_b = pair.b.triangles();
   triangles.insert(triangles.end(), of_b.begin(), of_b.end());
-  const Sheets sheets(std::move(triangles));
-  sheets.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
+  const Arrangement arrangement(std::move(triangles));
+  arrangement.visit_patches([&](const ExactPoint& p, const Triangle& sheet) {
     const SidesOfPoint sides = sides_of(pair, p, sheet);
     if (sides.on_another_plane) return CellVisit::another;
     result = result | sides.seen;

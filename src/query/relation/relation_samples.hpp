@@ -44,8 +44,8 @@ struct SidesOfPoint {
 
 /// What is seen on both sides of some points of `t` and, where `cut` crosses it, beside that triangle. What is seen is
 /// true; nothing is known about what is not.
-[[nodiscard]] RegionsSeen glance(const SolidPair& pair, const Triangle& t);
-[[nodiscard]] RegionsSeen glance(const SolidPair& pair, const Triangle& t, const Triangle& cut);
+[[nodiscard]] RegionsSeen sample(const SolidPair& pair, const Triangle& t);
+[[nodiscard]] RegionsSeen sample(const SolidPair& pair, const Triangle& t, const Triangle& cut);
 
 /// All regions that there are, found on both sides of every piece of both surfaces; those already `seen` are taken as
 /// known. Returns early when all three are.

@@ -55,7 +55,7 @@ SegmentIndex::SegmentIndex(std::span<const PlanarSegment> segments) {
   sine_ = direction.imag();
   boxes_.reserve(segments.size());
   for (const PlanarSegment& s : segments) boxes_.push_back(box_around(s));
-  tree_ = build_tree(boxes_);
+  tree_ = build_bvh(boxes_);
 }
 
 Aabb SegmentIndex::box_around(const Interval& x0, const Interval& y0, const Interval& x1, const Interval& y1) const {

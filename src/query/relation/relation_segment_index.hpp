@@ -6,7 +6,7 @@
 
 #include "query/relation/relation_segments.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/trees/tree.hpp"
+#include "toccata/trees/bvh.hpp"
 
 namespace toccata {
 
@@ -29,7 +29,7 @@ class SegmentIndex {
   double cosine_ = 1;  ///< of the turn, rounded: any two numbers would do
   double sine_ = 0;
   std::vector<Aabb> boxes_;
-  Tree<Aabb> tree_;
+  Bvh<Aabb> tree_;
 };
 
 }  // namespace toccata

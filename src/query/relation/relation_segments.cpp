@@ -183,7 +183,7 @@ Interval approximate_height_at(const PlanarSegment& s, const Interval& x) {
   return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
 }
 
-void add_meeting(const PlanarSegment& s, const PlanarSegment& other, std::vector<ExactNumber>& ends) {
+void add_intersection(const PlanarSegment& s, const PlanarSegment& other, std::vector<ExactNumber>& ends) {
   if (!(s.left.x < other.right.x && other.left.x < s.right.x)) return;  // they meet at most in an end of s
   const auto add = [&](const ExactNumber& x) {
     if (s.left.x < x && x < s.right.x) ends.push_back(x);

@@ -53,6 +53,6 @@ struct PlanarSegment {
 [[nodiscard]] Interval approximate_height_at(const PlanarSegment& s, const Interval& x);
 
 /// Adds to `ends` the x at which `other` meets the inside of `s`, which is not vertical, in one point.
-void add_meeting(const PlanarSegment& s, const PlanarSegment& other, std::vector<ExactNumber>& ends);
+void add_intersection(const PlanarSegment& s, const PlanarSegment& other, std::vector<ExactNumber>& ends);
 
 }  // namespace toccata

@@ -14,7 +14,7 @@ namespace toccata {
 namespace {
 
 /// After so many pairs of crossing triangles whose neighbourhoods did not show all there is, look at everything.
-constexpr int most_glances = 16;
+constexpr int most_pair_samples = 16;
 
 Relation from_regions(bool sets_meet, const RegionsSeen& seen) {
   Relation result;
@@ -38,15 +38,15 @@ struct FirstLook {
 FirstLook look_at_contacts(const SolidPair& pair, VisitContacts visit) {
   FirstLook look;
   IndexSet of_a(pair.a.model().mesh().triangle_count()), of_b(pair.b.model().mesh().triangle_count());
-  int glances = 0;
+  int samples = 0;
   visit([&](const Contact& contact) {
     of_a.add(contact.triangle_a);
     of_b.add(contact.triangle_b);
-    if (!contact.meeting.crossing || ++glances > most_glances) return true;
+    if (!contact.intersection.crossing || ++samples > most_pair_samples) return true;
     const Triangle a = pair.a.triangle(contact.triangle_a), b = pair.b.triangle(contact.triangle_b);
-    look.seen = look.seen | glance_at_quadrants(pair, a, b, contact.meeting);
-    if (!look.seen.all()) look.seen = look.seen | glance(pair, a, b);
-    if (!look.seen.all()) look.seen = look.seen | glance(pair, b, a);
+    look.seen = look.seen | sample_quadrants(pair, a, b, contact.intersection);
+    if (!look.seen.all()) look.seen = look.seen | sample(pair, a, b);
+    if (!look.seen.all()) look.seen = look.seen | sample(pair, b, a);
     return !look.seen.all();
   });
   look.contacts = {std::move(of_a).ascending(), std::move(of_b).ascending()};
@@ -85,8 +85,8 @@ bool have_same_triangles(const PosedMesh& a, const PosedMesh& b) {
 
 Relation relation_of_equal_triangles(const SolidPair& pair) {
   RegionsSeen seen;
-  const Index count = std::min<Index>(most_glances, pair.a.model().mesh().triangle_count());
-  for (Index i = 0; i < count && !seen.in_both; ++i) seen = seen | glance(pair, pair.a.triangle(i));
+  const Index count = std::min<Index>(most_pair_samples, pair.a.model().mesh().triangle_count());
+  for (Index i = 0; i < count && !seen.in_both; ++i) seen = seen | sample(pair, pair.a.triangle(i));
   if (!seen.in_both) seen = all_regions(pair, seen);
   return from_regions(true, seen);
 }
@@ -98,7 +98,7 @@ Relation relation_by_regions(const SolidPair& pair, const FirstLook& look) {
   known.possible = known.possible | regions_possible_at_other_parts(pair, look.contacts);
   const bool sets_meet = !look.contacts.of_a.empty() || known.possible.in_both;
   if (!known.seen.in_both && !known.possible.in_both) return from_regions(sets_meet, known.seen);
-  if (!known.complete()) known.seen = known.seen | glance_at_other_parts(pair, look.contacts);
+  if (!known.complete()) known.seen = known.seen | sample_other_parts(pair, look.contacts);
   return from_regions(sets_meet, known.complete() ? known.seen : all_regions(pair, known.seen));
 }
 

@@ -12,7 +12,7 @@ namespace toccata {
 namespace {
 
 /// After so many crossing triangles beside which no interior was seen, look at everything.
-constexpr int most_triangle_glances = 16;
+constexpr int most_triangle_samples = 16;
 
 /// Some point of the cells of a triangle with area, cut so, is interior. Where `cuts` are all that cut it, a miss is
 /// proof.
@@ -81,7 +81,7 @@ class SurfaceLook {
       : solid_(solid), surface_(surface) {
     visit([&](const Contact& contact) {
       contacts_.push_back(contact);
-      interior_seen_ = glance_at(contact);
+      interior_seen_ = sample_at(contact);
       return !interior_seen_;
     });
     std::sort(contacts_.begin(), contacts_.end(),
@@ -107,9 +107,9 @@ class SurfaceLook {
     bool all = true;
   };
 
-  bool glance_at(const Contact& contact) {
-    if (!contact.meeting.crossing || glances_ >= most_triangle_glances) return false;
-    ++glances_;
+  bool sample_at(const Contact& contact) {
+    if (!contact.intersection.crossing || samples_ >= most_triangle_samples) return false;
+    ++samples_;
     const Triangle t = surface_.triangle(contact.triangle_b), cut = solid_.triangle(contact.triangle_a);
     return has_area(t) && cells_reach_interior(solid_, t, std::span(&cut, 1), false);
   }
@@ -128,8 +128,8 @@ class SurfaceLook {
     const bool area = has_area(t);
     std::vector<Triangle> cuts;
     for (const Contact& contact : contacts) {
-      const bool cuts_face = contact.meeting.on_b.kind == FeatureKind::face &&
-                             contact.meeting.kind != MeetingKind::point &&
+      const bool cuts_face = contact.intersection.on_b.kind == FeatureKind::face &&
+                             contact.intersection.kind != IntersectionKind::point &&
                              has_area(solid_.triangle(contact.triangle_a));
       if (!area || cuts_face) cuts.push_back(solid_.triangle(contact.triangle_a));
     }
@@ -153,7 +153,7 @@ class SurfaceLook {
   const PosedMesh& solid_;
   const PosedMesh& surface_;
   std::vector<Contact> contacts_;
-  int glances_ = 0;
+  int samples_ = 0;
   bool interior_seen_ = false;
 };
 

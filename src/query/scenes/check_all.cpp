@@ -21,7 +21,7 @@
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
-#include "toccata/query/closer_than.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {
@@ -36,7 +36,7 @@ void require_length(double clearance) {
 /// How near which pairs have to be to be told.
 class Clearances {
  public:
-  Clearances(std::span<const Posed> models, const CheckOptions& options)
+  Clearances(std::span<const SceneInstance> models, const CheckOptions& options)
       : is_asked_(options.clearance || !options.pair_clearances.empty()), common_(options.clearance.value_or(0)) {
     require_length(common_);
     for (const PairClearance& pair : options.pair_clearances) {
@@ -64,12 +64,12 @@ class Clearances {
   }
 
  private:
-  static std::string names_of(std::span<const Posed> models, const PairClearance& pair) {
+  static std::string names_of(std::span<const SceneInstance> models, const PairClearance& pair) {
     const auto [first, second] = std::minmax(pair.a, pair.b);
     return name_for_messages(models[first], first) + " and " + name_for_messages(models[second], second);
   }
 
-  static void require_pair(std::span<const Posed> models, const PairClearance& pair) {
+  static void require_pair(std::span<const SceneInstance> models, const PairClearance& pair) {
     if (pair.a >= models.size() || pair.b >= models.size() || pair.a == pair.b)
       throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
                               pair.a, pair.b, models.size()));
@@ -88,19 +88,19 @@ class Clearances {
 
 class Check {
  public:
-  Check(std::span<const Posed> models, const CheckOptions& options)
+  Check(std::span<const SceneInstance> models, const CheckOptions& options)
       : models_(models),
         options_(options),
         clearances_(models, options),
-        posed_(posed_models()),
+        posed_(posed_model_pair()),
         groups_(group_numbers()) {}
 
   CheckAnswer answer() {
     const std::vector<Aabb> boxes = world_boxes();
     const std::vector<IndexPair> others = near_pairs_with_own_clearance(boxes);
-    const std::vector<Aabb> grown_boxes = grown_by_half(boxes, clearances_.common());
+    const std::vector<Aabb> offset_boxes = offset_by_half(boxes, clearances_.common());
     CandidatePairs candidates(
-        grown_boxes, [&](const IndexPair& pair) { return is_wanted(pair); }, others, options_.threads);
+        offset_boxes, [&](const IndexPair& pair) { return is_wanted(pair); }, others, options_.threads);
     CheckAnswer answer;
     answer.candidate_pairs = candidates.count();
     TaskReporter reporter(options_.progress, answer.candidate_pairs);
@@ -115,10 +115,10 @@ class Check {
 
  private:
   /// Looks at every model alone, wherever it is: what is asked wrongly is an error, also far from everything else.
-  [[nodiscard]] std::vector<PosedModel> posed_models() const {
+  [[nodiscard]] std::vector<PosedModel> posed_model_pair() const {
     std::vector<PosedModel> made(models_.size());
     parallel_for(models_.size(), options_.threads, [&](std::size_t i) {
-      const Posed& model = models_[i];
+      const SceneInstance& model = models_[i];
       made[i] = pose_model(model.model, model.pose, model.solid, name_for_messages(model, i));
     });
     return made;
@@ -129,7 +129,7 @@ class Check {
     std::map<std::string_view, std::size_t> number_of{{"", 0}};
     std::vector<std::size_t> numbers;
     numbers.reserve(models_.size());
-    for (const Posed& model : models_)
+    for (const SceneInstance& model : models_)
       numbers.push_back(number_of.emplace(model.group, number_of.size()).first->second);
     return numbers;
   }
@@ -141,7 +141,7 @@ class Check {
     return boxes;
   }
 
-  static std::vector<Aabb> grown_by_half(std::vector<Aabb> boxes, double clearance) {
+  static std::vector<Aabb> offset_by_half(std::vector<Aabb> boxes, double clearance) {
     for (Aabb& box : boxes) box = widened(box, half_rounded_up(clearance));
     return boxes;
   }
@@ -199,16 +199,16 @@ class Check {
   [[nodiscard]] std::optional<Distance> distance_in(const IndexPair& pair, Workspace& workspace) const {
     if (!clearances_.is_asked()) return std::nullopt;
     const double clearance = clearances_.of(pair);
-    const Posed &a = models_[pair.first], &b = models_[pair.second];
+    const SceneInstance &a = models_[pair.first], &b = models_[pair.second];
     workspace.scratch().convex = {};  // it was another pair's
     return distance_within(a.model, b.model, clearance, {a.pose, b.pose, a.solid, b.solid}, workspace);
   }
 
-  /// A pair of smooth shapes is told where its interval leaves open whether it is as near as its clearance.
+  /// A pair of quadrics is told where its interval leaves open whether it is as near as its clearance.
   static bool is_undecided(const Distance& distance, double clearance, const PosedModel& a, const PosedModel& b) {
-    const auto is_smooth = [](const PosedPart& part) { return std::holds_alternative<PosedSmooth>(part.shape); };
+    const auto is_quadric = [](const PosedPart& part) { return std::holds_alternative<PosedQuadric>(part.shape); };
     return distance.upper > clearance &&
-           (std::ranges::any_of(a.parts, is_smooth) || std::ranges::any_of(b.parts, is_smooth));
+           (std::ranges::any_of(a.parts, is_quadric) || std::ranges::any_of(b.parts, is_quadric));
   }
 
   /// The mesh that a model is, if it is one.
@@ -216,7 +216,8 @@ class Check {
     return model.parts.size() == 1 ? std::get_if<PosedTriangles>(&model.parts[0].shape) : nullptr;
   }
 
-  void answer_of_meshes(const TakenMesh& a, const TakenMesh& b, SearchScratch& scratch, PairAnswer& answer) const {
+  void answer_of_meshes(const PosedTrianglesView& a, const PosedTrianglesView& b, SearchScratch& scratch,
+                        PairAnswer& answer) const {
     if (!options_.contacts) {
       answer.relation = relation_of(a, b, scratch);
       return;
@@ -235,7 +236,7 @@ class Check {
 
   /// Where the table of pairs.hpp defines it.
   void add_depth(PairAnswer& answer, SearchScratch& scratch) const {
-    const Posed &a = models_[answer.a], &b = models_[answer.b];
+    const SceneInstance &a = models_[answer.a], &b = models_[answer.b];
     const PairQuery query{a.pose, b.pose, a.solid, b.solid};
     const auto defined = [&](ShapeQuestion question) {
       return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
@@ -265,7 +266,7 @@ class Check {
     return manifolds;
   }
 
-  std::span<const Posed> models_;
+  std::span<const SceneInstance> models_;
   const CheckOptions& options_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
@@ -275,7 +276,7 @@ class Check {
 
 }  // namespace
 
-CheckAnswer check_all(std::span<const Posed> models, const CheckOptions& options) {
+CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options) {
   return Check(models, options).answer();
 }
 

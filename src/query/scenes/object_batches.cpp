@@ -16,25 +16,27 @@ std::vector<std::optional<ObjectCast>> first_casts(const SearchedObjects& object
       [&](const MovingShape& one, Workspace& workspace) { return first_cast(objects, one, workspace); });
 }
 
-std::vector<std::vector<Index>> objects_overlapping_each(const SearchedObjects& objects, std::span<const Posed> shapes,
+std::vector<std::vector<Index>> objects_overlapping_each(const SearchedObjects& objects,
+                                                         std::span<const SceneInstance> shapes,
                                                          const BatchOptions& options) {
-  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
+  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const SceneInstance& shape, Workspace& workspace) {
     return overlapping_objects(objects, shape, workspace);
   });
 }
 
 std::vector<std::optional<ObjectDistance>> nearest_objects(const SearchedObjects& objects,
-                                                           std::span<const Posed> shapes, double max_distance,
+                                                           std::span<const SceneInstance> shapes, double max_distance,
                                                            const BatchOptions& options) {
   return ask_each<std::optional<ObjectDistance>>(shapes, "shape", options,
-                                                 [&](const Posed& shape, Workspace& workspace) {
+                                                 [&](const SceneInstance& shape, Workspace& workspace) {
                                                    return nearest_object(objects, shape, max_distance, workspace);
                                                  });
 }
 
-std::vector<std::vector<Index>> objects_within_each(const SearchedObjects& objects, std::span<const Posed> shapes,
-                                                    double distance, const BatchOptions& options) {
-  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const Posed& shape, Workspace& workspace) {
+std::vector<std::vector<Index>> objects_within_each(const SearchedObjects& objects,
+                                                    std::span<const SceneInstance> shapes, double distance,
+                                                    const BatchOptions& options) {
+  return ask_each<std::vector<Index>>(shapes, "shape", options, [&](const SceneInstance& shape, Workspace& workspace) {
     return objects_within(objects, shape, distance, workspace);
   });
 }

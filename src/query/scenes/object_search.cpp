@@ -12,9 +12,9 @@
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/query/closer_than.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {
@@ -56,7 +56,7 @@ auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
 /// A shape that is asked about: where it is, and what is wrong with it, is found out once.
 class AskedShape {
  public:
-  AskedShape(const Posed& shape, const SearchedObjects& objects, Workspace& workspace)
+  AskedShape(const SceneInstance& shape, const SearchedObjects& objects, Workspace& workspace)
       : shape_(shape), objects_(objects), workspace_(workspace) {
     std::vector<PosedPart>& memory = workspace.scratch().posed[0];
     PosedModel posed = pose_model(shape.model, shape.pose, shape.solid, "the shape", std::move(memory));
@@ -71,14 +71,14 @@ class AskedShape {
   template <class Ask>
   auto with(Index object, const Ask& ask) const {
     workspace_.scratch().convex = {};  // it was another pair's
-    return ask_about(object, objects_, [&](const PlacedModel& at) {
+    return ask_about(object, objects_, [&](const InstanceView& at) {
       const PairQuery query{shape_.pose, at.pose, shape_.solid, at.solid};
       return ask(shape_.model, at.model, query, workspace_);
     });
   }
 
  private:
-  const Posed& shape_;
+  const SceneInstance& shape_;
   const SearchedObjects& objects_;
   Workspace& workspace_;
   Aabb box_;
@@ -91,7 +91,7 @@ void require_ray(const Ray& ray) {
 }
 
 ObjectRayHit hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
-  return ask_about(object, objects, [&](const PlacedModel& at) {
+  return ask_about(object, objects, [&](const InstanceView& at) {
     return ObjectRayHit{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
   });
 }
@@ -146,7 +146,8 @@ std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const Movin
   return first;
 }
 
-std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Posed& shape, Workspace& workspace) {
+std::vector<Index> overlapping_objects(const SearchedObjects& objects, const SceneInstance& shape,
+                                       Workspace& workspace) {
   const AskedShape asked(shape, objects, workspace);
   std::vector<Index> found;
   objects.tree.visit_overlapping(asked.box(), [&](Index object) {
@@ -158,7 +159,8 @@ std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Pos
   return found;
 }
 
-std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const Posed& shape, Workspace& workspace) {
+std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const SceneInstance& shape,
+                                            Workspace& workspace) {
   const AskedShape asked(shape, objects, workspace);
   std::vector<ObjectRelation> found;
   objects.tree.visit_overlapping(asked.box(), [&](Index object) {
@@ -172,8 +174,8 @@ std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, cons
   return found;
 }
 
-std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const Posed& shape, double max_distance,
-                                             Workspace& workspace) {
+std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const SceneInstance& shape,
+                                             double max_distance, Workspace& workspace) {
   require_length(max_distance, "the greatest distance");
   const AskedShape asked(shape, objects, workspace);
   std::optional<ObjectDistance> nearest;
@@ -191,7 +193,7 @@ std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, con
   return nearest;
 }
 
-std::vector<Index> objects_within(const SearchedObjects& objects, const Posed& shape, double distance,
+std::vector<Index> objects_within(const SearchedObjects& objects, const SceneInstance& shape, double distance,
                                   Workspace& workspace) {
   require_length(distance, "the distance");
   const AskedShape asked(shape, objects, workspace);
@@ -199,7 +201,7 @@ std::vector<Index> objects_within(const SearchedObjects& objects, const Posed& s
   if (is_empty(asked.box())) return found;
   objects.tree.visit_nearest(asked.box(), distance, [&](Index object) {
     const auto is_near = [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
-      return closer_than(a, b, distance, query, memory);
+      return within_distance(a, b, distance, query, memory);
     };
     if (objects.accepts(object) && asked.with(object, is_near)) found.push_back(object);
     return distance;

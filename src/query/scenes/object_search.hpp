@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toccata/broad/box_tree.hpp"
+#include "toccata/broad/box_bvh.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/query/scene_index.hpp"
 #include "toccata/query/workspace.hpp"
@@ -14,15 +14,15 @@
 namespace toccata {
 
 /// A model at its place.
-struct PlacedModel {
+struct InstanceView {
   const Model& model;
   const Pose& pose;
   Solid solid;
 };
 
 struct SearchedObjects {
-  const BoxTree& tree;
-  FunctionRef<PlacedModel(Index)> at;
+  const BoxBvh& tree;
+  FunctionRef<InstanceView(Index)> at;
   FunctionRef<std::string(Index)> name_of;
   FunctionRef<bool(Index)> accepts;
 };
@@ -33,15 +33,15 @@ struct SearchedObjects {
 [[nodiscard]] std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const MovingShape& moving,
                                                    Workspace& workspace);
 
-[[nodiscard]] std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Posed& shape,
+[[nodiscard]] std::vector<Index> overlapping_objects(const SearchedObjects& objects, const SceneInstance& shape,
                                                      Workspace& workspace);
-[[nodiscard]] std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const Posed& shape,
+[[nodiscard]] std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const SceneInstance& shape,
                                                           Workspace& workspace);
 
-[[nodiscard]] std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const Posed& shape,
+[[nodiscard]] std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const SceneInstance& shape,
                                                            double max_distance, Workspace& workspace);
-[[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const Posed& shape, double distance,
-                                                Workspace& workspace);
+[[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const SceneInstance& shape,
+                                                double distance, Workspace& workspace);
 
 // Many at once.
 
@@ -52,14 +52,14 @@ struct SearchedObjects {
                                                                  std::span<const MovingShape> moving,
                                                                  const BatchOptions& options);
 [[nodiscard]] std::vector<std::vector<Index>> objects_overlapping_each(const SearchedObjects& objects,
-                                                                       std::span<const Posed> shapes,
+                                                                       std::span<const SceneInstance> shapes,
                                                                        const BatchOptions& options);
 [[nodiscard]] std::vector<std::optional<ObjectDistance>> nearest_objects(const SearchedObjects& objects,
-                                                                         std::span<const Posed> shapes,
+                                                                         std::span<const SceneInstance> shapes,
                                                                          double max_distance,
                                                                          const BatchOptions& options);
 [[nodiscard]] std::vector<std::vector<Index>> objects_within_each(const SearchedObjects& objects,
-                                                                  std::span<const Posed> shapes, double distance,
-                                                                  const BatchOptions& options);
+                                                                  std::span<const SceneInstance> shapes,
+                                                                  double distance, const BatchOptions& options);
 
 }  // namespace toccata

@@ -12,7 +12,7 @@ SceneHierarchy closed_hierarchy(const std::vector<OpenNode>& nodes, Index root) 
   std::vector<Index> order{root};
   for (std::size_t i = 0; i < order.size(); ++i) {
     const OpenNode& node = nodes[order[i]];
-    TreeNode<Aabb> closed{node.box, static_cast<Index>(order.size()), 0, static_cast<Index>(node.children.size())};
+    BvhNode<Aabb> closed{node.box, static_cast<Index>(order.size()), 0, static_cast<Index>(node.children.size())};
     if (node.object) {
       closed.first = static_cast<Index>(result.tree.items.size());
       closed.count = 1;
@@ -29,7 +29,7 @@ std::vector<OpenNode> open_hierarchy(const SceneHierarchy& hierarchy) {
   std::vector<OpenNode> nodes;
   nodes.reserve(hierarchy.tree.nodes.size());
   for (std::size_t i = 0; i < hierarchy.tree.nodes.size(); ++i) {
-    const TreeNode<Aabb>& node = hierarchy.tree.nodes[i];
+    const BvhNode<Aabb>& node = hierarchy.tree.nodes[i];
     OpenNode& open = nodes.emplace_back(OpenNode{node.volume, hierarchy.scene_nodes[i], std::nullopt});
     if (node.is_leaf()) open.object = hierarchy.tree.items[node.first];
     for (Index child = 0; child < node.child_count; ++child) open.children.push_back(node.first + child);
@@ -42,15 +42,15 @@ std::vector<Index> grouped(std::vector<OpenNode>& nodes, const std::vector<Index
   std::vector<Aabb> boxes;
   boxes.reserve(members.size());
   for (const Index member : members) boxes.push_back(nodes[member].box);
-  const Tree<Aabb> tree = build_tree(boxes, {.leaf_size = 1});
+  const Bvh<Aabb> tree = build_bvh(boxes, {.leaf_size = 1});
   // Its root is the node whose children are asked for; what is below is put in.
   std::vector<Index> number_of(tree.nodes.size());
   for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
-    const TreeNode<Aabb>& node = tree.nodes[i];
+    const BvhNode<Aabb>& node = tree.nodes[i];
     number_of[i] = node.is_leaf() ? members[tree.items[node.first]] : static_cast<Index>(nodes.size());
     if (!node.is_leaf()) nodes.push_back({node.volume, std::nullopt, std::nullopt});
   }
-  const auto children_of = [&](const TreeNode<Aabb>& node) {
+  const auto children_of = [&](const BvhNode<Aabb>& node) {
     return std::vector<Index>{number_of[node.first], number_of[node.first + 1]};
   };
   for (std::size_t i = 1; i < tree.nodes.size(); ++i)

@@ -8,7 +8,7 @@
 namespace toccata {
 
 /// What messages call the i-th of the posed models.
-[[nodiscard]] inline std::string name_for_messages(const Posed& posed, std::size_t i) {
+[[nodiscard]] inline std::string name_for_messages(const SceneInstance& posed, std::size_t i) {
   return posed.name.empty() ? "object " + std::to_string(i) : "object \"" + posed.name + "\"";
 }
 

@@ -88,7 +88,7 @@ struct PairCount {
   void visit(std::span<const ItemPair>) {}
 };
 
-void add_children(const Tree<Aabb, 0>& tree, const TreeNode<Aabb>& node, HierarchyLevel& level) {
+void add_children(const Bvh<Aabb, 0>& tree, const BvhNode<Aabb>& node, HierarchyLevel& level) {
   level.most_children = std::max<std::size_t>(level.most_children, node.child_count);
   for (Index i = 0; i < node.child_count; ++i)
     for (Index j = i + 1; j < node.child_count; ++j) {
@@ -109,11 +109,11 @@ double HierarchyReport::cost(const TestCosts& costs) const {
 
 HierarchyReport report_of(const SceneHierarchy& hierarchy) {
   HierarchyReport report;
-  const Tree<Aabb, 0>& tree = hierarchy.tree;
+  const Bvh<Aabb, 0>& tree = hierarchy.tree;
   std::vector<std::size_t> depths(tree.nodes.size(), 0);
   double sum = 0;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const TreeNode<Aabb>& node = tree.nodes[i];
+    const BvhNode<Aabb>& node = tree.nodes[i];
     if (depths[i] == report.levels.size()) report.levels.emplace_back();
     HierarchyLevel& level = report.levels[depths[i]];
     ++level.nodes;

@@ -10,21 +10,21 @@ namespace {
 /// `ask(objects)` of all models that pass the filter.
 template <class Ask>
 auto ask_all(const SceneIndex& index, const ObjectFilter& filter, const Ask& ask) {
-  const std::span<const Posed> models = index.models();
+  const std::span<const SceneInstance> models = index.models();
   const auto at = [&](Index object) {
-    const Posed& posed = models[object];
-    return PlacedModel{posed.model, posed.pose, posed.solid};
+    const SceneInstance& posed = models[object];
+    return InstanceView{posed.model, posed.pose, posed.solid};
   };
   const auto name_of = [&](Index object) { return name_for_messages(models[object], object); };
   const auto accepts = [&](Index object) { return !filter || filter(object); };
   return ask(SearchedObjects{index.boxes(), at, name_of, accepts});
 }
 
-std::vector<Aabb> boxes_of(std::span<const Posed> models) {
+std::vector<Aabb> boxes_of(std::span<const SceneInstance> models) {
   std::vector<Aabb> boxes;
   boxes.reserve(models.size());
   for (std::size_t i = 0; i < models.size(); ++i) {
-    const Posed& posed = models[i];
+    const SceneInstance& posed = models[i];
     boxes.push_back(world_box(pose_model(posed.model, posed.pose, posed.solid, name_for_messages(posed, i))));
   }
   return boxes;
@@ -32,7 +32,7 @@ std::vector<Aabb> boxes_of(std::span<const Posed> models) {
 
 }  // namespace
 
-SceneIndex::SceneIndex(std::span<const Posed> models)
+SceneIndex::SceneIndex(std::span<const SceneInstance> models)
     : models_(models.begin(), models.end()), boxes_(boxes_of(models)) {}
 
 std::optional<ObjectRayHit> SceneIndex::cast_ray(const Ray& ray, const ObjectFilter& filter) const {
@@ -48,19 +48,19 @@ std::optional<ObjectCast> SceneIndex::cast_shape(const MovingShape& moving, cons
   return ask_all(*this, filter, [&](const SearchedObjects& objects) { return first_cast(objects, moving, workspace); });
 }
 
-std::vector<Index> SceneIndex::overlapping(const Posed& shape, const ObjectFilter& filter) const {
+std::vector<Index> SceneIndex::overlapping(const SceneInstance& shape, const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter,
                  [&](const SearchedObjects& objects) { return overlapping_objects(objects, shape, workspace); });
 }
 
-std::vector<ObjectRelation> SceneIndex::relations(const Posed& shape, const ObjectFilter& filter) const {
+std::vector<ObjectRelation> SceneIndex::relations(const SceneInstance& shape, const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter,
                  [&](const SearchedObjects& objects) { return related_objects(objects, shape, workspace); });
 }
 
-std::optional<ObjectDistance> SceneIndex::nearest(const Posed& shape, double max_distance,
+std::optional<ObjectDistance> SceneIndex::nearest(const SceneInstance& shape, double max_distance,
                                                   const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
@@ -68,7 +68,7 @@ std::optional<ObjectDistance> SceneIndex::nearest(const Posed& shape, double max
   });
 }
 
-std::vector<Index> SceneIndex::within(const Posed& shape, double distance, const ObjectFilter& filter) const {
+std::vector<Index> SceneIndex::within(const SceneInstance& shape, double distance, const ObjectFilter& filter) const {
   Workspace workspace;
   return ask_all(*this, filter,
                  [&](const SearchedObjects& objects) { return objects_within(objects, shape, distance, workspace); });
@@ -86,21 +86,22 @@ std::vector<std::optional<ObjectCast>> SceneIndex::cast_shape_each(std::span<con
   return ask_all(*this, filter, [&](const SearchedObjects& objects) { return first_casts(objects, moving, options); });
 }
 
-std::vector<std::vector<Index>> SceneIndex::overlapping_each(std::span<const Posed> shapes, const ObjectFilter& filter,
+std::vector<std::vector<Index>> SceneIndex::overlapping_each(std::span<const SceneInstance> shapes,
+                                                             const ObjectFilter& filter,
                                                              const BatchOptions& options) const {
   return ask_all(*this, filter,
                  [&](const SearchedObjects& objects) { return objects_overlapping_each(objects, shapes, options); });
 }
 
-std::vector<std::optional<ObjectDistance>> SceneIndex::nearest_each(std::span<const Posed> shapes, double max_distance,
-                                                                    const ObjectFilter& filter,
+std::vector<std::optional<ObjectDistance>> SceneIndex::nearest_each(std::span<const SceneInstance> shapes,
+                                                                    double max_distance, const ObjectFilter& filter,
                                                                     const BatchOptions& options) const {
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
     return nearest_objects(objects, shapes, max_distance, options);
   });
 }
 
-std::vector<std::vector<Index>> SceneIndex::within_each(std::span<const Posed> shapes, double distance,
+std::vector<std::vector<Index>> SceneIndex::within_each(std::span<const SceneInstance> shapes, double distance,
                                                         const ObjectFilter& filter, const BatchOptions& options) const {
   return ask_all(*this, filter, [&](const SearchedObjects& objects) {
     return objects_within_each(objects, shapes, distance, options);

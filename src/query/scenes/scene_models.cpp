@@ -8,7 +8,7 @@
 
 namespace toccata {
 
-std::vector<Posed> scene_models(const Scene& scene, int threads) {
+std::vector<SceneInstance> scene_models(const Scene& scene, int threads) {
   // Objects that share a mesh share its model and its trees.
   std::map<std::pair<const TriangleMesh*, std::size_t>, std::size_t> slot_of;
   std::vector<std::size_t> slots;
@@ -25,7 +25,7 @@ std::vector<Posed> scene_models(const Scene& scene, int threads) {
   std::vector<std::optional<Model>> models(shapes.size());
   parallel_for(shapes.size(), threads, [&](std::size_t i) { models[i].emplace(*shapes[i]); });
 
-  std::vector<Posed> posed;
+  std::vector<SceneInstance> posed;
   posed.reserve(scene.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];

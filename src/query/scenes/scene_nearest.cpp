@@ -11,7 +11,7 @@
 #include "query/nearest/nearest_search.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/broad/box_tree.hpp"
+#include "toccata/broad/box_bvh.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -19,7 +19,7 @@ namespace {
 
 /// What `make` makes of each model, at its place.
 template <class Part, class Make>
-std::vector<std::unique_ptr<const Part>> made_of_each(std::span<const Posed> models, const Make& make) {
+std::vector<std::unique_ptr<const Part>> made_of_each(std::span<const SceneInstance> models, const Make& make) {
   std::vector<std::unique_ptr<const Part>> parts;
   parts.reserve(models.size());
   for (std::size_t i = 0; i < models.size(); ++i) try {
@@ -40,7 +40,7 @@ bool comes_before(const ScenePoint& a, const ScenePoint& b) {
 /// Many models at their places, and how near points are to them.
 class SceneSearch {
  public:
-  SceneSearch(std::span<const Posed> models, double max_distance, std::size_t points)
+  SceneSearch(std::span<const SceneInstance> models, double max_distance, std::size_t points)
       : searches_(made_of_each<NearestSearch>(
             models,
             [&](std::size_t i) {
@@ -72,14 +72,14 @@ class SceneSearch {
 
  private:
   std::vector<std::unique_ptr<const NearestSearch>> searches_;
-  BoxTree boxes_;
+  BoxBvh boxes_;
   double max_distance_;
 };
 
 /// The same, and on which side of them points are.
 class SceneSides {
  public:
-  SceneSides(std::span<const Posed> models, SignBy sign_by, std::size_t points)
+  SceneSides(std::span<const SceneInstance> models, SignBy sign_by, std::size_t points)
       : search_(models, infinity, points), sides_(made_of_each<SideSearch>(models, [&](std::size_t i) {
           return std::make_unique<const SideSearch>(search_[i].posed(), sign_by);
         })) {}
@@ -118,7 +118,7 @@ class SceneSides {
 }  // namespace
 
 std::vector<std::vector<ScenePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
-                                                         std::span<const Posed> models, double max_distance,
+                                                         std::span<const SceneInstance> models, double max_distance,
                                                          const BatchOptions& options) {
   const SceneSearch search(models, max_distance, points.size());
   return ask_each<std::vector<ScenePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
@@ -126,8 +126,9 @@ std::vector<std::vector<ScenePoint>> nearest_points_each(std::span<const Vec3> p
   });
 }
 
-std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points, std::span<const Posed> models,
-                                                      SignBy sign_by, const BatchOptions& options) {
+std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points,
+                                                      std::span<const SceneInstance> models, SignBy sign_by,
+                                                      const BatchOptions& options) {
   if (models.empty()) throw Error("there is no model whose surface could be near");
   const SceneSides sides(models, sign_by, points.size());
   return ask_each<SceneSignedDistance>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "narrow/convex/core_separation.hpp"
+#include "narrow/exact/vertex_pairs.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+
+namespace toccata {
+
+/// The shortest way to part two shapes that meet, solid or not, and the vertices of the cores between which it was
+/// found: those whose hulls hold the two points. Of surfaces, and of shapes that touch, a direction along which they
+/// can be parted; both bounds are 0 then. Nothing of use when the shapes are apart.
+struct ConvexSeparation {
+  Penetration penetration;
+  VertexPairs pairs;
+};
+
+/// The penetration of shapes whose cores' interiors meet: the radii add to the cores' depth.
+[[nodiscard]] Penetration offset_outward(const CoreSeparation& core, double radius_a, double radius_b);
+
+/// By expansion. The answer for (B, A) may have other bits: ask in canonical order.
+[[nodiscard]] ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
+
+}  // namespace toccata

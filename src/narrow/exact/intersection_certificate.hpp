@@ -1,0 +1,15 @@
+#pragma once
+
+#include "math/bounded_number.hpp"
+#include "narrow/exact/vertex_pairs.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
+
+namespace toccata {
+
+/// The origin is in the hull of four vertices of the Minkowski difference; the signs are exact.
+[[nodiscard]] bool contains_origin(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex);
+
+/// The point of A that has the same weights among its vertices as the origin among the simplex of four pairs.
+[[nodiscard]] BoundedVector common_point(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex);
+
+}  // namespace toccata

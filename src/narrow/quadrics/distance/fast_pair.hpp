@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "narrow/quadrics/distance/fast_proof.hpp"
+#include "toccata/narrow/quadrics.hpp"
+
+namespace toccata {
+
+/// Whether numbers of a pair's frame, half axes and radii are so moderate that `FastPair` may be asked.
+[[nodiscard]] bool is_fast(const PosedQuadric& a, const PosedQuadric& b, const PairFrame& frame);
+[[nodiscard]] bool is_fast(const PosedQuadric& a, const PosedPolytope& b, const PairFrame& frame);
+
+/// One question about a pair, in doubles: what it answers is proved, and what it does not answer is left to
+/// `nearest_of`. The second shape is a PosedQuadric or a PosedPolytope; the pair has to be quick.
+template <class B>
+class FastPair {
+ public:
+  FastPair(const PosedQuadric& a, const B& b, const PairFrame& frame, const Vec3& first_direction = {});
+
+  /// Most pairs that are apart.
+  std::optional<FastDistance> distance();
+
+  /// What `distance` did not prove, if it ended where the conditions of the nearest points hold.
+  [[nodiscard]] const FastRefinement* guess() const { return is_guess_ ? &refinement_ : nullptr; }
+
+  /// Apart or contact, and both of most pairs.
+  std::optional<QuadricContact> contact();
+  bool is_apart();
+
+  /// `factor` is that of the pair's frame.
+  std::optional<bool> is_within(double tolerance, double factor);
+
+ private:
+  [[nodiscard]] bool is_meeting() const;
+  void begin_refinement();
+  /// From the farthest points along the direction from B to A.
+  double lower_along(const Vec3& direction);
+
+  const PosedQuadric& a_;
+  const B& b_;
+  PlainBody body_a_;
+  PlainBody body_b_;
+  QuadricSearch search_;
+  FastRefinement refinement_;
+  double gap_rounding_;  ///< what gaps along directions of the search may be off by
+  bool is_guess_ = false;
+};
+
+}  // namespace toccata

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "toccata/narrow/flipped.hpp"
+#include "toccata/narrow/posed_quadric.hpp"
+
+namespace toccata {
+
+/// A total order of posed quadrics, so that a pair is always seen in the same one.
+[[nodiscard]] bool comes_before(const PosedQuadric& a, const PosedQuadric& b);
+
+}  // namespace toccata
