@@ -26,7 +26,7 @@ int main() {
     phase.move(ids, boxes);
     const std::span<const IndexPair> pairs = phase.update();
     const PairChanges changes = phase.changes();
-    if (frame > 0) begun += changes.begun.size(), ended += changes.ended.size();
+    if (frame > 0) begun += changes.begin.size(), ended += changes.end.size();
     // Here numbers are 0, 1, 2 …, so the pairs are those of the boxes in their order.
     all_right = all_right && std::ranges::equal(pairs, overlapping_pairs_by_brute_force(crowd.boxes()));
   }

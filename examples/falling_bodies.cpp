@@ -57,7 +57,7 @@ int main() {
       flight.position = flight.position + step_seconds * flight.velocity;
       world.move(flight.id, {Mat3{}, flight.position});
     }
-    begun += world.step().begun.size();
+    begun += world.step().begin.size();
     for (const PairReport& pair : world.pairs()) {
       const Manifold& contact = *pair.details->manifold;  // every pair here is of convex shapes or the half-space
       // The normal of a manifold points from a to b.

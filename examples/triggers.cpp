@@ -22,7 +22,7 @@ Body make(Model model, std::uint64_t group, std::uint64_t mask, const char* name
 /// A number that says everything about what a step found.
 std::uint64_t digest(const WorldStep& step, std::uint64_t before) {
   const auto mix = [&](std::uint64_t value) { before = (before ^ value) * 0x100000001b3; };
-  for (const auto* list : {&step.begun, &step.kept, &step.ended})
+  for (const auto* list : {&step.begin, &step.persist, &step.end})
     for (const PairReport& pair : *list) mix(pair.a.index), mix(pair.b.index), mix(pair.in_contact);
   return before;
 }
@@ -49,9 +49,9 @@ int main() {
       const WorldStep& step = world.step();
       sum = digest(step, sum);
       if (!aloud) continue;
-      for (const PairReport& pair : step.begun)
+      for (const PairReport& pair : step.begin)
         std::printf("frame %d: %s meets %s\n", frame, name_of_body(pair.b), name_of_body(pair.a));
-      for (const PairReport& pair : step.ended)
+      for (const PairReport& pair : step.end)
         std::printf("frame %d: %s leaves %s\n", frame, name_of_body(pair.b), name_of_body(pair.a));
     }
     return sum;

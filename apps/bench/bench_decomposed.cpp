@@ -8,8 +8,8 @@
 #include "report.hpp"
 #include "single_mesh.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/query/convex_parts.hpp"
 #include "toccata/query/distance.hpp"
-#include "toccata/query/model_with_parts.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/penetration.hpp"
 

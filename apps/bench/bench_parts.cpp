@@ -8,7 +8,7 @@
 #include "parts.hpp"
 #include "report.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include "measure.hpp"
 #include "pair_lists.hpp"
 #include "report.hpp"
-#include "toccata/generate/body_crowd.hpp"
+#include "toccata/generate/crowds.hpp"
 #include "toccata/query/check_all.hpp"
 #include "world.hpp"
 

@@ -10,7 +10,7 @@
 #include "single_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/query/overlap.hpp"
 #include "world_queries.hpp"
 

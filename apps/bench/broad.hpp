@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "library.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata::bench {
 

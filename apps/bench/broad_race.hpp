@@ -8,7 +8,6 @@
 #include "broad.hpp"
 #include "broad_truth.hpp"
 #include "toccata/broad/broad_phase.hpp"
-#include "toccata/generate/crowd_frames.hpp"
 #include "toccata/generate/crowds.hpp"
 
 namespace toccata::bench {

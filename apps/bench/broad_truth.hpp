@@ -6,8 +6,8 @@
 
 #include "arguments.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/broad/box_pairs.hpp"
-#include "toccata/generate/crowd_frames.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/generate/crowds.hpp"
 
 namespace toccata::bench {
 

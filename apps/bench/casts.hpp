@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convex_library.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // When a ray or a convex shape on a straight way first meets another shape, and who answers that.
 namespace toccata::bench {

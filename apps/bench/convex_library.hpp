@@ -9,7 +9,7 @@
 
 #include "library.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // Questions about pairs of convex shapes, and who answers them.
 namespace toccata::bench {

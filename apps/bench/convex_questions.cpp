@@ -7,7 +7,7 @@
 #include "random_bodies.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/quadrics.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata::bench {

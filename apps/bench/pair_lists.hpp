@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata::bench {
 

@@ -9,7 +9,7 @@
 #include "single_mesh.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/partitions/cell_tracker.hpp"
-#include "toccata/partitions/grid_walk.hpp"
+#include "toccata/partitions/grid_cells.hpp"
 #include "toccata/partitions/partition.hpp"
 #include "toccata/partitions/uniform_grid.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "library.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/core/index_pair.hpp"
+#include "toccata/core/index.hpp"
 
 namespace toccata::bench {
 

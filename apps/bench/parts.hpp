@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "library.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/query/check_all.hpp"
 
 namespace toccata::bench {

@@ -6,10 +6,10 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/io/poses_file.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/io/query_files.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata::bench {
 namespace {

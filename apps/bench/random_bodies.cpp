@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dop_bodies.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata::bench {
 

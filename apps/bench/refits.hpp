@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "library.hpp"
-#include "toccata/shapes/segment.hpp"
-#include "toccata/shapes/sphere.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::bench {
 

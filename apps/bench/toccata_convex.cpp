@@ -7,13 +7,10 @@
 #include "convex_library.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/narrow/box_box.hpp"
-#include "toccata/narrow/capsule.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/pair_arrays.hpp"
-#include "toccata/narrow/quadric_manifold.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/primitives.hpp"
 #include "toccata/narrow/quadrics.hpp"
-#include "toccata/narrow/sphere.hpp"
 
 namespace toccata::bench {
 namespace {

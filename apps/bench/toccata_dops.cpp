@@ -4,7 +4,7 @@
 
 #include "convex_library.hpp"
 #include "dop_bodies.hpp"
-#include "toccata/bounds/sphere_kdop.hpp"
+#include "toccata/bounds/kdop.hpp"
 #include "toccata/core/version.hpp"
 
 // A sphere against a k-DOP by the slabs that its centre is beyond.

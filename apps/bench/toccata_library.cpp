@@ -116,8 +116,9 @@ MeshLibraries toccata_mesh_libraries() {
 TriangleLibraries toccata_triangle_libraries() {
   TriangleLibraries libraries;
   libraries.push_back(std::make_unique<ToccataTriangles>("penetration", overlap_by_penetration));
-  libraries.push_back(std::make_unique<ToccataTriangles>("separating axes", overlap_by_separating_axes));
-  libraries.push_back(std::make_unique<ToccataTriangles>("meeting (what is common)", meets));
+  libraries.push_back(std::make_unique<ToccataTriangles>(
+      "separating axes", static_cast<bool (*)(const Triangle&, const Triangle&)>(overlap_by_separating_axes)));
+  libraries.push_back(std::make_unique<ToccataTriangles>("intersection (what is common)", meets));
   return libraries;
 }
 

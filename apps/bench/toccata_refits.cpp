@@ -5,7 +5,7 @@
 #include "refits.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata::bench {
 namespace {

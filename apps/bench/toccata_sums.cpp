@@ -4,7 +4,6 @@
 #include "toccata/core/version.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/minkowski.hpp"
-#include "toccata/narrow/sum_locator.hpp"
 
 namespace toccata::bench {
 namespace {

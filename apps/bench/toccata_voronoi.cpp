@@ -6,9 +6,8 @@
 #include "convex_library.hpp"
 #include "convex_questions.hpp"
 #include "toccata/core/version.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
-#include "toccata/narrow/gjk.hpp"
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 // Hulls that move by small steps: walking through Voronoi regions, and what it is to be compared with.
 namespace toccata::bench {
@@ -54,7 +53,7 @@ class ByVoronoiWalk : public OfTracked {
     const double asked = std::max(1.0, static_cast<double>(c.questions));
     const auto share = [=](std::uint64_t part) { return static_cast<double>(part) / asked; };
     return as("by Voronoi walk", fmt::format("; a question: {:.2f} kept, {:.2f} walked, {:.3f} searched, {:.2f} steps",
-                                             share(c.persist), share(c.walked), share(c.searched), share(c.steps)));
+                                             share(c.kept), share(c.walked), share(c.searched), share(c.steps)));
   }
   void prepare(const ConvexWork& work) override {
     OfTracked::prepare(work);

@@ -7,10 +7,8 @@
 #include "convex_library.hpp"
 #include "convex_questions.hpp"
 #include "toccata/core/version.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
-#include "toccata/narrow/gjk.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // The methods that can be called on their own, each as a library: the lecture's ways for spheres, separating axes, GJK
 // in each manner, expansion. Asked for as the peer "ways".

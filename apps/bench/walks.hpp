@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata::bench {

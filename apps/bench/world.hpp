@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "library.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata::bench {

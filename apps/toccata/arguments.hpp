@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "toccata/io/decompose_report.hpp"
-#include "toccata/io/minkowski_report.hpp"
 #include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/cost.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "toccata/core/error.hpp"
-#include "toccata/io/poses_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/io/query_files.hpp"
+#include "toccata/query/check_all.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

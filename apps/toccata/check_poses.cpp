@@ -8,7 +8,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "table_names.hpp"
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "table_names.hpp"
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 #include "toccata/query/pairs.hpp"
 #include "words.hpp"
 

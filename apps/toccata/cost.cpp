@@ -8,9 +8,9 @@
 #include "check_input.hpp"
 #include "cost_words.hpp"
 #include "output.hpp"
-#include "toccata/io/cost_report.hpp"
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/plot.hpp"
+#include "toccata/io/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

@@ -13,7 +13,6 @@
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/crowd_report.hpp"
-#include "toccata/io/crowd_world_report.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

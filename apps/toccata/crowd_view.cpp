@@ -7,9 +7,7 @@
 
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/crowd_page.hpp"
-#include "toccata/io/glb_file.hpp"
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 #include "tracked_cells.hpp"
 #include "words.hpp"
 

@@ -12,9 +12,9 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

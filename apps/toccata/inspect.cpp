@@ -9,7 +9,7 @@
 #include "check_input.hpp"
 #include "cost_words.hpp"
 #include "shape_text.hpp"
-#include "toccata/io/inspect_report.hpp"
+#include "toccata/io/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -8,7 +8,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/hierarchy_report.hpp"
+#include "toccata/io/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

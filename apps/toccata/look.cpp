@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

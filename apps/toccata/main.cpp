@@ -8,7 +8,7 @@
 
 #include "load.hpp"
 #include "options.hpp"
-#include "toccata/core/suggestion.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "words.hpp"
 

@@ -12,10 +12,10 @@
 #include "check_input.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/glb_file.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/io/output_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/io/pages.hpp"
+#include "toccata/query/check_all.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

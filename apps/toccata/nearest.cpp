@@ -10,7 +10,7 @@
 #include "clearance.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/points_file.hpp"
+#include "toccata/io/query_files.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

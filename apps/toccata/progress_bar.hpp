@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "toccata/core/progress.hpp"
+#include "toccata/core/parallel.hpp"
 
 namespace toccata::command {
 

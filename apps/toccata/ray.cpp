@@ -9,7 +9,7 @@
 #include "check_input.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/rays_file.hpp"
+#include "toccata/io/query_files.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -10,7 +10,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
 #include "toccata/io/output_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

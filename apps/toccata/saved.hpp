@@ -4,7 +4,7 @@
 
 #include "arguments.hpp"
 #include "check_input.hpp"
-#include "toccata/io/saved_report.hpp"
+#include "toccata/io/scene_question.hpp"
 
 namespace toccata::command {
 

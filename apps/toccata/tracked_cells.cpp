@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "toccata/partitions/grid_walk.hpp"
+#include "toccata/partitions/grid_cells.hpp"
 
 namespace toccata::command {
 namespace {

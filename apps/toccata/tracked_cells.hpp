@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/broad/broad_phase_cells.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/partitions/cell_tracker.hpp"
 

@@ -7,7 +7,7 @@
 #include "load.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/tree_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

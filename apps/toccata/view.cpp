@@ -12,10 +12,9 @@
 #include "output.hpp"
 #include "saved.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "toccata/io/case_file.hpp"
-#include "toccata/io/glb_file.hpp"
 #include "toccata/io/output_file.hpp"
+#include "toccata/io/pages.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

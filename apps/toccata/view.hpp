@@ -8,8 +8,8 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "picture.hpp"
+#include "toccata/io/pages.hpp"
 #include "toccata/io/scene_question.hpp"
-#include "toccata/io/view_page.hpp"
 
 namespace toccata::command {
 

@@ -8,8 +8,7 @@
 #include "bounds/posed_bounds.hpp"
 #include "bounds/separation.hpp"
 #include "math/constants.hpp"
-#include "toccata/bounds/principal_axes.hpp"
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata {
 namespace {

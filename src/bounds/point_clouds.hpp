@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata {
 namespace {

@@ -1,10 +1,10 @@
-#include "toccata/bounds/principal_axes.hpp"
+#include "toccata/bounds/obb.hpp"
 
 #include <cmath>
 #include <vector>
 
 #include "bounds/point_clouds.hpp"
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/bounds/sphere_kdop.hpp"
+#include "toccata/bounds/kdop.hpp"
 
 #include <algorithm>
 #include <bit>

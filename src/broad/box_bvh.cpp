@@ -6,7 +6,7 @@
 
 #include "bounds/box_bounds.hpp"
 #include "math/constants.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "toccata/trees/walk.hpp"
 #include "trees/best_first_walk.hpp"
 #include "trees/refit_nodes.hpp"

@@ -1,5 +1,3 @@
-#include "toccata/broad/box_pairs.hpp"
-
 #include "toccata/broad/broad_phase.hpp"
 
 namespace toccata {

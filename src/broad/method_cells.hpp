@@ -8,7 +8,7 @@
 
 #include "broad/float_boxes.hpp"
 #include "math/constants.hpp"
-#include "toccata/broad/broad_phase_cells.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata {
 

@@ -7,7 +7,7 @@
 
 #include "broad/box_lanes.hpp"
 #include "broad/key_sort.hpp"
-#include "toccata/broad/broad_phase_cells.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata {
 

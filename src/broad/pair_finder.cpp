@@ -8,7 +8,6 @@
 
 #include "broad/finders.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/core/suggestion.hpp"
+#include "toccata/core/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

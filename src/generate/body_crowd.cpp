@@ -1,5 +1,5 @@
-#include "toccata/generate/body_crowd.hpp"
 #include "generate/random_vector.hpp"
+#include "toccata/generate/crowds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/generate/crowd_frames.hpp"
+#include "toccata/generate/crowds.hpp"
 
 #include "toccata/core/random.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/core/suggestion.hpp"
 
 namespace toccata {
 namespace {

@@ -8,11 +8,9 @@
 #include "generate/scene_building.hpp"
 #include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -1,6 +1,5 @@
 #include "generate/scene_building.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 
 // Scenes in which an answer that is nearly right is wrong.

@@ -6,9 +6,7 @@
 #include <utility>
 
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 
 namespace toccata {
 namespace {

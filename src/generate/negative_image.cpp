@@ -4,7 +4,6 @@
 #include "generate/mesh_building.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 
 namespace toccata {
 namespace {

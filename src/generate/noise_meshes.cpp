@@ -4,7 +4,7 @@
 
 #include "generate/mesh_building.hpp"
 #include "generate/subdivided_sphere.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata {
 namespace {

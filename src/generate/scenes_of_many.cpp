@@ -7,9 +7,8 @@
 #include "generate/mesh_building.hpp"
 #include "generate/scene_building.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

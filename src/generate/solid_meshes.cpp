@@ -6,7 +6,7 @@
 
 #include "generate/mesh_building.hpp"
 #include "generate/subdivided_sphere.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/math/trigonometry.hpp"
 
 namespace toccata {

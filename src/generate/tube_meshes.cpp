@@ -2,7 +2,7 @@
 
 #include "generate/mesh_building.hpp"
 #include "math/vec3_measures.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/math/trigonometry.hpp"
 
 namespace toccata {

@@ -7,7 +7,6 @@
 #include "math/world_vertex.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/math/rotation.hpp"
 
 namespace toccata {
 namespace {

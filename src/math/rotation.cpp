@@ -1,4 +1,4 @@
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "toccata/partitions/grid_walk.hpp"
+#include "toccata/partitions/grid_cells.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "toccata/partitions/levels.hpp"
+#include "toccata/partitions/measure.hpp"
 
 #include <utility>
 

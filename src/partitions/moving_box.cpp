@@ -1,4 +1,4 @@
-#include "toccata/partitions/moving_box.hpp"
+#include "toccata/partitions/grid_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "toccata/bounds/box_triangle.hpp"
+#include "toccata/bounds/volume.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "toccata/core/index.hpp"
-#include "toccata/core/index_pair.hpp"
 
 namespace toccata {
 

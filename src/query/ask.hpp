@@ -11,7 +11,7 @@
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/pairs.hpp"
 
 // A question is an object with overloads for two shapes at their places, each pair of types in one order only. Here it

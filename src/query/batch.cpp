@@ -9,8 +9,8 @@
 #include "query/nearest/nearest_search.hpp"
 #include "query/rays/ray_search.hpp"
 #include "query/search_scratch.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/within_distance.hpp"
 #include "trees/chunks.hpp"
 
 namespace toccata {

@@ -12,7 +12,7 @@
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "trees/leaf_triangles.hpp"
 #include "trees/oriented_boxes.hpp"
 #include "trees/wide_check.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "query/meshes/posed_mesh.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pairs.hpp"
 

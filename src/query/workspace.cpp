@@ -1,4 +1,4 @@
-#include "toccata/query/workspace.hpp"
+#include "toccata/query/pair_query.hpp"
 
 #include "query/search_scratch.hpp"
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "toccata/query/workspace.hpp"
+#include "toccata/query/pair_query.hpp"
 
 namespace toccata {
 

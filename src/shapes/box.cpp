@@ -1,4 +1,4 @@
-#include "toccata/shapes/box.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "toccata/shapes/capsule.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include "shapes/validation.hpp"
 

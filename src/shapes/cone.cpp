@@ -1,4 +1,4 @@
-#include "toccata/shapes/cone.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include "shapes/validation.hpp"
 

@@ -1,4 +1,4 @@
-#include "toccata/shapes/half_space.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include "shapes/validation.hpp"
 #include "toccata/core/error.hpp"

@@ -1,4 +1,4 @@
-#include "toccata/shapes/mesh_faults.hpp"
+#include "toccata/shapes/mesh_health.hpp"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 
 #include "shapes/union_find.hpp"
 #include "shapes/welded_mesh.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 namespace {

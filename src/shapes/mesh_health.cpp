@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "shapes/welded_mesh.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 namespace {

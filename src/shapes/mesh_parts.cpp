@@ -1,4 +1,4 @@
-#include "toccata/shapes/mesh_parts.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
 
 #include "shapes/welded_mesh.hpp"
 

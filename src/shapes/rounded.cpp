@@ -1,4 +1,4 @@
-#include "toccata/shapes/rounded.hpp"
+#include "toccata/shapes/shape.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "toccata/shapes/scaled_shape.hpp"
+#include "toccata/shapes/shape.hpp"
 
 #include <algorithm>
 #include <type_traits>

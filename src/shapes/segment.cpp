@@ -1,4 +1,4 @@
-#include "toccata/shapes/segment.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include "shapes/validation.hpp"
 

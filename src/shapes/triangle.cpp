@@ -1,4 +1,4 @@
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 #include "toccata/math/predicates.hpp"
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {

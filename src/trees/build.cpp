@@ -1,5 +1,5 @@
-#include "toccata/trees/build.hpp"
 #include "bounds/point_clouds.hpp"
+#include "toccata/trees/builders.hpp"
 
 #include <algorithm>
 #include <array>

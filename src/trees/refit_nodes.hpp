@@ -5,7 +5,7 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/trees/bvh.hpp"
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 

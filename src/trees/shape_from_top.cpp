@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toccata/bounds/principal_axes.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/bounds/obb.hpp"
+#include "toccata/trees/builders.hpp"
 #include "trees/binary_shape.hpp"
 
 namespace toccata {

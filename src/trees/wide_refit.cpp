@@ -1,4 +1,4 @@
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 #include <algorithm>
 #include <array>

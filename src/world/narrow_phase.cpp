@@ -9,9 +9,9 @@
 #include "query/ask_each.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/pairs.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "query/workspace_pool.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
 
 namespace toccata {

@@ -1,4 +1,4 @@
-#include "toccata/bounds/box_triangle.hpp"
+#include "toccata/bounds/volume.hpp"
 
 #include <cmath>
 #include <limits>

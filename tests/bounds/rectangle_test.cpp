@@ -1,4 +1,4 @@
-#include "toccata/bounds/rectangle.hpp"
+#include "toccata/bounds/swept_sphere.hpp"
 
 #include <gtest/gtest.h>
 

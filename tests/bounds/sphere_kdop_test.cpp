@@ -1,4 +1,4 @@
-#include "toccata/bounds/sphere_kdop.hpp"
+#include "toccata/bounds/kdop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "oracle/rational.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 namespace toccata {
 namespace {

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "support/mesh_soups.hpp"
-#include "toccata/bounds/principal_axes.hpp"
+#include "toccata/bounds/obb.hpp"
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/methods.hpp"
 #include "toccata/toccata.hpp"
 

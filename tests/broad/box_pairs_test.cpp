@@ -1,4 +1,4 @@
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 #include <algorithm>
 

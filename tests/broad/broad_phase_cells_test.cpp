@@ -1,5 +1,5 @@
 // What is drawn of a method is what it used: boxes lie in the cells that they were put into.
-#include "toccata/broad/broad_phase_cells.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "broad/box_families.hpp"
 #include "toccata/broad/broad_phase.hpp"
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata::test {
 

@@ -8,7 +8,6 @@
 
 #include "support/error_message.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/scene_models.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 
 namespace toccata {

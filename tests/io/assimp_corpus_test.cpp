@@ -8,7 +8,7 @@
 
 #include "io/formats/file_bytes.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 
 namespace toccata {
 namespace {

@@ -19,7 +19,7 @@
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata {
 namespace {

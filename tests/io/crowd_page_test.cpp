@@ -1,5 +1,5 @@
 // The page of a crowd: what it holds is what the broad phase found, and it stays within what a page may hold.
-#include "toccata/io/crowd_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // GLB files of what was found: sound by the standard's own rules, and read back by our own reader.
-#include "toccata/io/glb_file.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,12 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/partitions/levels.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/partitions/measure.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata {
 namespace {

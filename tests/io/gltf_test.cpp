@@ -8,7 +8,7 @@
 #include "io/text_file.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/data.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 
 namespace toccata {

@@ -5,7 +5,6 @@
 #include "support/command.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/io/mesh_file.hpp"
 
 namespace toccata {
 namespace {

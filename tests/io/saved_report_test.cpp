@@ -1,5 +1,5 @@
 // A report says what was asked, and is read back with it; digests tell apart what files hold.
-#include "toccata/io/saved_report.hpp"
+#include "toccata/io/scene_question.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/case_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata {
 namespace {

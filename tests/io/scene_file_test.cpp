@@ -9,9 +9,8 @@
 #include "support/error_message.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

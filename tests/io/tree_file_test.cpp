@@ -1,4 +1,4 @@
-#include "toccata/io/tree_file.hpp"
+#include "toccata/io/model_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

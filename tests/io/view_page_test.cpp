@@ -1,5 +1,5 @@
 // The page that shows a scene: what it holds, and that nothing in it can be taken for markup.
-#include "toccata/io/view_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@
 
 #include "support/command.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/partitions/levels.hpp"
+#include "toccata/partitions/measure.hpp"
+#include "toccata/query/check_all.hpp"
 #include "toccata/query/pairs.hpp"
-#include "toccata/query/scene_models.hpp"
 
 namespace toccata {
 namespace {

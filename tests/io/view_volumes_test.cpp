@@ -13,7 +13,7 @@
 #include "toccata/bounds/hull_bound.hpp"
 #include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata {
 namespace {

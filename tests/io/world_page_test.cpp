@@ -1,5 +1,5 @@
 // The page of a World: where its bodies are at each step, and the pairs that it found.
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

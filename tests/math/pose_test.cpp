@@ -4,7 +4,6 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "narrow/penetration_checks.hpp"
 #include "support/sweep.hpp"
 #include "toccata/narrow/box_box.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Everything that is asked of two boxes, in every regime, of the posed boxes and of the posed convex shapes.
 namespace toccata::test {

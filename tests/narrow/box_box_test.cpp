@@ -8,8 +8,8 @@
 #include "support/convex_cases.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {

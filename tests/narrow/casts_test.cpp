@@ -9,7 +9,7 @@
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -9,9 +9,8 @@
 #include "support/fewer_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/simd.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/capsule.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 namespace toccata {
 namespace {

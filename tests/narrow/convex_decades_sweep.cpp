@@ -5,7 +5,7 @@
 #include "support/mesh_soups.hpp"
 #include "support/sweep.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Shapes whose own coordinates differ by many powers of ten: needles and slivers of every kind, and lengths of which
 // the rounding is longer than the shapes' other parts. Family "20": from 1e-20 to 1e20.

@@ -5,12 +5,9 @@
 
 #include "oracle/convex.hpp"
 #include "support/simd_levels.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
 
 // Sizes at which products of lengths leave the doubles.
 namespace toccata {

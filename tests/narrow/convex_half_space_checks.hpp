@@ -6,7 +6,7 @@
 
 #include "oracle/convex.hpp"
 #include "support/convex_cases.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // What the answers about a half-space have to be, by the oracle.
 namespace toccata::test {

@@ -1,10 +1,10 @@
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 #include <gtest/gtest.h>
 
 #include "narrow/convex_half_space_checks.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

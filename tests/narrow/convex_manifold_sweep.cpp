@@ -3,7 +3,7 @@
 
 #include "narrow/penetration_checks.hpp"
 #include "support/sweep.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Manifolds, and overlap by separating axes, of every kind of shape with every other, in every regime.
 namespace toccata::test {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {

@@ -3,10 +3,8 @@
 
 #include "narrow/convex_cells.hpp"
 #include "toccata/narrow/casts.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
-#include "toccata/narrow/gjk.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // Methods against each other, without the oracle and so in great numbers: every question that tells whether two shapes
 // meet says the same, and the ways to the penetration give brackets that have a number in common.

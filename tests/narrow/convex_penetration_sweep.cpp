@@ -1,6 +1,6 @@
 #include "narrow/convex_cells.hpp"
 #include "narrow/penetration_checks.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Penetration of every kind of solid with every other, in every regime, compared with rational arithmetic and with
 // itself under exchange.

@@ -6,9 +6,8 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Named cases: the lectures' questions, and where other libraries are known to fail.
 namespace toccata {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "narrow/exact/exact_interior.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/convex_cases.hpp"
-#include "toccata/narrow/gjk.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // The questions of docs/methods/gjk.md.
 namespace toccata {

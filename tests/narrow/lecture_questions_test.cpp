@@ -6,10 +6,9 @@
 
 #include "support/convex_cases.hpp"
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 namespace toccata {
 namespace {

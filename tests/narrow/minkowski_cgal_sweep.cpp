@@ -7,7 +7,6 @@
 
 #include "narrow/convex_cells.hpp"
 #include "toccata/narrow/minkowski.hpp"
-#include "toccata/narrow/sum_locator.hpp"
 
 // Sums and differences of polytopes, compared with CGAL's hull of all sums of two vertices in exact numbers: volume,
 // support, and on which side points lie.

@@ -12,7 +12,6 @@
 #include "support/convex_cases.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/sum_locator.hpp"
 
 namespace toccata {
 namespace {

@@ -7,7 +7,7 @@
 #include "narrow/museum.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/casts.hpp"
 
 // Failures of other libraries with convex shapes, with the numbers of the reports; each test is named after its report.

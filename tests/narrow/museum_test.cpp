@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 // Failures of other libraries with convex shapes, as their users described them: where a report tells a configuration
 // without its numbers, it is made here, and the comment says so. Those with their own numbers: museum_reports_test.cpp.

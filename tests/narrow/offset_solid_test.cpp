@@ -1,4 +1,4 @@
-#include "toccata/narrow/offset_solid.hpp"
+#include "toccata/narrow/minkowski.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "oracle/penetration.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/convex_penetration.hpp"
 
 // What every answer about penetration has to be, compared with rational arithmetic.
 namespace toccata::test {

@@ -6,7 +6,7 @@
 
 #include "narrow/penetration_checks.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 // Solids with coordinates from 10^-decades to 10^decades beside each other, compared with rational arithmetic: moving
 // such shapes by a pose shows nothing, as rounding swallows the move.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 
 namespace toccata {

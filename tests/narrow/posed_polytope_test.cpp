@@ -13,7 +13,7 @@
 
 #include "narrow/pose_checks.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

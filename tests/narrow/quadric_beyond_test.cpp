@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata::test {

@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

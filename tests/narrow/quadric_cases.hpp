@@ -8,7 +8,7 @@
 
 #include "oracle/quadrics.hpp"
 #include "support/convex_cases.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 // Pairs of a quadric and any other, in regimes that are hard in a way of their own.

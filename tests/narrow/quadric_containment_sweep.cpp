@@ -7,8 +7,7 @@
 
 #include "narrow/convex_cells.hpp"
 #include "narrow/quadric_cases.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // Points and other shapes in quadrics and around them, against support functions of 60 digits: a convex set holds
 // another when it is nowhere lower, and holds a ball around a point when it is nowhere lower than that.

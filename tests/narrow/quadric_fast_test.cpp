@@ -8,7 +8,7 @@
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
 #include "narrow/quadrics/distance/quadric_within.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // Answers in doubles, where these only just suffice, against 60 digits.
 namespace toccata::test {

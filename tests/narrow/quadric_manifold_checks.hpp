@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "oracle/quadric_contact.hpp"
-#include "toccata/narrow/quadric_manifold.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // What is promised of a manifold of a quadric, against 60 digits.
 namespace toccata::test {

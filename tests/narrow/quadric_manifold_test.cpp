@@ -7,7 +7,7 @@
 #include "narrow/quadric_cases.hpp"
 #include "narrow/quadric_manifold_checks.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata::test {
 namespace {

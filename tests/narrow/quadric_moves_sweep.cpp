@@ -4,8 +4,7 @@
 
 #include "narrow/convex_cells.hpp"
 #include "narrow/quadric_cases.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // Penetration, relation, and casts of quadrics against 60 digits.
 namespace toccata::test {

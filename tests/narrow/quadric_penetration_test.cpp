@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata::test {
 namespace {

@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata::test {
 namespace {

@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "narrow/quadrics/exact_place.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 
 // Shapes at whole and half numbers, along the axes, that are put against each other: exactly touching, by construction.

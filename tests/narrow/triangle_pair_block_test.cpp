@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "narrow/triangle_pair_blocks.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 

@@ -1,6 +1,6 @@
 #include "narrow/triangle_pair_blocks.hpp"
 #include "support/sweep.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 // What the vector instructions say of pairs of triangles, compared at every SIMD level with the answers for one pair,
 // under poses of every kind.

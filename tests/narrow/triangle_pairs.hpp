@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "toccata/core/random.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // Pairs of triangles in families that are hard in one way each.
 namespace toccata::test {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "support/convex_cases.hpp"
-#include "toccata/narrow/capsule.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // The functions for just two kinds of shape, asked of a case.
 namespace toccata::test {

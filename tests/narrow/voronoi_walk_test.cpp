@@ -1,4 +1,4 @@
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,9 @@
 
 #include "support/convex_cases.hpp"
 #include "support/sweep.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/narrow/convex_separating_axes.hpp"
-#include "toccata/narrow/gjk.hpp"
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 // Pairs that move by small steps, asked by walking and from nothing by GJK and by separating axes.
 namespace toccata::test {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracle/rational.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::oracle {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::oracle {
 

@@ -11,7 +11,6 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/partitions/grid_walk.hpp"
 
 namespace toccata {
 namespace {

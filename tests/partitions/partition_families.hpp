@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "broad/box_families.hpp"
-#include "toccata/core/index_pair.hpp"
+#include "toccata/core/index.hpp"
 #include "toccata/partitions/partition.hpp"
 
 namespace toccata::test {

@@ -6,7 +6,7 @@
 #include "partitions/partition_families.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/partitions/kd_tree.hpp"
-#include "toccata/partitions/levels.hpp"
+#include "toccata/partitions/measure.hpp"
 #include "toccata/partitions/octree.hpp"
 #include "toccata/partitions/r_tree.hpp"
 #include "toccata/partitions/uniform_grid.hpp"

@@ -8,7 +8,7 @@
 
 #include "partitions/partition_families.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/partitions/grid_walk.hpp"
+#include "toccata/partitions/grid_cells.hpp"
 
 namespace toccata {
 namespace {

@@ -12,9 +12,9 @@
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/distance.hpp"
 
 namespace toccata {
 namespace {

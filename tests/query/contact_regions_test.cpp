@@ -1,4 +1,4 @@
-#include "toccata/query/contact_regions.hpp"
+#include "toccata/query/contacts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/batch.hpp"
-#include "toccata/query/contacts.hpp"
 
 // Regions of contact whose areas, normals and depths are known.
 namespace toccata {

@@ -11,11 +11,9 @@
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
-#include "toccata/query/flipped.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/penetration.hpp"
-#include "toccata/query/scene_models.hpp"
 
 // Models of convex shapes are answered about as the shapes are, bit for bit; compounds as the least of their parts;
 // scenes as the oracle says.

@@ -7,13 +7,12 @@
 
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/self_contacts.hpp"
-#include "toccata/shapes/box.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "trees/leaf_triangles.hpp"
 
 namespace toccata {

@@ -9,7 +9,7 @@
 #include "oracle/convex.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/overlap.hpp"

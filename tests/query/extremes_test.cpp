@@ -4,18 +4,16 @@
 #include <vector>
 
 #include "support/mesh_soups.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
-#include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/distance_cache.hpp"
-#include "toccata/query/flipped.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/self_contacts.hpp"
-#include "toccata/query/winding_number.hpp"
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 // Sizes near the ends of the doubles, and solids that are inside out.
 namespace toccata {

@@ -7,7 +7,7 @@
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/query/inside.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "query/ray_checks.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/query/distance.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {

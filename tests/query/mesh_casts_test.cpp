@@ -4,8 +4,8 @@
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/query/inside.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/query/model_with_parts.hpp"
+#include "toccata/query/convex_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,6 @@
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata::test {
 namespace {

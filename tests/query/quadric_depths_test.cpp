@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 

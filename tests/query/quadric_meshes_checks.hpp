@@ -17,9 +17,8 @@
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "support/mesh_soups.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/shapes/height_field.hpp"
 
 // Meshes and height fields with a quadric beside, in or around them, and what the answers about them have to be:

@@ -8,23 +8,20 @@
 
 #include "narrow/quadric_cases.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
-#include "toccata/narrow/quadric_manifold.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/faces_in_region.hpp"
-#include "toccata/query/flipped.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/signed_distance.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "oracle/rays.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/query/casts.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::test {
 

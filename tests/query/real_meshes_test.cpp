@@ -6,7 +6,7 @@
 #include "support/data.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"
 

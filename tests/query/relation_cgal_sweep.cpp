@@ -10,8 +10,8 @@
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "support/sweep.hpp"
-#include "toccata/query/inside.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata::test {
 namespace {

@@ -4,9 +4,9 @@
 #include "support/data.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
-#include "toccata/io/mesh_file.hpp"
-#include "toccata/query/inside.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata::test {
 namespace {

@@ -6,7 +6,7 @@
 #include "oracle/oracle.hpp"
 #include "support/relation_cases.hpp"
 #include "support/sweep.hpp"
-#include "toccata/query/inside.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata::test {
 namespace {

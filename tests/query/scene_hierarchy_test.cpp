@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/scenes.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 
 namespace toccata {
 namespace {

@@ -14,9 +14,9 @@
 #include "support/convex_cases.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/scene_index.hpp"
-#include "toccata/query/within_distance.hpp"
 
 // Questions about many posed models, compared with asking every one of them.
 namespace toccata::test {

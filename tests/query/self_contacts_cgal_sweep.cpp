@@ -6,7 +6,7 @@
 #include "query/self_cgal.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/sweep.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "query/self_cgal.hpp"
 #include "support/data.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 
 namespace toccata::test {
 namespace {

@@ -15,8 +15,8 @@
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/io/model_file.hpp"
 
 namespace toccata {
 namespace {

@@ -8,7 +8,6 @@
 #include "query/relation/hull_mesh.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/query/contacts.hpp"
-#include "toccata/query/flipped.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/relation.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "support/case_seeds.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 

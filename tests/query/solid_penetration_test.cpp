@@ -11,10 +11,10 @@
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/query/batch.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/query/contacts.hpp"
 
 // The depth of two solid meshes: the bracket holds, it is narrow for the listed pairs, and it does not depend on how it
 // was asked for.

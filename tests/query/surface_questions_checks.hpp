@@ -15,10 +15,10 @@
 #include "support/convex_cases.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/voxel_solids.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/signed_distance.hpp"
-#include "toccata/query/within_distance.hpp"
 
 // Questions about the surfaces of height fields and compounds at hard places, compared with rational arithmetic,
 // element by element.

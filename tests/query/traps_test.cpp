@@ -9,7 +9,7 @@
 #include "query/meshes/posed_mesh.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/self_meshes.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/self_contacts.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "oracle/winding.hpp"
 #include "support/mesh_soups.hpp"
-#include "toccata/query/winding_number.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/query/signed_distance.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::test {
 

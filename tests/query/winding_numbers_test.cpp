@@ -7,8 +7,8 @@
 #include "query/winding_checks.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/query/inside.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/query/signed_distance.hpp"
 #include "trees/winding_moments.hpp"
 
 namespace toccata {

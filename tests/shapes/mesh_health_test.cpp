@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "toccata/shapes/mesh_faults.hpp"
-
 namespace toccata {
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include "oracle/meshes.hpp"
 #include "support/mesh_pairs.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/query/contacts.hpp"
 
 namespace toccata::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/distance.hpp"
 
 namespace toccata::test {
 

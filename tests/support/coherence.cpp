@@ -7,8 +7,8 @@
 
 #include "support/mesh_soups.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/generate/parametric_meshes.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/math/pose.hpp"
 #include "toccata/query/distance_cache.hpp"
 
 namespace toccata::test {

@@ -6,7 +6,7 @@
 
 #include "oracle/convex.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 
 // Pairs of posed convex shapes, of every kind and in every regime that is hard in a way of its own.

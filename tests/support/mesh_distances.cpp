@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "support/mesh_pairs.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/query/contacts.hpp"
 
 namespace toccata::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata::test {
 

@@ -1,4 +1,4 @@
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "support/simd_levels.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "oracle/rational.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 namespace {

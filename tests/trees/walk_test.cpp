@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "toccata/core/random.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 
 namespace toccata {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {
 namespace {

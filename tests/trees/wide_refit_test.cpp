@@ -7,7 +7,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/trees/refit.hpp"
+#include "toccata/trees/wide_bvh.hpp"
 #include "trees/wide_boxes.hpp"
 
 namespace toccata {

@@ -7,7 +7,7 @@
 
 #include "support/sweep.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/world/world.hpp"
 #include "world/random_bodies.hpp"
 

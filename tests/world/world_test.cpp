@@ -11,7 +11,7 @@
 
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 #include "world/random_bodies.hpp"
 
 namespace toccata {

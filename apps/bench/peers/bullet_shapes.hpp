@@ -11,8 +11,7 @@
 #include <memory>
 
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/cone.hpp"
-#include "toccata/shapes/cylinder.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "toccata/shapes/shape.hpp"
 
 // Names of its own for the linker: each peer has a `converted` of the same parameters.

@@ -6,7 +6,7 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // What every bounding volume answers. All of them are closed, convex and empty until something is put in; everything
 // they tell is on the safe side of the truth, whatever rounding does (docs/design/volumes.md has the proof):
@@ -114,5 +114,10 @@ template <SupportedVolume V>
 [[nodiscard]] inline Aabb box_around(const Aabb& box) { return box; }
 [[nodiscard]] double measure(const Aabb& box);
 [[nodiscard]] double surface_area(const Aabb& box);
+
+/// Do the closed box and the closed triangle have a point in common? Exact for all finite doubles, for boxes that are
+/// flat and triangles without area too: the separating axes of both, with exact signs (T. Akenine-Möller, "Fast 3D
+/// triangle-box overlap testing", 2001, decides the same by rounded numbers). An empty box meets nothing.
+[[nodiscard]] bool overlap(const Aabb& box, const Triangle& triangle);
 
 }  // namespace toccata

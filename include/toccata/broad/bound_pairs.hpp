@@ -5,7 +5,7 @@
 
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/rectangle.hpp"
+#include "toccata/bounds/swept_sphere.hpp"
 #include "toccata/broad/broad_phase.hpp"
 
 // The broad phase of other bounds than boxes along the axes: boxes around them are compared first, then they

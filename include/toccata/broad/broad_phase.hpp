@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,11 +12,37 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/obb.hpp"
-#include "toccata/broad/box_pairs.hpp"
-#include "toccata/broad/broad_phase_cells.hpp"
 #include "toccata/core/index.hpp"
 
 namespace toccata {
+
+/// Which pairs are wanted: the same answer each time, from many threads at once.
+using PairFilter = std::function<bool(const IndexPair&)>;
+
+/// All pairs of boxes that overlap (touching counts), ascending, each once. Empty boxes (`Aabb{}`) overlap nothing.
+/// Throws Error naming a box of which a side is no number, or has its lower end above the upper one.
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes);
+
+/// The same by testing every pair: the oracle.
+[[nodiscard]] std::vector<IndexPair> overlapping_pairs_by_brute_force(std::span<const Aabb> boxes);
+
+/// Parts of space of one sort: the cells of one size, the boxes of one level of a tree, the intervals along an axis.
+struct CellGroup {
+  std::string name;    ///< for people: "cells of side 2", "level 3"
+  int dimensions = 3;  ///< 1: intervals along an axis, 2: rectangles in a plane; infinite along the others
+};
+
+/// A part of space, in the world, in the unit of the boxes.
+struct BroadPhaseCell {
+  Aabb box;         ///< has infinite sides where it has no end; ends that the method keeps as floats are rounded so
+  Index group = 0;  ///< of the groups
+};
+
+/// Into what a method of the broad phase divided space to find pairs, for looking at it (BroadPhase::cells).
+struct BroadPhaseCells {
+  std::vector<CellGroup> groups;      ///< from coarse to fine, where they are levels
+  std::vector<BroadPhaseCell> cells;  ///< by group
+};
 
 /// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
 enum class BroadPhaseMethod {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace toccata {
 
@@ -12,5 +14,11 @@ class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };
+
+/// The candidate nearest to a mistyped word by edit distance, when it is near enough to be what was meant; else empty.
+[[nodiscard]] std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
+
+/// For the end of a message about an unknown word: "; did you mean 'x'?", or when none is near "; known are a, b, c".
+[[nodiscard]] std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace toccata

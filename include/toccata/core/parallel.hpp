@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "toccata/core/function_ref.hpp"
 
@@ -18,5 +19,9 @@ void on_threads(int threads, FunctionRef<void()> work);
 /// gives the same result for any thread count. When bodies throw, the exception of the least index among those thrown
 /// is rethrown at the end; other indices may then not be called.
 void parallel_for(std::size_t count, int threads, FunctionRef<void(std::size_t)> body);
+
+/// Told now and then how much of a long task is done: `done` of `total` steps. May be called from any thread, never
+/// from two at once. An exception that it throws ends the task (the way to cancel).
+using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,8 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/generate/scenes.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/shape.hpp"
 
 namespace toccata {
 
@@ -38,5 +41,64 @@ class Crowd {
 
 /// uniform, clustered, sizes, static, terrain and fast.
 [[nodiscard]] std::span<const NamedScene> crowd_scenes();
+
+/// Pairs in one number, whatever their order: other pairs have another one, but for one chance in 2^64.
+struct PairDigest {
+  std::size_t count = 0;
+  std::uint64_t sum = 0;
+  friend bool operator==(const PairDigest&, const PairDigest&) = default;
+};
+
+[[nodiscard]] PairDigest digest_of(std::span<const IndexPair> pairs);
+
+/// What each frame of a crowd took, and its pairs.
+struct CrowdFrames {
+  std::vector<double> milliseconds;
+  std::vector<PairDigest> pairs;
+
+  [[nodiscard]] double median_ms() const;
+  [[nodiscard]] double worst_ms() const { return *std::max_element(milliseconds.begin(), milliseconds.end()); }
+};
+
+/// Moves a crowd (`Crowd`, or what has its `step` and `boxes`) through its frames, at least one. `find` is given the
+/// numbers of the boxes that moved, finds all pairs of the crowd's boxes and returns the milliseconds that it took;
+/// `pairs` returns the digest of what it found.
+template <class AnyCrowd, class Find, class Pairs>
+CrowdFrames run_frames(AnyCrowd& crowd, std::size_t frames, const Find& find, const Pairs& pairs) {
+  CrowdFrames run;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const std::span<const Index> moved = crowd.step();
+    run.milliseconds.push_back(find(moved));
+    run.pairs.push_back(pairs());
+  }
+  return run;
+}
+
+/// Spheres, boxes, capsules and convex hulls of about size 1 that fly and turn in a room, for trying and measuring
+/// worlds of bodies. The same count, share and seed give the same bodies in every frame, on every machine.
+class BodyCrowd {
+ public:
+  /// About this share of them is in contact at a time. Throws Error unless it lies between 0.001 and 1.
+  explicit BodyCrowd(std::size_t count, double share_in_contact = 0.05, std::uint64_t seed = 1);
+
+  [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
+  /// Where they are now: rotations and translations.
+  [[nodiscard]] const std::vector<Pose>& poses() const { return poses_; }
+  /// The next frame: each moves by up to a fiftieth and turns by up to three degrees.
+  void step();
+
+ private:
+  void place(std::size_t number);
+
+  struct Flight {
+    Vec3 centre, velocity;  ///< a frame
+    Vec3 axis;
+    double angle = 0, spin = 0;  ///< degrees, a frame
+  };
+  std::vector<Shape> shapes_;
+  std::vector<Flight> flights_;
+  std::vector<Pose> poses_;
+  double room_ = 0;  ///< centres stay between 0 and this
+};
 
 }  // namespace toccata

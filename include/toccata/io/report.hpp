@@ -1,11 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/narrow/minkowski.hpp"
+#include "toccata/narrow/set_relation.hpp"
+#include "toccata/partitions/measure.hpp"
+#include "toccata/query/batch.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/convex_parts.hpp"
+#include "toccata/query/cost.hpp"
+#include "toccata/query/distance.hpp"
+#include "toccata/query/faces_in_region.hpp"
+#include "toccata/query/nearest.hpp"
+#include "toccata/query/scene_hierarchy.hpp"
+#include "toccata/query/scene_index.hpp"
+#include "toccata/query/signed_distance.hpp"
+#include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata {
@@ -94,5 +109,249 @@ struct NamedReport {
 [[nodiscard]] std::string name_of(IntersectionKind kind);
 /// "exact", "undecided", "not_converged".
 [[nodiscard]] std::string name_of(Status status);
+
+/// The relation as a verb between the names of a and b: "overlaps", "contains", "lies inside", "touches", …
+[[nodiscard]] std::string verb_of(const Relation& relation);
+
+/// What the two were taken for, and what the relation leaves open: "(both solids)", "(a surface, a solid)",
+/// "(undecided: …)", …
+[[nodiscard]] std::string remark_on(const Relation& relation);
+
+/// How an object meets itself.
+struct ReportedSelf {
+  std::size_t triangle_pairs = 0;
+  std::size_t face_pairs = 0;
+  /// Ascending, face_a ≤ face_b; filled when asked for. Two triangles of one face of the file are that face twice.
+  std::vector<ReportedFacePair> faces;
+};
+
+/// What `check --self` found: an entry per object, in their order.
+struct SelfReport {
+  std::vector<ReportedSelf> objects;
+  bool has_faces = false;
+};
+
+/// `contacts` is `self_contacts_each(models)`.
+[[nodiscard]] SelfReport make_self_report(std::span<const SceneInstance> models,
+                                          std::span<const std::vector<Contact>> contacts, bool faces);
+
+/// How many of the objects intersect themselves.
+[[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
+
+/// JSON by the schema toccata/check-self/2 of docs/reference/check-report.md. Doubles round-trip.
+[[nodiscard]] std::string self_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                           const SelfReport& report, std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per object, or per pair of faces when the report has them.
+[[nodiscard]] std::string self_report_csv(const Scene& scene, const SelfReport& report);
+
+/// JSON by the schema toccata/cost/1 of docs/reference/cost-report.md; `scene` holds A and then B. Doubles round-trip.
+[[nodiscard]] std::string cost_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                           const CostTable& table, std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per row.
+[[nodiscard]] std::string cost_report_csv(const CostTable& table);
+
+/// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
+/// world.
+struct DecomposeQuestion {
+  std::size_t max_parts = 32;  ///< as DecompositionOptions says
+  double concavity = 0;
+  friend bool operator==(const DecomposeQuestion&, const DecomposeQuestion&) = default;
+};
+
+struct DecomposeReport {
+  std::string name;  ///< of the object
+  Pose pose;         ///< of its parts: none where they are in the world, as `ask` makes them
+  ConvexParts parts;
+};
+
+/// The parts as objects, "gear-01" of a gear, of one group: they are not checked against each other.
+[[nodiscard]] Scene parts_scene(const DecomposeReport& report, const std::string& unit);
+
+/// JSON by the schema docs/reference/decompose-report.md.
+[[nodiscard]] std::string decompose_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                                const DecomposeReport& report, std::span<const std::string> warnings);
+
+struct ReportedDistance {
+  Index a = 0;  ///< the object's place in the scene
+  Index b = 0;
+  Distance distance;
+};
+
+/// JSON by the schema toccata/distance/1 of docs/reference/distance-report.md. Doubles round-trip.
+[[nodiscard]] std::string distance_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                               std::span<const ReportedDistance> distances,
+                                               std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per pair.
+[[nodiscard]] std::string distance_report_csv(const Scene& scene, std::span<const ReportedDistance> distances);
+
+/// What `distance --poses` found: an entry per query in each list.
+struct DistancePosesReport {
+  std::vector<PairQuery> queries;  ///< as asked: with the objects' own poses
+  std::vector<Distance> distances;
+};
+
+/// How many of the queries found the two meeting.
+[[nodiscard]] std::size_t intersecting_count(const DistancePosesReport& report);
+
+/// JSON by the schema toccata/distance-poses/2 of docs/reference/distance-report.md; `scene` holds A and then B.
+[[nodiscard]] std::string distance_poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                                     const DistancePosesReport& report,
+                                                     std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per query.
+[[nodiscard]] std::string distance_poses_report_csv(const DistancePosesReport& report);
+
+/// What of a scene lies within a region: of the object at that place in the scene.
+struct ReportedFaces {
+  Index object = 0;
+  std::vector<FoundElement> found;
+};
+
+/// JSON by the schema toccata/faces/1 of docs/reference/faces-report.md. Doubles round-trip.
+[[nodiscard]] std::string faces_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                            const Region& region, std::span<const ReportedFaces> found,
+                                            std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per face, with the number of its triangles that were found.
+[[nodiscard]] std::string faces_report_csv(const Scene& scene, std::span<const ReportedFaces> found);
+
+/// A scene's tree of nodes as a hierarchy, and what making it better would gain.
+struct RebalanceReport {
+  HierarchyReport as_is;
+  HierarchyReport cured;
+  HierarchyReport rebuilt;
+  std::size_t named_nodes = 0;  ///< inner nodes as it is that stand for a node of the scene
+  std::size_t kept_nodes = 0;   ///< of these, those that the cure keeps
+  std::size_t unbounded = 0;    ///< objects that have no end and so no place in it
+};
+
+/// Takes as long as `report_of` for each of the three. Throws Error like `hierarchy_of`.
+[[nodiscard]] RebalanceReport rebalance_report(const Scene& scene);
+
+/// JSON by docs/methods/scene-graph.md#the-report.
+[[nodiscard]] std::string hierarchy_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                                const RebalanceReport& report, std::span<const std::string> warnings);
+
+/// An object and how it is, for `inspect`.
+struct InspectedObject {
+  SceneObject object;
+  std::optional<MeshHealth> health;  ///< of meshes and height fields
+  bool solid = false;                ///< what a check takes it for
+  /// Contains the object in the world; exact but for shapes with a radius and compounds. None for a half-space, which
+  /// has no end, and where the pose is refused.
+  std::optional<Aabb> world_box;
+  std::string refusal;  ///< why no question can be asked about it where it is; else empty
+  /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
+  std::vector<VolumeCost> volumes{};
+  std::vector<PartitionCost> partitions{};  ///< what `measure_partitions` tells of its triangles, the same way
+  std::vector<MeshFault> faults{};          ///< what `mesh_faults` tells of its mesh, the same way
+};
+
+/// Everything that `inspect` tells about the object.
+[[nodiscard]] InspectedObject inspect(const SceneObject& object);
+
+/// "boundary_edges", "non_manifold_edges", "flipped_edges", "degenerate_triangles", "duplicate_triangles",
+/// "unused_vertices".
+[[nodiscard]] std::string name_of(MeshFaultKind kind);
+
+/// JSON by the schema docs/reference/inspect-report.md.
+[[nodiscard]] std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
+                                              std::span<const std::string> warnings);
+
+/// The sum of two convex objects, the first of which is A and the second B: `minkowski`. In the world.
+struct MinkowskiQuestion {
+  bool difference = false;      ///< A − B instead of A + B
+  bool hulls = false;           ///< meshes that are not convex stand for their convex hulls; else they are refused
+  std::optional<Vec3> point{};  ///< where it lies is asked too
+  friend bool operator==(const MinkowskiQuestion&, const MinkowskiQuestion&) = default;
+};
+
+struct MinkowskiReport {
+  MinkowskiQuestion question;
+  std::string a, b;  ///< names of the objects
+  MinkowskiSum sum;
+};
+
+/// "A + B" or "A − B".
+[[nodiscard]] std::string name_of(const MinkowskiQuestion& question);
+
+/// "inside", "boundary", "outside": of negative, zero and positive.
+[[nodiscard]] std::string name_of_side(Sign side);
+
+/// The sum as an object of that name.
+[[nodiscard]] SceneObject sum_object(const MinkowskiReport& report);
+
+/// JSON by the schema docs/reference/minkowski-report.md.
+[[nodiscard]] std::string minkowski_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                                const MinkowskiReport& report, std::span<const std::string> warnings);
+
+/// A point of the surface of a scene's object, which is told by its place in the scene.
+struct ReportedSurfacePoint {
+  SurfacePoint nearest;
+  Index object = 0;
+  /// When asked for: the side is that of the point, of the whole object; the distance is that of `nearest`, negative
+  /// inside.
+  std::optional<SignedDistance> signed_distance{};
+};
+
+/// A point that was asked about, and what is nearest to it, nearest first; none where nothing is within the greatest
+/// distance.
+struct ReportedPoint {
+  Vec3 point;
+  std::vector<ReportedSurfacePoint> nearest;
+  std::optional<SceneSignedDistance> in_scene{};  ///< of all objects together, when asked for
+};
+
+/// JSON by the schema toccata/nearest/1 of docs/reference/nearest-report.md. Doubles round-trip.
+[[nodiscard]] std::string nearest_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                              std::span<const ReportedPoint> points,
+                                              std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per point of a surface. `sides`: with the columns of the signed
+/// distances, empty where there is none.
+[[nodiscard]] std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points, bool sides);
+
+/// What `check --poses` found: an entry per query in each list.
+struct PosesReport {
+  std::vector<PairQuery> queries;  ///< as asked: with the objects' own poses
+  std::vector<Relation> relations;
+  std::vector<ContactCount> counts;                 ///< none when faces were not asked for
+  std::vector<Penetration> penetrations;            ///< none when not asked for
+  std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
+  Touching touching = Touching::count;
+  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< of the first queries, by `with_face_pairs`: for pages
+};
+
+/// The same with the faces that meet at each pose, which reports only count: in the order of the queries, for so many
+/// that there are at most `most` pairs of faces in all.
+[[nodiscard]] PosesReport with_face_pairs(PosesReport report, std::span<const SceneInstance> models, std::size_t most);
+
+/// How many of the queries found a contact.
+[[nodiscard]] std::size_t contact_count(const PosesReport& report);
+
+/// JSON by the schema toccata/check-poses/2 of docs/reference/check-report.md; `scene` holds A and then B. Doubles
+/// round-trip.
+[[nodiscard]] std::string poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                            const PosesReport& report, std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per query.
+[[nodiscard]] std::string poses_report_csv(const PosesReport& report);
+
+/// A ray at a scene: what it meets first, of the object at that place in the scene.
+struct ReportedRay {
+  RayQuery query;
+  RayHit hit;
+  Index object = 0;
+};
+
+/// JSON by the schema toccata/ray/1 of docs/reference/ray-report.md. Doubles round-trip.
+[[nodiscard]] std::string ray_report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                          std::span<const ReportedRay> rays, std::span<const std::string> warnings);
+
+/// Comma-separated values with a header line: a line per ray.
+[[nodiscard]] std::string ray_report_csv(const Scene& scene, std::span<const ReportedRay> rays);
 
 }  // namespace toccata

@@ -1,27 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "toccata/core/progress.hpp"
-#include "toccata/io/cost_report.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/io/crowd_report.hpp"
-#include "toccata/io/crowd_world_report.hpp"
-#include "toccata/io/decompose_report.hpp"
-#include "toccata/io/distance_report.hpp"
-#include "toccata/io/faces_report.hpp"
-#include "toccata/io/hierarchy_report.hpp"
-#include "toccata/io/inspect_report.hpp"
-#include "toccata/io/minkowski_report.hpp"
-#include "toccata/io/nearest_report.hpp"
-#include "toccata/io/poses_report.hpp"
-#include "toccata/io/ray_report.hpp"
 #include "toccata/io/report.hpp"
-#include "toccata/io/self_report.hpp"
+#include "toccata/shapes/scene.hpp"
 
 // What the command's subcommands ask about a scene, as values: they can be asked, written down with the scene
 // (case_file.hpp), and asked again. Lengths and points are in the world.
@@ -152,5 +143,52 @@ struct AskOptions {
 /// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
 /// `inspect`, `decompose` and `minkowski`, and of crowds.
 [[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
+
+}  // namespace toccata
+
+// A report in JSON that says what was asked (docs/reference/asked.md), so that the question can be asked again.
+namespace toccata {
+
+/// A file that was asked about.
+struct AskedFile {
+  std::string name;    ///< as it was given: a path, or "gen:…"
+  std::string digest;  ///< of what it held (`content_digest`)
+};
+
+/// What was asked about which files.
+struct Asked {
+  std::string folder;            ///< where relative names of files began; absolute
+  std::vector<AskedFile> files;  ///< none of a crowd
+  std::string unit{};            ///< of plain mesh files, as `metres_per_unit` takes it; empty: as the files say
+  double scale = 1;              ///< of all files; positive
+  std::optional<Pose> pose_a{};  ///< of everything in the first of two files; composed with what the file says
+  std::optional<Pose> pose_b{};  ///< of the second
+  std::optional<Solid> solid{};  ///< overrides what the files say
+  SceneQuestion question{};
+};
+
+/// 16 hexadecimal digits that tell apart objects of other names, shapes, poses, groups, taken for something else, or of
+/// a scene in another unit (`Scene::unit`): equal by chance for one in 2⁶⁴. Where a shape came from does not count.
+[[nodiscard]] std::string content_digest(std::span<const SceneObject> objects, const std::string& unit);
+
+/// The same of a scene with its tree of nodes, for a question about that.
+[[nodiscard]] std::string content_digest(const Scene& scene);
+
+/// The report that `report_json` made, with what was asked as its last member.
+[[nodiscard]] std::string with_asked(std::string report, const Asked& asked);
+
+/// A report from a file.
+struct SavedReport {
+  Asked asked;
+  std::vector<std::string> sources;  ///< of its objects, in their order
+  std::string answer;                ///< the whole report, as JSON
+};
+
+/// Whether the file is a JSON object with a "schema" of Toccata: a report, and neither a scene nor a case. Throws Error
+/// naming the file when it cannot be read or is no JSON.
+[[nodiscard]] bool is_report(const std::filesystem::path& path);
+
+/// Throws Error naming the file and the place in it; also for a report that does not say what was asked.
+[[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
 
 }  // namespace toccata

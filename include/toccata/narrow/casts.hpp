@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Straight casts: a point or a convex shape moves along a vector, and the first time at which it meets another is
 // asked.

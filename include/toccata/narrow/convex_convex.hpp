@@ -109,3 +109,123 @@ struct Manifold {
 [[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace = nullptr);
 
 }  // namespace toccata
+
+// The ways to the penetration of two convex shapes, each for itself. `penetration` chooses among them; they agree in
+// what they promise, and each is a test of the others. All throw Error when one of the shapes is a surface.
+namespace toccata {
+
+/// By expanding a polytope within the Minkowski difference of the cores (G. van den Bergen, "Proximity queries and
+/// penetration depth computation on 3D game objects", 2001), with exact signs: for shapes of any size. The width of
+/// [lower, upper] is at most 2^-40 · upper.
+[[nodiscard]] Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
+
+/// Do they have a point in common? By separating axes of polyhedra: the normals of the faces of both, and the cross
+/// products of those pairs of edges whose arcs cross on the Gauss map (D. Gregorius, "The Separating Axis Test between
+/// Convex Polyhedra", 2013; of two boxes the fifteen axes of S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996).
+/// Exact: where the rounded axes leave a doubt, and about radii, `overlap` decides. The axis kept in the workspace is
+/// tried first. The cost grows with the product of the numbers of edges.
+[[nodiscard]] bool overlap_by_separating_axes(const PosedPolytope& a, const PosedPolytope& b,
+                                              SimplexCache* workspace = nullptr);
+
+/// Penetration as the least overlap along one of these axes, without iteration. [lower, upper] is as narrow as that of
+/// `penetration_by_expansion`, which takes over where rounding makes the axes' bracket wider. Throws Error when one of
+/// the shapes is a surface.
+[[nodiscard]] Penetration penetration_by_separating_axes(const PosedPolytope& a, const PosedPolytope& b);
+
+}  // namespace toccata
+
+// The search of E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the distance between
+// complex objects in three-dimensional space", 1988, for itself: without formulas for single pairs of kinds, and in the
+// manner that is asked for. `distance` and `overlap` choose the manner themselves.
+namespace toccata {
+
+/// How the vertex that is the farthest along a direction is found.
+enum class GjkSupport : std::uint8_t {
+  automatic,      ///< the faster of the two for so many vertices, as measured
+  scan,           ///< all vertices are looked at, with vector instructions
+  hill_climbing,  ///< of a hull: along edges to ever farther neighbours, from the last vertex found; others are scanned
+};
+
+/// Whether the search aims along the nearest point so far, or farther ahead.
+enum class GjkAcceleration : std::uint8_t {
+  none,
+  /// With momentum, after L. Montaut, Q. Le Lidec, V. Petrik, J. Sivic, J. Carpentier, "Collision Detection
+  /// Accelerated: An Optimization Perspective", 2022. Goes on without where it stalls.
+  nesterov,
+};
+
+struct GjkOptions {
+  GjkSupport support = GjkSupport::automatic;
+  GjkAcceleration acceleration = GjkAcceleration::none;
+};
+
+/// What `overlap` and `distance` promise, holds here too; where these use a formula for the pair, other numbers of the
+/// same interval may be told. Every bit of the answers is the same whatever the options are; what they save is told by
+/// the counts of the workspace: `steps` and `heights`.
+[[nodiscard]] bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
+                                  SimplexCache* workspace = nullptr);
+[[nodiscard]] Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
+                                       SimplexCache* workspace = nullptr);
+
+}  // namespace toccata
+
+// Answers about (A, B) as the answers about (B, A).
+namespace toccata {
+
+[[nodiscard]] constexpr bool flipped(bool overlap) { return overlap; }
+
+[[nodiscard]] constexpr Containment flipped(Containment containment) {
+  if (containment == Containment::a_in_b) return Containment::b_in_a;
+  if (containment == Containment::b_in_a) return Containment::a_in_b;
+  return containment;
+}
+
+[[nodiscard]] constexpr Relation flipped(Relation r) {
+  return {r.kind, flipped(r.containment), r.side_unresolved, r.b_solid, r.a_solid, r.status};
+}
+
+[[nodiscard]] constexpr Distance flipped(const Distance& d) {
+  return {d.lower, d.upper, d.on_b, d.on_a, d.status, d.element_b, d.element_a, d.face_b, d.face_a};
+}
+
+[[nodiscard]] constexpr Penetration flipped(const Penetration& p) {
+  return {p.lower, p.upper, -p.direction, p.on_b, p.on_a, p.status};
+}
+
+[[nodiscard]] constexpr Manifold flipped(Manifold m) {
+  m.normal = -m.normal;
+  for (ManifoldPoint& point : m.points) point = {point.position, point.depth, point.on_b, point.on_a};
+  return m;
+}
+
+}  // namespace toccata
+
+// A half-space and a bounded convex shape, or two half-spaces.
+namespace toccata {
+
+/// A half-space at its place: all world points p with (p − point) · normal ≤ 0, for the world point and the rotated
+/// normal as rounded (docs/truth.md).
+struct PosedHalfSpace {
+  Vec3 point;
+  Vec3 normal;
+
+  /// Throws Error when the pose is not finite or deforms (as for a sphere), or a rounded number is not finite, or the
+  /// normal becomes zero.
+  explicit PosedHalfSpace(const HalfSpace& shape, const Pose& pose = {});
+};
+
+[[nodiscard]] bool overlap(const PosedPolytope& a, const PosedHalfSpace& b);
+[[nodiscard]] bool overlap(const PosedHalfSpace& a, const PosedHalfSpace& b);
+
+[[nodiscard]] Distance distance(const PosedPolytope& a, const PosedHalfSpace& b);
+[[nodiscard]] Distance distance(const PosedHalfSpace& a, const PosedHalfSpace& b);
+
+[[nodiscard]] Relation relation(const PosedPolytope& a, const PosedHalfSpace& b);
+[[nodiscard]] Relation relation(const PosedHalfSpace& a, const PosedHalfSpace& b);
+
+/// Throws Error when the convex shape is a surface.
+[[nodiscard]] Penetration penetration(const PosedPolytope& a, const PosedHalfSpace& b);
+
+[[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedHalfSpace& b);
+
+}  // namespace toccata

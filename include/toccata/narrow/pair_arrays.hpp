@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "toccata/narrow/capsule.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // Many pairs of simple shapes at once: pair i is the i-th of both arrays. The same answers as one by one, exact, with
 // vector instructions (core/simd.hpp).

@@ -6,8 +6,8 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
-#include "toccata/narrow/rigid_box.hpp"
-#include "toccata/shapes/hull_topology.hpp"
+#include "toccata/narrow/posed_shapes.hpp"
+#include "toccata/shapes/convex_hull.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata {

@@ -4,7 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/core/function_ref.hpp"
 
 namespace toccata {
 
@@ -84,5 +85,30 @@ class GridCells {
 extern template class GridCells<2>;
 extern template class GridCells<3>;
 extern template class GridCells<4>;
+
+/// The cells that a point is in while it moves straight from `from` to `to`, in order, each once; of D = 4 the last
+/// coordinate is the time. After J. Amanatides, A. Woo, "A fast voxel traversal algorithm for ray tracing", 1987, but
+/// which plane comes next is decided by exact signs: exactly these cells, also where the point passes through an edge
+/// or a corner of cells. There it is, for that moment, in the cell that holds the corner.
+///
+/// `found` returns whether to go on. Throws Error where an end is outside of the grid.
+template <std::size_t D>
+void walk_cells(const GridCells<D>& cells, const std::array<double, D>& from, const std::array<double, D>& to,
+                FunctionRef<bool(const GridCell<D>&)> found);
+
+/// A box whose sides move evenly, from `begin` at the time `from` to `end` at `until`.
+struct MovingBox {
+  Aabb begin;
+  Aabb end;
+  double from = 0;
+  double until = 1;
+};
+
+/// Throws Error when a number is not finite, a box has lower > upper, or from > until.
+void require_motion(const MovingBox& motion);
+
+/// In space and time: contains the box at all times from `from` to `until`, which lie within the motion's; larger than
+/// the least such box by rounding alone.
+[[nodiscard]] GridBox<4> swept(const MovingBox& motion, double from, double until);
 
 }  // namespace toccata

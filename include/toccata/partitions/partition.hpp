@@ -8,8 +8,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
-#include "toccata/core/index_pair.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 // Spatial decompositions (docs/methods/space-partitions.md): space-centric ones cut space, and an item is in every cell

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "toccata/partitions/grid_cells.hpp"
-#include "toccata/partitions/moving_box.hpp"
 #include "toccata/partitions/partition.hpp"
 
 namespace toccata {

@@ -5,16 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "toccata/core/progress.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/query/casts.hpp"
-#include "toccata/query/contact_regions.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "toccata/core/progress.hpp"
-#include "toccata/query/contact_regions.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/shapes/scene.hpp"
 
 namespace toccata {
 
@@ -74,5 +74,8 @@ struct CheckAnswer {
 /// and for a clearance that is no length or of models that are not there, of two models of one group, or of a pair that
 /// has another one.
 [[nodiscard]] CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options = {});
+
+/// The scene's objects ready for `check_all`, in the scene's order. Objects that share a mesh share one Model.
+[[nodiscard]] std::vector<SceneInstance> scene_models(const Scene& scene, int threads = 0);
 
 }  // namespace toccata

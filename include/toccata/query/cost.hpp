@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "toccata/core/progress.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/query/pair_query.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/builders.hpp"

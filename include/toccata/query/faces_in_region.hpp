@@ -8,7 +8,7 @@
 #include "toccata/bounds/ball.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/model.hpp"
-#include "toccata/query/workspace.hpp"
+#include "toccata/query/pair_query.hpp"
 
 namespace toccata {
 

@@ -5,7 +5,6 @@
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
 #include "toccata/query/pairs.hpp"
-#include "toccata/query/workspace.hpp"
 
 namespace toccata {
 

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/shapes/mesh_parts.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/bvh.hpp"
-#include "toccata/trees/refit.hpp"
 #include "toccata/trees/wide_bvh.hpp"
 
 namespace toccata {

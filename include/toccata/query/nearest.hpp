@@ -7,7 +7,7 @@
 #include "toccata/core/status.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/model.hpp"
-#include "toccata/query/workspace.hpp"
+#include "toccata/query/pair_query.hpp"
 
 namespace toccata {
 

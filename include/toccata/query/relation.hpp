@@ -3,7 +3,6 @@
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
-#include "toccata/query/workspace.hpp"
 
 namespace toccata {
 

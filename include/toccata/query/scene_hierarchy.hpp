@@ -29,7 +29,7 @@ struct SceneHierarchy {
 /// How a bad hierarchy is made better. The scene itself stays as it is.
 enum class Rebalance {
   /// All inner nodes are made anew from the objects' boxes, two children each, by the surface-area heuristic
-  /// (build_bvh in trees/build.hpp). None stands for a node of the scene.
+  /// (build_bvh in trees/builders.hpp). None stands for a node of the scene.
   rebuild,
   /// Nodes that are good stay, with what they stand for: those whose box is less than 0.8 of their parent's (by area)
   /// and shares less than a quarter with boxes beside it. Others, and those with a single child, give way to

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -11,7 +12,9 @@
 #include "toccata/query/casts.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/distance.hpp"
+#include "toccata/query/nearest.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 // Questions about many posed models at once. Each answer is what the question of that name gives for every one of them
 // by itself: those that it is not asked of are left out by their boxes, which loses nothing.
@@ -119,5 +122,42 @@ class SceneIndex {
   std::vector<SceneInstance> models_;
   BoxBvh boxes_;
 };
+
+}  // namespace toccata
+
+// Points asked about among many posed models, as `scene_models` makes them of a scene. Each model is placed once; for
+// a point only those are searched whose boxes are near enough. Errors about a model begin with its name.
+namespace toccata {
+
+/// A point of the surface of one of them.
+struct ScenePoint {
+  SurfacePoint nearest;
+  Index object = 0;  ///< index in the span
+  friend constexpr bool operator==(const ScenePoint&, const ScenePoint&) = default;
+};
+
+/// For each point what `nearest_points` tells, of the elements of all models: in the order of (upper, object, element).
+/// The same for any number of threads. Throws like it.
+[[nodiscard]] std::vector<std::vector<ScenePoint>> nearest_points_each(
+    std::span<const Vec3> points, std::size_t k, std::span<const SceneInstance> models,
+    double max_distance = std::numeric_limits<double>::infinity(), const BatchOptions& options = {});
+
+/// How far a point is from the nearest surface of all, negative when it is inside some model.
+struct SceneSignedDistance {
+  SignedDistance distance;
+  Index object = 0;  ///< whose surface is the nearest
+  /// The model that the point is inside of: the first of those that are told exactly, else the first by its generalised
+  /// winding number. Where the side is undecided, the first that may hold it.
+  std::optional<Index> inside_of;
+  friend bool operator==(const SceneSignedDistance&, const SceneSignedDistance&) = default;
+};
+
+/// For each point what `signed_distance` tells of the models as of one compound, whatever they are taken for (`solid`
+/// is not looked at); but of a point on a surface `sign_by` is that of the object whose surface it is. Throws like it,
+/// and Error where there is no model.
+[[nodiscard]] std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points,
+                                                                    std::span<const SceneInstance> models,
+                                                                    SignBy sign_by = SignBy::automatic,
+                                                                    const BatchOptions& options = {});
 
 }  // namespace toccata

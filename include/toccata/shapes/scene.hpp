@@ -7,7 +7,6 @@
 
 #include "toccata/core/index.hpp"
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/scaled_shape.hpp"
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 

@@ -9,22 +9,29 @@
 #include <variant>
 
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/box.hpp"
-#include "toccata/shapes/capsule.hpp"
-#include "toccata/shapes/cone.hpp"
 #include "toccata/shapes/convex_hull.hpp"
-#include "toccata/shapes/cylinder.hpp"
-#include "toccata/shapes/ellipsoid.hpp"
-#include "toccata/shapes/half_space.hpp"
 #include "toccata/shapes/height_field.hpp"
-#include "toccata/shapes/point.hpp"
-#include "toccata/shapes/rounded.hpp"
-#include "toccata/shapes/segment.hpp"
-#include "toccata/shapes/sphere.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
+
+/// A bounded convex shape of flat faces grown by a ball: all points within `radius` of the core. Solid. Its pose may
+/// not deform it (docs/truth.md). Around a point it is a sphere, around a segment a capsule.
+class Rounded {
+ public:
+  using Core = std::variant<Point, Segment, Triangle, Box, ConvexHull>;
+
+  /// Throws Error when the radius is not positive, or a number is not finite.
+  Rounded(Core core, double radius);
+
+  [[nodiscard]] const Core& core() const { return core_; }
+  [[nodiscard]] double radius() const { return radius_; }
+
+ private:
+  Core core_;
+  double radius_;
+};
 
 struct CompoundPart;
 
@@ -84,5 +91,17 @@ inline constexpr std::size_t shape_kind_count = std::variant_size_v<Shape>;
 /// "cylinder", "cone", "ellipsoid", "height field", "mesh", "compound": for messages and reports.
 [[nodiscard]] std::string_view name_of(ShapeKind kind);
 [[nodiscard]] std::string_view name_of(const Shape& shape);
+
+/// A pose may not deform it: a half-space, a shape with a radius, a compound with such a part (docs/truth.md). Units
+/// and uniform scales go into its own numbers, and for all others into the pose.
+[[nodiscard]] bool keeps_its_form(const Shape& shape);
+
+/// The shape `factor` times as large, for shapes that keep their form: every length and coordinate multiplied once. In
+/// a compound, the translations of the poses and, of parts that do not keep their form, the linear parts. Other shapes
+/// are returned as they are: scale their pose. Throws Error when a number overflows or a length becomes zero.
+[[nodiscard]] Shape scaled_in_itself(const Shape& shape, double factor);
+
+/// The triangles of a mesh or a height field; null for all other shapes.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> mesh_of(const Shape& shape);
 
 }  // namespace toccata

@@ -1,15 +1,42 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "toccata/core/index.hpp"
-#include "toccata/shapes/mesh_buffers.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
+
+/// Positions where a program keeps them: x, y and z in a row, the next ones `stride` bytes after. Refers to them.
+struct PositionBuffer {
+  PositionBuffer(const float* first_x, std::size_t how_many, std::size_t bytes = 3 * sizeof(float))
+      : floats(first_x), count(how_many), stride(bytes) {}
+  PositionBuffer(const double* first_x, std::size_t how_many, std::size_t bytes = 3 * sizeof(double))
+      : doubles(first_x), count(how_many), stride(bytes) {}
+
+  const float* floats = nullptr;  ///< one of the two
+  const double* doubles = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 0;
+};
+
+/// Corners of triangles, three a triangle, counted from 0: `{indices}` of a vector or span, or
+/// `{first, count}`. Refers to them.
+struct IndexBuffer {
+  IndexBuffer(std::span<const std::uint16_t> indices) : narrow(indices.data()), count(indices.size()) {}
+  IndexBuffer(std::span<const std::uint32_t> indices) : wide(indices.data()), count(indices.size()) {}
+  IndexBuffer(const std::uint16_t* first, std::size_t how_many) : narrow(first), count(how_many) {}
+  IndexBuffer(const std::uint32_t* first, std::size_t how_many) : wide(first), count(how_many) {}
+
+  const std::uint16_t* narrow = nullptr;  ///< one of the two
+  const std::uint32_t* wide = nullptr;
+  std::size_t count = 0;
+};
 
 /// Vertices and triangles that do not change after construction. Every triangle belongs to a face: the polygon of the
 /// file it was cut from, counted from 0 in the order of the file. Answers speak of these face numbers.
@@ -61,5 +88,13 @@ inline constexpr Index most_face_corners = 65536;
 /// area) is fanned from its first corner. Faces of fewer than three or of more than
 /// most_face_corners corners are an Error naming the face.
 [[nodiscard]] TriangleMesh triangulate(const PolygonMesh& polygons);
+
+/// The parts of a mesh: triangles that are connected through vertices, those of equal coordinates taken as one.
+struct MeshParts {
+  std::vector<Index> part_of_triangle;
+  std::vector<Index> first_triangle;  ///< the least of each part, ascending
+};
+
+[[nodiscard]] MeshParts mesh_parts(const TriangleMesh& mesh);
 
 }  // namespace toccata

@@ -15,7 +15,7 @@
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/output_file.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata {
 

@@ -5,7 +5,7 @@
 #include "io/formats/json.hpp"
 #include "io/formats/tree_bytes.hpp"
 #include "io/scenes/scene_json.hpp"
-#include "toccata/io/saved_report.hpp"
+#include "toccata/io/scene_question.hpp"
 
 namespace toccata {
 

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "math/constants.hpp"
-#include "toccata/core/suggestion.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata::io {
 namespace {

@@ -11,7 +11,7 @@
 #include "io/reports/report_parts.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "math/constants.hpp"
-#include "toccata/core/suggestion.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata::io {
 namespace {

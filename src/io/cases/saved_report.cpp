@@ -1,4 +1,4 @@
-#include "toccata/io/saved_report.hpp"
+#include "toccata/io/scene_question.hpp"
 
 #include <fmt/format.h>
 

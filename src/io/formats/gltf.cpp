@@ -12,7 +12,7 @@
 #include "io/formats/json_value.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 // glTF 2.0 (Khronos Group, "glTF 2.0 Specification", 2021). Read over the JSON itself: everything in such a file may be
 // wrong, so each number is checked where it is used, and nothing but shapes and poses is looked at.

@@ -12,7 +12,7 @@
 #include "io/formats/file_error.hpp"
 #include "io/formats/json_overflow.hpp"
 #include "io/formats/json_watch.hpp"
-#include "toccata/core/suggestion.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata::io {
 namespace {

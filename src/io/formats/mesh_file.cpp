@@ -1,4 +1,4 @@
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 
 #include <string>
 

@@ -1,7 +1,6 @@
 #include "toccata/io/model_file.hpp"
 
 #include "toccata/generate/meshes.hpp"
-#include "toccata/io/mesh_file.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/io/points_file.hpp"
+#include "toccata/io/query_files.hpp"
 
 #include <string>
 

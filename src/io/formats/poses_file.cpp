@@ -1,4 +1,4 @@
-#include "toccata/io/poses_file.hpp"
+#include "toccata/io/query_files.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "toccata/io/rays_file.hpp"
+#include "toccata/io/query_files.hpp"
 
 #include <string>
 

@@ -6,8 +6,8 @@
 #include "io/glb/glb_recordings.hpp"
 #include "io/view/drawn_cells.hpp"
 #include "io/view/recorded_boxes.hpp"
-#include "toccata/io/glb_file.hpp"
-#include "toccata/shapes/box.hpp"
+#include "toccata/io/pages.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/io/glb_file.hpp"
+#include "toccata/io/pages.hpp"
 
 #include "io/glb/glb_scene.hpp"
 #include "io/view/asked_poses.hpp"

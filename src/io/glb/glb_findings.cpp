@@ -7,7 +7,7 @@
 #include "io/view/contact_geometry.hpp"
 #include "io/view/drawn_faults.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 
 namespace toccata::io {
 namespace {

@@ -10,8 +10,8 @@
 #include "io/glb/glb_frame.hpp"
 #include "io/glb/glb_writer.hpp"
 #include "io/view/view_meshes.hpp"
+#include "toccata/io/pages.hpp"
 #include "toccata/io/scene_question.hpp"
-#include "toccata/io/view_page.hpp"
 #include "toccata/partitions/measure.hpp"
 
 namespace toccata::io {

@@ -4,7 +4,7 @@
 
 #include "io/glb/glb_recordings.hpp"
 #include "io/view/recorded_bodies.hpp"
-#include "toccata/io/glb_file.hpp"
+#include "toccata/io/pages.hpp"
 
 namespace toccata {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "toccata/generate/crowd_frames.hpp"
+#include "toccata/generate/crowds.hpp"
 
 namespace toccata::io {
 

@@ -15,8 +15,8 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
-#include "toccata/io/crowd_page.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/io/pages.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/io/crowd_world_report.hpp"
+#include "toccata/io/crowd_report.hpp"
 
 #include <chrono>
 
@@ -6,8 +6,8 @@
 #include "io/reports/report_parts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
-#include "toccata/generate/body_crowd.hpp"
-#include "toccata/io/world_page.hpp"
+#include "toccata/generate/crowds.hpp"
+#include "toccata/io/pages.hpp"
 #include "toccata/world/world.hpp"
 
 namespace toccata {

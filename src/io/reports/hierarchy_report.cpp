@@ -1,4 +1,4 @@
-#include "toccata/io/hierarchy_report.hpp"
+#include "toccata/io/report.hpp"
 
 #include "io/reports/report_parts.hpp"
 

@@ -1,4 +1,4 @@
-#include "toccata/io/inspect_report.hpp"
+#include "toccata/io/report.hpp"
 
 #include <array>
 #include <utility>

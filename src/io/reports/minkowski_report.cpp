@@ -1,4 +1,4 @@
-#include "toccata/io/minkowski_report.hpp"
+#include "toccata/io/report.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "toccata/io/nearest_report.hpp"
+#include "toccata/io/report.hpp"
 
 #include <fmt/format.h>
 

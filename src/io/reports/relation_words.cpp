@@ -1,4 +1,4 @@
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 
 namespace toccata {
 

@@ -13,9 +13,8 @@
 #include "io/formats/utf8.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata {

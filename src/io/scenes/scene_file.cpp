@@ -14,7 +14,6 @@
 #include "io/scenes/scene_shape.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/core/suggestion.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/scene_file.hpp"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "io/formats/number_rows.hpp"
-#include "toccata/core/suggestion.hpp"
-#include "toccata/math/rotation.hpp"
-#include "toccata/shapes/scaled_shape.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/math/pose.hpp"
+#include "toccata/shapes/shape.hpp"
 
 namespace toccata::io {
 namespace {

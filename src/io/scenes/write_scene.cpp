@@ -10,7 +10,7 @@
 #include "io/formats/json.hpp"
 #include "io/scenes/scene_json.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/mesh_file.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata {

@@ -1,4 +1,4 @@
-#include "toccata/io/crowd_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <fmt/format.h>
 

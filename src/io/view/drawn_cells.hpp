@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "toccata/broad/broad_phase_cells.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata::io {
 

@@ -1,7 +1,7 @@
 #include "io/view/drawn_scene.hpp"
 
 #include "io/view/asked_poses.hpp"
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 namespace toccata::io {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/view/drawn_faults.hpp"
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 #include "toccata/query/pairs.hpp"
 
 namespace toccata::io {

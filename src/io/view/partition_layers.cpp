@@ -11,7 +11,7 @@
 #include "io/view/counted.hpp"
 #include "io/view/quantised_boxes.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/partitions/levels.hpp"
+#include "toccata/partitions/measure.hpp"
 
 namespace toccata::io {
 namespace {

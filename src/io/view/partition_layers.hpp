@@ -6,7 +6,6 @@
 
 #include "io/formats/json.hpp"
 #include "io/view/view_data.hpp"
-#include "toccata/partitions/levels.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/check_all.hpp"
 

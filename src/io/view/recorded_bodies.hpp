@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/view/view_meshes.hpp"
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::io {

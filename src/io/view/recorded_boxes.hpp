@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/io/crowd_page.hpp"
+#include "toccata/io/pages.hpp"
 
 namespace toccata::io {
 

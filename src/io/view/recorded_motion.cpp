@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "toccata/core/error.hpp"
-#include "toccata/math/rotation.hpp"
+#include "toccata/math/pose.hpp"
 
 namespace toccata::io {
 namespace {

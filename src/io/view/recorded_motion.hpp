@@ -3,7 +3,7 @@
 #include "io/formats/json.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/view_data.hpp"
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 
 namespace toccata::io {
 

@@ -8,7 +8,7 @@
 #include "io/formats/json.hpp"
 #include "io/view/display_frame.hpp"
 #include "io/view/view_data.hpp"
-#include "toccata/io/hierarchy_report.hpp"
+#include "toccata/io/report.hpp"
 
 namespace toccata::io {
 

@@ -1,4 +1,4 @@
-#include "toccata/io/view_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <algorithm>
 
@@ -17,9 +17,7 @@
 #include "io/view/voronoi_layers.hpp"
 #include "io/view/voronoi_walk_layers.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/crowd_page.hpp"
 #include "toccata/io/output_file.hpp"
-#include "toccata/io/world_page.hpp"
 
 namespace toccata {
 

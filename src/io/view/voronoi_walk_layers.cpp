@@ -7,7 +7,7 @@
 #include "io/formats/utf8.hpp"
 #include "io/view/voronoi_layers.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 namespace toccata::io {
 namespace {

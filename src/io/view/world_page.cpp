@@ -1,4 +1,4 @@
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "io/view/view_data.hpp"
 #include "io/view/view_meshes.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/relation_words.hpp"
+#include "toccata/io/report.hpp"
 
 namespace toccata {
 

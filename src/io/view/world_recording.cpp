@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "toccata/core/error.hpp"
-#include "toccata/io/world_page.hpp"
+#include "toccata/io/pages.hpp"
 
 namespace toccata {
 namespace {

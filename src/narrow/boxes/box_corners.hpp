@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "toccata/math/pose.hpp"
-#include "toccata/shapes/box.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

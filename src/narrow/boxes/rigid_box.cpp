@@ -1,4 +1,4 @@
-#include "toccata/narrow/rigid_box.hpp"
+#include "toccata/narrow/posed_shapes.hpp"
 
 #include <cmath>
 

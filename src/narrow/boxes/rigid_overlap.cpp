@@ -9,7 +9,7 @@
 
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/primitives/closed_forms.hpp"
-#include "toccata/narrow/capsule.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // Nothing is said here unless both poses are rigid but for rounding (rigid_poses.hpp). The norm of RᵀR − I is below
 // δ = 2^-40.9 then, the roundings of the check included: R = U H with U orthogonal and |H − I| < δ / 2.

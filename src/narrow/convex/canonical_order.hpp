@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/flipped.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // The numbers of a pair are computed in one order of the two and exchanged for the other, so that both orders have the
 // same bits.

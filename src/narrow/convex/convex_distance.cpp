@@ -15,7 +15,7 @@
 #include "narrow/exact/within.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "toccata/narrow/gjk.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {

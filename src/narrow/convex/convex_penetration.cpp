@@ -1,4 +1,4 @@
-#include "toccata/narrow/convex_penetration.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 #include <optional>
 #include <string>

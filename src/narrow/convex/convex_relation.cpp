@@ -4,7 +4,6 @@
 #include "narrow/exact/exact_interior.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/flipped.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "toccata/narrow/convex_separating_axes.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "math/world_vertex.hpp"
 #include "narrow/convex/gjk_simplex.hpp"
 #include "narrow/convex/support_scan.hpp"
-#include "toccata/narrow/gjk.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // The search in doubles. What it finds is a guess; nearest_certificate.hpp proves it, or exact arithmetic takes over.
 namespace toccata {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "toccata/shapes/hull_topology.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/convex_hull.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // The topologies that many shapes have in common. They last for ever.
 namespace toccata {

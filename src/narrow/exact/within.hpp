@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Is the exact distance of two shapes at most `tolerance`, which is not negative? Exact, for all finite coordinates.
 namespace toccata {

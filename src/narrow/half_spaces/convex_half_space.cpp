@@ -1,4 +1,4 @@
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"

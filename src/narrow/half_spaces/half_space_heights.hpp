@@ -2,7 +2,7 @@
 
 #include "math/filter.hpp"
 #include "math/wide_integer.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 // Heights above the plane of a half-space, in units of its normal's length: what every question about one asks for.
 namespace toccata {

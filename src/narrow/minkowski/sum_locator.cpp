@@ -1,4 +1,4 @@
-#include "toccata/narrow/sum_locator.hpp"
+#include "toccata/narrow/minkowski.hpp"
 
 #include <cmath>
 #include <optional>

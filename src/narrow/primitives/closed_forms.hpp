@@ -6,7 +6,7 @@
 #include "narrow/primitives/nearness.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // Formulas for pairs of simple cores, each grown by a radius; `reach` is the sum of the radii. They answer in nearly
 // all cases; the rest is left to the search and to exact arithmetic.

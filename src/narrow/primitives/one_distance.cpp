@@ -13,7 +13,7 @@
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/one_lane.hpp"
-#include "toccata/narrow/capsule.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {

@@ -7,7 +7,7 @@
 #include "narrow/primitives/pair_kernels.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // Distances of pairs of simple cores, each grown by a radius, by formulas in doubles. Where these do not prove
 // themselves `upper` is NaN, and the general search answers. How they do: docs/design/primitive-distances.md. All have

@@ -1,10 +1,9 @@
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 #include "math/filter.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/convex_of.hpp"
 #include "narrow/primitives/closed_forms.hpp"
-#include "toccata/narrow/capsule.hpp"
 
 namespace toccata {
 namespace {

@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "math/wide_integer.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 namespace toccata {
 namespace {

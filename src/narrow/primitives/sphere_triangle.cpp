@@ -6,7 +6,7 @@
 
 #include "math/exact.hpp"
 #include "narrow/primitives/closed_forms.hpp"
-#include "toccata/narrow/sphere.hpp"
+#include "toccata/narrow/primitives.hpp"
 
 // Each way is written once, for any kind of number: in doubles it makes a guess, which is proved or not; in rationals
 // it is exact.

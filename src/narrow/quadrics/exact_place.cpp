@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "math/wide_integer.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "math/bounded_number.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

@@ -1,4 +1,4 @@
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "narrow/quadrics/distance/quadric_proof.hpp"
 #include "narrow/quadrics/exact_place.hpp"
 #include "narrow/quadrics/quadric_order.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

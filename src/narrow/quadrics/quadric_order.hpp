@@ -1,7 +1,7 @@
 #pragma once
 
-#include "toccata/narrow/flipped.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

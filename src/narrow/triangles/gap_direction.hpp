@@ -1,7 +1,7 @@
 #pragma once
 
 #include "narrow/triangles/triangle_gaps.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

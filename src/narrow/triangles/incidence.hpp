@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "toccata/math/predicates.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

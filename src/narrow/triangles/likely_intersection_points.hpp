@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 // Coordinates of the point in which two features meet, from numbers of 106 bits with a bound on what they are off by.
 // Nearly always that proves how the exact point rounds (A. Ziv, "Fast evaluation of elementary mathematical functions

@@ -4,7 +4,7 @@
 
 #include "math/filter.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

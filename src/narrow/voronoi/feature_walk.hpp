@@ -7,7 +7,7 @@
 #include "math/world_vertex.hpp"
 #include "narrow/voronoi/region_parts.hpp"
 #include "toccata/math/pose.hpp"
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 namespace toccata {
 

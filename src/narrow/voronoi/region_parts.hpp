@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "toccata/narrow/voronoi_regions.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 namespace toccata {
 

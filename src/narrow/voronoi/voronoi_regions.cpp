@@ -1,4 +1,4 @@
-#include "toccata/narrow/voronoi_regions.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "toccata/narrow/voronoi_walk.hpp"
+#include "toccata/narrow/voronoi.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "narrow/voronoi/feature_proof.hpp"
 #include "narrow/voronoi/walk_start.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/gjk.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {

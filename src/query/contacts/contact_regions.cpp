@@ -1,4 +1,4 @@
-#include "toccata/query/contact_regions.hpp"
+#include "toccata/query/contacts.hpp"
 
 #include <algorithm>
 #include <array>

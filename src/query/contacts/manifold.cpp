@@ -2,7 +2,7 @@
 
 #include "query/ask.hpp"
 #include "query/contacts/part_contacts.hpp"
-#include "toccata/narrow/quadric_manifold.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -8,7 +8,7 @@
 #include "toccata/core/function_ref.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/cost.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata {

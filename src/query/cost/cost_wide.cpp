@@ -6,7 +6,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/workspace.hpp"
+#include "toccata/query/pair_query.hpp"
 #include "trees/oriented_boxes.hpp"
 
 namespace toccata {

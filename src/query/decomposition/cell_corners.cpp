@@ -7,8 +7,8 @@
 
 #include "math/vec3_measures.hpp"
 #include "query/decomposition/exact_polygon.hpp"
-#include "toccata/query/inside.hpp"
 #include "toccata/query/nearest.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
-#include "toccata/bounds/principal_axes.hpp"
+#include "toccata/bounds/obb.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {

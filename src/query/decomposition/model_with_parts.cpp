@@ -1,9 +1,9 @@
-#include "toccata/query/model_with_parts.hpp"
+#include "toccata/query/convex_parts.hpp"
 
 #include <cmath>
 
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {

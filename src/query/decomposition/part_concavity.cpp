@@ -10,8 +10,8 @@
 #include "narrow/primitives/closed_forms.hpp"
 #include "query/decomposition/hull_sides.hpp"
 #include "query/decomposition/solid_piece.hpp"
-#include "toccata/query/inside.hpp"
 #include "toccata/query/relation.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 namespace toccata {
 namespace {

@@ -19,7 +19,7 @@
 #include "query/meshes/world_search.hpp"
 #include "query/nearest/nearest_elements.hpp"
 #include "query/nearest/nearest_triangles.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 namespace {

@@ -5,7 +5,7 @@
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/query/contacts.hpp"
 #include "trees/near_walk.hpp"
 
 // Distances of a posed mesh or height field (docs/methods/mesh-distance.md). Elements and faces are those of the

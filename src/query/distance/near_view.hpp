@@ -2,7 +2,7 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "trees/near_walk.hpp"
 
 namespace toccata {

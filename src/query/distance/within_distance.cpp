@@ -1,4 +1,4 @@
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/distance.hpp"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include "query/inside/inside_interval.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/predicates.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -6,7 +6,7 @@
 #include "query/inside/inside_winding.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

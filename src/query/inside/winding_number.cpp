@@ -1,4 +1,4 @@
-#include "toccata/query/winding_number.hpp"
+#include "toccata/query/signed_distance.hpp"
 
 #include <fmt/format.h>
 

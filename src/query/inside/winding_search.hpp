@@ -4,7 +4,7 @@
 
 #include "query/inside/winding_entry.hpp"
 #include "query/meshes/posed_mesh.hpp"
-#include "toccata/query/winding_number.hpp"
+#include "toccata/query/signed_distance.hpp"
 #include "trees/winding_moments.hpp"
 
 namespace toccata {

@@ -2,7 +2,7 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/function_ref.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 

@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "query/search_scratch.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/nearest.hpp"
 
 namespace toccata {

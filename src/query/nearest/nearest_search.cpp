@@ -7,7 +7,7 @@
 
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "query/ask.hpp"
 #include "query/penetration/solid_penetration.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

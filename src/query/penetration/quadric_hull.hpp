@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 
 namespace toccata {

@@ -9,7 +9,7 @@
 #include "query/penetration/quadric_hull.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

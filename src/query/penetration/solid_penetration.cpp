@@ -11,7 +11,7 @@
 #include "query/penetration/solid_body.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"

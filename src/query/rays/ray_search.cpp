@@ -9,7 +9,7 @@
 #include "query/keep_least.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_casts.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

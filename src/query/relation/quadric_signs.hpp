@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // What is known of a triangle or a point and a shape: of all shapes but quadrics everything.
 namespace toccata {

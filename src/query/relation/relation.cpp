@@ -10,8 +10,8 @@
 #include "query/relation/relation_posed.hpp"
 #include "query/relation/relation_solids.hpp"
 #include "query/relation/relation_unions.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
-#include "toccata/query/flipped.hpp"
+#include "toccata/narrow/quadrics.hpp"
+#include "toccata/query/contacts.hpp"
 
 namespace toccata {
 namespace {

@@ -8,7 +8,7 @@
 #include "query/meshes/posed_mesh.hpp"
 #include "shapes/union_find.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata {

@@ -9,7 +9,7 @@
 #include "query/relation/relation_cells.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "query/inside/inside_point.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "query/meshes/posed_mesh.hpp"
-#include "toccata/narrow/convex_half_space.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/quadrics.hpp"
 #include "toccata/query/relation.hpp"
 
 // A solid mesh and a shape that some of its triangles meet, `contacts`, ascending. What each was taken for is left to

@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "math/constants.hpp"
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 #include "toccata/trees/walk.hpp"
 
 namespace toccata {

@@ -5,7 +5,7 @@
 
 #include "math/exact.hpp"
 #include "query/inside/inside_interval.hpp"
-#include "toccata/shapes/triangle.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 

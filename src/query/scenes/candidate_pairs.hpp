@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/broad/box_pairs.hpp"
+#include "toccata/broad/broad_phase.hpp"
 
 namespace toccata {
 

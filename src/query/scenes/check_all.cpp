@@ -21,7 +21,7 @@
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
-#include "toccata/query/within_distance.hpp"
+#include "toccata/query/distance.hpp"
 
 namespace toccata {
 namespace {

@@ -12,9 +12,9 @@
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/relation.hpp"
-#include "toccata/query/within_distance.hpp"
 
 namespace toccata {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "toccata/broad/box_bvh.hpp"
 #include "toccata/core/function_ref.hpp"
+#include "toccata/query/pair_query.hpp"
 #include "toccata/query/scene_index.hpp"
-#include "toccata/query/workspace.hpp"
 
 // The questions of SceneIndex about models that somebody keeps, numbered as their boxes are in a tree. An error about
 // one of them begins with its name.

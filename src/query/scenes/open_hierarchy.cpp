@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "toccata/trees/build.hpp"
+#include "toccata/trees/builders.hpp"
 
 namespace toccata {
 

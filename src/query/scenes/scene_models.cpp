@@ -1,4 +1,4 @@
-#include "toccata/query/scene_models.hpp"
+#include "toccata/query/check_all.hpp"
 
 #include <map>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "toccata/query/scene_nearest.hpp"
+#include "toccata/query/scene_index.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "toccata/narrow/quadric_casts.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // For those who ask many for the first: what is certainly later than `limit` of the way (0 to 1) need not be told.
 namespace toccata {

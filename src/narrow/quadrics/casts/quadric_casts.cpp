@@ -1,4 +1,4 @@
-#include "toccata/narrow/quadric_casts.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 #include <cmath>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "narrow/quadrics/number_vector.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

@@ -1,4 +1,4 @@
-#include "toccata/narrow/quadric_manifold.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "narrow/quadrics/contact/quadric_separation.hpp"
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/quadric_order.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
 
 // Both shapes have a patch along the normal: a face, a line or a point. What the patches have in common, seen along it,
 // is the region of contact, and up to four points of its boundary stand for it.

@@ -9,7 +9,7 @@
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
 #include "narrow/quadrics/quadric_order.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

@@ -5,8 +5,8 @@
 #include "math/vec3_measures.hpp"
 #include "narrow/quadrics/distance/shape_places.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
-#include "toccata/shapes/point.hpp"
+#include "toccata/narrow/quadrics.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 

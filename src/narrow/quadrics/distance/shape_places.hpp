@@ -1,7 +1,7 @@
 #pragma once
 
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/posed_quadric.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 // The points that stand out of a shape, in the world, rounded: where whole numbers put it, they are whole.
 namespace toccata {

@@ -1,11 +1,10 @@
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "narrow/quadrics/distance/quadric_proof.hpp"
 #include "narrow/quadrics/inside/quadric_foot.hpp"
-#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "narrow/convex/vertices_of.hpp"
 #include "narrow/quadrics/distance/quadric_proof.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -1,7 +1,7 @@
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
 #include "narrow/quadrics/inside/quadric_containment.hpp"
 #include "narrow/quadrics/quadric_order.hpp"
-#include "toccata/narrow/quadric_penetration.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

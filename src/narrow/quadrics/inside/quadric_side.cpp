@@ -4,7 +4,7 @@
 
 #include "narrow/quadrics/exact_place.hpp"
 #include "narrow/quadrics/inside/unit_frame.hpp"
-#include "toccata/narrow/quadric_boundary.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "math/vec3_measures.hpp"
-#include "toccata/math/symmetric_eigen.hpp"
+#include "toccata/math/mat3.hpp"
 
 namespace toccata {
 namespace {
