@@ -314,11 +314,11 @@ function insideOf(report: Report, name: string | null): Part[] {
 
 const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/world/2': ofWorld,
-  'toccata/check/1': ofPairs,
-  'toccata/check-poses/1': ofPoses,
-  'toccata/check-self/1': ofSelf,
+  'toccata/check/2': ofPairs,
+  'toccata/check-poses/2': ofPoses,
+  'toccata/check-self/2': ofSelf,
   'toccata/distance/1': ofDistances,
-  'toccata/distance-poses/1': ofPoses,
+  'toccata/distance-poses/2': ofPoses,
   'toccata/ray/1': ofRays,
   'toccata/faces/1': ofFaces,
   'toccata/nearest/1': ofPoints,
