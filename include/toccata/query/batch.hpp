@@ -22,7 +22,7 @@ namespace toccata {
 // of the least such i.
 
 struct BatchOptions {
-  int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
+  int threads = all_threads;
   Progress progress{};
   /// None, or one for each query or pair: where its search ended. A caller who asks about the same ones step by step
   /// keeps them; that saves time, and changes no answer. Throws Error when there are more or fewer.
