@@ -24,13 +24,13 @@ int main() {
 
   // A bullet that flies 900 m/s covers 15 m in a frame; it is a ball of 4 mm that moves.
   const MovingShape bullet{{.model = Sphere(0.004), .pose = Pose::translation(0, -2, 0)}, {15, 0, 0}};
-  if (const std::optional<BodyCast> hit = queries.cast_shape(bullet))
+  if (const std::optional<BodyAnswer<ShapeHit>> hit = queries.cast_shape(bullet))
     std::printf("the bullet meets the %s at x = %.3f; normal.x is %g\n", name_of_body(hit->body), hit->point.x,
                 hit->normal.x);  // the normal points at the bullet
 
   // A ray for the line of sight, through everybody: sorted by where it meets them.
   const Ray sight{{0, 0, 0}, {15, 0, 0}};
-  for (const BodyRayHit& hit : queries.cast_ray_through(sight))
+  for (const BodyAnswer<RayHit>& hit : queries.cast_ray_through(sight))
     std::printf("line of sight: %s, after %.0f %% of the way\n", name_of_body(hit.body), 100 * hit.upper);
 
   // The same, asked of scenery alone.

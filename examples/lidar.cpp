@@ -31,12 +31,12 @@ int main() {
     }
 
   // On all cores; the answers do not depend on how many there are.
-  const std::vector<std::optional<ObjectRayHit>> hits = index.cast_ray_each(rays);
+  const std::vector<std::optional<ObjectAnswer<RayHit>>> hits = index.cast_ray_each(rays);
 
   std::vector<int> count(yard.size());
   std::vector<double> nearest(yard.size(), range);
   int misses = 0;
-  for (const std::optional<ObjectRayHit>& hit : hits) {
+  for (const std::optional<ObjectAnswer<RayHit>>& hit : hits) {
     if (!hit) {
       ++misses;  // proved: nothing is there
       continue;
@@ -49,6 +49,6 @@ int main() {
   std::printf("%-10s %5d rays\n", "nothing", misses);
 
   // What lies behind the first thing: one ray through everything.
-  for (const ObjectRayHit& hit : index.cast_ray_through({{-10, 0, 1}, {30, 0, -0.5}}))
+  for (const ObjectAnswer<RayHit>& hit : index.cast_ray_through({{-10, 0, 1}, {30, 0, -0.5}}))
     std::printf("the test ray enters the %s at x = %.2f\n", yard[hit.object].name.c_str(), hit.point.x);
 }

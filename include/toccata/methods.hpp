@@ -49,7 +49,6 @@
 #include "toccata/query/distance_cache.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/scene_hierarchy.hpp"
-#include "toccata/query/scene_index.hpp"
 #include "toccata/trees/builders.hpp"
 #include "toccata/trees/bvh.hpp"
 #include "toccata/trees/walk.hpp"

@@ -82,7 +82,7 @@ class OwnBounds {
     std::span<const Aabb> boxes;
     std::span<const std::uint8_t> marks;  ///< by number
     std::uint8_t changed;                 ///< the mark of those that differ from the last update's
-    int threads = 1;
+    int threads = own_thread;
   };
   /// Of the pairs of boxes, which it keeps, those that overlap themselves, in the memory of `storage`. Pairs of two
   /// that have not changed are asked of those before.

@@ -18,7 +18,7 @@ struct BoxesNow {
   std::span<const Index>
       changed;  ///< the numbers whose boxes are not those of the last update, in any order, each once
   std::span<const IndexPair> before;  ///< the pairs of the last update
-  int threads = 1;
+  int threads = own_thread;
   /// What is not wanted may be left out of the pairs. Only of those that are shown one set of boxes.
   const PairFilter* wanted = nullptr;
   bool is_only = false;  ///< no other update will follow

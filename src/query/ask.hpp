@@ -39,6 +39,11 @@ constexpr bool table_defines(ShapeQuestion question, ShapeClass a, ShapeClass b)
   return false;
 }
 
+/// The table defines the question for the two models' shapes.
+inline bool is_defined(ShapeQuestion question, const Model& a, const Model& b) {
+  return pair_cell(question, kind_of(a.shape()), kind_of(b.shape())).state == PairState::defined;
+}
+
 /// Throws Error, with the reason, unless the table defines the question for the two kinds.
 inline void require_answered(ShapeQuestion question, ShapeKind a, ShapeKind b) {
   const PairCell cell = pair_cell(question, a, b);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "query/scenes/task_reporter.hpp"
@@ -42,21 +43,22 @@ inline void require_one_each(std::span<const SimplexCache> kept, std::size_t cou
                             noun == "query" ? "queries" : fmt::format("{}s", noun)));
 }
 
-/// `ask(question, workspace)` for every question. After a failure only earlier questions are still asked, one of which
-/// may fail as well: so the error that is told, as "<noun> i: …", does not depend on timing.
-template <class Answer, class Question, class Ask>
-std::vector<Answer> ask_each(std::span<const Question> questions, std::string_view noun, const BatchOptions& options,
-                             const Ask& ask) {
-  require_one_each(options.warm_start, questions.size(), noun);
-  std::vector<Answer> answers(questions.size());
-  TaskReporter reporter(options.progress, questions.size());
+/// `ask(i, workspace)` for every question i of so many. After a failure only earlier questions are still asked, one of
+/// which may fail as well: so the error that is told, as "<noun> i: …", does not depend on timing.
+template <class Ask>
+auto ask_each(std::size_t count, std::string_view noun, const BatchOptions& options, const Ask& ask) {
+  using Answer = std::invoke_result_t<const Ask&, std::size_t, Workspace&>;
+  static_assert(!std::is_same_v<Answer, bool>, "the threads write neighbours: bytes, and no bits");
+  require_one_each(options.warm_start, count, noun);
+  std::vector<Answer> answers(count);
+  TaskReporter reporter(options.progress, count);
   WorkspacePool workspaces;
   std::atomic<std::size_t> first_failure = std::numeric_limits<std::size_t>::max();
   const auto answer = [&](std::size_t i, Workspace& workspace) {
     if (reporter.cancelled() || i > first_failure) return;
     try {
       if (!options.warm_start.empty()) workspace.scratch().convex = options.warm_start[i];
-      answers[i] = ask(questions[i], workspace);
+      answers[i] = ask(i, workspace);
       if (!options.warm_start.empty()) options.warm_start[i] = workspace.scratch().convex;
     } catch (const Error& error) {
       lower_to(first_failure, i);
@@ -64,14 +66,21 @@ std::vector<Answer> ask_each(std::span<const Question> questions, std::string_vi
     }
     reporter.finished_one();
   };
-  const std::size_t length = row_length(questions.size(), options.threads);
-  parallel_for((questions.size() + length - 1) / length, options.threads, [&](std::size_t row) {
+  const std::size_t length = row_length(count, options.threads);
+  parallel_for((count + length - 1) / length, options.threads, [&](std::size_t row) {
     workspaces.with([&](Workspace& workspace) {
-      const std::size_t end = std::min(questions.size(), (row + 1) * length);
+      const std::size_t end = std::min(count, (row + 1) * length);
       for (std::size_t i = row * length; i < end; ++i) answer(i, workspace);
     });
   });
   return answers;
+}
+
+/// `ask(question, workspace)` for every question.
+template <class Question, class Ask>
+auto ask_each(std::span<const Question> questions, std::string_view noun, const BatchOptions& options, const Ask& ask) {
+  return ask_each(questions.size(), noun, options,
+                  [&](std::size_t i, Workspace& workspace) { return ask(questions[i], workspace); });
 }
 
 /// `ask(points, answers, workspace)` for rows of points, each on one thread, for questions that are faster when some

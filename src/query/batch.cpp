@@ -25,100 +25,11 @@ ContactCount count_of(std::span<const Contact> contacts, std::vector<std::pair<I
   return {triangle_pairs, static_cast<std::size_t>(last - faces.begin())};
 }
 
-// The questions, each of two models, a query about them and a workspace. Every one is asked in two forms.
-
-struct AskOverlapOfModels {
-  using Answer = char;  // and no bit, because the threads write neighbours
-  char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return overlap(a, b, query, workspace) ? 1 : 0;
-  }
-};
-
-struct AskRelationOfModels {
-  using Answer = Relation;
-  Relation operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return relation(a, b, query, workspace);
-  }
-};
-
-struct AskContactsOfModels {
-  using Answer = std::vector<Contact>;
-  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    const auto found = contacts(a, b, query, workspace);
-    return {found.begin(), found.end()};
-  }
-};
-
-struct AskContactCountOfModels {
-  using Answer = ContactCount;
-  ContactCount operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return count_of(contacts(a, b, query, workspace), workspace.scratch().faces);
-  }
-};
-
-struct AskContactRegionsOfModels {
-  using Answer = std::vector<ContactRegion>;
-  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return contact_regions(a, b, query, workspace);
-  }
-};
-
-struct AskDistanceOfModels {
-  using Answer = Distance;
-  Distance operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return distance(a, b, query, workspace);
-  }
-};
-
-struct AskWithinDistanceOfModels {
-  using Answer = char;
-  char operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return within_distance(a, b, tolerance, query, workspace) ? 1 : 0;
-  }
-  double tolerance;
-};
-
-struct AskDistanceWithinOfModels {
-  using Answer = std::optional<Distance>;
-  Answer operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return distance_within(a, b, limit, query, workspace);
-  }
-  double limit;
-};
-
-struct AskPenetrationOfModels {
-  using Answer = Penetration;
-  Penetration operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return penetration(a, b, query, workspace);
-  }
-};
-
-struct AskManifoldOfModels {
-  using Answer = Manifold;
-  Manifold operator()(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) const {
-    return manifold(a, b, query, workspace);
-  }
-};
-
-struct AskCastOfModels {
-  using Answer = ShapeHit;
-  ShapeHit operator()(const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) const {
-    return cast_shape(a, query.motion, b, query.poses, workspace);
-  }
-};
-
-template <class Ask, class Query>
-std::vector<typename Ask::Answer> ask_at_poses(const Model& a, const Model& b, std::span<const Query> queries,
-                                               const BatchOptions& options, const Ask& ask = {}) {
-  return ask_each<typename Ask::Answer>(
-      queries, "query", options, [&](const Query& query, Workspace& workspace) { return ask(a, b, query, workspace); });
-}
-
-template <class Ask, class Pair>
-std::vector<typename Ask::Answer> ask_of_pairs(std::span<const Pair> pairs, const BatchOptions& options,
-                                               const Ask& ask = {}) {
-  return ask_each<typename Ask::Answer>(pairs, "pair", options, [&](const Pair& pair, Workspace& workspace) {
-    return ask(pair.a, pair.b, pair.query, workspace);
+/// `ask(a, b, query, workspace)` for every pair.
+template <class Query, class Ask>
+auto ask_pairs(const Batch<Query>& batch, const BatchOptions& options, const Ask& ask) {
+  return ask_each(batch.size(), batch.noun(), options, [&](std::size_t i, Workspace& workspace) {
+    return ask(batch.a(i), batch.b(i), batch.query(i), workspace);
   });
 }
 
@@ -168,125 +79,77 @@ std::vector<RayHit> hits_of(const RaySearch& search, const std::vector<PreparedR
   return hits;
 }
 
-std::vector<bool> as_bits(const std::vector<char>& bytes) { return {bytes.begin(), bytes.end()}; }
-
 }  // namespace
 
-std::vector<bool> overlap_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                               const BatchOptions& options) {
-  return as_bits(ask_at_poses<AskOverlapOfModels>(a, b, queries, options));
+std::vector<std::uint8_t> overlap_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) { return std::uint8_t{overlap(question...)}; });
 }
 
-std::vector<bool> overlap_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return as_bits(ask_of_pairs<AskOverlapOfModels>(pairs, options));
+std::vector<Relation> relation_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) { return relation(question...); });
 }
 
-std::vector<Relation> relation_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                    const BatchOptions& options) {
-  return ask_at_poses<AskRelationOfModels>(a, b, queries, options);
+std::vector<std::vector<Contact>> contacts_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) {
+    const auto found = contacts(question...);
+    return std::vector<Contact>(found.begin(), found.end());
+  });
 }
 
-std::vector<Relation> relation_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskRelationOfModels>(pairs, options);
+std::vector<ContactCount> count_contacts_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+    return count_of(contacts(a, b, query, workspace), workspace.scratch().faces);
+  });
 }
 
-std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                                const BatchOptions& options) {
-  return ask_at_poses<AskContactsOfModels>(a, b, queries, options);
-}
-
-std::vector<std::vector<Contact>> contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskContactsOfModels>(pairs, options);
-}
-
-std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                              const BatchOptions& options) {
-  return ask_at_poses<AskContactCountOfModels>(a, b, queries, options);
-}
-
-std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskContactCountOfModels>(pairs, options);
-}
-
-std::vector<std::vector<ContactRegion>> contact_regions_each(const Model& a, const Model& b,
-                                                             std::span<const PairQuery> queries,
+std::vector<std::vector<ContactRegion>> contact_regions_each(const Batch<PairQuery>& batch,
                                                              const BatchOptions& options) {
-  return ask_at_poses<AskContactRegionsOfModels>(a, b, queries, options);
+  return ask_pairs(batch, options, [](auto&... question) { return contact_regions(question...); });
 }
 
-std::vector<std::vector<ContactRegion>> contact_regions_each(std::span<const ModelPair> pairs,
-                                                             const BatchOptions& options) {
-  return ask_of_pairs<AskContactRegionsOfModels>(pairs, options);
+std::vector<Distance> distance_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) { return distance(question...); });
 }
 
-std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                    const BatchOptions& options) {
-  return ask_at_poses<AskDistanceOfModels>(a, b, queries, options);
+std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double tolerance,
+                                               const BatchOptions& options) {
+  return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+    return std::uint8_t{within_distance(a, b, tolerance, query, workspace)};
+  });
 }
 
-std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskDistanceOfModels>(pairs, options);
-}
-
-std::vector<bool> within_distance_each(const Model& a, const Model& b, double tolerance,
-                                       std::span<const PairQuery> queries, const BatchOptions& options) {
-  return as_bits(ask_at_poses(a, b, queries, options, AskWithinDistanceOfModels{tolerance}));
-}
-
-std::vector<bool> within_distance_each(std::span<const ModelPair> pairs, double tolerance,
-                                       const BatchOptions& options) {
-  return as_bits(ask_of_pairs(pairs, options, AskWithinDistanceOfModels{tolerance}));
-}
-
-std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
-                                                          std::span<const PairQuery> queries,
+std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch, double limit,
                                                           const BatchOptions& options) {
-  return ask_at_poses(a, b, queries, options, AskDistanceWithinOfModels{limit});
+  return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+    return distance_within(a, b, limit, query, workspace);
+  });
 }
 
-std::vector<std::optional<Distance>> distance_within_each(std::span<const ModelPair> pairs, double limit,
-                                                          const BatchOptions& options) {
-  return ask_of_pairs(pairs, options, AskDistanceWithinOfModels{limit});
+std::vector<Penetration> penetration_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) { return penetration(question...); });
 }
 
-std::vector<Penetration> penetration_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                          const BatchOptions& options) {
-  return ask_at_poses<AskPenetrationOfModels>(a, b, queries, options);
+std::vector<Manifold> manifold_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](auto&... question) { return manifold(question...); });
 }
 
-std::vector<Penetration> penetration_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskPenetrationOfModels>(pairs, options);
-}
-
-std::vector<Manifold> manifold_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                    const BatchOptions& options) {
-  return ask_at_poses<AskManifoldOfModels>(a, b, queries, options);
-}
-
-std::vector<Manifold> manifold_each(std::span<const ModelPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskManifoldOfModels>(pairs, options);
-}
-
-std::vector<ShapeHit> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
-                                      const BatchOptions& options) {
-  return ask_at_poses<AskCastOfModels>(a, b, queries, options);
-}
-
-std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options) {
-  return ask_of_pairs<AskCastOfModels>(pairs, options);
+std::vector<ShapeHit> cast_shape_each(const Batch<CastQuery>& batch, const BatchOptions& options) {
+  return ask_pairs(batch, options, [](const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) {
+    return cast_shape(a, query.motion, b, query.poses, workspace);
+  });
 }
 
 std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
   require_one_each(options.warm_start, queries.size(), "query");
   if (const std::unique_ptr<const RaySearch> common = common_search(queries, target))
     return hits_of(*common, prepared(queries), options);
-  return ask_each<RayHit>(queries, "query", options, [&](const RayQuery& query, Workspace&) {
+  return ask_each(queries, "query", options, [&](const RayQuery& query, Workspace&) {
     return cast_ray(query.origin, query.motion, target, query.pose, query.solid);
   });
 }
 
 std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
-  return ask_each<RayHit>(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
+  return ask_each(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
     const RayQuery& query = pair.query;
     return cast_ray(query.origin, query.motion, pair.target, query.pose, query.solid);
   });
@@ -305,7 +168,7 @@ std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3>
                                                            const Model& surface, const NearestQuery& query,
                                                            const BatchOptions& options) {
   const NearestSearch search(surface, query, points.size());
-  return ask_each<std::vector<SurfacePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+  return ask_each(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
     return search.nearest(point, k, workspace.scratch());
   });
 }

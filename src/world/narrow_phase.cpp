@@ -7,11 +7,11 @@
 
 #include "narrow/exact/within.hpp"
 #include "query/ask_each.hpp"
+#include "query/contacts/part_contacts.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
-#include "toccata/query/pairs.hpp"
 
 namespace toccata {
 namespace {
@@ -22,15 +22,6 @@ PairQuery query_of(const Body& a, const Body& b) { return {a.pose, b.pose, a.sol
 Workspace& cleared(Workspace& workspace) {
   workspace.scratch().convex = {};
   return workspace;
-}
-
-bool is_defined(ShapeQuestion question, const Body& a, const Body& b) {
-  return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
-}
-
-bool has_penetration(const Body& a, const Body& b, const Relation& relation) {
-  return relation.a_solid && relation.b_solid && is_defined(ShapeQuestion::penetration, a, b) &&
-         may_be_parted(pose_model(a.model, a.pose, a.solid, "a"), pose_model(b.model, b.pose, b.solid, "b"));
 }
 
 /// How many pairs before its turn a body is fetched: those of greater index lie anywhere.
@@ -113,11 +104,10 @@ PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contac
     const auto found = contacts(a.model, b.model, query, workspace);
     details.contacts.assign(found.begin(), found.end());
   }
-  if (options_.manifold && is_defined(ShapeQuestion::manifold, a, b))
-    details.manifold = manifold(a.model, b.model, query, workspace);
+  if (options_.manifold) details.manifold = manifold_where_defined(a.model, b.model, query, workspace);
   if (options_.penetration) {
     const Relation lie = details.relation ? *details.relation : relation(a.model, b.model, query, workspace);
-    if (has_penetration(a, b, lie)) details.penetration = penetration(a.model, b.model, query, workspace);
+    details.penetration = penetration_where_defined(a.model, b.model, query, lie, workspace);
   }
   return details;
 }

@@ -165,8 +165,12 @@ TEST(Allocation, ABatchAllocatesNoMoreForMoreQueries) {
   const auto count = [&](std::size_t queries) {
     const std::vector<PairQuery> poses(queries, m.meeting);
     const BatchOptions options{.threads = 1};
-    return std::array{allocations_of([&] { static_cast<void>(overlap_each(m.ring, m.ball, poses, options)); }),
-                      allocations_of([&] { static_cast<void>(count_contacts_each(m.ring, m.ball, poses, options)); })};
+    return std::array{allocations_of([&] {
+                        static_cast<void>(overlap_each({m.ring, m.ball, poses}, options));
+                      }),
+                      allocations_of([&] {
+                        static_cast<void>(count_contacts_each({m.ring, m.ball, poses}, options));
+                      })};
   };
   static_cast<void>(count(1));  // what the models find out once
   EXPECT_EQ(count(10), count(40));

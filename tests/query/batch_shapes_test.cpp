@@ -58,13 +58,13 @@ void expect_as_single(const Each& each, const Single& single, bool solid) {
     ASSERT_EQ(of_pairs.size(), pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
       ASSERT_EQ(of_pairs[i], single(pairs[i].a, pairs[i].b, pairs[i].query)) << "pair " << i;
-    const auto of_poses = each(passage.a, passage.b, passage.queries, options);
+    const auto of_poses = each(Batch<PairQuery>(passage.a, passage.b, passage.queries), options);
     ASSERT_EQ(of_poses.size(), passage.queries.size());
     for (std::size_t i = 0; i < of_poses.size(); ++i)
       ASSERT_EQ(of_poses[i], single(passage.a, passage.b, passage.queries[i])) << "query " << i;
   }
   EXPECT_TRUE(each(std::vector<ModelPair>{}, BatchOptions{}).empty());
-  EXPECT_TRUE(each(passage.a, passage.b, std::vector<PairQuery>{}, BatchOptions{}).empty());
+  EXPECT_TRUE(each(Batch<PairQuery>(passage.a, passage.b, {}), BatchOptions{}).empty());
 }
 
 #define TOCCATA_BOTH_FORMS(question) [](const auto&... given) { return question(given...); }
@@ -132,7 +132,7 @@ TEST(BatchOfShapes, Casts) {
   }
   for (const int threads : {1, 2, 4}) {
     const BatchOptions options{.threads = threads};
-    const auto by_pose = cast_shape_each(passage.a, passage.b, moves, options);
+    const auto by_pose = cast_shape_each({passage.a, passage.b, moves}, options);
     const auto by_pair = cast_shape_each(moving, options);
     const auto rays_by_pose = cast_ray_each(rays, passage.a, options);
     EXPECT_EQ(cast_ray_each(shot, options), rays_by_pose);
@@ -175,12 +175,14 @@ TEST(BatchOfShapes, AnErrorNamesTheLeastOfThePairsOrQueriesThatAreWrong) {
     EXPECT_TRUE(error_of([&] { (void)penetration_each(pairs, options); }).starts_with("pair 457: model b"));
     EXPECT_TRUE(error_of([&] { (void)distance_each(pairs, options); }).starts_with("pair 457: model b"));
     EXPECT_TRUE(error_of([&] {
-                  (void)cast_shape_each(Sphere(1), Box({1, 1, 1}), casts, options);
+                  (void)cast_shape_each({Sphere(1), Box({1, 1, 1}), casts}, options);
                 }).starts_with("query 457: "));
     EXPECT_TRUE(error_of([&] { (void)cast_ray_each(rays, Sphere(1), options); }).starts_with("query 457: "));
   }
   const Model ground(HalfSpace({0, 0, 0}, {0, 0, 1}));
-  EXPECT_NE(error_of([&] { (void)cast_shape_each(ground, ground, std::vector<CastQuery>(3)); }).find("query 0: cast"),
+  EXPECT_NE(error_of([&] {
+              (void)cast_shape_each({ground, ground, std::vector<CastQuery>(3)});
+            }).find("query 0: cast"),
             std::string::npos);
 }
 

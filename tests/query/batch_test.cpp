@@ -34,10 +34,10 @@ TEST(Batch, AnswersAsTheSingleQuestionsForAnyNumberOfThreads) {
   const std::vector<PairQuery> queries = random_queries(3, 60);
   for (const int threads : {1, 2, 5}) {
     const BatchOptions options{.threads = threads};
-    const auto overlaps = overlap_each(a, b, queries, options);
-    const auto relations = relation_each(a, b, queries, options);
-    const auto found = contacts_each(a, b, queries, options);
-    const auto counts = count_contacts_each(a, b, queries, options);
+    const auto overlaps = overlap_each({a, b, queries}, options);
+    const auto relations = relation_each({a, b, queries}, options);
+    const auto found = contacts_each({a, b, queries}, options);
+    const auto counts = count_contacts_each({a, b, queries}, options);
     std::size_t hits = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
       SCOPED_TRACE("query " + std::to_string(i) + ", threads " + std::to_string(threads));
@@ -56,9 +56,9 @@ TEST(Batch, AnswersAsTheSingleQuestionsForAnyNumberOfThreads) {
 TEST(Batch, SolidsAreTakenAsEachQuerySays) {
   const Model box(test::box_between({0, 0, 0}, {1, 1, 1})), small(test::box_between({0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}));
   const std::vector<PairQuery> queries{{}, {.solid_a = Solid::none}};
-  EXPECT_EQ(overlap_each(box, small, queries), (std::vector<bool>{true, false}));
-  EXPECT_EQ(relation_each(box, small, queries)[0].containment, Containment::b_in_a);
-  EXPECT_EQ(relation_each(box, small, queries)[1].kind, RelationKind::apart);
+  EXPECT_EQ(overlap_each({box, small, queries}), (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_EQ(relation_each({box, small, queries})[0].containment, Containment::b_in_a);
+  EXPECT_EQ(relation_each({box, small, queries})[1].kind, RelationKind::apart);
 }
 
 TEST(Batch, FacesAreCountedOnce) {
@@ -68,13 +68,13 @@ TEST(Batch, FacesAreCountedOnce) {
   square.first = {0, 4};
   const Model quad(triangulate(square)),
       blade(TriangleMesh({{0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.7, 0.9, 0}}, {{0, 1, 2}}));
-  EXPECT_EQ(count_contacts_each(quad, blade, std::vector<PairQuery>(1)), (std::vector<ContactCount>{{2, 1}}));
+  EXPECT_EQ(count_contacts_each({quad, blade, std::vector<PairQuery>(1)}), (std::vector<ContactCount>{{2, 1}}));
 }
 
 TEST(Batch, NothingAsked) {
   const Model a = soup(1);
-  EXPECT_TRUE(overlap_each(a, a, {}).empty());
-  EXPECT_TRUE(count_contacts_each(a, a, {}).empty());
+  EXPECT_TRUE(overlap_each({a, a, {}}).empty());
+  EXPECT_TRUE(count_contacts_each({a, a, {}}).empty());
 }
 
 TEST(Batch, AnErrorNamesTheLeastQueryThatIsWrong) {
@@ -85,7 +85,7 @@ TEST(Batch, AnErrorNamesTheLeastQueryThatIsWrong) {
   queries[31].pose_a.linear[0].x = std::numeric_limits<double>::quiet_NaN();
   for (const int threads : {1, 2, 4}) {
     try {
-      (void)overlap_each(a, a, queries, {.threads = threads});
+      (void)overlap_each({a, a, queries}, {.threads = threads});
       FAIL() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).substr(0, 17), "query 7: model b:");
@@ -102,11 +102,11 @@ TEST(Batch, ProgressIsToldAndMayCancel) {
     last = done;
     EXPECT_EQ(total, queries.size());
   };
-  (void)overlap_each(a, a, queries, {.threads = 2, .progress = count});
+  (void)overlap_each({a, a, queries}, {.threads = 2, .progress = count});
   EXPECT_EQ(calls, queries.size());
   EXPECT_EQ(last, queries.size());
   const auto cancel = [](std::size_t, std::size_t) { throw std::runtime_error("enough"); };
-  EXPECT_THROW((void)overlap_each(a, a, queries, {.threads = 2, .progress = cancel}), std::runtime_error);
+  EXPECT_THROW((void)overlap_each({a, a, queries}, {.threads = 2, .progress = cancel}), std::runtime_error);
 }
 
 }  // namespace

@@ -98,8 +98,8 @@ TEST(CheckShapes, ManyPosesOfAShapeAndAMesh) {
   const std::vector<PairQuery> queries = {{.pose_b = Pose::translation(0, 0, 1.5)},
                                           {.pose_b = Pose::translation(0, 0, 2)},
                                           {.pose_b = Pose::translation(0, 0, 2.5)}};
-  EXPECT_EQ(overlap_each(cube, Sphere{1}, queries), (std::vector<bool>{true, true, false}));
-  const std::vector<ContactCount> counts = count_contacts_each(cube, Sphere{1}, queries);
+  EXPECT_EQ(overlap_each({cube, Sphere{1}, queries}), (std::vector<std::uint8_t>{1, 1, 0}));
+  const std::vector<ContactCount> counts = count_contacts_each({cube, Sphere{1}, queries});
   EXPECT_GT(counts[0].triangle_pairs, 0U);
   EXPECT_EQ(counts[2], ContactCount{});
 }

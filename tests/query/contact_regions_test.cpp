@@ -108,8 +108,8 @@ TEST(ContactRegions, OfManyPosesAreThoseOfEach) {
     queries.push_back({.pose_a = standing(0.02 * i), .pose_b = {}});
     pairs.push_back({floor, legs, {.pose_a = {}, .pose_b = standing(0.02 * i)}});
   }
-  const auto of_poses = contact_regions_each(legs, floor, queries, {.threads = 3});
-  EXPECT_EQ(of_poses, contact_regions_each(legs, floor, queries, {.threads = 1}));
+  const auto of_poses = contact_regions_each({legs, floor, queries}, {.threads = 3});
+  EXPECT_EQ(of_poses, contact_regions_each({legs, floor, queries}, {.threads = 1}));
   const auto of_pairs = contact_regions_each(pairs, {.threads = 3});
   ASSERT_EQ(of_pairs.size(), pairs.size());
   std::size_t regions = 0;

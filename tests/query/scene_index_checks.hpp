@@ -113,30 +113,30 @@ class OneByOne {
   OneByOne(const std::vector<SceneInstance>& objects, ObjectFilter filter)
       : objects_(objects), filter_(std::move(filter)) {}
 
-  [[nodiscard]] std::vector<ObjectRayHit> ray_hits(const Ray& ray) const {
-    std::vector<ObjectRayHit> all;
+  [[nodiscard]] std::vector<ObjectAnswer<RayHit>> ray_hits(const Ray& ray) const {
+    std::vector<ObjectAnswer<RayHit>> all;
     each([&](Index i, const SceneInstance& object) {
       const RayHit hit = cast_ray(ray.origin, ray.motion, object.model, object.pose, object.solid);
       if (hit.hit) all.push_back({hit, i});
     });
-    std::sort(all.begin(), all.end(), [](const ObjectRayHit& a, const ObjectRayHit& b) {
+    std::sort(all.begin(), all.end(), [](const ObjectAnswer<RayHit>& a, const ObjectAnswer<RayHit>& b) {
       return std::tie(a.upper, a.object) < std::tie(b.upper, b.object);
     });
     return all;
   }
-  [[nodiscard]] std::optional<ObjectCast> cast(const MovingShape& moving) const {
-    std::vector<ObjectCast> all;
+  [[nodiscard]] std::optional<ObjectAnswer<ShapeHit>> cast(const MovingShape& moving) const {
+    std::vector<ObjectAnswer<ShapeHit>> all;
     each([&](Index i, const SceneInstance& object) {
       const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, object.model, query_of(moving.shape, object));
       if (hit.hit) all.push_back({hit, i});
     });
     return first_of(all);
   }
-  [[nodiscard]] std::vector<ObjectRelation> relations(const SceneInstance& shape) const {
-    std::vector<ObjectRelation> all;
+  [[nodiscard]] std::vector<ObjectAnswer<Relation>> relations(const SceneInstance& shape) const {
+    std::vector<ObjectAnswer<Relation>> all;
     each([&](Index i, const SceneInstance& object) {
       const Relation found = relation(shape.model, object.model, query_of(shape, object));
-      if (found.kind != RelationKind::apart) all.push_back({i, found});
+      if (found.kind != RelationKind::apart) all.push_back({found, i});
     });
     return all;
   }
@@ -147,8 +147,8 @@ class OneByOne {
     });
     return all;
   }
-  [[nodiscard]] std::optional<ObjectDistance> nearest(const SceneInstance& shape, double limit) const {
-    std::vector<ObjectDistance> all;
+  [[nodiscard]] std::optional<ObjectAnswer<Distance>> nearest(const SceneInstance& shape, double limit) const {
+    std::vector<ObjectAnswer<Distance>> all;
     each([&](Index i, const SceneInstance& object) {
       const PairQuery query = query_of(shape, object);
       if (within_distance(shape.model, object.model, limit, query))
@@ -202,7 +202,7 @@ inline std::string crowd_fault(const QuestionedCrowd& crowd, bool convex, Random
   const SceneInstance shape = posed_in_crowd(crowd.family, convex ? convex_in_crowd(random) : shape_in_crowd(random),
                                              1.5 * crowd.spread, random);
   const Ray ray{shape.pose.offset, way_in_crowd(crowd.family, 3 * crowd.spread, random)};
-  const std::vector<ObjectRayHit> hits = expected.ray_hits(ray);
+  const std::vector<ObjectAnswer<RayHit>> hits = expected.ray_hits(ray);
   if (crowd.index.cast_ray(ray, filter) != first_of(hits)) return "cast_ray";
   if (crowd.index.cast_ray_through(ray, filter) != hits) return "cast_ray_through";
   const MovingShape moving{shape, ray.motion};

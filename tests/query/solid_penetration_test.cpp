@@ -151,8 +151,8 @@ TEST(SolidPenetrations, OfManyPosesAndThreadsAreTheSame) {
   for (const double x : {1.0625, 1.125, 5.0}) queries.push_back({.pose_b = Pose::translation(x, 0.125, 0.25)});
   std::vector<Penetration> single;
   for (const PairQuery& query : queries) single.push_back(penetration(gear, box, query));
-  EXPECT_EQ(penetration_each(gear, box, queries, {.threads = 1}), single);
-  EXPECT_EQ(penetration_each(gear, box, queries, {.threads = 3}), single);
+  EXPECT_EQ(penetration_each({gear, box, queries}, {.threads = 1}), single);
+  EXPECT_EQ(penetration_each({gear, box, queries}, {.threads = 3}), single);
   test::at_every_simd_level([&](SimdLevel) { EXPECT_EQ(penetration(gear, box, queries[1]), single[1]); });
 }
 

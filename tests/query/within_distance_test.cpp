@@ -133,8 +133,8 @@ TEST(WithinDistance, AskedForManyIsTheSame) {
     queries.push_back({.pose_b = Pose::translation(0, 0, 0.2 * i)});
     pairs.push_back({a, b, queries.back()});
   }
-  const std::vector<bool> close = within_distance_each(a, b, 0.5, queries, {.threads = 2});
-  const auto near = distance_within_each(a, b, 0.5, queries, {.threads = 2});
+  const std::vector<std::uint8_t> close = within_distance_each({a, b, queries}, 0.5, {.threads = 2});
+  const auto near = distance_within_each({a, b, queries}, 0.5, {.threads = 2});
   EXPECT_EQ(within_distance_each(pairs, 0.5), close);
   EXPECT_EQ(distance_within_each(pairs, 0.5), near);
   for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(WithinDistance, RefusesWhatIsNoLength) {
     EXPECT_THROW(static_cast<void>(distance_within(ball, ball, wrong)), Error);
   }
   try {
-    static_cast<void>(within_distance_each(ball, ball, -2, std::vector<PairQuery>(3)));
+    static_cast<void>(within_distance_each({ball, ball, std::vector<PairQuery>(3)}, -2));
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "query 0: tolerance is -2; it has to be a length of 0 or more");

@@ -99,9 +99,9 @@ class QuestionedWorld {
     };
     const SceneInstance shape = random_posed(1.5 * spread_, random);
     const Ray ray{shape.pose.offset, way_in_crowd(family_, 3 * spread_, random)};
-    const std::vector<ObjectRayHit> hits = expected.ray_hits(ray);
+    const std::vector<ObjectAnswer<RayHit>> hits = expected.ray_hits(ray);
     if (!same(queries_.cast_ray(ray, filter), first_of(hits))) return "cast_ray";
-    const std::vector<BodyRayHit> through = queries_.cast_ray_through(ray, filter);
+    const std::vector<BodyAnswer<RayHit>> through = queries_.cast_ray_through(ray, filter);
     if (through.size() != hits.size()) return "cast_ray_through";
     for (std::size_t i = 0; i < hits.size(); ++i)
       if (!same(std::optional(through[i]), std::optional(hits[i]))) return "cast_ray_through";
@@ -109,11 +109,11 @@ class QuestionedWorld {
     const bool is_bounded = kind_of(shape.model.shape()) != ShapeKind::half_space;  // two half-spaces are refused
     if (is_bounded && !same(queries_.cast_shape(moving, filter), expected.cast(moving))) return "cast_shape";
     if (!same_ids(queries_.overlapping(shape, filter), expected.overlapping(shape))) return "overlapping";
-    const std::vector<ObjectRelation> relations = expected.relations(shape);
-    const std::vector<BodyRelation> related = queries_.relations(shape, filter);
+    const std::vector<ObjectAnswer<Relation>> relations = expected.relations(shape);
+    const std::vector<BodyAnswer<Relation>> related = queries_.relations(shape, filter);
     if (related.size() != relations.size()) return "relations";
     for (std::size_t i = 0; i < related.size(); ++i)
-      if (!(related[i] == BodyRelation{ids[relations[i].object], relations[i].relation})) return "relations";
+      if (!(related[i] == BodyAnswer<Relation>{relations[i], ids[relations[i].object]})) return "relations";
     for (const double limit : {HUGE_VAL, crowd_place(family_).size}) {
       if (!same(queries_.nearest(shape, limit, filter), expected.nearest(shape, limit))) return "nearest";
       if (!same_ids(queries_.within(shape, limit, filter), expected.within(shape, limit))) return "within";

@@ -97,7 +97,7 @@ TEST(WorldQueries, AreAskedFromTwoThreadsAtOnce) {
   const World world = row_of_balls();
   const WorldQueries queries(world);
   const SceneInstance point{Model(Point({1.5, 0, 0})), {}};
-  std::vector<std::optional<BodyDistance>> found(2);
+  std::vector<std::optional<BodyAnswer<Distance>>> found(2);
   {
     std::vector<std::jthread> threads;
     for (auto& answer : found)

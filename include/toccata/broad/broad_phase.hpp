@@ -13,6 +13,7 @@
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/core/parallel.hpp"
 
 namespace toccata {
 
@@ -75,7 +76,7 @@ enum class BroadPhaseMethod {
 
 struct BroadPhaseOptions {
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
-  int threads = 1;       ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+  int threads = own_thread;
   double hash_cell = 2;  ///< of `spatial_hash`: the side of its cells, in usual boxes. Finite and positive, else Error
 };
 

@@ -33,7 +33,7 @@ struct CrowdQuestion {
   std::size_t frames = 60;                                             ///< at least one
   std::vector<BroadPhaseMethod> methods{BroadPhaseMethod::automatic};  ///< one after the other; at least one
   std::uint64_t seed = 1;
-  int threads = 1;  ///< times compare with each other so; 0: as many as there are. From 0 to 1024
+  int threads = own_thread;  ///< times compare with each other so. From 0 to 1024
   CrowdBounds bounds = CrowdBounds::boxes;
 };
 
@@ -68,7 +68,7 @@ struct CrowdWorldQuestion {
   std::size_t frames = 60;      ///< steps that are timed, at least one
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
   std::uint64_t seed = 1;
-  int threads = 1;  ///< times compare with each other so; 0: as many as there are. From 0 to 1024
+  int threads = own_thread;  ///< times compare with each other so. From 0 to 1024
 };
 
 struct CrowdWorldReport {

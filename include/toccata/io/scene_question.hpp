@@ -118,7 +118,7 @@ using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceR
                                  DecomposeReport, MinkowskiReport, CrowdWorldReport>;
 
 struct AskOptions {
-  int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
+  int threads = all_threads;
   Progress progress{};
 };
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "toccata/core/parallel.hpp"
@@ -22,7 +25,7 @@ namespace toccata {
 // of the least such i.
 
 struct BatchOptions {
-  int threads = 0;  ///< 0: as many as the machine has; the answer does not depend on it
+  int threads = all_threads;
   Progress progress{};
   /// None, or one for each query or pair: where its search ended. A caller who asks about the same ones step by step
   /// keeps them; that saves time, and changes no answer. Throws Error when there are more or fewer.
@@ -30,10 +33,38 @@ struct BatchOptions {
 };
 
 /// An entry of an array of pairs. A Model is cheap to copy: copies share what is large.
-struct ModelPair {
+template <class Query>
+struct PairOf {
   Model a;
   Model b;
-  PairQuery query{};
+  Query query{};
+};
+
+using ModelPair = PairOf<PairQuery>;
+
+/// What is asked about: two models for many queries, `distance_each({a, b, queries})`, or an array of pairs,
+/// `distance_each(pairs)`. The queries or pairs are referred to.
+template <class Query>
+class Batch {
+ public:
+  Batch(Model a, Model b, std::span<const Query> queries)
+      : models_{{std::move(a), std::move(b)}}, queries_(queries), count_(queries.size()) {}
+  template <class Pairs>
+  requires std::convertible_to<const Pairs&, std::span<const PairOf<Query>>> Batch(const Pairs& pairs)
+      : pairs_(pairs), count_(pairs_.size()) {}
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] const Model& a(std::size_t i) const { return models_ ? models_->first : pairs_[i].a; }
+  [[nodiscard]] const Model& b(std::size_t i) const { return models_ ? models_->second : pairs_[i].b; }
+  [[nodiscard]] const Query& query(std::size_t i) const { return models_ ? queries_[i] : pairs_[i].query; }
+  /// What an error calls one of them.
+  [[nodiscard]] const char* noun() const { return models_ ? "query" : "pair"; }
+
+ private:
+  std::optional<std::pair<Model, Model>> models_{};
+  std::span<const Query> queries_{};
+  std::span<const PairOf<Query>> pairs_{};
+  std::size_t count_ = 0;
 };
 
 /// How many triangles, and how many faces of the files, meet. A face that was cut into triangles meets a face once,
@@ -44,58 +75,28 @@ struct ContactCount {
   friend constexpr bool operator==(const ContactCount&, const ContactCount&) = default;
 };
 
-[[nodiscard]] std::vector<bool> overlap_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                             const BatchOptions& options = {});
-[[nodiscard]] std::vector<bool> overlap_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
+/// 1 where they have a point in common, else 0.
+[[nodiscard]] std::vector<std::uint8_t> overlap_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
+[[nodiscard]] std::vector<Relation> relation_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
 
-[[nodiscard]] std::vector<Relation> relation_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                                  const BatchOptions& options = {});
-[[nodiscard]] std::vector<Relation> relation_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
-
-[[nodiscard]] std::vector<std::vector<Contact>> contacts_each(const Model& a, const Model& b,
-                                                              std::span<const PairQuery> queries,
+[[nodiscard]] std::vector<std::vector<Contact>> contacts_each(const Batch<PairQuery>& batch,
                                                               const BatchOptions& options = {});
-[[nodiscard]] std::vector<std::vector<Contact>> contacts_each(std::span<const ModelPair> pairs,
-                                                              const BatchOptions& options = {});
-
 /// The contacts counted and not kept.
-[[nodiscard]] std::vector<ContactCount> count_contacts_each(const Model& a, const Model& b,
-                                                            std::span<const PairQuery> queries,
+[[nodiscard]] std::vector<ContactCount> count_contacts_each(const Batch<PairQuery>& batch,
                                                             const BatchOptions& options = {});
-[[nodiscard]] std::vector<ContactCount> count_contacts_each(std::span<const ModelPair> pairs,
-                                                            const BatchOptions& options = {});
-
-[[nodiscard]] std::vector<std::vector<ContactRegion>> contact_regions_each(const Model& a, const Model& b,
-                                                                           std::span<const PairQuery> queries,
-                                                                           const BatchOptions& options = {});
-[[nodiscard]] std::vector<std::vector<ContactRegion>> contact_regions_each(std::span<const ModelPair> pairs,
+[[nodiscard]] std::vector<std::vector<ContactRegion>> contact_regions_each(const Batch<PairQuery>& batch,
                                                                            const BatchOptions& options = {});
 
-[[nodiscard]] std::vector<Distance> distance_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                                  const BatchOptions& options = {});
-[[nodiscard]] std::vector<Distance> distance_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
-
-[[nodiscard]] std::vector<bool> within_distance_each(const Model& a, const Model& b, double tolerance,
-                                                     std::span<const PairQuery> queries,
-                                                     const BatchOptions& options = {});
-[[nodiscard]] std::vector<bool> within_distance_each(std::span<const ModelPair> pairs, double tolerance,
-                                                     const BatchOptions& options = {});
-
-[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Model& a, const Model& b, double limit,
-                                                                        std::span<const PairQuery> queries,
-                                                                        const BatchOptions& options = {});
-[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(std::span<const ModelPair> pairs, double limit,
+[[nodiscard]] std::vector<Distance> distance_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
+/// 1 where they are at most so far from each other, else 0.
+[[nodiscard]] std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double tolerance,
+                                                             const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch, double limit,
                                                                         const BatchOptions& options = {});
 
-[[nodiscard]] std::vector<Penetration> penetration_each(const Model& a, const Model& b,
-                                                        std::span<const PairQuery> queries,
+[[nodiscard]] std::vector<Penetration> penetration_each(const Batch<PairQuery>& batch,
                                                         const BatchOptions& options = {});
-[[nodiscard]] std::vector<Penetration> penetration_each(std::span<const ModelPair> pairs,
-                                                        const BatchOptions& options = {});
-
-[[nodiscard]] std::vector<Manifold> manifold_each(const Model& a, const Model& b, std::span<const PairQuery> queries,
-                                                  const BatchOptions& options = {});
-[[nodiscard]] std::vector<Manifold> manifold_each(std::span<const ModelPair> pairs, const BatchOptions& options = {});
+[[nodiscard]] std::vector<Manifold> manifold_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
 
 /// A question for `cast_shape`: A moves by `motion` (world), from where `poses` places it.
 struct CastQuery {
@@ -103,15 +104,9 @@ struct CastQuery {
   PairQuery poses{};
 };
 
-struct CastPair {
-  Model a;
-  Model b;
-  CastQuery query;
-};
+using CastPair = PairOf<CastQuery>;
 
-[[nodiscard]] std::vector<ShapeHit> cast_shape_each(const Model& a, const Model& b, std::span<const CastQuery> queries,
-                                                    const BatchOptions& options = {});
-[[nodiscard]] std::vector<ShapeHit> cast_shape_each(std::span<const CastPair> pairs, const BatchOptions& options = {});
+[[nodiscard]] std::vector<ShapeHit> cast_shape_each(const Batch<CastQuery>& batch, const BatchOptions& options = {});
 
 /// A question for `cast_ray`: from `origin` to `origin + motion` (world), at a target where `pose` places it.
 struct RayQuery {

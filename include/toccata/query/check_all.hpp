@@ -58,8 +58,8 @@ struct CheckOptions {
   /// (within_distance), and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};  ///< instead of it (or of 0), for some pairs; one length for each
-  int threads = 0;                               ///< 0: as many as the machine has; the answer does not depend on it
-  Progress progress{};                           ///< told the pairs of overlapping boxes that are done
+  int threads = all_threads;
+  Progress progress{};  ///< told the pairs of overlapping boxes that are done
 };
 
 struct CheckAnswer {
@@ -76,6 +76,6 @@ struct CheckAnswer {
 [[nodiscard]] CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options = {});
 
 /// The scene's objects ready for `check_all`, in the scene's order. Objects that share a mesh share one Model.
-[[nodiscard]] std::vector<SceneInstance> scene_models(const Scene& scene, int threads = 0);
+[[nodiscard]] std::vector<SceneInstance> scene_models(const Scene& scene, int threads = all_threads);
 
 }  // namespace toccata

@@ -21,7 +21,7 @@ struct DecompositionOptions {
   /// In units of the mesh, at least 0. A part is not cut further, and two are made one, while no point of the hull is
   /// farther than this from the solid. 0: only parts that are convex are left as they are.
   double concavity = 0;
-  int threads = 1;  ///< 0: as many as the machine has; the parts do not depend on it
+  int threads = own_thread;
   Progress progress{};
 };
 

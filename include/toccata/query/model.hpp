@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
@@ -44,17 +45,17 @@ concept NeedAModel = ShapeOfAModel<A> || ShapeOfAModel<B>;
 /// part after the other; any other shape is one element, of number 0. Faces are counted likewise.
 class Model {
  public:
-  /// The tree is built on up to `threads` threads (0: as many as the machine has); it does not depend on them. Throws
-  /// Error when the mesh has more triangles than a tree holds (2²⁸).
-  explicit Model(TriangleMesh mesh, int threads = 1);
-  explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = 1);
+  /// The tree is built on up to `threads` threads (core/parallel.hpp). Throws Error when the mesh has more triangles
+  /// than a tree holds (2²⁸).
+  explicit Model(TriangleMesh mesh, int threads = own_thread);
+  explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = own_thread);
   /// With a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over the
   /// mesh's triangles, which it looks through once.
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideBvh tree);
-  explicit Model(HeightField field, int threads = 1);
-  explicit Model(Compound compound, int threads = 1);
+  explicit Model(HeightField field, int threads = own_thread);
+  explicit Model(Compound compound, int threads = own_thread);
   template <std::same_as<Shape> S>
-  explicit Model(const S& shape, int threads = 1) : Model(of_any(shape, threads)) {}
+  explicit Model(const S& shape, int threads = own_thread) : Model(of_any(shape, threads)) {}
 
   /// Implicit: there is nothing to build.
   template <PlainShape S>
@@ -67,7 +68,7 @@ class Model {
   /// is a matter of the tree. Other copies of the model stay as they are; a model of which there are none gives its
   /// tree up instead of copying it. Throws Error when it is no mesh, for another number of vertices, and when one is
   /// not finite; it then stays as it was.
-  Refit deform(std::vector<Vec3> vertices, int threads = 1);
+  Refit deform(std::vector<Vec3> vertices, int threads = own_thread);
 
   [[nodiscard]] const Shape& shape() const;
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "toccata/core/parallel.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/trees/walk.hpp"
@@ -15,7 +16,7 @@ struct PairQuery {
   Pose pose_b{};
   Solid solid_a = Solid::automatic;
   Solid solid_b = Solid::automatic;
-  int threads = 1;  ///< `contacts` is searched on up to so many, 0: as many as the machine has; it changes no answer
+  int threads = own_thread;  ///< for `contacts`
 };
 
 struct SearchScratch;

@@ -44,9 +44,9 @@ struct BvhOptions {
   BvhMethod method = BvhMethod::heuristic;
   Index leaf_size = 1;  ///< at most this many triangles in a leaf; at least 1
   BvhDriver driver = BvhDriver::iterative;
-  /// Up to so many (0: as many as the machine has); the tree does not depend on it. Volumes are fitted by all of them,
-  /// and `mean`, `median`, `agglomeration` and `morton` find their shape so too, but for the last one's sort.
-  int threads = 1;
+  /// Volumes are fitted by all of them, and `mean`, `median`, `agglomeration` and `morton` find their shape so too, but
+  /// for the last one's sort.
+  int threads = own_thread;
 };
 
 struct NoVolume {};

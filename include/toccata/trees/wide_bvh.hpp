@@ -8,6 +8,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
@@ -44,7 +45,7 @@ struct WideBvh {
 };
 
 struct WideBuildOptions {
-  int threads = 1;  ///< 0: as many as the machine has; the tree does not depend on it
+  int threads = own_thread;
   /// More items than this are refused. Places and blocks are told apart by a sign and eight lanes, hence the greatest.
   std::size_t most_items = greatest_item_count;
 
@@ -65,8 +66,8 @@ struct Refit {
 };
 
 /// Puts the boxes of a tree over the mesh's triangles around them after its vertices have moved; which triangles lie
-/// below which box stays. On up to `threads` threads (0: as many as the machine has), whatever they are the same tree.
+/// below which box stays. The same tree on any number of threads.
 /// Throws Error when the tree was built over another number of triangles. To do it for a model: Model::deform.
-Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads = 1);
+Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads = own_thread);
 
 }  // namespace toccata

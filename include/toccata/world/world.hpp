@@ -10,6 +10,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
@@ -30,7 +31,7 @@ struct WorldOptions {
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
   BroadPhaseMethod broad_phase = BroadPhaseMethod::automatic;
-  int threads = 1;  ///< up to so many; 0: as many as the machine has. The answers are the same, to the bit.
+  int threads = own_thread;
 };
 
 /// What was asked for in WorldOptions, of one pair; each as the question of that name answers it for (a, b).

@@ -50,11 +50,12 @@ class Asking {
     PosesReport report;
     report.queries = question.queries;
     report.touching = question.touching;
-    report.relations = relation_each(a, b, report.queries, batch());
-    if (question.faces) report.counts = count_contacts_each(a, b, report.queries, batch());
+    const Batch<PairQuery> poses(a, b, report.queries);
+    report.relations = relation_each(poses, batch());
+    if (question.faces) report.counts = count_contacts_each(poses, batch());
     if (!question.penetration) return report;
-    report.penetrations = penetration_each(a, b, report.queries, batch());
-    if (a.has_mesh() && b.has_mesh()) report.regions = contact_regions_each(a, b, report.queries, batch());
+    report.penetrations = penetration_each(poses, batch());
+    if (a.has_mesh() && b.has_mesh()) report.regions = contact_regions_each(poses, batch());
     return report;
   }
 
@@ -81,7 +82,7 @@ class Asking {
   SceneAnswer operator()(const DistancePosesQuestion& question) const {
     require_two();
     return DistancePosesReport{question.queries,
-                               distance_each(models_[0].model, models_[1].model, question.queries, batch())};
+                               distance_each({models_[0].model, models_[1].model, question.queries}, batch())};
   }
 
   /// Of all objects the one that is met first, by (upper, place in the scene).

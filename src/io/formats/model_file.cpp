@@ -3,11 +3,6 @@
 #include "toccata/generate/meshes.hpp"
 
 namespace toccata {
-namespace {
-
-constexpr int all_threads = 0;
-
-}  // namespace
 
 Model load_model(const std::filesystem::path& path) {
   const std::string name = path.string();

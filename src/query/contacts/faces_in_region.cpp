@@ -141,11 +141,10 @@ std::vector<Index> distinct_faces(std::span<const FoundElement> found) {
 
 std::vector<std::vector<FoundElement>> faces_in_region_each(std::span<const RegionQuery> queries, const Model& model,
                                                             const BatchOptions& options) {
-  return ask_each<std::vector<FoundElement>>(
-      queries, "query", options, [&](const RegionQuery& query, Workspace& workspace) {
-        const auto found = faces_in_region(query.region, model, query.pose, workspace);
-        return std::vector<FoundElement>(found.begin(), found.end());
-      });
+  return ask_each(queries, "query", options, [&](const RegionQuery& query, Workspace& workspace) {
+    const auto found = faces_in_region(query.region, model, query.pose, workspace);
+    return std::vector<FoundElement>(found.begin(), found.end());
+  });
 }
 
 }  // namespace toccata

@@ -31,6 +31,12 @@ Manifold manifold(const Model& a, const Model& b, const PairQuery& query, Worksp
   return ask_single<AskManifold>(a, b, query, workspace.scratch());
 }
 
+std::optional<Manifold> manifold_where_defined(const Model& a, const Model& b, const PairQuery& query,
+                                               Workspace& workspace) {
+  if (!is_defined(ShapeQuestion::manifold, a, b)) return std::nullopt;
+  return manifold(a, b, query, workspace);
+}
+
 template <std::same_as<Contact> C>
 Manifold manifold(const Model& a, const Model& b, const C& contact, const PairQuery& query) {
   SearchScratch scratch;

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <vector>
+#include <optional>
+#include <span>
 
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/manifold.hpp"
 
 namespace toccata {
 
@@ -18,5 +20,9 @@ namespace toccata {
 
 /// The points of contact of two elements of posed models that meet. Throws Error where both are half-spaces.
 [[nodiscard]] Manifold manifold_of(const PosedPart& a, const PosedPart& b, SearchScratch& scratch);
+
+/// What `manifold` answers of two models in contact; nothing where the table of pairs.hpp does not define it.
+[[nodiscard]] std::optional<Manifold> manifold_where_defined(const Model& a, const Model& b, const PairQuery& query,
+                                                             Workspace& workspace);
 
 }  // namespace toccata

@@ -75,9 +75,8 @@ std::vector<Distance> distance_each(std::span<const ModelPair> pairs, std::span<
   BatchOptions plain;
   plain.threads = options.threads;
   plain.progress = options.progress;
-  return ask_each<Distance>(pairs, "pair", plain, [&](const ModelPair& pair, Workspace&) {
-    const auto number = static_cast<std::size_t>(&pair - pairs.data());
-    return distance(pair.a, pair.b, pair.query, caches[number]);
+  return ask_each(pairs.size(), "pair", plain, [&](std::size_t i, Workspace&) {
+    return distance(pairs[i].a, pairs[i].b, pairs[i].query, caches[i]);
   });
 }
 

@@ -42,7 +42,7 @@ std::vector<WindingNumber> generalized_winding_number_each(std::span<const Vec3>
   require_positive_tolerance(options);
   const PosedMesh mesh(model, pose);
   const WindingSearch search(mesh);
-  return ask_each<WindingNumber>(points, "point", batch, [&](const Vec3& point, Workspace& workspace) {
+  return ask_each(points, "point", batch, [&](const Vec3& point, Workspace& workspace) {
     require_finite(point);
     return search.at(point, options.tolerance, workspace.scratch().winding);
   });

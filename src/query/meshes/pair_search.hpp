@@ -24,7 +24,7 @@ void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratc
 /// All pairs of triangles that meet, ascending; they lie in the scratch. On up to `threads` threads (0: as many as the
 /// machine has), which change nothing else.
 [[nodiscard]] std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
-                                                        int threads = 1);
+                                                        int threads = own_thread);
 [[nodiscard]] std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b);
 
 /// The least of them.

@@ -30,6 +30,14 @@ struct AskDepth {
   SearchScratch& scratch;
 };
 
+/// The table was asked before.
+Penetration penetration_of(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
+                           Workspace& workspace) {
+  if (is_one_shape(a) && is_one_shape(b))
+    return std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
+  return penetration_of_solids(a, b, query, models, workspace);
+}
+
 }  // namespace
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query) {
@@ -39,10 +47,15 @@ Penetration penetration(const Model& a, const Model& b, const PairQuery& query) 
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
+  return penetration_of(a, b, query, PosedModelPair(a, b, query, workspace.scratch()), workspace);
+}
+
+std::optional<Penetration> penetration_where_defined(const Model& a, const Model& b, const PairQuery& query,
+                                                     const Relation& relation, Workspace& workspace) {
+  if (!relation.a_solid || !relation.b_solid || !is_defined(ShapeQuestion::penetration, a, b)) return std::nullopt;
   const PosedModelPair models(a, b, query, workspace.scratch());
-  if (is_one_shape(a) && is_one_shape(b))
-    return std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
-  return penetration_of_solids(a, b, query, models, workspace);
+  if (!may_be_parted(models.a, models.b)) return std::nullopt;
+  return penetration_of(a, b, query, models, workspace);
 }
 
 }  // namespace toccata

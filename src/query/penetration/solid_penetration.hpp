@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "query/ask.hpp"
 #include "toccata/query/penetration.hpp"
+#include "toccata/query/relation.hpp"
 
 namespace toccata {
 
@@ -12,5 +15,11 @@ namespace toccata {
 /// Throws Error when one is taken as a surface or has a half-space among several parts.
 [[nodiscard]] Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query,
                                                 const PosedModelPair& models, Workspace& workspace);
+
+/// What is told of two models in contact that lie so: nothing unless both are solids, the table of pairs.hpp defines
+/// it, and they may be parted.
+[[nodiscard]] std::optional<Penetration> penetration_where_defined(const Model& a, const Model& b,
+                                                                   const PairQuery& query, const Relation& relation,
+                                                                   Workspace& workspace);
 
 }  // namespace toccata

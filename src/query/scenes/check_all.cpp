@@ -191,7 +191,7 @@ class Check {
       if (is_undecided(*answer.distance, clearances_.of(pair), a, b)) answer.relation.status = Status::undecided;
       return answer;
     }
-    if (options_.penetration) add_depth(answer, scratch);
+    if (options_.penetration) add_depth(answer, workspace);
     return answer;
   }
 
@@ -234,21 +234,17 @@ class Check {
     answer.contacts.assign(found.begin(), found.end());
   }
 
-  /// Where the table of pairs.hpp defines it.
-  void add_depth(PairAnswer& answer, SearchScratch& scratch) const {
+  void add_depth(PairAnswer& answer, Workspace& workspace) const {
     const SceneInstance &a = models_[answer.a], &b = models_[answer.b];
     const PairQuery query{a.pose, b.pose, a.solid, b.solid};
-    const auto defined = [&](ShapeQuestion question) {
-      return pair_cell(question, kind_of(a.model.shape()), kind_of(b.model.shape())).state == PairState::defined;
-    };
+    SearchScratch& scratch = workspace.scratch();
+    scratch.convex = {};  // it was another pair's
+    answer.manifold = manifold_where_defined(a.model, b.model, query, workspace);
+    answer.penetration = penetration_where_defined(a.model, b.model, query, answer.relation, workspace);
     if (a.model.has_mesh() && b.model.has_mesh())
-      answer.regions = contact_regions(a.model, b.model, query);
-    else if (!defined(ShapeQuestion::manifold))
+      answer.regions = contact_regions(a.model, b.model, query, workspace);
+    else if (!answer.manifold)
       answer.manifolds = manifolds_of(posed_[answer.a], posed_[answer.b], scratch);
-    if (defined(ShapeQuestion::manifold)) answer.manifold = manifold(a.model, b.model, query);
-    if (answer.relation.a_solid && answer.relation.b_solid && defined(ShapeQuestion::penetration) &&
-        may_be_parted(posed_[answer.a], posed_[answer.b]))
-      answer.penetration = penetration(a.model, b.model, query);
   }
 
   /// Of every two elements that meet. Two half-spaces have no points.

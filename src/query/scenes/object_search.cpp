@@ -28,11 +28,11 @@ void keep_first(std::optional<Found>& first, const Found& found) {
 }
 
 /// Whose interval begins later than that is of no interest: neither can it be the first, nor does it widen that.
-double last_time(const std::optional<ObjectRayHit>& first) { return first ? first->upper + widest_cast : 1; }
-double last_time(const std::optional<ObjectCast>& first) { return first ? first->upper + widest_cast : 1; }
+double last_time(const std::optional<ObjectAnswer<RayHit>>& first) { return first ? first->upper + widest_cast : 1; }
+double last_time(const std::optional<ObjectAnswer<ShapeHit>>& first) { return first ? first->upper + widest_cast : 1; }
 
 /// The same of distances, whose intervals are as wide as 10⁻¹² of them, or as two doubles are apart.
-double last_distance(const std::optional<ObjectDistance>& nearest, double max_distance) {
+double last_distance(const std::optional<ObjectAnswer<Distance>>& nearest, double max_distance) {
   if (!nearest || nearest->upper == 0) return nearest ? 0 : max_distance;
   const double next = std::nextafter(nearest->upper * (1 + 0x1p-38), infinity);
   return std::min(next, max_distance);
@@ -90,9 +90,9 @@ void require_ray(const Ray& ray) {
   if (ray.motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
 }
 
-ObjectRayHit hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
+ObjectAnswer<RayHit> hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
   return ask_about(object, objects, [&](const InstanceView& at) {
-    return ObjectRayHit{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
+    return ObjectAnswer<RayHit>{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
   });
 }
 
@@ -102,36 +102,37 @@ void require_length(double length, const char* name) {
 
 }  // namespace
 
-std::optional<ObjectRayHit> first_ray_hit(const SearchedObjects& objects, const Ray& ray) {
+std::optional<ObjectAnswer<RayHit>> first_ray_hit(const SearchedObjects& objects, const Ray& ray) {
   require_ray(ray);
-  std::optional<ObjectRayHit> first;
+  std::optional<ObjectAnswer<RayHit>> first;
   objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
     if (objects.accepts(object) && !is_settled(first, object))
-      if (const ObjectRayHit found = hit_of(objects, object, ray); found.hit) keep_first(first, found);
+      if (const ObjectAnswer<RayHit> found = hit_of(objects, object, ray); found.hit) keep_first(first, found);
     return last_time(first);
   });
   return first;
 }
 
-std::vector<ObjectRayHit> all_ray_hits(const SearchedObjects& objects, const Ray& ray) {
+std::vector<ObjectAnswer<RayHit>> all_ray_hits(const SearchedObjects& objects, const Ray& ray) {
   require_ray(ray);
-  std::vector<ObjectRayHit> all;
+  std::vector<ObjectAnswer<RayHit>> all;
   objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
     if (objects.accepts(object))
-      if (const ObjectRayHit found = hit_of(objects, object, ray); found.hit) all.push_back(found);
+      if (const ObjectAnswer<RayHit> found = hit_of(objects, object, ray); found.hit) all.push_back(found);
     return 1.0;
   });
-  std::sort(all.begin(), all.end(), [](const ObjectRayHit& a, const ObjectRayHit& b) {
+  std::sort(all.begin(), all.end(), [](const ObjectAnswer<RayHit>& a, const ObjectAnswer<RayHit>& b) {
     return std::tie(a.upper, a.object) < std::tie(b.upper, b.object);
   });
   return all;
 }
 
-std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const MovingShape& moving, Workspace& workspace) {
+std::optional<ObjectAnswer<ShapeHit>> first_cast(const SearchedObjects& objects, const MovingShape& moving,
+                                                 Workspace& workspace) {
   const Vec3& motion = moving.motion;
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   const AskedShape asked(moving.shape, objects, workspace);
-  std::optional<ObjectCast> first;
+  std::optional<ObjectAnswer<ShapeHit>> first;
   if (is_empty(asked.box())) return first;
   objects.tree.visit_along(asked.box(), motion, 1, [&](Index object) {
     if (!objects.accepts(object) || is_settled(first, object)) return last_time(first);
@@ -140,7 +141,7 @@ std::optional<ObjectCast> first_cast(const SearchedObjects& objects, const Movin
         asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
           return cast_until(a, motion, b, query, limit, memory);
         });
-    if (found) keep_first(first, ObjectCast{*found, object});
+    if (found) keep_first(first, ObjectAnswer<ShapeHit>{*found, object});
     return last_time(first);
   });
   return first;
@@ -159,26 +160,26 @@ std::vector<Index> overlapping_objects(const SearchedObjects& objects, const Sce
   return found;
 }
 
-std::vector<ObjectRelation> related_objects(const SearchedObjects& objects, const SceneInstance& shape,
-                                            Workspace& workspace) {
+std::vector<ObjectAnswer<Relation>> related_objects(const SearchedObjects& objects, const SceneInstance& shape,
+                                                    Workspace& workspace) {
   const AskedShape asked(shape, objects, workspace);
-  std::vector<ObjectRelation> found;
+  std::vector<ObjectAnswer<Relation>> found;
   objects.tree.visit_overlapping(asked.box(), [&](Index object) {
     if (!objects.accepts(object)) return true;
     const Relation how = asked.with(object, [](auto&... question) { return relation(question...); });
-    if (how.kind != RelationKind::apart) found.push_back({object, how});
+    if (how.kind != RelationKind::apart) found.push_back({how, object});
     return true;
   });
   std::sort(found.begin(), found.end(),
-            [](const ObjectRelation& a, const ObjectRelation& b) { return a.object < b.object; });
+            [](const ObjectAnswer<Relation>& a, const ObjectAnswer<Relation>& b) { return a.object < b.object; });
   return found;
 }
 
-std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, const SceneInstance& shape,
-                                             double max_distance, Workspace& workspace) {
+std::optional<ObjectAnswer<Distance>> nearest_object(const SearchedObjects& objects, const SceneInstance& shape,
+                                                     double max_distance, Workspace& workspace) {
   require_length(max_distance, "the greatest distance");
   const AskedShape asked(shape, objects, workspace);
-  std::optional<ObjectDistance> nearest;
+  std::optional<ObjectAnswer<Distance>> nearest;
   if (is_empty(asked.box())) return nearest;
   objects.tree.visit_nearest(asked.box(), max_distance, [&](Index object) {
     const double limit = last_distance(nearest, max_distance);
@@ -187,7 +188,7 @@ std::optional<ObjectDistance> nearest_object(const SearchedObjects& objects, con
         asked.with(object, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
           return distance_within(a, b, limit, query, memory);
         });
-    if (found) keep_first(nearest, ObjectDistance{*found, object});
+    if (found) keep_first(nearest, ObjectAnswer<Distance>{*found, object});
     return last_distance(nearest, max_distance);
   });
   return nearest;

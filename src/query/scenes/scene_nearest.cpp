@@ -121,7 +121,7 @@ std::vector<std::vector<ScenePoint>> nearest_points_each(std::span<const Vec3> p
                                                          std::span<const SceneInstance> models, double max_distance,
                                                          const BatchOptions& options) {
   const SceneSearch search(models, max_distance, points.size());
-  return ask_each<std::vector<ScenePoint>>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
+  return ask_each(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
     return search.nearest(point, k, workspace.scratch());
   });
 }
@@ -131,9 +131,8 @@ std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> poin
                                                       const BatchOptions& options) {
   if (models.empty()) throw Error("there is no model whose surface could be near");
   const SceneSides sides(models, sign_by, points.size());
-  return ask_each<SceneSignedDistance>(points, "point", options, [&](const Vec3& point, Workspace& workspace) {
-    return sides.from(point, workspace.scratch());
-  });
+  return ask_each(points, "point", options,
+                  [&](const Vec3& point, Workspace& workspace) { return sides.from(point, workspace.scratch()); });
 }
 
 }  // namespace toccata
