@@ -69,8 +69,8 @@ std::vector<Builder> all_builders(const std::shared_ptr<const TriangleMesh>& mes
   std::vector<Builder> builders{of_model(mesh)};
   for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median, BvhMethod::heuristic, BvhMethod::agglomeration,
                                  BvhMethod::insertion, BvhMethod::morton}) {
-    builders.push_back(of_method<Aabb>(triangles, method, CostVolume::aabb));
-    builders.push_back(of_method<Obb>(triangles, method, CostVolume::obb));
+    builders.push_back(of_method<Aabb>(triangles, method, cost_volume<Aabb>));
+    builders.push_back(of_method<Obb>(triangles, method, cost_volume<Obb>));
   }
   return builders;
 }

@@ -18,7 +18,7 @@ namespace {
 /// One that touches within 10⁻¹² of its size is counted as within, undecided (docs/truth.md).
 bool has_quadric(const Shape& shape) {
   const ShapeKind kind = kind_of(shape);
-  if (kind == ShapeKind::cylinder || kind == ShapeKind::cone || kind == ShapeKind::ellipsoid) return true;
+  if (is_quadric(kind)) return true;
   const auto* compound = std::get_if<Compound>(&shape);
   return compound != nullptr && std::any_of(compound->parts().begin(), compound->parts().end(),
                                             [](const CompoundPart& part) { return has_quadric(part.shape); });

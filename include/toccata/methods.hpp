@@ -4,12 +4,7 @@
 // phases, convex parts, costs, scenes in one tree, and generated meshes. Of what toccata.hpp leaves out, all but
 // reports.hpp.
 
-#include "toccata/bounds/cube.hpp"
-#include "toccata/bounds/ellipsoid_bound.hpp"
-#include "toccata/bounds/hull_bound.hpp"
-#include "toccata/bounds/kdop.hpp"
-#include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/bounds/tightness.hpp"
 #include "toccata/bounds/volume.hpp"
 #include "toccata/broad/bound_pairs.hpp"

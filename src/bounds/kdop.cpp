@@ -292,6 +292,26 @@ double surface_area(const Kdop<k>& v) {
 }
 
 template <std::size_t k>
+std::vector<Vec3> corner_points(const Kdop<k>& v) {
+  const Vec3 centre = middle(v);
+  std::vector<PlaneBound> planes;
+  double size = 0;
+  for (std::size_t i = 0; i < k / 2; ++i) {
+    const Vec3 normal = kdop_normals<k>()[i];
+    const double height = dot(normal, centre);
+    planes.push_back({normal, v.upper[i] - height});
+    planes.push_back({-normal, height - v.lower[i]});
+    size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
+  }
+  if (!std::isfinite(size)) return {};
+  if (!(size > 0)) return {centre};
+  for (PlaneBound& plane : planes) plane.offset /= size;
+  std::vector<Vec3> corners = corners_within(planes);
+  for (Vec3& corner : corners) corner = centre + size * corner;
+  return corners;
+}
+
+template <std::size_t k>
 double half_area(const Kdop<k>& v) {
   return half_area(box_around(v));
 }
@@ -306,6 +326,7 @@ double half_area(const Kdop<k>& v) {
   template Aabb box_around(const V&);                                \
   template double measure(const V&);                                 \
   template double surface_area(const V&);                            \
+  template std::vector<Vec3> corner_points(const V&);                \
   template double half_area(const V&);                               \
   TOCCATA_INSTANTIATE_VOLUME(V)
 

@@ -11,6 +11,7 @@
 #include "math/constants.hpp"
 #include "math/expansion.hpp"
 #include "math/world_vertex.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
 
@@ -132,13 +133,9 @@ Aabb world_box(const PosedQuadric& shape) {
     const Vec3& row = shape.pose().linear[axis];
     const double x = row.x * half.x, y = row.y * half.y, z = row.z * half.z, offset = shape.pose().offset[axis];
     const auto reach = [](double exact) { return exact * (1 + 0x1p-48) + 0x1p-1070; };  // of four roundings
-    const double disc = std::hypot(x, y);
-    const double upwards = shape.kind() == PosedQuadric::Kind::cylinder ? disc + std::abs(z)
-                           : shape.kind() == PosedQuadric::Kind::cone   ? std::max(disc - z, z)
-                                                                        : std::hypot(x, y, z);
-    const double downwards = shape.kind() == PosedQuadric::Kind::cone ? std::max(disc + z, -z) : upwards;
-    box.lower[axis] = -clamped_sum_not_less(-offset, reach(downwards));
-    box.upper[axis] = clamped_sum_not_less(offset, reach(upwards));
+    const QuadricReach reached = with_kind(shape.kind(), [&](auto kind) { return kind.reach(x, y, z); });
+    box.lower[axis] = -clamped_sum_not_less(-offset, reach(reached.down));
+    box.upper[axis] = clamped_sum_not_less(offset, reach(reached.up));
   }
   return box;
 }

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/sweep.hpp"
@@ -96,30 +98,25 @@ SweepResult run_volume(std::uint64_t seed, std::uint64_t cases) {
   return result;
 }
 
+struct VolumeSweep {
+  std::string_view name;
+  SweepResult (*run)(std::uint64_t seed, std::uint64_t cases);
+};
+constexpr auto volume_sweeps = AllVolumes::of_each([]<class V>(std::type_identity<V>) {
+  return VolumeSweep{V::name, &run_volume<V>};
+});
+
 SweepResult run_volumes(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
-  if (family == "aabb") return run_volume<Aabb>(seed, cases);
-  if (family == "ball") return run_volume<Ball>(seed, cases);
-  if (family == "cube") return run_volume<Cube>(seed, cases);
-  if (family == "obb") return run_volume<Obb>(seed, cases);
-  if (family == "pss") return run_volume<Pss>(seed, cases);
-  if (family == "lss") return run_volume<Lss>(seed, cases);
-  if (family == "rss") return run_volume<Rss>(seed, cases);
-  if (family == "6-dop") return run_volume<Kdop<6>>(seed, cases);
-  if (family == "14-dop") return run_volume<Kdop<14>>(seed, cases);
-  if (family == "18-dop") return run_volume<Kdop<18>>(seed, cases);
-  if (family == "26-dop") return run_volume<Kdop<26>>(seed, cases);
-  if (family == "ellipsoid") return run_volume<EllipsoidBound>(seed, cases);
-  return run_volume<HullBound>(seed, cases);
+  return std::ranges::find(volume_sweeps, family, &VolumeSweep::name)->run(seed, cases);
 }
 
-const bool volumes_known = register_sweep(
-    {"volumes",
-     {"aabb", "ball", "cube", "obb", "pss", "lss", "rss", "6-dop", "14-dop", "18-dop", "26-dop", "ellipsoid", "hull"},
-     1'000'000,
-     1000,
-     run_volumes,
-     20'000,
-     200});
+std::vector<std::string> volume_names() {
+  std::vector<std::string> names;
+  for (const VolumeSweep& sweep : volume_sweeps) names.emplace_back(sweep.name);
+  return names;
+}
+
+const bool volumes_known = register_sweep({"volumes", volume_names(), 1'000'000, 1000, run_volumes, 20'000, 200});
 
 }  // namespace
 }  // namespace toccata::test

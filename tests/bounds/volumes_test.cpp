@@ -16,9 +16,7 @@ namespace {
 
 template <class V>
 class EveryVolume : public testing::Test {};
-using Volumes = testing::Types<Aabb, Ball, Cube, Obb, Pss, Lss, Rss, Kdop<6>, Kdop<14>, Kdop<18>, Kdop<26>,
-                               EllipsoidBound, HullBound>;
-TYPED_TEST_SUITE(EveryVolume, Volumes);
+TYPED_TEST_SUITE(EveryVolume, AllVolumes::put_into<testing::Types>);
 
 /// Of a turned box with edges 2 · size around the centre.
 std::vector<Vec3> cloud(Random& random, const Vec3& centre, const Vec3& size, std::size_t count = 40) {

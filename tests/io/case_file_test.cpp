@@ -243,7 +243,7 @@ TEST(CaseFile, CostsAreComparedWithoutTheirTimes) {
   const Model ball(std::make_shared<const TriangleMesh>(generate_mesh("icosphere")));
   const std::vector<SceneInstance> models = {{ball}, {ball, Pose::translation(1.5, 0, 0)}};
   CostQuestion question{{{{}, Pose::translation(1.5, 0, 0)}, {{}, Pose::translation(1.25, 0.5, -0.0)}}, {}};
-  question.options.volumes = {CostVolume::obb, CostVolume::ball, CostVolume::wide};
+  question.options.volumes = {cost_volume<Obb>, cost_volume<Ball>, CostVolume::wide};
   question.options.arities = {2, 4};
   question.options.methods = {BvhMethod::median, BvhMethod::heuristic};
   question.options.workloads = {CostWorkload::rigid};

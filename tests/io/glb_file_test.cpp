@@ -328,7 +328,7 @@ TEST(GlbFile, ShearedAndSingularPosesAreInTheVertices) {
                                 object("mirrored", mesh, Pose::from_numbers({-1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 9}))});
   Scene surfaces = scene;
   for (SceneObject& each : surfaces.objects) each.solid = Solid::none;
-  const std::string bytes = exported(surfaces, {}, {"", UpAxis::z, CostVolume::obb}).bytes;
+  const std::string bytes = exported(surfaces, {}, {"", UpAxis::z, cost_volume<Obb>}).bytes;
   const SoundGlb glb(bytes);
   EXPECT_EQ(glb.nodes_named("level 0").size(), 3U);
   expect_same_places(scene, read_back(bytes), 1, 1e-6);
@@ -415,7 +415,7 @@ TEST(GlbFile, EveryShapeIsThere) {
 TEST(GlbFile, LevelsAreNodesWithWhatThePageTells) {
   const auto mesh = ball();
   const Scene scene = scene_of({object("one", mesh), object("two", mesh, Pose::translation(9, 0, 0))});
-  const std::string bytes = exported(scene, {}, {"", UpAxis::z, CostVolume::aabb}).bytes;
+  const std::string bytes = exported(scene, {}, {"", UpAxis::z, cost_volume<Aabb>}).bytes;
   const SoundGlb glb(bytes);
   EXPECT_TRUE(glb.names().contains("hierarchy of aabb over one"));
   EXPECT_TRUE(glb.names().contains("hierarchy of aabb over two"));
@@ -433,7 +433,7 @@ TEST(GlbFile, LevelsAreNodesWithWhatThePageTells) {
 
 TEST(GlbFile, LevelsHaveNoTrianglesWithoutArea) {
   const auto flat = std::make_shared<const TriangleMesh>(generate_mesh("torus-knot"));
-  const SoundGlb glb(exported(scene_of({object("knot", flat)}), {}, {"", UpAxis::z, CostVolume::obb}).bytes);
+  const SoundGlb glb(exported(scene_of({object("knot", flat)}), {}, {"", UpAxis::z, cost_volume<Obb>}).bytes);
   for (const Json& part : glb.top["meshes"].back()["primitives"]) {
     const auto place = part["indices"].get<std::size_t>();
     ASSERT_EQ(glb.top["accessors"][place]["componentType"], 5123);

@@ -384,7 +384,7 @@ TEST(ViewPage, DrawsTheLevelsOfAHierarchy) {
   Scene scene;
   const auto mesh = std::make_shared<const TriangleMesh>(icosphere_mesh(1, 3));
   scene.objects.push_back({"ball", mesh, Pose::translation(9, 0, 0), Solid::automatic, "", {}, ""});
-  const Page page = page_of(scene, {}, {"ball", UpAxis::z, CostVolume::aabb});
+  const Page page = page_of(scene, {}, {"ball", UpAxis::z, cost_volume<Aabb>});
   ASSERT_EQ(page.header["layers"].size(), 1U);
   const Json& layer = page.header["layers"][0];
   EXPECT_EQ(layer["kind"], "hierarchy");
@@ -479,8 +479,8 @@ TEST(ViewPage, RoundVolumesAreDrawnAsWhatTheyAre) {
   Scene scene;
   const auto mesh = std::make_shared<const TriangleMesh>(torus_mesh({}));
   scene.objects.push_back({"ring", mesh, {}, Solid::automatic, "", {}, ""});
-  using enum CostVolume;
-  for (const CostVolume volume : {ball, pss, lss, rss, ellipsoid}) {
+  for (const CostVolume volume :
+       {cost_volume<Ball>, cost_volume<Pss>, cost_volume<Lss>, cost_volume<Rss>, cost_volume<EllipsoidBound>}) {
     const Page page = page_of(scene, {}, {"", UpAxis::z, volume});
     const Json& layer = page.header["layers"][0];
     EXPECT_FALSE(layer.contains("faces"));

@@ -150,18 +150,18 @@ void expect_drawn_as_it_is(CostVolume volume) {
   }
 }
 
-TEST(ViewVolumes, OrientedBoxesAreDrawnAsWhatTheyAre) { expect_drawn_as_it_is<Obb>(CostVolume::obb); }
+TEST(ViewVolumes, OrientedBoxesAreDrawnAsWhatTheyAre) { expect_drawn_as_it_is<Obb>(cost_volume<Obb>); }
 
 TEST(ViewVolumes, DiscreteOrientationPolytopesAreDrawnAsWhatTheyAre) {
-  expect_drawn_as_it_is<Kdop<6>>(CostVolume::dop6);
-  expect_drawn_as_it_is<Kdop<14>>(CostVolume::dop14);
-  expect_drawn_as_it_is<Kdop<18>>(CostVolume::dop18);
-  expect_drawn_as_it_is<Kdop<26>>(CostVolume::dop26);
+  expect_drawn_as_it_is<Kdop<6>>(cost_volume<Kdop<6>>);
+  expect_drawn_as_it_is<Kdop<14>>(cost_volume<Kdop<14>>);
+  expect_drawn_as_it_is<Kdop<18>>(cost_volume<Kdop<18>>);
+  expect_drawn_as_it_is<Kdop<26>>(cost_volume<Kdop<26>>);
 }
 
 TEST(ViewVolumes, HullsAreDrawnAsWhatTheyAre) {
   const auto mesh = std::make_shared<const TriangleMesh>(ring());
-  const std::vector<Drawn> nodes = drawn_nodes(*mesh, io::drawn_hierarchy(Model(mesh), CostVolume::hull));
+  const std::vector<Drawn> nodes = drawn_nodes(*mesh, io::drawn_hierarchy(Model(mesh), cost_volume<HullBound>));
   std::size_t faces = 0;
   for (const Drawn& drawn : nodes) {
     if (drawn.held.size() > 20) continue;

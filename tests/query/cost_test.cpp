@@ -50,7 +50,7 @@ std::vector<PairQuery> some_queries(std::uint64_t seed, std::size_t count) {
 TEST(Cost, CountsOfATinyTreeAreThoseByHand) {
   const TriangleMesh mesh = row_of_triangles({0, 10}, 0);
   const std::vector<PairQuery> queries{{Pose{}, Pose::translation(0, 0.25, 0)}};
-  CostOptions options = only(CostWorkload::rigid, CostVolume::aabb, 2, BvhMethod::median, 1);
+  CostOptions options = only(CostWorkload::rigid, cost_volume<Aabb>, 2, BvhMethod::median, 1);
   options.task = CostTask::contacts;
   const CostTable table = measure_costs(mesh, mesh, queries, options);
   ASSERT_EQ(table.rows.size(), 1U);
@@ -67,7 +67,7 @@ TEST(Cost, MeshesApartCostOneTestOfTheRoots) {
   const TriangleMesh mesh = row_of_triangles({0, 10, 20, 30}, 0);
   const std::vector<PairQuery> queries{{Pose{}, Pose::translation(0, 0, 5)}, {Pose{}, Pose::translation(0, 0, 9)}};
   CostOptions options;
-  options.volumes = {CostVolume::aabb, CostVolume::obb, CostVolume::dop26, CostVolume::hull};
+  options.volumes = {cost_volume<Aabb>, cost_volume<Obb>, cost_volume<Kdop<26>>, cost_volume<HullBound>};
   const CostTable table = measure_costs(mesh, mesh, queries, options);
   for (const CostRow& row : table.rows) {
     EXPECT_EQ(row.counts.items, 0U);
@@ -193,7 +193,7 @@ TEST(Cost, WhatWouldTakeTooLongIsLeftOutAndTold) {
   const TriangleMesh mesh = row_of_triangles({0, 2, 4, 6, 8}, 0);
   const std::vector<PairQuery> queries{{}};
   CostOptions options;
-  options.volumes = {CostVolume::aabb, CostVolume::hull};
+  options.volumes = {cost_volume<Aabb>, cost_volume<HullBound>};
   options.methods = {BvhMethod::heuristic, BvhMethod::morton};
   options.arities = {2};
   options.most_work = 0;
@@ -209,7 +209,7 @@ TEST(Cost, WhatWouldTakeTooLongIsLeftOutAndTold) {
 TEST(Cost, OfManyQueriesSomeAreChosen) {
   const TriangleMesh mesh = row_of_triangles({0, 2}, 0);
   const std::vector<PairQuery> queries(10);
-  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, BvhMethod::mean, 1);
+  CostOptions options = only(CostWorkload::rigid, cost_volume<Ball>, 2, BvhMethod::mean, 1);
   options.most_rigid = 3;
   EXPECT_EQ(measure_costs(mesh, mesh, queries, options).rows[0].queries, 3U);
   EXPECT_EQ(measure_costs(mesh, mesh, queries, options).answers.size(), 3U);
@@ -244,8 +244,8 @@ CostRow row_of(CostVolume volume, std::size_t updates, std::size_t tests, std::s
   row.volume = volume;
   row.queries = 2;
   row.counts = {updates, tests, items};
-  row.update_ns = volume == CostVolume::obb ? 400 : 100;
-  row.test_ns = volume == CostVolume::obb ? 60 : 10;
+  row.update_ns = volume == cost_volume<Obb> ? 400 : 100;
+  row.test_ns = volume == cost_volume<Obb> ? 60 : 10;
   row.item_ns = 50;
   row.measured_ns = 2e6;
   return row;
@@ -253,7 +253,7 @@ CostRow row_of(CostVolume volume, std::size_t updates, std::size_t tests, std::s
 
 TEST(Cost, WordsTellTheWinnerAndWhy) {
   CostTable table;
-  table.rows = {row_of(CostVolume::aabb, 40, 400, 80), row_of(CostVolume::obb, 30, 100, 20)};
+  table.rows = {row_of(cost_volume<Aabb>, 40, 400, 80), row_of(cost_volume<Obb>, 30, 100, 20)};
   table.rows[1].arity = 4;
   table.rows[1].measured_ns = 1e6;
   EXPECT_EQ(
@@ -277,8 +277,8 @@ TEST(Cost, WordsTellTheWinnerAndWhy) {
 
 TEST(Cost, WordsTellEachThingOnce) {
   CostTable table;
-  const CostRow best = row_of(CostVolume::aabb, 40, 400, 80);
-  CostRow other = row_of(CostVolume::aabb, 40, 600, 80);
+  const CostRow best = row_of(cost_volume<Aabb>, 40, 400, 80);
+  CostRow other = row_of(cost_volume<Aabb>, 40, 600, 80);
   other.arity = 4;
   other.method = BvhMethod::median;
   table.rows = {best, other};
@@ -286,18 +286,18 @@ TEST(Cost, WordsTellEachThingOnce) {
       "aabb with 4 children a node by median costs 1.2 times as much: 1.5 times the tests of volumes";
   EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 2U) << "one rival of another arity and builder";
   EXPECT_EQ(explain_winner(table, CostWorkload::rigid).back(), of_both);
-  table.rows.insert(table.rows.begin() + 1, row_of(CostVolume::ball, 40, 401, 80));
+  table.rows.insert(table.rows.begin() + 1, row_of(cost_volume<Ball>, 40, 401, 80));
   EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 2U) << "nothing is told of one that costs the same";
   table.rows = {best, best};
-  table.rows[1].volume = CostVolume::ball;
+  table.rows[1].volume = cost_volume<Ball>;
   EXPECT_EQ(explain_winner(table, CostWorkload::rigid).size(), 1U);
 }
 
 TEST(Cost, WhatIsNamedTwiceIsMeasuredOnce) {
   const TriangleMesh mesh = row_of_triangles({0, 2}, 0);
-  CostOptions options = only(CostWorkload::rigid, CostVolume::ball, 2, BvhMethod::mean, 1);
+  CostOptions options = only(CostWorkload::rigid, cost_volume<Ball>, 2, BvhMethod::mean, 1);
   options.workloads.push_back(CostWorkload::rigid);
-  options.volumes.push_back(CostVolume::ball);
+  options.volumes.push_back(cost_volume<Ball>);
   options.arities.push_back(2);
   options.methods.push_back(BvhMethod::mean);
   EXPECT_EQ(measure_costs(mesh, mesh, std::vector<PairQuery>{{}}, options).rows.size(), 1U);
@@ -313,12 +313,12 @@ TEST(Cost, VolumesOfAMeshAloneAreToldForEveryHierarchy) {
     EXPECT_GT(cost.balance.leaves, 1U);
     EXPECT_GE(cost.root_volume, 6 * (1 - 1e-9));
     EXPECT_LE(cost.fill, 1);
-    if (cost.volume == CostVolume::aabb || cost.volume == CostVolume::hull) {
+    if (cost.volume == cost_volume<Aabb> || cost.volume == cost_volume<HullBound>) {
       EXPECT_NEAR(cost.root_volume, 6, 1e-9);
       EXPECT_NEAR(cost.root_surface, 22, 1e-9);
       EXPECT_NEAR(cost.fill, 1, 1e-9);
     }
-    if (cost.volume == CostVolume::cube) {
+    if (cost.volume == cost_volume<Cube>) {
       EXPECT_NEAR(cost.fill, 6.0 / 27, 1e-9);
     }
   }

@@ -1,13 +1,7 @@
 #pragma once
 
 #include "oracle/convex.hpp"
-#include "toccata/bounds/ball.hpp"
-#include "toccata/bounds/cube.hpp"
-#include "toccata/bounds/ellipsoid_bound.hpp"
-#include "toccata/bounds/hull_bound.hpp"
-#include "toccata/bounds/kdop.hpp"
-#include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 // Which set a volume is, as its header says, in rational numbers.
 namespace toccata::test {

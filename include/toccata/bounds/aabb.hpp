@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <string_view>
 
 #include "toccata/math/vec3.hpp"
 
@@ -10,6 +11,9 @@ namespace toccata {
 
 /// An axis-aligned box, closed. Empty until something is merged into it. Fit and merge are exact (minima and maxima).
 struct Aabb {
+  static constexpr std::string_view name = "aabb";
+  static constexpr double microseconds = 0.2;  ///< to update one, roughly
+
   Vec3 lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
              std::numeric_limits<double>::infinity()};
   Vec3 upper{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),

@@ -6,6 +6,9 @@ namespace toccata {
 
 /// All points within `radius` of the centre. Empty while the radius is negative.
 struct Ball {
+  static constexpr std::string_view name = "ball";
+  static constexpr double microseconds = 1;
+
   Vec3 centre;
   double radius = -1;
   friend constexpr bool operator==(const Ball&, const Ball&) = default;
@@ -40,5 +43,9 @@ Ball fit<Ball>(std::span<const Triangle> triangles);
 [[nodiscard]] double measure(const Ball& ball);
 [[nodiscard]] double surface_area(const Ball& ball);
 [[nodiscard]] double half_area(const Ball& ball);
+[[nodiscard]] inline RoundVolume round_volume(const Ball& ball) {
+  const double r = ball.radius;
+  return {ball.centre, {}, {Vec3{r, 0, 0}, Vec3{0, r, 0}, Vec3{0, 0, r}}};
+}
 
 }  // namespace toccata

@@ -7,6 +7,9 @@ namespace toccata {
 /// A cube along the axes: all points of which no coordinate is farther than `half` from the centre's. Empty while that
 /// is negative.
 struct Cube {
+  static constexpr std::string_view name = "cube";
+  static constexpr double microseconds = 0.2;
+
   Vec3 centre;
   double half = -1;
   friend constexpr bool operator==(const Cube&, const Cube&) = default;

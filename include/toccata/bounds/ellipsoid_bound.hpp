@@ -10,6 +10,9 @@ namespace toccata {
 /// 0, so flat things are held with a thickness, and what is smaller than 2⁻⁹⁶⁰ with one of 2⁻⁹⁵⁵. Empty while one is
 /// negative.
 struct EllipsoidBound {
+  static constexpr std::string_view name = "ellipsoid";
+  static constexpr double microseconds = 50;
+
   Vec3 centre;
   Mat3 axes;
   Vec3 half{-1, -1, -1};
@@ -38,5 +41,8 @@ EllipsoidBound fit<EllipsoidBound>(std::span<const Triangle> triangles);
 /// To within 1.1 %: there is no closed form (K. Thomsen's approximation, 2004).
 [[nodiscard]] double surface_area(const EllipsoidBound& v);
 [[nodiscard]] double half_area(const EllipsoidBound& v);
+[[nodiscard]] inline RoundVolume round_volume(const EllipsoidBound& v) {
+  return {v.centre, {}, {v.half.x * v.axes[0], v.half.y * v.axes[1], v.half.z * v.axes[2]}};
+}
 
 }  // namespace toccata

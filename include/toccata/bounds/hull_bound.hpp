@@ -10,6 +10,9 @@ namespace toccata {
 /// All points within `margin` of a convex hull: the tightest convex volume there is, and the dearest. The margin is 0
 /// until the volume is posed, which rounds what is inside by other amounts than the vertices. Empty without a hull.
 struct HullBound {
+  static constexpr std::string_view name = "hull";
+  static constexpr double microseconds = 20;
+
   std::optional<ConvexHull> hull;
   double margin = 0;
 };

@@ -16,6 +16,9 @@ namespace toccata {
 /// Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection", 1996). Boxes along the
 /// world's axes around them, `box_around`, settle the easy cases for less where they are kept.
 struct Obb {
+  static constexpr std::string_view name = "obb";
+  static constexpr double microseconds = 3;
+
   Vec3 centre;
   Mat3 axes;
   Vec3 half{-1, -1, -1};

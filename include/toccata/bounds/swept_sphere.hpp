@@ -14,6 +14,9 @@ namespace toccata {
 /// Gottschalk, M. C. Lin, D. Manocha, "Fast proximity queries with swept sphere volumes", 1999.)
 template <std::size_t dimension>
 struct SweptSphere {
+  static constexpr std::string_view name = dimension == 0 ? "pss" : dimension == 1 ? "lss" : "rss";
+  static constexpr double microseconds = dimension == 0 ? 1 : 3;
+
   Vec3 centre;
   Mat3 axes;
   std::array<double, dimension> half{};
@@ -70,6 +73,13 @@ template <std::size_t dimension>
 [[nodiscard]] double surface_area(const SweptSphere<dimension>& v);
 template <std::size_t dimension>
 [[nodiscard]] double half_area(const SweptSphere<dimension>& v);
+template <std::size_t dimension>
+[[nodiscard]] RoundVolume round_volume(const SweptSphere<dimension>& v) {
+  const double r = v.radius;
+  RoundVolume round{v.centre, {}, {r * v.axes[0], r * v.axes[1], r * v.axes[2]}};
+  for (std::size_t i = 0; i < dimension; ++i) round.core[i] = v.half[i] * v.axes[static_cast<int>(i)];
+  return round;
+}
 
 /// A closed box of the plane, given by its corner of least coordinates and its size, which is not negative.
 struct Rectangle {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <span>
+#include <string_view>
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
@@ -73,6 +75,15 @@ concept BoundingVolume = SupportedVolume<V> && std::default_initializable<V> && 
   { measure(v) } -> std::same_as<double>;
   { surface_area(v) } -> std::same_as<double>;
   { half_area(v) } -> std::same_as<double>;
+};
+
+/// A volume with a round surface, as what it is: all centre ± core₀ ± core₁ + Σ d_i · axis_i with |d| = 1, and what
+/// lies between. Balls have no core, ellipsoids none and axes of several lengths, swept spheres one or two. It is what
+/// `round_volume(v)` makes of a round volume, for pictures.
+struct RoundVolume {
+  Vec3 centre;
+  std::array<Vec3, 2> core{};
+  std::array<Vec3, 3> axis;
 };
 
 /// Two volumes of one type, or a volume and a point. Other pairs do not compile.

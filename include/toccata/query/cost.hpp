@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/pair_query.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
@@ -21,12 +23,19 @@ namespace toccata {
 
 /// What surrounds the nodes. `wide` is the library's own tree, eight aligned boxes side by side (turned ones for
 /// distances), and the library's own question; all others are walked by the same plain walker.
-enum class CostVolume { aabb, ball, cube, obb, dop6, dop14, dop18, dop26, pss, lss, rss, ellipsoid, hull, wide };
+enum class CostVolume : std::uint8_t { wide = AllVolumes::size };
 
-inline constexpr std::array all_cost_volumes{
-    CostVolume::aabb,  CostVolume::ball,      CostVolume::cube,  CostVolume::obb, CostVolume::dop6,
-    CostVolume::dop14, CostVolume::dop18,     CostVolume::dop26, CostVolume::pss, CostVolume::lss,
-    CostVolume::rss,   CostVolume::ellipsoid, CostVolume::hull,  CostVolume::wide};
+/// `cost_volume<Obb>`: the others are the places of AllVolumes.
+template <ListedVolume V>
+requires(AllVolumes::place_of<V>() <
+         AllVolumes::size) inline constexpr CostVolume cost_volume = static_cast<CostVolume>(AllVolumes::place_of<V>());
+
+/// In the order of AllVolumes, `wide` last.
+inline constexpr auto all_cost_volumes = [] {
+  std::array<CostVolume, AllVolumes::size + 1> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<CostVolume>(i);
+  return all;
+}();
 
 /// What happens between two queries, and so what N_u counts.
 enum class CostWorkload {
@@ -73,7 +82,7 @@ struct CostOptions {
 /// One combination, over all its queries.
 struct CostRow {
   CostWorkload workload = CostWorkload::rigid;
-  CostVolume volume = CostVolume::aabb;
+  CostVolume volume{};
   int arity = 2;
   BvhMethod method = BvhMethod::heuristic;
   Index leaf_size = 1;
@@ -122,7 +131,7 @@ struct CostTable {
 
 /// A volume around a whole mesh, and the hierarchy of such volumes, on its own.
 struct VolumeCost {
-  CostVolume volume = CostVolume::aabb;
+  CostVolume volume{};
   int arity = 2;
   BvhMethod method = BvhMethod::heuristic;
   double root_volume = 0;   ///< of the volume around the whole mesh, in its units cubed

@@ -20,10 +20,6 @@ struct LeafTriangles;
 struct OrientedBlock;
 struct WindingMoments;
 
-/// A shape of which only the real image is posed: `PosedQuadric`.
-template <class S>
-concept QuadricShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
-
 /// A shape that needs no tree: questions take it as it is, typed, or as a Model that costs nothing to make.
 template <class S>
 concept PlainShape = std::same_as<S, Point> || std::same_as<S, Segment> || std::same_as<S, Triangle> ||

@@ -33,13 +33,10 @@ inline constexpr std::size_t question_count = 8;
 enum class ShapeClass : std::uint8_t { convex, quadric, half_space, triangles, compound };
 
 [[nodiscard]] constexpr ShapeClass class_of(ShapeKind kind) {
+  if (is_quadric(kind)) return ShapeClass::quadric;
   switch (kind) {
     case ShapeKind::half_space:
       return ShapeClass::half_space;
-    case ShapeKind::cylinder:
-    case ShapeKind::cone:
-    case ShapeKind::ellipsoid:
-      return ShapeClass::quadric;
     case ShapeKind::height_field:
     case ShapeKind::mesh:
       return ShapeClass::triangles;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -59,6 +60,10 @@ class Compound {
 using Shape = std::variant<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, Cylinder,
                            Cone, Ellipsoid, HeightField, std::shared_ptr<const TriangleMesh>, Compound>;
 
+/// A shape of which only the real image is posed: `PosedQuadric`.
+template <class S>
+concept QuadricShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
+
 struct CompoundPart {
   Shape shape;
   Pose pose{};
@@ -84,6 +89,10 @@ enum class ShapeKind : std::uint8_t {
 };
 
 inline constexpr std::size_t shape_kind_count = std::variant_size_v<Shape>;
+
+[[nodiscard]] constexpr bool is_quadric(ShapeKind kind) {
+  return kind == ShapeKind::cylinder || kind == ShapeKind::cone || kind == ShapeKind::ellipsoid;
+}
 
 [[nodiscard]] inline ShapeKind kind_of(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
+
 namespace toccata::io {
 namespace {
 
@@ -135,13 +137,16 @@ struct MeshOfShape {
   }
   DisplayMesh operator()(const ConvexHull& shape) const { return mesh_of(shape); }
   DisplayMesh operator()(const Rounded& shape) const { return mesh_of(shape, circles); }
-  DisplayMesh operator()(const Cylinder& shape) const {
-    return stretched(unit_sides(1, circles), {shape.radius(), shape.radius(), shape.half_height()});
+  template <QuadricShape S>
+  DisplayMesh operator()(const S& shape) const {
+    const PosedQuadric quadric(shape);
+    return with_kind(quadric.kind(), [&]<class Kind>(Kind) {
+      if constexpr (AxialKind<Kind>)
+        return stretched(unit_sides(Kind::has_tip ? 0 : 1, circles), quadric.half());
+      else
+        return stretched(unit_sphere(circles), quadric.half());
+    });
   }
-  DisplayMesh operator()(const Cone& shape) const {
-    return stretched(unit_sides(0, circles), {shape.radius(), shape.radius(), shape.half_height()});
-  }
-  DisplayMesh operator()(const Ellipsoid& shape) const { return stretched(unit_sphere(circles), shape.half_axes()); }
   DisplayMesh operator()(const HeightField& shape) const { return mesh_of(*shape.mesh()); }
   DisplayMesh operator()(const std::shared_ptr<const TriangleMesh>& shape) const { return mesh_of(*shape); }
   DisplayMesh operator()(const Compound&) const { return mesh_of_parts(model, circles); }

@@ -7,15 +7,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "bounds/polytope_measure.hpp"
 #include "io/view/display_mesh.hpp"
-#include "toccata/bounds/ball.hpp"
-#include "toccata/bounds/cube.hpp"
-#include "toccata/bounds/ellipsoid_bound.hpp"
-#include "toccata/bounds/hull_bound.hpp"
-#include "toccata/bounds/kdop.hpp"
-#include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/swept_sphere.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/trees/builders.hpp"
 
@@ -81,36 +74,18 @@ BvhShape bvh_shape_of(const WideBvh& tree) {
   return shape;
 }
 
-/// Of which points a polyhedron is the hull: of those that are farthest along directions all around. That gives all
-/// corners where each is farthest along one. Of many volumes fewer directions are taken.
+/// Of which points a polyhedron is the hull: the corners where the volume tells them, else those that are farthest
+/// along directions all around. That gives all corners where each is farthest along one. Of many volumes fewer
+/// directions are taken.
 template <class Volume>
 std::vector<Vec3> drawn_points(const Volume& volume, std::size_t siblings) {
   constexpr std::size_t few = 64;
   std::vector<Vec3> points;
+  if constexpr (requires { corner_points(volume); }) points = corner_points(volume);
+  if (!points.empty()) return points;
   for (const Vec3& direction : sphere_points(siblings <= few ? 8 : 4))
     points.push_back(farthest_point(volume, direction));
   return points;
-}
-
-/// The corners that are left where slabs cut off others.
-template <std::size_t k>
-std::vector<Vec3> drawn_points(const Kdop<k>& volume, std::size_t siblings) {
-  const Vec3 centre = middle(volume);
-  std::vector<PlaneBound> planes;
-  double size = 0;
-  for (std::size_t i = 0; i < k / 2; ++i) {
-    const Vec3 normal = kdop_normals<k>()[i];
-    const double height = dot(normal, centre);
-    planes.push_back({normal, volume.upper[i] - height});
-    planes.push_back({-normal, height - volume.lower[i]});
-    size = std::max({size, planes.rbegin()[0].offset, planes.rbegin()[1].offset});
-  }
-  if (!std::isfinite(size)) return drawn_points<Kdop<k>>(volume, siblings);  // of planes beyond the doubles
-  if (!(size > 0)) return {centre};
-  for (PlaneBound& plane : planes) plane.offset /= size;
-  std::vector<Vec3> corners = corners_within(planes);
-  for (Vec3& corner : corners) corner = centre + size * corner;
-  return corners;
 }
 
 /// Volumes of one kind around the nodes of each level.
@@ -214,37 +189,9 @@ DrawnHierarchy drawn(const std::vector<Triangle>& triangles) {
 
 DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume) {
   const std::vector<Triangle> triangles = triangles_of(model.mesh());
-  switch (volume) {
-    case CostVolume::aabb:
-      return drawn<Aabb>(triangles);
-    case CostVolume::ball:
-      return drawn<Ball>(triangles);
-    case CostVolume::cube:
-      return drawn<Cube>(triangles);
-    case CostVolume::obb:
-      return drawn<Obb>(triangles);
-    case CostVolume::dop6:
-      return drawn<Kdop<6>>(triangles);
-    case CostVolume::dop14:
-      return drawn<Kdop<14>>(triangles);
-    case CostVolume::dop18:
-      return drawn<Kdop<18>>(triangles);
-    case CostVolume::dop26:
-      return drawn<Kdop<26>>(triangles);
-    case CostVolume::pss:
-      return drawn<Pss>(triangles);
-    case CostVolume::lss:
-      return drawn<Lss>(triangles);
-    case CostVolume::rss:
-      return drawn<Rss>(triangles);
-    case CostVolume::ellipsoid:
-      return drawn<EllipsoidBound>(triangles);
-    case CostVolume::hull:
-      return drawn<HullBound>(triangles);
-    case CostVolume::wide:
-      return Drawing<Aabb>(triangles, bvh_shape_of(model.wide_bvh())).all_levels();
-  }
-  return {};
+  if (volume == CostVolume::wide) return Drawing<Aabb>(triangles, bvh_shape_of(model.wide_bvh())).all_levels();
+  constexpr auto drawings = AllVolumes::of_each([]<class V>(std::type_identity<V>) { return &drawn<V>; });
+  return drawings[static_cast<std::size_t>(volume)](triangles);
 }
 
 std::map<const TriangleMesh*, DrawnHierarchy> drawn_hierarchies(std::span<const SceneInstance> models,

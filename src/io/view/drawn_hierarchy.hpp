@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "io/view/round_volume.hpp"
+#include "toccata/bounds/volume.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/cost.hpp"

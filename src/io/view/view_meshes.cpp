@@ -9,14 +9,28 @@
 
 #include "io/view/display_range.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata::io {
 namespace {
+
+/// Of a quadric.
+Vec3 half_axes_of(const Shape& shape) {
+  return std::visit(
+      []<class S>(const S& of_kind) -> Vec3 {
+        if constexpr (QuadricShape<S>)
+          return PosedQuadric(of_kind).half();
+        else
+          return {};
+      },
+      shape);
+}
 
 /// The same for shapes that are drawn alike; empty when the shape is drawn for one object alone.
 std::string key_of(const Shape& shape) {
   const auto shared = [](const void* address) { return fmt::format("shared {}", address); };
   const auto numbers = [](const Vec3& v) { return fmt::format("{} {} {} ", v.x, v.y, v.z); };
+  if (is_quadric(kind_of(shape))) return fmt::format("{} {}", name_of(shape), numbers(half_axes_of(shape)));
   switch (kind_of(shape)) {
     case ShapeKind::sphere:
       return "sphere";
@@ -33,24 +47,9 @@ std::string key_of(const Shape& shape) {
       const Capsule& capsule = std::get<Capsule>(shape);
       return "capsule " + numbers(capsule.start()) + numbers(capsule.end()) + fmt::format("{}", capsule.radius());
     }
-    case ShapeKind::cylinder: {
-      const Cylinder& cylinder = std::get<Cylinder>(shape);
-      return fmt::format("cylinder {} {}", cylinder.radius(), cylinder.half_height());
-    }
-    case ShapeKind::cone: {
-      const Cone& cone = std::get<Cone>(shape);
-      return fmt::format("cone {} {}", cone.radius(), cone.half_height());
-    }
-    case ShapeKind::ellipsoid:
-      return "ellipsoid " + numbers(std::get<Ellipsoid>(shape).half_axes());
-    case ShapeKind::point:
-    case ShapeKind::segment:
-    case ShapeKind::triangle:
-    case ShapeKind::half_space:
-    case ShapeKind::rounded:
+    default:
       return {};
   }
-  return {};
 }
 
 Mat3 diagonal(const Vec3& d) { return Pose::from_numbers({d.x, 0, 0, 0, d.y, 0, 0, 0, d.z, 0, 0, 0}).linear; }

@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
-namespace {
-
-/// Of a − √b, where b is not negative.
-Sign sign_of_less_root(const WideInteger& a, const WideInteger& b) {
-  return a < 0 ? Sign::negative : sign_of(a * a - b);
-}
-
-}  // namespace
-
 ExactPlace exact_place(const PosedQuadric& shape, const Vec3& point) {
   const Mat3& linear = shape.pose().linear;
   const std::array<Vec3, 3> columns{linear.column(0), linear.column(1), linear.column(2)};
@@ -52,15 +44,7 @@ Sign exact_sign_of_height(const PosedQuadric& shape, const Vec3& point, const In
   const ExactPlace place = exact_place(shape, point);
   const WideInteger middle = -dot(n, place.point), x = dot(n, place.axis[0]), y = dot(n, place.axis[1]),
                     z = dot(n, place.axis[2]);
-  switch (shape.kind()) {
-    case PosedQuadric::Kind::ellipsoid:
-      return sign_of_less_root(middle, (x * x + y * y) + z * z);
-    case PosedQuadric::Kind::cylinder:
-      return sign_of_less_root(middle - abs(z), x * x + y * y);
-    case PosedQuadric::Kind::cone:
-      break;
-  }
-  return std::min(sign_of(middle + z), sign_of_less_root(middle - z, x * x + y * y));
+  return with_kind(shape.kind(), [&](auto kind) { return kind.sign_of_least_height(middle, x, y, z); });
 }
 
 Sign exact_sign_of_height(const PosedPolytope& shape, const Vec3& point, const IntegerVector& n) {

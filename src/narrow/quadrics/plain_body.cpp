@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 namespace toccata {
 namespace {
@@ -17,16 +18,17 @@ constexpr double lost_in_squares = 0x1p-500;
 
 }  // namespace
 
-PlainBody::PlainBody(const PosedQuadric& shape, const PairFrame& frame)
-    : frame_(frame), is_cone_(shape.kind() == PosedQuadric::Kind::cone), kind_(shape.kind()) {
-  const bool is_ellipsoid = shape.kind() == PosedQuadric::Kind::ellipsoid;
-  columns_ = is_ellipsoid ? 3 : 2;
-  count_ = is_ellipsoid ? 1 : 2;
+PlainBody::PlainBody(const PosedQuadric& shape, const PairFrame& frame) : frame_(frame), kind_(shape.kind()) {
+  with_kind(shape.kind(), [&](auto kind) {
+    count_ = kind.generators;
+    columns_ = kind.columns;
+    has_tip_ = kind.has_tip;
+  });
   const Mat3& linear = shape.pose().linear;
   const Vec3 half = frame.factor * shape.half(), middle = frame.plainly_placed(shape.pose().offset);
   for (int j = 0; j < static_cast<int>(columns_); ++j)
     plain_column_[static_cast<std::size_t>(j)] = half[j] * linear.column(j);
-  const Vec3 upwards = is_ellipsoid ? Vec3{} : half.z * linear.column(2);
+  const Vec3 upwards = count_ == 1 ? Vec3{} : half.z * linear.column(2);
   plain_centre_[0] = middle - upwards;
   plain_centre_[1] = middle + upwards;
 }
@@ -56,7 +58,7 @@ QuadricSupport PlainBody::support(const Vec3& direction) const {
   } else {
     double highest = -HUGE_VAL;
     for (Index i = 0; i < count_; ++i) {
-      const double height = dot(direction, plain_centre_[i]) + (i == 1 && is_cone_ ? 0 : growth);
+      const double height = dot(direction, plain_centre_[i]) + (i == 1 && has_tip_ ? 0 : growth);
       found.generator = height > highest ? i : found.generator;
       highest = height > highest ? height : highest;
     }
@@ -83,7 +85,7 @@ double PlainBody::height_at_most(const Vec3& direction) const {
     greatest = frame_.factor * (std::fabs(of_vertices) + dot(size, magnitudes(frame_.origin)));
   } else {
     for (Index i = 0; i < count_; ++i) {
-      highest = std::fmax(highest, dot(direction, plain_centre_[i]) + (i == 1 && is_cone_ ? 0 : growth));
+      highest = std::fmax(highest, dot(direction, plain_centre_[i]) + (i == 1 && has_tip_ ? 0 : growth));
       greatest = std::fmax(greatest, dot(size, magnitudes(plain_centre_[i])));
     }
   }

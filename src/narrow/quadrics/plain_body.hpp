@@ -39,7 +39,9 @@ class PlainBody {
 
   [[nodiscard]] Index generator_count() const { return count_; }
   [[nodiscard]] std::size_t column_count() const { return columns_; }
-  [[nodiscard]] bool grown(Index generator) const { return columns_ > 0 && !(is_cone_ && generator == 1); }
+  [[nodiscard]] bool grown(Index generator) const { return columns_ > 0 && !(has_tip_ && generator == 1); }
+  /// The last generator of a quadric is a point.
+  [[nodiscard]] bool has_tip() const { return has_tip_; }
   /// Of a quadric.
   [[nodiscard]] const std::optional<PosedQuadric::Kind>& quadric_kind() const { return kind_; }
 
@@ -79,7 +81,7 @@ class PlainBody {
   PairFrame frame_;
   Index count_ = 0;
   std::size_t columns_ = 0;
-  bool is_cone_ = false;
+  bool has_tip_ = false;
   std::optional<PosedQuadric::Kind> kind_;
   std::array<Vec3, 8> plain_centre_{};
   std::array<Vec3, 3> plain_column_{};

@@ -17,8 +17,7 @@ QuadricBody::QuadricBody(const PosedQuadric& shape, const PairFrame& frame) : Pl
           exactly(linear[i][j]) * exactly(frame.factor * shape.half()[j]);
   middle_ = frame.place(shape.pose().offset);
   column_ = axes_;
-  const bool is_ellipsoid = shape.kind() == PosedQuadric::Kind::ellipsoid;
-  centre_[0] = is_ellipsoid ? middle_ : middle_ - axes_[2];
+  centre_[0] = count_ == 1 ? middle_ : middle_ - axes_[2];
   centre_[1] = middle_ + axes_[2];
   for (std::size_t j = 0; j < columns_; ++j) plain_column_[j] = plain(column_[j]);
   for (Index i = 0; i < count_; ++i) plain_centre_[i] = plain(centre_[i]);

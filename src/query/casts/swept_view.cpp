@@ -6,6 +6,7 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/pair_cull.hpp"
 
@@ -58,19 +59,13 @@ HeightsAlong along(const PosedQuadric& shape, const Vec3& direction) {
   const Vec3& half = shape.half();
   const double x = half.x * dot(direction, linear.column(0)), y = half.y * dot(direction, linear.column(1)),
                z = half.z * dot(direction, linear.column(2)), middle = dot(direction, shape.pose().offset);
-  const double across = std::hypot(x, y);
   Vec3 largest = magnitudes(shape.pose().offset);
   for (int i = 0; i < 3; ++i) largest[i] += dot(magnitudes(linear[i]), half);
   HeightsAlong result;
   result.size = dot(magnitudes(direction), largest);
   result.coordinates = sum_of_magnitudes(largest) + sum_of_magnitudes(half);
-  if (shape.kind() == PosedQuadric::Kind::cone) {
-    result.whole = {middle + std::min(-z - across, z), middle + std::max(-z + across, z)};
-    return result;
-  }
-  const bool is_ellipsoid = shape.kind() == PosedQuadric::Kind::ellipsoid;
-  const double reach = is_ellipsoid ? std::hypot(across, z) : across + std::abs(z);
-  result.whole = {middle - reach, middle + reach};
+  const QuadricReach reach = with_kind(shape.kind(), [&](auto kind) { return kind.reach(x, y, z); });
+  result.whole = {middle - reach.down, middle + reach.up};
   return result;
 }
 

@@ -1,11 +1,11 @@
-#include "query/cost/cost_walk.hpp"
+#include "toccata/query/cost.hpp"
 
 namespace toccata {
 
 std::string_view name_of(CostVolume volume) {
-  constexpr std::array<std::string_view, all_cost_volumes.size()> names{"aabb",   "ball",      "cube",   "obb", "6-dop",
-                                                                        "14-dop", "18-dop",    "26-dop", "pss", "lss",
-                                                                        "rss",    "ellipsoid", "hull",   "wide"};
+  if (volume == CostVolume::wide) return "wide";
+  constexpr auto names =
+      AllVolumes::of_each([]<class V>(std::type_identity<V>) -> std::string_view { return V::name; });
   return names[static_cast<std::size_t>(volume)];
 }
 
@@ -23,14 +23,6 @@ std::string_view name_of(BvhMethod method) {
   constexpr std::array<std::string_view, all_bvh_methods.size()> names{"mean",          "median",    "heuristic",
                                                                        "agglomeration", "insertion", "morton"};
   return names[static_cast<std::size_t>(method)];
-}
-
-CostFunctions cost_functions_of(CostVolume volume) {
-  constexpr std::array functions{
-      aabb_cost_functions,  ball_cost_functions,      cube_cost_functions,  obb_cost_functions, dop6_cost_functions,
-      dop14_cost_functions, dop18_cost_functions,     dop26_cost_functions, pss_cost_functions, lss_cost_functions,
-      rss_cost_functions,   ellipsoid_cost_functions, hull_cost_functions};
-  return functions[static_cast<std::size_t>(volume)]();
 }
 
 }  // namespace toccata

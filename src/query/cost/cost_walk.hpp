@@ -219,8 +219,6 @@ struct FitTimes {
   }
 };
 
-// For every volume, in a file of its own.
-
 template <BoundingVolume V>
 [[nodiscard]] FitTimes time_fits(const CostHierarchy& hierarchy) {
   FitTimes times;
@@ -281,24 +279,10 @@ struct CostFunctions {
   double work_of_update;  ///< roughly, in microseconds
 };
 
-template <BoundingVolume V>
-constexpr CostFunctions cost_functions(double work_of_update) {
-  return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(BvhNode<V>), work_of_update};
+template <ListedVolume V>
+constexpr CostFunctions cost_functions() {
+  return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(BvhNode<V>), V::microseconds};
 }
-
-[[nodiscard]] CostFunctions aabb_cost_functions();
-[[nodiscard]] CostFunctions ball_cost_functions();
-[[nodiscard]] CostFunctions cube_cost_functions();
-[[nodiscard]] CostFunctions obb_cost_functions();
-[[nodiscard]] CostFunctions dop6_cost_functions();
-[[nodiscard]] CostFunctions dop14_cost_functions();
-[[nodiscard]] CostFunctions dop18_cost_functions();
-[[nodiscard]] CostFunctions dop26_cost_functions();
-[[nodiscard]] CostFunctions pss_cost_functions();
-[[nodiscard]] CostFunctions lss_cost_functions();
-[[nodiscard]] CostFunctions rss_cost_functions();
-[[nodiscard]] CostFunctions ellipsoid_cost_functions();
-[[nodiscard]] CostFunctions hull_cost_functions();
 
 /// Not of CostVolume::wide.
 [[nodiscard]] CostFunctions cost_functions_of(CostVolume volume);

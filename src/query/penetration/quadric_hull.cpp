@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
@@ -18,12 +19,13 @@ void add_circle(std::vector<Vec3>& points, double radius, double height, int cou
 }
 
 /// Of the shape whose half axes are 1.
-std::vector<Vec3> surface_points(PosedQuadric::Kind kind) {
+template <QuadricKind Kind>
+std::vector<Vec3> surface_points() {
   constexpr int around = 40, circles = 20;
   std::vector<Vec3> points;
-  if (kind != PosedQuadric::Kind::ellipsoid) {
+  if constexpr (AxialKind<Kind>) {
     add_circle(points, 1, -1, around);
-    if (kind == PosedQuadric::Kind::cone)
+    if (Kind::has_tip)
       points.push_back({0, 0, 1});
     else
       add_circle(points, 1, 1, around);
@@ -37,14 +39,11 @@ std::vector<Vec3> surface_points(PosedQuadric::Kind kind) {
   return points;
 }
 
-/// An inner point of the shape whose half axes are 1.
-Vec3 middle_of(PosedQuadric::Kind kind) { return {0, 0, kind == PosedQuadric::Kind::cone ? -0.5 : 0}; }
-
 }  // namespace
 
 std::optional<ConvexHull> hull_within(const PosedQuadric& shape) {
-  const Vec3 middle = middle_of(shape.kind()), &half = shape.half();
-  const std::vector<Vec3> surface = surface_points(shape.kind());
+  const Vec3 middle{0, 0, with_kind(shape.kind(), [](auto kind) { return kind.inner_height; })}, &half = shape.half();
+  const std::vector<Vec3> surface = with_kind(shape.kind(), []<class Kind>(Kind) { return surface_points<Kind>(); });
   for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
     std::vector<Vec3> points;
     for (const Vec3& p : surface) {

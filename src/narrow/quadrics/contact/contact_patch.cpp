@@ -34,7 +34,7 @@ Index quarter(const Vec3& u) {
   return u.x < 0 && u.y <= 0 ? 2 : 3;
 }
 
-/// What a cylinder or a cone turns to a direction.
+/// What one of two generators turns to a direction.
 class RoundSides {
  public:
   RoundSides(const PlainBody& body, const ContactFrame& frame, double outwards, ContactPatch& patch)
@@ -46,13 +46,11 @@ class RoundSides {
     const Vec3 cap = dot(across, upwards) < 0 ? -across : across;
     const double facing = dot(cap, direction_);
     if (-facing >= cosine_of_facing) return fill_cap(0, cap);
-    if (facing >= cosine_of_facing && !is_cone()) return fill_cap(1, cap);
+    if (facing >= cosine_of_facing && !body_.has_tip()) return fill_cap(1, cap);
     fill_line();
   }
 
  private:
-  [[nodiscard]] bool is_cone() const { return body_.quadric_kind() == PosedQuadric::Kind::cone; }
-
   void fill_cap(Index generator, const Vec3& normal) {
     patch_.kind = ContactPatch::Kind::disc;
     patch_.whole = {ConvexFeature::Kind::face, generator};
@@ -65,20 +63,20 @@ class RoundSides {
   /// The line of the side that is farthest along the direction, or the end of it that is.
   void fill_line() {
     const Vec3 along = unit_or_zero(body_.along_columns(direction_)), rim = body_.map(along);
-    const Vec3 low = body_.plain_centre(0) + rim, high = body_.plain_centre(1) + (is_cone() ? Vec3{} : rim);
+    const Vec3 low = body_.plain_centre(0) + rim, high = body_.plain_centre(1) + (body_.has_tip() ? Vec3{} : rim);
     const PatchCorner at_low{frame_.placed(low), {ConvexFeature::Kind::edge, quarter(along)}, {}};
     const PatchCorner at_high{frame_.placed(high),
-                              is_cone() ? ConvexFeature{ConvexFeature::Kind::vertex, 0}
-                                        : ConvexFeature{ConvexFeature::Kind::edge, 4 + quarter(along)},
+                              body_.has_tip() ? ConvexFeature{ConvexFeature::Kind::vertex, 0}
+                                              : ConvexFeature{ConvexFeature::Kind::edge, 4 + quarter(along)},
                               {}};
     if (!(along == Vec3{}) && is_across(high - low, direction_)) {
       patch_.kind = ContactPatch::Kind::line;
-      patch_.whole = {ConvexFeature::Kind::face, is_cone() ? Index{1} : Index{2}};
+      patch_.whole = {ConvexFeature::Kind::face, body_.has_tip() ? Index{1} : Index{2}};
       patch_.corners = {at_low, at_high};
       patch_.side = {frame_.placed(body_.plain_centre(0)),
                      frame_.turned(body_.plain_centre(1) - body_.plain_centre(0)),
                      {frame_.turned(body_.plain_column(0)), frame_.turned(body_.plain_column(1))},
-                     is_cone()};
+                     body_.has_tip()};
       return;
     }
     const PatchCorner& end = dot(high - low, direction_) > 0 ? at_high : at_low;
@@ -216,7 +214,7 @@ ConvexFeature ContactPatch::rim_at(const Vec3& u) const { return {ConvexFeature:
 ContactPatch patch_of(const PlainBody& body, const ContactFrame& frame, double outwards,
                       std::pmr::memory_resource& memory) {
   ContactPatch patch(memory);
-  if (body.quadric_kind() == PosedQuadric::Kind::ellipsoid) {
+  if (body.generator_count() == 1) {
     patch.whole = {ConvexFeature::Kind::face, 0};
     patch.centre = frame.placed(body.support(outwards * frame.z).point);
   } else {

@@ -34,7 +34,7 @@ struct PatchCorner {
 };
 
 /// The points base + s · axis + width · (u₁ column[0] + u₂ column[1]) with |u| = 1 and s from 0 to 1; the width is 1,
-/// or of a cone 1 − s.
+/// or, where it tapers, 1 − s.
 struct RoundSide {
   Vec3 base;
   Vec3 axis;

@@ -6,7 +6,7 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
-#include "narrow/quadrics/distance/axial_foot.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 // The square of the distance of the round shape A from the point C + Σ s_j b_j of the box is convex in s, and half of
 // it has the derivative b_j · (q − x), x the point of A nearest to the point q, which has a closed form. So the nearest
@@ -20,19 +20,21 @@ constexpr int most_axial_steps = 16;
 /// What is left after a step that is smaller than this part of the shapes is about its square.
 constexpr double small_step = 0x1p-24;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: t (3 − t²) / 2
-/// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; of a cone, how wide it is by 3 u.
+/// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; towards a tip, how wide it is by
+/// 3 u.
 constexpr double axial_drawn_in = 13 * unit_roundoff;
 /// As far as the guess goes, both poses are rotations.
 constexpr double largest_skew_of_rotations = 0x1p-42;
 
 double clamped_around_zero(double x, double limit) { return std::min(std::max(x, -limit), limit); }
 
+template <AxialKind Kind>
 class AxialBox {
  public:
   AxialBox(const PosedQuadric& a, const PosedPolytope& b)
       : a_(a),
         b_(b),
-        shape_(a.kind(), a.half()),
+        shape_(a.half()),
         axis_(a.pose().linear.column(2)),
         half_(b.as_box().half_extents),
         between_(b.as_box().centre - a.pose().offset) {
@@ -153,7 +155,7 @@ class AxialBox {
 
   const PosedQuadric& a_;
   const PosedPolytope& b_;
-  AxialShape shape_;
+  typename Kind::Section shape_;
   Vec3 axis_;
   Vec3 half_;     // of the box
   Vec3 between_;  // from the middle of A to that of the box
@@ -169,11 +171,11 @@ class AxialBox {
   AxialFoot foot_;
 };
 
-Vec3 AxialBox::local_point() const {
+template <AxialKind Kind>
+Vec3 AxialBox<Kind>::local_point() const {
   const Mat3& m = a_.pose().linear;
   const Vec3& half = a_.half();
-  const bool is_cone = a_.kind() == PosedQuadric::Kind::cone;
-  const double reach = is_cone ? half.x * ((half.z - foot_.up) / (2 * half.z)) : half.x;
+  const double reach = Kind::radius_at(half, foot_.up);
   if (!(reach > 0)) return {0, 0, foot_.up};
   // Next to a tip both are hardly more than rounding.
   const double part = std::min(foot_.out / reach, 1.0);
@@ -184,7 +186,8 @@ Vec3 AxialBox::local_point() const {
   return {drawn * v.x, drawn * v.y, foot_.up};
 }
 
-Vec3 AxialBox::direction(const Vec3& z) const {
+template <AxialKind Kind>
+Vec3 AxialBox<Kind>::direction(const Vec3& z) const {
   if (foot_.slope_out == 1) return dot(z, axis_) > 0 ? axis_ : -axis_;
   std::array<Vec3, 2> flat;
   std::size_t size = 0;
@@ -231,13 +234,11 @@ double beyond_corner(const PosedPolytope& box, const Vec3& corner, const Vec3& d
   return std::max({higher(0, 1), higher(2, 3), higher(4, 5), higher(6, 7)});
 }
 
-/// What a cylinder or a cone reaches beyond one of its points p, against a direction whose products with the columns of
-/// its pose are n.
-double beyond_axial(const PosedQuadric& shape, const Vec3& p, const Vec3& n) {
-  const double radius = shape.half().x, h = shape.half().z;
-  const double round = n.x * p.x + n.y * p.y, rim = radius * std::sqrt(n.x * n.x + n.y * n.y) + round;
-  if (shape.kind() == PosedQuadric::Kind::cylinder) return rim + (h * std::fabs(n.z) + n.z * p.z);
-  return std::max(rim + n.z * (p.z + h), round - n.z * (h - p.z));
+/// What A reaches beyond one of its points p, against a direction whose products with the columns of its pose are n.
+template <AxialKind Kind>
+double beyond_axial(const Vec3& half, const Vec3& p, const Vec3& n) {
+  const double round = n.x * p.x + n.y * p.y, rim = half.x * std::sqrt(n.x * n.x + n.y * n.y) + round;
+  return Kind::beyond(half, rim, round, n.z, p.z);
 }
 
 // With r and h the radius and half height, e the length of the box's half extents, d = z, the difference of the points
@@ -252,7 +253,8 @@ double beyond_axial(const PosedQuadric& shape, const Vec3& p, const Vec3& n) {
 // u L (18.1 r + 12.1 h), the cylinder less.
 // Of the box: 4 u for each height, of corners no farther than 2.1 e: u L 8.4 e; where there are steps, their 3 u e,
 // 3 u for their product, and 3 u e of the difference: u L 9.1 e more.
-std::optional<FastDistance> AxialBox::proved() const {
+template <AxialKind Kind>
+std::optional<FastDistance> AxialBox<Kind>::proved() const {
   const Vec3 p = local_point();
   const Mat3& m = a_.pose().linear;
   const Vec3 turned{dot(m[0], p), dot(m[1], p), dot(m[2], p)};
@@ -263,7 +265,7 @@ std::optional<FastDistance> AxialBox::proved() const {
   if (!is_moderate(length) || !is_moderate(length_of_d)) return {};
   const Vec3 n{dot(m.column(0), d), dot(m.column(1), d), dot(m.column(2), d)};
   const double of_box = beyond_corner(b_, on_b.corner, d) - dot(d, on_b.steps);
-  const double along = (dot(z, d) - (beyond_axial(a_, p, n) + of_box)) / length_of_d;
+  const double along = (dot(z, d) - (beyond_axial<Kind>(a_.half(), p, n) + of_box)) / length_of_d;
 
   const double r = a_.half().x, h = a_.half().z, e = plain_length(half_) + b_.as_box().slack;
   const double off = unit_roundoff * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
@@ -280,9 +282,10 @@ std::optional<FastDistance> AxialBox::proved() const {
 }
 
 /// Tiny gaps, with twice the digits.
-std::optional<FastDistance> AxialBox::proved_longer(const Vec3& p, const Vec3& d) const {
+template <AxialKind Kind>
+std::optional<FastDistance> AxialBox<Kind>::proved_longer(const Vec3& p, const Vec3& d) const {
   FastSide on_a, on_b;
-  const double upper = 0.5 * (1 + p.z / a_.half().z), reach = a_.kind() == PosedQuadric::Kind::cone ? 1 - upper : 1;
+  const double upper = 0.5 * (1 + p.z / a_.half().z), reach = Kind::width_at(upper);
   on_a.generator[1] = 1;
   on_a.weight = {1 - upper, upper, 0};
   on_a.size = 2;
@@ -301,14 +304,14 @@ std::optional<FastDistance> AxialBox::proved_longer(const Vec3& p, const Vec3& d
 // With d what is between the middles and L its length, (d · x)² + (d · y)² of the columns of A's pose is no more than
 // L² (1 + 2⁻⁴²) − (d · axis)², and rounds by 12 u L². The other heights and their sum round by less than 20 u L (L + r
 // + h + e), with e the sum of the box's half extents.
-bool AxialBox::is_parted_between_middles() const {
+template <AxialKind Kind>
+bool AxialBox<Kind>::is_parted_between_middles() const {
   const Vec3& d = between_;
   const double squared = dot(d, d), length = std::sqrt(squared), up = dot(axis_, d);
   if (!is_moderate(length)) return false;
   const double radius = a_.half().x, h = a_.half().z;
   const double rim = radius * std::sqrt(std::max(0.0, squared * (1 + 0x1p-40) - up * up));
-  const double of_a =
-      a_.kind() == PosedQuadric::Kind::cylinder ? rim + h * std::fabs(up) : std::max(rim - h * up, h * up);
+  const double of_a = Kind::reach(rim, h * up).up;
   double of_box = b_.as_box().slack * length;
   for (int j = 0; j < 3; ++j) of_box += half_[j] * std::fabs(dot(side(j), d));
   const double sizes = length + ((radius + h) + ((half_.x + half_.y) + half_.z));
@@ -318,7 +321,8 @@ bool AxialBox::is_parted_between_middles() const {
 // With P = √(r² + h²), no less than the distance of the point from the middle of A, and e the length of the half
 // extents, the point is off by u (2 P + 6.3 e) and by the box's slack. What it is up and out rounds by 12 u P, and the
 // depth by 30 u P; a rotation is not farther from A's pose than 2⁻⁴³, which turns both by less than 2⁻⁴² · 1.6 P.
-bool AxialBox::is_box_met_within() const {
+template <AxialKind Kind>
+bool AxialBox<Kind>::is_box_met_within() const {
   const Vec3 point = point_of_box();
   const double up = dot(axis_, point), out = plain_length(point - up * axis_);
   const double r = a_.half().x, h = a_.half().z;
@@ -329,29 +333,44 @@ bool AxialBox::is_box_met_within() const {
 
 bool is_round_beside_box(const PosedQuadric& a, const PosedPolytope& b) {
   const RigidBox& box = b.as_box();
-  if (a.kind() == PosedQuadric::Kind::ellipsoid || !(box.skew < largest_skew_of_rotations) || b.radius() > 0)
-    return false;
+  if (!(box.skew < largest_skew_of_rotations) || b.radius() > 0) return false;
   if (!(box.slack < 0x1p290) || !is_surely_rigid(a.pose().linear)) return false;
   const Vec3& e = box.half_extents;
   return is_moderate(a.half().x) && is_moderate(a.half().z) && is_moderate(e.x) && is_moderate(e.y) && is_moderate(e.z);
 }
 
-}  // namespace
-
-std::optional<FastDistance> axial_box_distance(const PosedQuadric& a, const PosedPolytope& b) {
-  if (!is_round_beside_box(a, b)) return {};
-  AxialBox pair(a, b);
+template <AxialKind Kind>
+std::optional<FastDistance> distance_to_box(const PosedQuadric& a, const PosedPolytope& b) {
+  AxialBox<Kind> pair(a, b);
   if (!pair.search()) return {};
   return pair.proved();
 }
 
-std::optional<QuadricContact> axial_box_contact(const PosedQuadric& a, const PosedPolytope& b) {
-  if (!is_round_beside_box(a, b)) return {};
-  AxialBox pair(a, b);
+template <AxialKind Kind>
+std::optional<QuadricContact> contact_with_box(const PosedQuadric& a, const PosedPolytope& b) {
+  AxialBox<Kind> pair(a, b);
   if (pair.is_parted_between_middles()) return QuadricContact::apart;
   if (pair.search() && pair.proved()) return QuadricContact::apart;
   if (pair.is_box_met_within()) return QuadricContact::contact;
   return {};
+}
+
+}  // namespace
+
+std::optional<FastDistance> axial_box_distance(const PosedQuadric& a, const PosedPolytope& b) {
+  return with_kind(a.kind(), [&]<class Kind>(Kind) -> std::optional<FastDistance> {
+    if constexpr (AxialKind<Kind>)
+      if (is_round_beside_box(a, b)) return distance_to_box<Kind>(a, b);
+    return {};
+  });
+}
+
+std::optional<QuadricContact> axial_box_contact(const PosedQuadric& a, const PosedPolytope& b) {
+  return with_kind(a.kind(), [&]<class Kind>(Kind) -> std::optional<QuadricContact> {
+    if constexpr (AxialKind<Kind>)
+      if (is_round_beside_box(a, b)) return contact_with_box<Kind>(a, b);
+    return {};
+  });
 }
 
 }  // namespace toccata

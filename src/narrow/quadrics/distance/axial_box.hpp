@@ -7,9 +7,9 @@
 
 namespace toccata {
 
-/// The distance of a cylinder or a cone and a box where both poses are rigid and they are apart, proved, by closed
-/// forms for the nearest point of the round shape to a point and for the sides of the box, and Newton's method along
-/// edges. What it does not answer, any other pair of shapes among it, is left to `FastPair`.
+/// The distance of a shape that is round about an axis (AxialKind) and a box where both poses are rigid and they are
+/// apart, proved, by closed forms for the nearest point of the round shape to a point and for the sides of the box, and
+/// Newton's method along edges. What it does not answer, any other pair of shapes among it, is left to `FastPair`.
 [[nodiscard]] std::optional<FastDistance> axial_box_distance(const PosedQuadric& a, const PosedPolytope& b);
 
 /// Of such a pair, apart or contact where that is certain: contact, where the search comes to a point of the box that

@@ -6,6 +6,7 @@
 #include "math/constants.hpp"
 #include "math/expansion.hpp"
 #include "math/vec3_measures.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 // The difference z of a point of each shape is computed with twice the digits; then |z| is the upper end, and the lower
 // end is z · d, less what the shapes reach beyond their points along d. That is nothing where a point is a vertex or
@@ -24,7 +25,7 @@ namespace {
 
 constexpr double least_distance = 0x1p-400;
 /// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: their length by
-/// 2.5 u, the factor by 2 u, the point by u; of a cone, how wide it is there by 3 u.
+/// 2.5 u, the factor by 2 u, the point by u; towards a tip, how wide it is there by 3 u.
 constexpr double round_drawn_in = 10 * unit_roundoff;
 
 /// A sum with twice the digits (T. Ogita, S. M. Rump, S. Oishi, "Accurate sum and dot product", 2005).
@@ -96,24 +97,12 @@ double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
 class LocalPoint {
  public:
   LocalPoint(const PosedQuadric& shape, const FastSide& side) : shape_(shape), half_(shape.half()) {
-    if (shape.kind() == PosedQuadric::Kind::ellipsoid) {
-      const Vec3 v{side.round.x * half_.x, side.round.y * half_.y, side.round.z * half_.z};
-      point_ = v;
-      const double length = plain_length(in_half_axes());
-      if (length > 1 - round_drawn_in) point_ = ((1 - round_drawn_in) / length) * v;
-      return;
-    }
-    double upper = 0;
-    for (std::size_t i = 0; i < side.size; ++i)
-      if (side.generator[i] == 1) upper = side.size == 1 ? 1 : std::clamp(side.weight[i], 0.0, 1.0);
-    const double z = upper == 0 ? -half_.z : upper == 1 ? half_.z : half_.z * (2 * upper - 1);
-    const bool is_cone = shape.kind() == PosedQuadric::Kind::cone;
-    const double reach = is_cone ? half_.x * ((half_.z - z) / (2 * half_.z)) : half_.x;
-    const Vec3 v{reach * side.round.x, reach * side.round.y, 0};
-    const double length = plain_length(v), most = reach * (1 - round_drawn_in);
-    point_ = length > most ? (most / length) * v : v;
-    if (reach == 0) point_ = {};
-    point_.z = z;
+    with_kind(shape.kind(), [&]<class Kind>(Kind kind) {
+      if constexpr (AxialKind<Kind>)
+        place_around_axis(kind, side);
+      else
+        place_in_ball(side);
+    });
   }
 
   void add_to(LongVector& sum, double sign) const {
@@ -133,15 +122,40 @@ class LocalPoint {
     const Vec3 m{half_.x * n.value.x, half_.y * n.value.y, half_.z * n.value.z};
     // A third more for what the products with the half axes round.
     const Vec3 error{1.5 * (half_.x * n.error.x), 1.5 * (half_.y * n.error.y), 1.5 * (half_.z * n.error.z)};
-    if (shape_.kind() == PosedQuadric::Kind::ellipsoid) return beyond_round(m, error, in_half_axes());
-    const Vec3 across{m.x, m.y, 0}, across_error{error.x, error.y, 0};
-    const Vec3 p{point_.x / half_.x, point_.y / half_.x, 0};
-    if (shape_.kind() == PosedQuadric::Kind::cylinder)
-      return beyond_round(across, across_error, p) + beyond_ends(n.value.z, n.error.z);
-    return std::max(beyond_base(n, across, across_error, p), beyond_tip(n, across, across_error, p));
+    return with_kind(shape_.kind(), [&]<class Kind>(Kind) {
+      if constexpr (!AxialKind<Kind>) {
+        return beyond_round(m, error, in_half_axes());
+      } else {
+        const Vec3 across{m.x, m.y, 0}, across_error{error.x, error.y, 0};
+        const Vec3 p{point_.x / half_.x, point_.y / half_.x, 0};
+        if (!Kind::has_tip) return beyond_round(across, across_error, p) + beyond_ends(n.value.z, n.error.z);
+        return std::max(beyond_base(n, across, across_error, p), beyond_tip(n, across, across_error, p));
+      }
+    });
   }
 
  private:
+  void place_in_ball(const FastSide& side) {
+    const Vec3 v{side.round.x * half_.x, side.round.y * half_.y, side.round.z * half_.z};
+    point_ = v;
+    const double length = plain_length(in_half_axes());
+    if (length > 1 - round_drawn_in) point_ = ((1 - round_drawn_in) / length) * v;
+  }
+
+  template <AxialKind Kind>
+  void place_around_axis(Kind, const FastSide& side) {
+    double upper = 0;
+    for (std::size_t i = 0; i < side.size; ++i)
+      if (side.generator[i] == 1) upper = side.size == 1 ? 1 : std::clamp(side.weight[i], 0.0, 1.0);
+    const double z = upper == 0 ? -half_.z : upper == 1 ? half_.z : half_.z * (2 * upper - 1);
+    const double reach = Kind::radius_at(half_, z);
+    const Vec3 v{reach * side.round.x, reach * side.round.y, 0};
+    const double length = plain_length(v), most = reach * (1 - round_drawn_in);
+    point_ = length > most ? (most / length) * v : v;
+    if (reach == 0) point_ = {};
+    point_.z = z;
+  }
+
   [[nodiscard]] Vec3 in_half_axes() const { return {point_.x / half_.x, point_.y / half_.y, point_.z / half_.z}; }
 
   /// 2 u of a product, u of the sum.

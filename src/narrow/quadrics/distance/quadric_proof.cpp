@@ -5,6 +5,7 @@
 #include <span>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 namespace toccata {
 namespace {
@@ -126,18 +127,6 @@ bool is_origin_within(const std::array<VectorOf<Number>, 4>& corner) {
   return positive == 4 || negative == 4;
 }
 
-namespace {
-
-bool is_round_within(PosedQuadric::Kind kind, const BoundedVector& u) {
-  const BoundedNumber one = exactly(1.0), across = u[0] * u[0] + u[1] * u[1];
-  if (kind == PosedQuadric::Kind::ellipsoid) return (one - (across + u[2] * u[2])).is_positive();
-  if (!(one - u[2]).is_positive() || !(one + u[2]).is_positive()) return false;
-  const BoundedNumber reach = kind == PosedQuadric::Kind::cone ? exactly(0.5) * (one - u[2]) : one;
-  return (reach * reach - across).is_positive();
-}
-
-}  // namespace
-
 bool is_within(const QuadricBody& quadric, const BoundedVector& point) {
   const std::array<BoundedVector, 3>& axis = quadric.axes();
   const BoundedVector from_middle = point - quadric.middle_point();
@@ -145,7 +134,7 @@ bool is_within(const QuadricBody& quadric, const BoundedVector& point) {
   const BoundedNumber volume = dot(normal[0], axis[0]);
   BoundedVector u;
   for (std::size_t i = 0; i < 3; ++i) u[i] = dot(normal[i], from_middle) / volume;
-  return is_round_within(*quadric.quadric_kind(), u);
+  return with_kind(*quadric.quadric_kind(), [&](auto kind) { return kind.holds_within(u); });
 }
 
 template VectorOf<BoundedDouble> point_of(const QuadricBody&, const BodyPoint&);

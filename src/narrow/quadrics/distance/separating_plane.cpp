@@ -7,6 +7,7 @@
 #include "math/vec3_measures.hpp"
 #include "narrow/quadrics/distance/shape_places.hpp"
 #include "narrow/quadrics/exact_place.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 namespace toccata {
 namespace {
@@ -32,39 +33,11 @@ IntegerVector shortened(IntegerVector v) {
   return v;
 }
 
-/// The normals of a cylinder or a cone at a point of its boundary.
-void append_normals_with_caps(Normals& found, PosedQuadric::Kind kind, const UnitPlace& place) {
-  const auto& [d, volume, row] = place;
-  const WideInteger across = d[0] * d[0] + d[1] * d[1];
-  const IntegerVector outwards = d[0] * row[0] + d[1] * row[1];
-  if (d[2] == -volume) found.push_back(-row[2]);
-  if (kind == PosedQuadric::Kind::cylinder) {
-    if (across == volume * volume) found.push_back(outwards);
-    if (d[2] == volume) found.push_back(row[2]);
-    return;
-  }
-  const WideInteger below_tip = volume - d[2];
-  if (below_tip == 0) {
-    // At the tip the planes along four lines of the side, and the one across the axis.
-    found.push_back(row[2]);
-    for (const IntegerVector& side : {row[0], row[1]}) {
-      found.push_back(row[2] + WideInteger(2) * side);
-      found.push_back(row[2] - WideInteger(2) * side);
-    }
-  } else if (4 * across == below_tip * below_tip) {
-    found.push_back(WideInteger(4) * outwards + below_tip * row[2]);
-  }
-}
-
 /// Of planes that touch the shape at the point, which is on its boundary.
 Normals outward_normals(const PosedQuadric& shape, const Vec3& point) {
   const UnitPlace place = unit_place(exact_place(shape, point));
-  const auto& [d, volume, row] = place;
   Normals found;
-  if (shape.kind() != PosedQuadric::Kind::ellipsoid)
-    append_normals_with_caps(found, shape.kind(), place);
-  else
-    found.push_back((d[0] * row[0] + d[1] * row[1]) + d[2] * row[2]);
+  with_kind(shape.kind(), [&](auto kind) { kind.append_outward_normals(found, place); });
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
@@ -28,13 +29,7 @@ void visit_places(const PosedQuadric& shape, const Visit& visit) {
   visit_around(middle);
   visit(middle - z);
   visit(middle + z);
-  if (shape.kind() == PosedQuadric::Kind::ellipsoid) return;
-  visit_around(middle - z);
-  if (shape.kind() == PosedQuadric::Kind::cylinder) return visit_around(middle + z);
-  for (const Vec3& along : {x, y}) {
-    visit(middle - 0.5 * along);
-    visit(middle + 0.5 * along);
-  }
+  with_kind(shape.kind(), [&](auto kind) { kind.visit_places(middle, {x, y, z}, visit, visit_around); });
 }
 
 /// Of a convex one the vertices, and the points beside them at the radius.

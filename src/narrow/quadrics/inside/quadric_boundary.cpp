@@ -45,10 +45,10 @@ class DepthSearch {
 
   /// Of caps, where the foot is what is nearest to the point in the plane.
   void look_at_planes() {
-    if (unit_.kind() == PosedQuadric::Kind::ellipsoid) return;
+    if (unit_.caps() == 0) return;
     const BoundedVector& up = unit_.row(2);
     look_at_plane(up);
-    if (unit_.kind() == PosedQuadric::Kind::cylinder) look_at_plane({-up[0], -up[1], -up[2]});
+    if (unit_.caps() == 2) look_at_plane({-up[0], -up[1], -up[2]});
   }
 
   void look_at_plane(const BoundedVector& normal) {

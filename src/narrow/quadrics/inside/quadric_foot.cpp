@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "narrow/quadrics/inside/word_eigen.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 namespace toccata {
 namespace {
@@ -109,12 +110,11 @@ FineVector in_frame(const WordEigen& eigen, const FineVector& along) {
   return v;
 }
 
-/// S x, of a cylinder exactly across its axis and of a cone across a line through its tip: the whole of it is as high.
+/// S x, across a straight line of the round side exactly: the whole of it is as high.
 FineVector normal_at(const UnitFrame& shape, const FineVector& x) {
   FineVector y;
   for (std::size_t i = 0; i < 3; ++i) y[i] = inner(vector_as<DoubleWord>(shape.row(i)), x);
-  if (shape.kind() == PosedQuadric::Kind::cylinder) y[2] = {0, 0};
-  if (shape.kind() == PosedQuadric::Kind::cone) y[2] = -root_of(y[0] * y[0] + y[1] * y[1]);
+  with_kind(shape.kind(), [&](auto kind) { kind.turn_to_normal(y); });
   FineVector normal{};
   for (std::size_t i = 0; i < 3; ++i) normal = sum(normal, multiple(y[i], vector_as<DoubleWord>(shape.row(i))));
   return normal;

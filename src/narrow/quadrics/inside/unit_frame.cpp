@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "toccata/math/mat3.hpp"
 
 namespace toccata {
@@ -158,31 +159,33 @@ Within is_held_by_quadric(const QuadraticForm& form) {
   return value_at(form, greatest->at).is_positive() ? Within::no : Within::undecided;
 }
 
-/// The planes of cylinder and cone, and the side of a cone's tip on which it lies.
+/// The planes of the caps, and of a tip, on whose side the shape lies.
 Within is_held_by_planes(const UnitFrame& shape, const UnitGenerator& generator) {
-  if (shape.kind() == PosedQuadric::Kind::ellipsoid) return Within::yes;
+  if (shape.caps() == 0) return Within::yes;
   BoundedNumber squared = exactly(0);
   for (std::size_t j = 0; j < generator.columns; ++j)
     squared = squared + generator.column[j][2] * generator.column[j][2];
   const BoundedNumber reach = root_of_squares(squared), &at = generator.centre[2];
-  const Within above = from_sign((at + reach) - exactly(1));
-  if (shape.kind() == PosedQuadric::Kind::cone) return both(above, from_sign(-at));
-  return both(above, from_sign((reach - at) - exactly(1)));
+  return with_kind(shape.kind(), [&](auto kind) {
+    Within all = Within::yes;
+    for (const BoundedNumber& excess : kind.beyond_planes(at, reach)) all = both(all, from_sign(excess));
+    return all;
+  });
 }
 
 }  // namespace
 
-UnitFrame::UnitFrame(const QuadricBody& shape)
-    : kind_(*shape.quadric_kind()),
-      last_sign_(kind_ == PosedQuadric::Kind::ellipsoid ? 1
-                 : kind_ == PosedQuadric::Kind::cone    ? -1
-                                                        : 0),
-      origin_(shape.middle_point()) {
+UnitFrame::UnitFrame(const QuadricBody& shape) : kind_(*shape.quadric_kind()), origin_(shape.middle_point()) {
+  with_kind(kind_, [&](auto kind) {
+    last_sign_ = kind.last_sign;
+    level_ = kind.level;
+    caps_ = kind.caps;
+  });
   const std::array<BoundedVector, 3>& axis = shape.axes();
   const BoundedVector across = cross(axis[1], axis[2]);
   const BoundedNumber part = exactly(1) / dot(across, axis[0]);
   row_ = {part * across, part * cross(axis[2], axis[0]), part * cross(axis[0], axis[1])};
-  if (kind_ != PosedQuadric::Kind::cone) return;
+  if (!shape.has_tip()) return;
   // From the tip to the middle of the base it is minus two half heights.
   origin_ = origin_ + axis[2];
   row_[2] = exactly(-0.5) * row_[2];

@@ -41,7 +41,8 @@ class UnitFrame {
 
   [[nodiscard]] PosedQuadric::Kind kind() const { return kind_; }
   [[nodiscard]] double last_sign() const { return last_sign_; }  ///< s
-  [[nodiscard]] double level() const { return kind_ == PosedQuadric::Kind::cone ? 0 : 1; }
+  [[nodiscard]] double level() const { return level_; }
+  [[nodiscard]] int caps() const { return caps_; }
   /// In the pair's frame: y = 0.
   [[nodiscard]] const BoundedVector& origin() const { return origin_; }
   /// yᵢ is its product with what points from the origin.
@@ -57,7 +58,9 @@ class UnitFrame {
 
  private:
   PosedQuadric::Kind kind_;
-  double last_sign_;
+  double last_sign_ = 0;
+  double level_ = 0;
+  int caps_ = 0;
   BoundedVector origin_;
   std::array<BoundedVector, 3> row_;
 };
