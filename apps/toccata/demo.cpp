@@ -14,6 +14,7 @@
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
+#include "toccata/io/scene_question.hpp"
 #include "toccata/query/check_all.hpp"
 #include "words.hpp"
 
@@ -33,7 +34,7 @@ std::string demo_json(const DemoArguments& arguments) {
   for (const NamedScene& named : demo_scenes()) {
     const Scene scene = demo_scene(named.name);
     const std::vector<SceneInstance> models = scene_models(scene, arguments.threads);
-    reports.push_back({named.name, check_report_json(scene, models, report_of(models, arguments), {})});
+    reports.push_back({named.name, report_json(scene, models, report_of(models, arguments))});
   }
   return joined_reports_json(reports);
 }
