@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include "arguments.hpp"
 #include "check_table.hpp"
 #include "demo_readme.hpp"
 #include "file_text.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
@@ -20,6 +24,12 @@
 
 namespace toccata::command {
 namespace {
+
+struct DemoArguments {
+  std::string write_folder;  ///< empty: run the demo
+  Format format = Format::table;
+  int threads = 0;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -115,10 +125,21 @@ int write_scenes(const std::filesystem::path& folder) {
   return 0;
 }
 
-}  // namespace
-
 int run_demo(const DemoArguments& arguments) {
   return arguments.write_folder.empty() ? show_scenes(arguments) : write_scenes(arguments.write_folder);
+}
+
+}  // namespace
+
+Subcommand add_demo(CLI::App& app) {
+  const auto arguments = std::make_shared<DemoArguments>();
+  CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
+  add_text(*demo, "--write", arguments->write_folder, "write the scenes as files to play with, into this folder",
+           "a folder must be named");
+  add_threads(*demo, arguments->threads, "answer");
+  add_json(*demo, arguments->format, "write the answers as JSON");
+  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
+  return {demo, [arguments] { return run_demo(*arguments); }};
 }
 
 }  // namespace toccata::command
