@@ -43,7 +43,7 @@ TEST(CrowdCommand, TellsOfBodiesInAWorld) {
   const auto run = run_command({"crowd", "--world", "--count", "1", "--frames", "1"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(run.out.starts_with("1 body that flies, 1 frame\n")) << run.out;
-  EXPECT_NE(run.out.find("\nbroad phase          ms per step      worst in contact     begun    ended\nbrute-force  "),
+  EXPECT_NE(run.out.find("\nbroad phase          ms per step      worst in contact     begin      end\nbrute-force  "),
             std::string::npos)
       << run.out;
   EXPECT_TRUE(run.out.ends_with("          0         0        0\n")) << run.out;
