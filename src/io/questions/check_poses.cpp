@@ -30,7 +30,7 @@ io::Json json_of_query(const PosesReport& report, std::size_t i) {
 }
 
 /// What was found at a pose, as that of a pair.
-ReportedPair pair_at(const PosesReport& report, std::size_t i) {
+ReportedPair pair_at_pose(const PosesReport& report, std::size_t i) {
   ReportedPair pair;
   pair.a = 0;
   pair.b = 1;
@@ -121,7 +121,7 @@ struct CheckPosesKind {
     std::vector<std::size_t> at_poses;
     for (std::size_t i = 0; i < std::min(report.face_pairs.size(), report.relations.size()); ++i) {
       if (report.relations[i].kind == RelationKind::apart) continue;
-      nodes.add_contacts(pair_at(report, i));
+      nodes.add_contacts(pair_at_pose(report, i));
       at_poses.push_back(nodes.at_pose(i, report.queries.size()));
     }
     nodes.glb().add_group("poses", at_poses);
