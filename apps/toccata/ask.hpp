@@ -35,21 +35,4 @@ void print_answer(const CheckInput& input, const SceneAnswer& answer, Format for
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
                   const PosedArguments& arguments, const TableText& table = {});
 
-// What people read of each answer.
-std::string table_of(const CheckInput& input, const CheckReport& report);
-std::string table_of(const CheckInput& input, const PosesReport& report);
-std::string table_of(const CheckInput& input, const SelfReport& report);
-std::string table_of(const CheckInput& input, const DistanceReport& report);
-std::string table_of(const CheckInput& input, const DistancePosesReport& report);
-std::string table_of(const CheckInput& input, const RayReport& report);
-std::string table_of(const CheckInput& input, const FacesReport& report);
-std::string table_of(const CheckInput& input, const NearestReport& report);
-std::string table_of(const CheckInput& input, const InspectReport& report);
-std::string table_of(const CheckInput& input, const RebalanceReport& report);
-std::string table_of(const CheckInput& input, const CostReport& report);
-std::string table_of(const CheckInput& input, const CrowdReport& report);
-std::string table_of(const CheckInput& input, const CrowdWorldReport& report);
-std::string table_of(const CheckInput& input, const DecomposeReport& report);
-std::string table_of(const CheckInput& input, const MinkowskiReport& report);
-
 }  // namespace toccata::command

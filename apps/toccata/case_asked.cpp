@@ -9,6 +9,7 @@
 #include "check_input.hpp"
 #include "file_text.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
 #include "view.hpp"
@@ -16,28 +17,6 @@
 
 namespace toccata::command {
 namespace {
-
-struct ExitCode {
-  int operator()(const CheckReport& r) const { return r.pairs.empty() ? 0 : 1; }
-  int operator()(const PosesReport& r) const { return contact_count(r) == 0 ? 0 : 1; }
-  int operator()(const SelfReport& r) const { return self_intersecting_count(r) == 0 ? 0 : 1; }
-  int operator()(const DistanceReport& r) const {
-    const auto meet = [](const ReportedDistance& pair) { return pair.distance.upper == 0; };
-    return std::any_of(r.pairs.begin(), r.pairs.end(), meet) ? 1 : 0;
-  }
-  int operator()(const DistancePosesReport& r) const { return intersecting_count(r) == 0 ? 0 : 1; }
-  int operator()(const RayReport& r) const {
-    return std::any_of(r.rays.begin(), r.rays.end(), [](const ReportedRay& ray) { return ray.hit.hit; }) ? 1 : 0;
-  }
-  int operator()(const FacesReport& r) const { return r.found.empty() ? 0 : 1; }
-  int operator()(const MinkowskiReport& r) const {
-    return r.question.point && !r.sum.contains(*r.question.point) ? 1 : 0;
-  }
-  template <class Other>
-  int operator()(const Other&) const {
-    return 0;
-  }
-};
 
 /// The case in the only file, where that is one: cheaply, as most are none.
 std::optional<Case> case_in(const std::vector<std::string>& files) {
@@ -66,7 +45,9 @@ bool is_question_of(const std::string& question, const std::string& subcommand) 
 
 }  // namespace
 
-int exit_code_of(const SceneAnswer& answer) { return std::visit(ExitCode{}, answer); }
+int exit_code_of(const SceneAnswer& answer) {
+  return std::visit([](const auto& report) { return summary_of(report).is_found ? 1 : 0; }, answer);
+}
 
 bool changes_objects(const PosedArguments& arguments) {
   return arguments.solid || arguments.input.scale != 1 || !arguments.input.unit.empty() || arguments.pose_a ||

@@ -4,9 +4,9 @@
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/io/report.hpp"
 #include "view.hpp"
@@ -36,6 +36,10 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
                                                     counted(rows.size(), "query", "queries"), decided_text(undecided));
   if (touching > contacts) text += fmt::format("{} merely touching, ignored as asked.\n", grouped(touching - contacts));
   return text;
+}
+
+Summary summary_of(const PosesReport& report) {
+  return {counted(report.queries.size(), "pose"), contact_count(report) > 0};
 }
 
 int run_check_poses(const CheckArguments& arguments) {

@@ -2,10 +2,10 @@
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "view.hpp"
 #include "words.hpp"
@@ -33,6 +33,11 @@ std::string table_of(const CheckInput& input, const SelfReport& report) {
     if (!report.objects[i].faces.empty()) text += face_lines(report.objects[i].faces);
   }
   return text + last;
+}
+
+Summary summary_of(const SelfReport& report) {
+  const std::size_t count = self_intersecting_count(report);
+  return {counted(count, "object") + " self-intersecting", count > 0};
 }
 
 int run_check_self(const CheckArguments& arguments) {

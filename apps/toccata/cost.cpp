@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "cost_words.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/plot.hpp"
 #include "toccata/io/report.hpp"
@@ -16,6 +20,13 @@
 
 namespace toccata::command {
 namespace {
+
+struct CostArguments : PosedArguments {
+  CostOptions options;
+  std::size_t rows = 10;  ///< of each table; 0: all
+  std::string svg;        ///< a plot to write; empty: none
+  CostWords words;        ///< as the options are written
+};
 
 /// Without a file of poses the one that both have; none where there are not two, which is refused when it is asked.
 std::vector<PairQuery> queries_of(const CheckInput& input, const CostArguments& arguments) {
@@ -73,13 +84,6 @@ bool is_plain(const CostOptions& given) {
          given.most_work == plain.most_work;
 }
 
-}  // namespace
-
-std::string table_of(const CheckInput&, const CostReport& report) {
-  constexpr std::size_t usual_rows = 10;
-  return tables_of(report.table, usual_rows, remark_on_wide(report.question.options));
-}
-
 int run_cost(const CostArguments& arguments) {
   require_distinct({{"--svg", arguments.svg},
                     {"--html", arguments.html},
@@ -109,6 +113,61 @@ int run_cost(const CostArguments& arguments) {
                      remark_on_wide(arguments.options));
   });
   return 0;
+}
+
+}  // namespace
+
+std::string table_of(const CheckInput&, const CostReport& report) {
+  constexpr std::size_t usual_rows = 10;
+  return tables_of(report.table, usual_rows, remark_on_wide(report.question.options));
+}
+
+Summary summary_of(const CostReport& report) { return {counted(report.table.rows.size(), "hierarchy", "hierarchies")}; }
+
+Subcommand add_cost(CLI::App& app) {
+  const auto arguments = std::make_shared<CostArguments>();
+  CLI::App* cost =
+      app.add_subcommand("cost", "which bounding volume and hierarchy is cheapest for two meshes, measured");
+  add_input(*cost, arguments->input, "two files of one mesh each");
+  add_poses(*cost, *arguments);
+  CostWords& words = arguments->words;
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    cost->add_option(name, values, what)->delimiter(',')->allow_extra_args(false)->type_name("WORD,…");
+  };
+  cost->add_option("--task", words.task, "what is asked at each pose: overlap, contacts or distance")
+      ->capture_default_str();
+  list("--workloads", words.workloads, "rigid, refit, rebuild (default: all)");
+  list("--volumes", words.volumes, "aabb, obb, 26-dop, … (default: all)");
+  list("--builders", words.builders, "heuristic, mean, median, morton, agglomeration, insertion (default: all)");
+  cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check([](const std::string& number) { return number.empty() ? "a number must be given" : std::string(); })
+      ->type_name("NUMBER,…");
+  cost->add_option("--leaf-size", words.leaf_size, "triangles in a leaf, at most")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  CLI::Option* quick = cost->add_flag("--quick", words.quick, "two builders and two arities, and only what is fast");
+  cost->add_flag("--all", words.all, "also what takes long: of large meshes some is left out")->excludes(quick);
+  cost->add_option("--rows", arguments->rows, "how many rows of each table to show; 0: all")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  add_file(*cost, "--svg", arguments->svg,
+           "also draw the cheapest hierarchy of each volume as bars (docs/reference/plots.md)", "FILE.svg");
+  add_formats(*cost, arguments->format, "docs/reference/cost-report.md");
+  add_pages(*cost, *arguments);
+  add_glb(*cost, *arguments);
+  add_save_case(*cost, arguments->save_case);
+  cost->footer(
+      with_name("F = N_u·C_u + N_bv·C_bv + N_p·C_p: volumes updated, volumes compared and triangles compared, by what "
+                "one of each costs (docs/methods/cost-function.md).\n\nExit code: 0, or 2 for trouble.\n\nExample:\n"
+                "  {0} cost part.stl part.stl --pose-b 1 0 0  0 1 0  0 0 1  0.5 0 0 --quick\n"
+                "  {0} cost robot.stl table.obj --poses path.txt --task distance"));
+  return {cost, [arguments] {
+            take_words(*arguments);
+            arguments->options = cost_options_of(arguments->words);
+            return run_cost(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

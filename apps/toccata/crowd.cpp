@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,10 +11,14 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "crowd_view.hpp"
+#include "option_kinds.hpp"
 #include "saved.hpp"
+#include "subcommands.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/generate/crowds.hpp"
 #include "toccata/io/crowd_report.hpp"
+#include "whole_number.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -60,6 +66,55 @@ int run_case(const CrowdArguments& arguments) {
                   arguments.input.files.front()));
 }
 
+int run_crowd(const CrowdArguments& arguments) {
+  if (!arguments.input.files.empty()) return run_case(arguments);
+  const SceneQuestion question = question_of(arguments);
+  const CrowdView view(arguments, question);
+  const CheckInput input = about_no_file();
+  const SceneAnswer answer = ask_for(input, question, arguments, {arguments.world ? "steps" : "frames"});
+  const std::string written = view.write();
+  print_answer(input, question, answer, arguments, [&](const SceneAnswer& found) {
+    return std::visit([&](const auto& report) { return table_of(input, report); }, found) + written;
+  });
+  return 0;
+}
+
+/// What a case of a crowd says itself.
+std::vector<CLI::Option*> add_flight(CLI::App& app, CrowdArguments& crowd) {
+  std::vector<std::string> methods;
+  for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
+  const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000});
+  return {
+      app.add_option("--count", crowd.count, "boxes or bodies")->check(positive)->capture_default_str(),
+      app.add_option("--frames", crowd.frames, "the median of their times is told")
+          ->check(positive)
+          ->capture_default_str(),
+      app.add_option("--seed", crowd.seed, "another seed, another crowd")->check(whole_number())->capture_default_str(),
+      add_threads(app, crowd.threads, "pairs")->capture_default_str(),
+      app.add_option("--method", crowd.method, "how pairs are found")
+          ->check(CLI::IsMember(methods))
+          ->capture_default_str()};
+}
+
+/// What bodies in a World do not have.
+std::vector<CLI::Option*> add_boxes(CLI::App& app, CrowdArguments& crowd) {
+  std::vector<std::string> scenes, bounds;
+  for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
+  for (const CrowdBounds one : all_crowd_bounds) bounds.emplace_back(name_of(one));
+  return {app.add_option("--scene", crowd.scene, "how they lie and move")
+              ->check(CLI::IsMember(scenes))
+              ->capture_default_str(),
+          app.add_option("--bounds", crowd.bounds,
+                         "what bounds each: its box, the ball around that, or the box turned (oriented)")
+              ->check(CLI::IsMember(bounds))
+              ->capture_default_str(),
+          app.add_option("--cells", crowd.cells,
+                         "which cells the page shows: those of the method, or of a grid those that boxes enter, keep "
+                         "and leave")
+              ->check(CLI::IsMember({"method", "tracked"}))
+              ->capture_default_str()};
+}
+
 }  // namespace
 
 std::string crowd_words(const CrowdQuestion& question) {
@@ -86,6 +141,10 @@ std::string table_of(const CheckInput&, const CrowdReport& report) {
   return text;
 }
 
+Summary summary_of(const CrowdReport& report) {
+  return {fmt::format("{} in {}", crowd_words(report.question), counted(report.question.frames, "frame"))};
+}
+
 std::string table_of(const CheckInput&, const CrowdWorldReport& report) {
   const CrowdWorldQuestion& question = report.question;
   return fmt::format("{}, {}\n{:<20}{:>12}{:>11}{:>11}{:>10}{:>9}\n{:<20}{:>12.3f}{:>11.3f}{:>11}{:>10}{:>9}\n",
@@ -94,17 +153,42 @@ std::string table_of(const CheckInput&, const CrowdWorldReport& report) {
                      report.frames.worst_ms(), report.pairs(), report.begin, report.end);
 }
 
-int run_crowd(const CrowdArguments& arguments) {
-  if (!arguments.input.files.empty()) return run_case(arguments);
-  const SceneQuestion question = question_of(arguments);
-  const CrowdView view(arguments, question);
-  const CheckInput input = about_no_file();
-  const SceneAnswer answer = ask_for(input, question, arguments, {arguments.world ? "steps" : "frames"});
-  const std::string written = view.write();
-  print_answer(input, question, answer, arguments, [&](const SceneAnswer& found) {
-    return std::visit([&](const auto& report) { return table_of(input, report); }, found) + written;
-  });
-  return 0;
+Summary summary_of(const CrowdWorldReport& report) {
+  return {fmt::format("{} in {}", crowd_words(report.question), counted(report.question.frames, "step"))};
+}
+
+Subcommand add_crowd(CLI::App& app) {
+  const auto arguments = std::make_shared<CrowdArguments>();
+  CLI::App* crowd = app.add_subcommand("crowd", "many moving boxes: which overlap, frame by frame, and how fast");
+  CLI::Option* files =
+      crowd->add_option("case", arguments->input.files, "a case of a crowd, to be answered again")->expected(0, 1);
+  const std::vector<CLI::Option*> flight = add_flight(*crowd, *arguments), boxes = add_boxes(*crowd, *arguments);
+  CLI::Option* compare =
+      crowd->add_flag("--compare", arguments->compare, "all methods that can bear so many, one after the other");
+  compare->excludes(flight.back());
+  CLI::Option* world = crowd->add_flag(
+      "--world", arguments->world,
+      "instead of boxes, spheres, boxes, capsules and hulls that fly in a World: which are in contact, exactly");
+  world->excludes(compare);
+  for (CLI::Option* option : boxes) world->excludes(option->excludes(files));
+  for (CLI::Option* option : flight) option->excludes(files);
+  compare->excludes(files);
+  world->excludes(files);
+  add_file(*crowd, "--html", arguments->html,
+           "also write a page of the boxes, their pairs and the method's cells, frame by frame", "FILE.html");
+  add_picture(*crowd, *arguments);
+  add_glb(*crowd, *arguments);
+  add_save_case(
+      *crowd, arguments->save_case,
+      "write the question and the answer into one file; `replay` asks it again (docs/reference/case-file.md)");
+  add_json(*crowd, arguments->format, "write JSON (docs/reference/crowd.md)");
+  crowd->footer(
+      with_name("Exit code: 0, or 2 for trouble; of a case also 1, where its answer is another.\n\n"
+                "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
+                "  {0} crowd --count 2000 --frames 100 --html crowd.html\n"
+                "  {0} crowd --world --count 500 --frames 60 --html world.html --save-case world.json\n"
+                "  {0} crowd world.json --glb world.glb"));
+  return {crowd, [arguments] { return run_crowd(*arguments); }};
 }
 
 }  // namespace toccata::command

@@ -1,20 +1,30 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
+
+struct DecomposeArguments : PosedArguments {
+  DecomposeArguments() { glb_option = "-o or --glb"; }
+
+  DecomposeQuestion question;  ///< but for its concavity
+  std::string concavity;       ///< a length; empty: 0
+};
 
 std::string percent_text(const ConvexParts& parts) {
   if (!std::isfinite(parts.hull_volume) || parts.mesh_volume == 0) return "";
@@ -30,6 +40,22 @@ std::string volume_text(double volume, int digits, bool is_flat) {
 
 bool are_flat(const ConvexParts& parts) {
   return std::ranges::all_of(parts.parts, [](const ConvexPart& part) { return part.hull.dimension() < 3; });
+}
+
+int run_decompose(const DecomposeArguments& arguments) {
+  const bool asks_itself =
+      changes_objects(arguments) || arguments.question != DecomposeQuestion{} || !arguments.concavity.empty();
+  if (const auto code = answered_case(arguments, {"decompose", asks_itself})) return *code;
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  DecomposeQuestion question = arguments.question;
+  if (!arguments.concavity.empty())
+    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene, Longest::finite);
+  const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
+  const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
+  if (arguments.format == Format::table)
+    print_answer(written_lines(target_of(arguments), counted(parts, "convex part")));
+  return 0;
 }
 
 }  // namespace
@@ -53,20 +79,28 @@ std::string table_of(const CheckInput&, const DecomposeReport& report) {
                      volume_text(parts.mesh_volume, 6, are_flat(parts)), percent_text(parts), parts.concavity);
 }
 
-int run_decompose(const DecomposeArguments& arguments) {
-  const bool asks_itself =
-      changes_objects(arguments) || arguments.question != DecomposeQuestion{} || !arguments.concavity.empty();
-  if (const auto code = answered_case(arguments, {"decompose", asks_itself})) return *code;
-  require_view(arguments);
-  const CheckInput input = read_check_input(arguments);
-  DecomposeQuestion question = arguments.question;
-  if (!arguments.concavity.empty())
-    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene, Longest::finite);
-  const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
-  const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
-  if (arguments.format == Format::table)
-    print_answer(written_lines(target_of(arguments), counted(parts, "convex part")));
-  return 0;
+Summary summary_of(const DecomposeReport& report) { return {counted(report.parts.parts.size(), "convex part")}; }
+
+Subcommand add_decompose(CLI::App& app) {
+  const auto arguments = std::make_shared<DecomposeArguments>();
+  CLI::App* decompose = app.add_subcommand("decompose", "cut a closed mesh into convex parts that contain it");
+  add_input(*decompose, arguments->input, "a file with one closed mesh");
+  decompose->add_option("--parts", arguments->question.max_parts, "at most so many")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  add_length(*decompose, "--concavity", arguments->concavity,
+             "cut no further where no point of a part is farther than this from the solid: a length in units of the "
+             "scene or with its own (0.5, 2mm, 0.1in)");
+  add_glb(*decompose, *arguments, "-o,--output,--glb");
+  add_pages(*decompose, *arguments);
+  add_save_case(*decompose, arguments->save_case);
+  add_threads(*decompose, arguments->threads, "parts");
+  add_json(*decompose, arguments->format, "write JSON (docs/reference/decompose-report.md)");
+  decompose->footer(with_name(
+      "Each part is convex, and together they contain the whole solid; how much more they are is told "
+      "(docs/methods/convex-decomposition.md).\n\nExit code: 0, or 2 for trouble.\n\n"
+      "Example:\n  {0} decompose part.stl -o parts.glb\n  {0} decompose gen:torus --parts 16 --html parts.html"));
+  return {decompose, [arguments] { return run_decompose(*arguments); }};
 }
 
 }  // namespace toccata::command

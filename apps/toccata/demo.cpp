@@ -1,24 +1,35 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include "arguments.hpp"
 #include "check_table.hpp"
 #include "demo_readme.hpp"
 #include "file_text.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
+#include "toccata/io/scene_question.hpp"
 #include "toccata/query/check_all.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
+
+struct DemoArguments {
+  std::string write_folder;  ///< empty: run the demo
+  Format format = Format::table;
+  int threads = 0;
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -33,7 +44,7 @@ std::string demo_json(const DemoArguments& arguments) {
   for (const NamedScene& named : demo_scenes()) {
     const Scene scene = demo_scene(named.name);
     const std::vector<SceneInstance> models = scene_models(scene, arguments.threads);
-    reports.push_back({named.name, check_report_json(scene, models, report_of(models, arguments), {})});
+    reports.push_back({named.name, report_json(scene, models, report_of(models, arguments))});
   }
   return joined_reports_json(reports);
 }
@@ -114,10 +125,21 @@ int write_scenes(const std::filesystem::path& folder) {
   return 0;
 }
 
-}  // namespace
-
 int run_demo(const DemoArguments& arguments) {
   return arguments.write_folder.empty() ? show_scenes(arguments) : write_scenes(arguments.write_folder);
+}
+
+}  // namespace
+
+Subcommand add_demo(CLI::App& app) {
+  const auto arguments = std::make_shared<DemoArguments>();
+  CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
+  add_text(*demo, "--write", arguments->write_folder, "write the scenes as files to play with, into this folder",
+           "a folder must be named");
+  add_threads(*demo, arguments->threads, "answer");
+  add_json(*demo, arguments->format, "write the answers as JSON");
+  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
+  return {demo, [arguments] { return run_demo(*arguments); }};
 }
 
 }  // namespace toccata::command

@@ -1,25 +1,23 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "option_kinds.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
-std::string table_of(const CheckInput& input, const DistanceReport& report) {
-  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
-  std::vector<std::vector<std::string>> rows;
-  for (const ReportedDistance& pair : report.pairs)
-    rows.push_back({names[pair.a], names[pair.b], distance_text(pair.distance), nearest_text(pair.distance)});
-  return columns(rows, 2);
-}
+namespace {
 
-int run_distance(const DistanceArguments& arguments) {
+int run_distance(const PosedArguments& arguments) {
   if (const auto code = answered_case(arguments, {"distance", changes_objects(arguments)})) return *code;
   if (!arguments.poses.empty()) return run_distance_poses(arguments);
   require_view(arguments);
@@ -31,6 +29,38 @@ int run_distance(const DistanceArguments& arguments) {
   const std::vector<std::size_t>& first_object = loaded.first_object;
   const DistanceQuestion question{first_object.size() == 3 ? first_object[1] : 0};
   return exit_code_of(answer_to(question, input, arguments, "measuring"));
+}
+
+}  // namespace
+
+std::string table_of(const CheckInput& input, const DistanceReport& report) {
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
+  std::vector<std::vector<std::string>> rows;
+  for (const ReportedDistance& pair : report.pairs)
+    rows.push_back({names[pair.a], names[pair.b], distance_text(pair.distance), nearest_text(pair.distance)});
+  return columns(rows, 2);
+}
+
+Summary summary_of(const DistanceReport& report) {
+  const auto meet = [](const ReportedDistance& pair) { return pair.distance.upper == 0; };
+  return {counted(report.pairs.size(), "pair"), std::any_of(report.pairs.begin(), report.pairs.end(), meet)};
+}
+
+Subcommand add_distance(CLI::App& app) {
+  const auto arguments = std::make_shared<PosedArguments>();
+  CLI::App* distance = app.add_subcommand("distance", "how far apart shapes are, certified");
+  add_input(*distance, arguments->input,
+            "one file (all pairs of its objects) or two (pairs of one of each): meshes or scenes");
+  add_poses(*distance, *arguments);
+  add_solid(*distance, *arguments);
+  add_writing(*distance, *arguments, "docs/reference/distance-report.md");
+  distance->footer(
+      with_name("Exit code: 0 nothing meets, 1 something does, 2 trouble.\n\nExample:\n  {0} distance a.stl b.obj\n"
+                "  {0} distance shapes.json\n  {0} distance robot.json table.json --poses path.txt --csv"));
+  return {distance, [arguments] {
+            take_words(*arguments);
+            return run_distance(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

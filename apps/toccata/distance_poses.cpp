@@ -2,9 +2,9 @@
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "view.hpp"
 #include "words.hpp"
@@ -21,7 +21,11 @@ std::string table_of(const CheckInput& input, const DistancePosesReport& report)
          fmt::format("{} of {} meet.\n", grouped(intersecting_count(report)), counted(rows.size(), "query", "queries"));
 }
 
-int run_distance_poses(const DistanceArguments& arguments) {
+Summary summary_of(const DistancePosesReport& report) {
+  return {counted(report.queries.size(), "pose"), intersecting_count(report) > 0};
+}
+
+int run_distance_poses(const PosedArguments& arguments) {
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   const DistancePosesQuestion question{read_queries(input, arguments)};

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "cost_words.hpp"
+#include "option_kinds.hpp"
 #include "shape_text.hpp"
+#include "subcommands.hpp"
 #include "toccata/io/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
@@ -103,6 +106,18 @@ void warn_of_other_shapes(LoadedScene& loaded, const std::string& option) {
       loaded.warnings.push_back(fmt::format("{} is no mesh: {} is about meshes", object.name, option));
 }
 
+int run_inspect(const InspectArguments& arguments) {
+  const bool asks_itself = arguments.volumes || arguments.partitions || arguments.faults || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"inspect", asks_itself})) return *code;
+  require_view(arguments);
+  CheckInput input = read_check_input(arguments);
+  if (arguments.volumes) warn_of_other_shapes(input.loaded, "--volumes");
+  if (arguments.partitions) warn_of_other_shapes(input.loaded, "--partitions");
+  const InspectQuestion question{arguments.volumes, arguments.partitions, arguments.faults};
+  (void)answer_to(question, input, arguments, "measuring");
+  return 0;
+}
+
 }  // namespace
 
 std::string table_of(const CheckInput& input, const InspectReport& report) {
@@ -117,16 +132,39 @@ std::string table_of(const CheckInput& input, const InspectReport& report) {
   return text;
 }
 
-int run_inspect(const InspectArguments& arguments) {
-  const bool asks_itself = arguments.volumes || arguments.partitions || arguments.faults || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {"inspect", asks_itself})) return *code;
-  require_view(arguments);
-  CheckInput input = read_check_input(arguments);
-  if (arguments.volumes) warn_of_other_shapes(input.loaded, "--volumes");
-  if (arguments.partitions) warn_of_other_shapes(input.loaded, "--partitions");
-  const InspectQuestion question{arguments.volumes, arguments.partitions, arguments.faults};
-  (void)answer_to(question, input, arguments, "measuring");
-  return 0;
+Summary summary_of(const InspectReport& report) {
+  std::size_t faults = 0;
+  for (const InspectedObject& object : report.objects) faults += object.faults.size();
+  return {counted(faults, "fault")};
+}
+
+Subcommand add_inspect(CLI::App& app) {
+  const auto arguments = std::make_shared<InspectArguments>();
+  CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: watertight? degenerate? how large?");
+  add_input(*inspect, arguments->input, "mesh or scene files");
+  CLI::Option* volumes =
+      inspect->add_flag("--volumes", arguments->volumes,
+                        "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
+  CLI::Option* partitions = inspect->add_flag(
+      "--partitions", arguments->partitions,
+      "every partition of space over each mesh: cells, copies, overlap, memory, time to build and ask");
+  inspect
+      ->add_flag("--hierarchy", arguments->hierarchy,
+                 "how good the tree of nodes is as a hierarchy, and what rebalancing it gains")
+      ->excludes(volumes)
+      ->excludes(partitions);
+  inspect->add_flag("--faults", arguments->faults, "where the edges, triangles and vertices are that are out of order");
+  add_json(*inspect, arguments->format, "write JSON (docs/reference/inspect-report.md)");
+  add_threads(*inspect, arguments->threads, "answer");
+  add_pages(*inspect, *arguments);
+  add_glb(*inspect, *arguments);
+  add_save_case(*inspect, arguments->save_case);
+  inspect->footer(
+      with_name("Nothing is repaired; everything is counted exactly. Where a mesh intersects itself is told "
+                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"
+                "  {0} inspect machine.glb --hierarchy"));
+  return {inspect,
+          [arguments] { return arguments->hierarchy ? run_inspect_hierarchy(*arguments) : run_inspect(*arguments); }};
 }
 
 }  // namespace toccata::command

@@ -4,9 +4,9 @@
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/report.hpp"
 #include "view.hpp"
@@ -67,6 +67,10 @@ std::string table_of(const CheckInput&, const RebalanceReport& report) {
                       gain(report.as_is, report.rebuilt));
   if (report.unbounded > 0) text += fmt::format("{} without end left out.\n", counted(report.unbounded, "object"));
   return text;
+}
+
+Summary summary_of(const RebalanceReport& report) {
+  return {counted(report.as_is.levels.size(), "level") + " of nodes"};
 }
 
 int run_inspect_hierarchy(const InspectArguments& arguments) {

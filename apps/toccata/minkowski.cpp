@@ -1,16 +1,20 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "load.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/output_file.hpp"
@@ -21,6 +25,12 @@
 
 namespace toccata::command {
 namespace {
+
+struct MinkowskiArguments : PosedArguments {
+  std::string mesh;  ///< a file for the boundary; empty: none
+  MinkowskiQuestion question;
+  std::vector<std::string> point;  ///< as it is written
+};
 
 std::string faces_text(const MinkowskiSum& sum) {
   std::array<std::size_t, 4> kinds{};
@@ -102,15 +112,6 @@ std::string written_mesh(const MinkowskiReport& report, const std::string& unit,
                      radius > 0 ? fmt::format(", without the ball of radius {:.12g} that grows it", radius) : "");
 }
 
-}  // namespace
-
-std::string table_of(const CheckInput&, const MinkowskiReport& report) {
-  const MinkowskiSum& sum = report.sum;
-  std::string text = fmt::format("{} of A = {} and B = {}: {}\n", name_of(report.question), printable(report.a),
-                                 printable(report.b), shape_text_of(sum));
-  return report.question.point ? text + point_line(sum, *report.question.point) : text;
-}
-
 int run_minkowski(const MinkowskiArguments& arguments) {
   require_files(arguments);
   const AlsoWritten mesh = [&](const CheckInput& input, const SceneAnswer& answer) {
@@ -122,6 +123,46 @@ int run_minkowski(const MinkowskiArguments& arguments) {
   if (const auto code = answered_case(arguments, {"minkowski", asks_itself}, mesh)) return *code;
   const CheckInput input = read_check_input(arguments);
   return exit_code_of(answer_to(arguments.question, input, arguments, "adding", mesh));
+}
+
+}  // namespace
+
+std::string table_of(const CheckInput&, const MinkowskiReport& report) {
+  const MinkowskiSum& sum = report.sum;
+  std::string text = fmt::format("{} of A = {} and B = {}: {}\n", name_of(report.question), printable(report.a),
+                                 printable(report.b), shape_text_of(sum));
+  return report.question.point ? text + point_line(sum, *report.question.point) : text;
+}
+
+Summary summary_of(const MinkowskiReport& report) {
+  const auto& point = report.question.point;
+  return {"their " + name_of(report.question), point && !report.sum.contains(*point)};
+}
+
+Subcommand add_minkowski(CLI::App& app) {
+  const auto arguments = std::make_shared<MinkowskiArguments>();
+  CLI::App* minkowski = app.add_subcommand("minkowski", "the Minkowski sum or difference of two convex shapes, exact");
+  add_input(*minkowski, arguments->input, "two convex shapes: files of one object each, or a scene file of two");
+  add_pose_pair(*minkowski, *arguments);
+  minkowski->add_flag("--difference", arguments->question.difference, "A − B, all a − b, instead of A + B, all a + b");
+  minkowski->add_flag("--hull", arguments->question.hulls, "of meshes that are not convex take the convex hulls");
+  add_point(*minkowski, "--point", arguments->point, "tell whether this point lies in it, exactly");
+  add_file(*minkowski, "-o,--output", arguments->mesh,
+           "write the boundary as a mesh (OBJ, OFF, STL, PLY), or for Blender as GLB", "FILE");
+  add_json(*minkowski, arguments->format, "write JSON (docs/reference/minkowski-report.md)");
+  add_pages(*minkowski, *arguments);
+  add_glb(*minkowski, *arguments);
+  add_save_case(*minkowski, arguments->save_case);
+  minkowski->footer(
+      with_name("B moved by a vector meets A exactly when the vector lies in A − B (docs/methods/minkowski.md).\n\n"
+                "Exit code: 0; with --point 1 where it lies outside; 2 for trouble.\n\nExample:\n"
+                "  {0} minkowski part.stl tool.obj -o sum.obj\n"
+                "  {0} minkowski part.stl tool.obj --difference --point 0 0 0.5"));
+  return {minkowski, [arguments] {
+            take_words(*arguments);
+            if (!arguments->point.empty()) arguments->question.point = parse_point(arguments->point, "--point");
+            return run_minkowski(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "load.hpp"
+#include "option_kinds.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/query_files.hpp"
@@ -16,6 +20,15 @@
 
 namespace toccata::command {
 namespace {
+
+struct NearestArguments : PosedArguments {
+  std::optional<Vec3> point;
+  std::string points;  ///< a file of points; empty: `point`
+  std::size_t k = 1;
+  std::string within;                    ///< a length; empty: any
+  bool sides = false;                    ///< tells on which side of the surface each point is
+  std::vector<std::string> point_words;  ///< as it is written
+};
 
 std::vector<Vec3> points_asked(const NearestArguments& arguments) {
   if (arguments.points.empty() && !arguments.point)
@@ -50,6 +63,17 @@ std::string holder_text(const std::vector<std::string>& names, const ReportedPoi
   return how + names[*point.in_scene->inside_of];
 }
 
+int run_nearest(const NearestArguments& arguments) {
+  const bool asks_itself = arguments.point || !arguments.points.empty() || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"nearest", asks_itself, false, true})) return *code;
+  NearestQuestion question{points_asked(arguments), arguments.k};
+  question.sides = arguments.sides;
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
+  return exit_code_of(answer_to(question, input, arguments, "looking"));
+}
+
 }  // namespace
 
 std::string table_of(const CheckInput& input, const NearestReport& report) {
@@ -67,15 +91,33 @@ std::string table_of(const CheckInput& input, const NearestReport& report) {
   return columns(rows, 2);
 }
 
-int run_nearest(const NearestArguments& arguments) {
-  const bool asks_itself = arguments.point || !arguments.points.empty() || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {"nearest", asks_itself, false, true})) return *code;
-  NearestQuestion question{points_asked(arguments), arguments.k};
-  question.sides = arguments.sides;
-  require_view(arguments);
-  const CheckInput input = read_check_input(arguments);
-  if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
-  return exit_code_of(answer_to(question, input, arguments, "looking"));
+Summary summary_of(const NearestReport& report) { return {counted(report.points.size(), "point")}; }
+
+Subcommand add_nearest(CLI::App& app) {
+  const auto arguments = std::make_shared<NearestArguments>();
+  CLI::App* nearest = app.add_subcommand("nearest", "which point of a surface is nearest to a point, certified");
+  add_input(*nearest, arguments->input, any_files);
+  CLI::Option* point = add_point(*nearest, "--point", arguments->point_words, "the point, in the world");
+  add_file(*nearest, "--points", arguments->points, "many points: a file with three numbers a line")->excludes(point);
+  nearest->add_option("--k", arguments->k, "so many nearest triangles, nearest first")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("NUMBER");
+  add_length(*nearest, "--within", arguments->within,
+             "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "
+             "all: nothing is");
+  nearest->add_flag(
+      "--signed", arguments->sides,
+      "tell on which side of the surface the point is, and inside of which object: exactly of closed meshes "
+      "and other solids, by the generalised winding number of an open mesh");
+  add_writing(*nearest, *arguments, "docs/reference/nearest-report.md");
+  nearest->footer(
+      with_name("Of solids, too, it is a point of the surface.\n\nExit code: 0 answered, 2 trouble.\n\nExample:\n"
+                "  {0} nearest part.stl --point 0 0 5\n"
+                "  {0} nearest part.stl --points points.txt --k 3 --within 0.5 --csv"));
+  return {nearest, [arguments] {
+            if (!arguments->point_words.empty()) arguments->point = parse_point(arguments->point_words, "--point");
+            return run_nearest(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

@@ -1,6 +1,12 @@
 #include "option_kinds.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <map>
+
+#include "load.hpp"
+#include "words.hpp"
 
 namespace toccata::command {
 
@@ -40,26 +46,33 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::
   return add_numbers(app, name, numbers, help, 3, "X Y Z");
 }
 
-std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options) {
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, PosedArguments& arguments) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
     return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
   };
-  return {pose("--pose-a", options.pose_a, "places the first of two files: R row by row, then t"),
-          pose("--pose-b", options.pose_b, "places the second of two files: R row by row, then t")};
+  return {pose("--pose-a", arguments.pose_a_words, "places the first of two files: R row by row, then t"),
+          pose("--pose-b", arguments.pose_b_words, "places the second of two files: R row by row, then t")};
 }
 
-CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses) {
-  const auto [pose_a, pose_b] = add_pose_pair(app, options);
-  return add_file(app, "--poses", poses,
+CLI::Option* add_poses(CLI::App& app, PosedArguments& arguments) {
+  const auto [pose_a, pose_b] = add_pose_pair(app, arguments);
+  return add_file(app, "--poses", arguments.poses,
                   "answers for two objects at many poses: a file with 12 or 24 numbers a line "
                   "(docs/reference/poses-file.md)")
       ->excludes(pose_a)
       ->excludes(pose_b);
 }
 
-void add_formats(CLI::App& app, Options& options, const std::string& report) {
-  CLI::Option* json = app.add_flag("--json", options.json, "write JSON (" + report + ")");
-  app.add_flag("--csv", options.csv, "write comma-separated values")->excludes(json);
+CLI::Option* add_json(CLI::App& app, Format& format, const std::string& help) {
+  return app.add_flag_callback(
+      "--json", [&format] { format = Format::json; }, help);
+}
+
+void add_formats(CLI::App& app, Format& format, const std::string& report) {
+  CLI::Option* json = add_json(app, format, "write JSON (" + report + ")");
+  app.add_flag_callback(
+         "--csv", [&format] { format = Format::csv; }, "write comma-separated values")
+      ->excludes(json);
 }
 
 CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made) {
@@ -79,17 +92,17 @@ void add_pages(CLI::App& app, PosedArguments& arguments) {
   add_picture(app, arguments);
 }
 
-void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report) {
-  add_formats(app, options, report);
+void add_writing(CLI::App& app, PosedArguments& arguments, const std::string& report) {
+  add_formats(app, arguments.format, report);
   add_threads(app, arguments.threads, "answer");
   add_pages(app, arguments);
   add_glb(app, arguments);
   add_save_case(app, arguments.save_case);
 }
 
-CLI::Option* add_solid(CLI::App& app, Options& options) {
+CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments) {
   return app
-      .add_option("--solid", options.solid,
+      .add_option("--solid", arguments.solid_word,
                   "auto: watertight meshes are solids; all: an open mesh is an error; none: all are surfaces "
                   "(default: as the scene says, else auto)")
       ->check(CLI::IsMember({"auto", "all", "none"}));
@@ -123,5 +136,15 @@ void add_picture(CLI::App& app, PosedArguments& arguments) {
                  "what the picture shows: the end of a link to the page, 'finding=0&theme=dark'")
       ->type_name("TEXT");
 }
+
+void take_words(PosedArguments& arguments) {
+  static const std::map<std::string, Solid> solids{
+      {"auto", Solid::automatic}, {"all", Solid::all}, {"none", Solid::none}};
+  if (!arguments.pose_a_words.empty()) arguments.pose_a = parse_pose(arguments.pose_a_words, "--pose-a");
+  if (!arguments.pose_b_words.empty()) arguments.pose_b = parse_pose(arguments.pose_b_words, "--pose-b");
+  if (!arguments.solid_word.empty()) arguments.solid = solids.at(arguments.solid_word);
+}
+
+std::string with_name(const char* text) { return fmt::format(fmt::runtime(text), called_as()); }
 
 }  // namespace toccata::command

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "options.hpp"
+#include "arguments.hpp"
 
 namespace CLI {
+class App;
 class Option;
-}
+}  // namespace CLI
 
 // The options that several subcommands have.
 namespace toccata::command {
@@ -34,13 +35,15 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::
                        const std::string& help);
 
 /// Where the objects of two files are: --pose-a and --pose-b.
-std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, Options& options);
+std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, PosedArguments& arguments);
 
 /// Where the objects of two files are, once or at many poses. Returns --poses.
-CLI::Option* add_poses(CLI::App& app, Options& options, std::string& poses);
+CLI::Option* add_poses(CLI::App& app, PosedArguments& arguments);
+
+CLI::Option* add_json(CLI::App& app, Format& format, const std::string& help);
 
 /// How the answer is written. `report` names the page about its JSON.
-void add_formats(CLI::App& app, Options& options, const std::string& report);
+void add_formats(CLI::App& app, Format& format, const std::string& report);
 
 /// `made` is what does not depend on the threads.
 CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made);
@@ -51,9 +54,9 @@ void add_save_case(CLI::App& app, std::string& file, const char* what = nullptr)
 /// What shows the answer besides telling it.
 void add_pages(CLI::App& app, PosedArguments& arguments);
 
-void add_writing(CLI::App& app, Options& options, PosedArguments& arguments, const std::string& report);
+void add_writing(CLI::App& app, PosedArguments& arguments, const std::string& report);
 
-CLI::Option* add_solid(CLI::App& app, Options& options);
+CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments);
 
 /// --clearance and --clearance-of; returns both.
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments);
@@ -62,5 +65,11 @@ CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names
 
 /// Of `look` and `size` where there is a picture.
 void add_picture(CLI::App& app, PosedArguments& arguments);
+
+/// Poses and solids of what was written. Throws Error naming the option.
+void take_words(PosedArguments& arguments);
+
+/// {0} in the text becomes what the command was called as.
+std::string with_name(const char* text);
 
 }  // namespace toccata::command

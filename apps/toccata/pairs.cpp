@@ -1,14 +1,18 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arguments.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/query/pairs.hpp"
 
@@ -87,11 +91,19 @@ std::string pairs_table() {
   return text;
 }
 
+int run_pairs(Format format) {
+  print_answer(format == Format::json ? pairs_json() : pairs_table());
+  return 0;
+}
+
 }  // namespace
 
-int run_pairs(const PairsArguments& arguments) {
-  print_answer(arguments.format == Format::json ? pairs_json() : pairs_table());
-  return 0;
+Subcommand add_pairs(CLI::App& app) {
+  const auto arguments = std::make_shared<Format>();
+  CLI::App* pairs = app.add_subcommand("pairs", "which questions are answered about which shapes, and why not");
+  add_json(*pairs, *arguments, "write JSON (docs/reference/pairs.md)");
+  pairs->footer(with_name("Example:\n  {0} pairs"));
+  return {pairs, [arguments] { return run_pairs(*arguments); }};
 }
 
 }  // namespace toccata::command

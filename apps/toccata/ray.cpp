@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
+#include <memory>
 
 #include "answer.hpp"
 #include "arguments.hpp"
-#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "load.hpp"
+#include "option_kinds.hpp"
+#include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/query_files.hpp"
@@ -15,6 +19,13 @@
 
 namespace toccata::command {
 namespace {
+
+struct RayArguments : PosedArguments {
+  std::optional<Vec3> from;
+  std::optional<Vec3> to;
+  std::string rays;                               ///< a file of rays; empty: the one from `from` to `to`
+  std::vector<std::string> from_words, to_words;  ///< as they are written
+};
 
 double ray_length(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 
@@ -29,6 +40,15 @@ std::vector<RayQuery> rays_asked(const RayArguments& arguments) {
   const Vec3 motion = *arguments.to - *arguments.from;
   if (!is_finite(motion)) throw Error("--from and --to are farther apart than doubles can tell");
   return {{.origin = *arguments.from, .motion = motion}};
+}
+
+int run_ray(const RayArguments& arguments) {
+  const bool asks_itself = arguments.from || arguments.to || !arguments.rays.empty() || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {"ray", asks_itself, false, true})) return *code;
+  const RayQuestion question{rays_asked(arguments)};
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  return exit_code_of(answer_to(question, input, arguments, "following rays"));
 }
 
 }  // namespace
@@ -55,13 +75,32 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
                                         decided_text(undecided));
 }
 
-int run_ray(const RayArguments& arguments) {
-  const bool asks_itself = arguments.from || arguments.to || !arguments.rays.empty() || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {"ray", asks_itself, false, true})) return *code;
-  const RayQuestion question{rays_asked(arguments)};
-  require_view(arguments);
-  const CheckInput input = read_check_input(arguments);
-  return exit_code_of(answer_to(question, input, arguments, "following rays"));
+Summary summary_of(const RayReport& report) {
+  const auto hits = [](const ReportedRay& ray) { return ray.hit.hit; };
+  return {counted(report.rays.size(), "ray"), std::any_of(report.rays.begin(), report.rays.end(), hits)};
+}
+
+Subcommand add_ray(CLI::App& app) {
+  const auto arguments = std::make_shared<RayArguments>();
+  CLI::App* ray = app.add_subcommand("ray", "what a ray meets first, decided exactly");
+  add_input(*ray, arguments->input, any_files);
+  CLI::Option* from = add_point(*ray, "--from", arguments->from_words, "where the ray starts, in the world");
+  CLI::Option* to = add_point(*ray, "--to", arguments->to_words, "where it ends");
+  add_file(*ray, "--rays", arguments->rays, "many rays: a file with six numbers a line, where each starts and ends")
+      ->excludes(from)
+      ->excludes(to);
+  add_solid(*ray, *arguments);
+  add_writing(*ray, *arguments, "docs/reference/ray-report.md");
+  ray->footer(
+      with_name("A solid is met at once by a ray that starts inside; --solid=none asks about surfaces alone.\n\n"
+                "Exit code: 0 nothing is met, 1 something is, 2 trouble.\n\nExample:\n"
+                "  {0} ray part.stl --from 0 0 5 --to 0 0 -5\n  {0} ray scene.json --rays rays.txt --csv"));
+  return {ray, [arguments] {
+            take_words(*arguments);
+            if (!arguments->from_words.empty()) arguments->from = parse_point(arguments->from_words, "--from");
+            if (!arguments->to_words.empty()) arguments->to = parse_point(arguments->to_words, "--to");
+            return run_ray(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

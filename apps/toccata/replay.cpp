@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <optional>
 
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "check_input.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
 #include "toccata/io/output_file.hpp"
@@ -15,6 +19,13 @@
 
 namespace toccata::command {
 namespace {
+
+struct ReplayArguments {
+  std::string file;
+  std::string save_case;  ///< the case with the answer of now; empty: none
+  Format format = Format::table;
+  int threads = 0;
+};
 
 /// The answer of now, as a case has it.
 struct Replayed {
@@ -54,8 +65,6 @@ void print_replayed(const Case& content, const Replayed& now, const ReplayArgume
   print_answer(now.input, *content.question, *now.answer, asked);
 }
 
-}  // namespace
-
 int run_replay(const ReplayArguments& arguments) {
   Case content = read_case(arguments.file);
   if (!content.question)
@@ -78,6 +87,23 @@ int run_replay(const ReplayArguments& arguments) {
   else
     fmt::print(stderr, "{}", told);
   return difference.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Subcommand add_replay(CLI::App& app) {
+  const auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* replay = app.add_subcommand("replay", "ask what a case file asks again, and compare the answer");
+  replay->add_option("file", arguments->file, "a file that --save-case wrote")->required();
+  add_formats(*replay, arguments->format, "that of the question");
+  add_threads(*replay, arguments->threads, "answer");
+  add_save_case(*replay, arguments->save_case, "write the case with the answer of now");
+  replay->footer(with_name(
+      "Exit code: 0 the answer is the recorded one to the bit, or none is recorded; 1 it is another; 2 trouble.\n\n"
+      "Example:\n"
+      "  {0} distance a.stl b.obj --save-case case.json\n"
+      "  {0} replay case.json"));
+  return {replay, [arguments] { return run_replay(*arguments); }};
 }
 
 }  // namespace toccata::command

@@ -1,17 +1,28 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "arguments.hpp"
 #include "load.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/model_file.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
+
+struct TreeArguments {
+  std::string file;
+  std::string save;   ///< where the tree is written
+  std::string check;  ///< a tree file; one of the two is given
+  int threads = 0;
+};
 
 /// The one mesh of all objects; its numbers are the file's.
 std::shared_ptr<const TriangleMesh> only_mesh(const Scene& scene, const std::string& file) {
@@ -42,8 +53,6 @@ std::string tree_text(const Model& model, const std::string& file, bool saved) {
                      counted(std::filesystem::file_size(file), "byte"));
 }
 
-}  // namespace
-
 int run_tree(const TreeArguments& arguments) {
   const bool saves = !arguments.save.empty();
   if (saves == !arguments.check.empty())
@@ -60,6 +69,22 @@ int run_tree(const TreeArguments& arguments) {
     print_answer(tree_text(load_model(mesh, arguments.check), arguments.check, false));
   }
   return 0;
+}
+
+}  // namespace
+
+Subcommand add_tree(CLI::App& app) {
+  const auto arguments = std::make_shared<TreeArguments>();
+  CLI::App* tree = app.add_subcommand("tree", "save the tree over a mesh, or look whether one belongs to it");
+  tree->add_option("file", arguments->file, "a file with one mesh")->required();
+  CLI::Option* save = add_file(*tree, "--save", arguments->save, "write the tree here");
+  add_file(*tree, "--check", arguments->check, "look through this tree")->excludes(save);
+  add_threads(*tree, arguments->threads, "tree");
+  tree->footer(
+      with_name("Programs read it with load_model (docs/reference/tree-file.md).\n\n"
+                "Exit code: 0 saved, or right; 2 trouble: damaged, or of another mesh.\n\n"
+                "Example:\n  {0} tree part.stl --save part.tree\n  {0} tree part.stl --check part.tree"));
+  return {tree, [arguments] { return run_tree(*arguments); }};
 }
 
 }  // namespace toccata::command

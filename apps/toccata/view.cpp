@@ -1,24 +1,35 @@
-#include "view.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "look.hpp"
+#include "option_kinds.hpp"
 #include "output.hpp"
 #include "saved.hpp"
+#include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
 #include "toccata/io/output_file.hpp"
 #include "toccata/io/pages.hpp"
+#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
+
+struct ViewArguments : CheckArguments {
+  std::string up;             ///< "y" or "z"; empty: as the files say
+  std::string hierarchy;      ///< the name of a bounding volume; empty: none is drawn
+  std::string partition;      ///< the name of a partition of space; empty: none is drawn
+  bool voronoi = false;       ///< the Voronoi regions of convex objects
+  bool voronoi_walk = false;  ///< and the walk of each pair through them
+};
 
 namespace fs = std::filesystem;
 
@@ -157,47 +168,34 @@ std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
 /// Of poses the faces that meet are drawn, of many at the first ones alone: that keeps the page small.
 constexpr std::size_t most_face_pairs = 100'000;
 
-/// How many findings of which kind: "2 pairs".
-struct FindingsTold {
-  std::string operator()(const CheckReport& r) const { return counted(r.pairs.size(), "pair"); }
-  std::string operator()(const PosesReport& r) const { return counted(r.queries.size(), "pose"); }
-  std::string operator()(const SelfReport& r) const {
-    return counted(self_intersecting_count(r), "object") + " self-intersecting";
-  }
-  std::string operator()(const DistanceReport& r) const { return counted(r.pairs.size(), "pair"); }
-  std::string operator()(const DistancePosesReport& r) const { return counted(r.queries.size(), "pose"); }
-  std::string operator()(const RayReport& r) const { return counted(r.rays.size(), "ray"); }
-  std::string operator()(const FacesReport& r) const { return counted(r.found.size(), "object") + " in the region"; }
-  std::string operator()(const NearestReport& r) const { return counted(r.points.size(), "point"); }
-  std::string operator()(const RebalanceReport& r) const {
-    return counted(r.as_is.levels.size(), "level") + " of nodes";
-  }
-  std::string operator()(const CostReport& r) const { return counted(r.table.rows.size(), "hierarchy", "hierarchies"); }
-  std::string operator()(const CrowdReport& r) const {
-    return fmt::format("{} in {}", crowd_words(r.question), counted(r.question.frames, "frame"));
-  }
-  std::string operator()(const CrowdWorldReport& r) const {
-    return fmt::format("{} in {}", crowd_words(r.question), counted(r.question.frames, "step"));
-  }
-  std::string operator()(const DecomposeReport& r) const { return counted(r.parts.parts.size(), "convex part"); }
-  std::string operator()(const MinkowskiReport& r) const { return "their " + name_of(r.question); }
-  std::string operator()(const InspectReport& r) const {
-    std::size_t faults = 0;
-    for (const InspectedObject& object : r.objects) faults += object.faults.size();
-    return counted(faults, "fault");
-  }
-};
-
 /// What is shown, in words: of one object alone nothing was asked that it could have with others.
 std::string told_of(const Drawn& drawn, const SceneAnswer& answer) {
   const std::size_t objects = drawn.input.models.size();
-  const std::string found = std::visit(FindingsTold{}, answer);
+  const std::string found = std::visit([](const auto& report) { return summary_of(report).findings; }, answer);
   if (objects == 0) return found;
   const std::string shown = counted(objects, "object");
   return objects == 1 && std::holds_alternative<CheckReport>(answer) ? shown : shown + " and " + found;
 }
 
 double megabytes_of(const std::string& file) { return static_cast<double>(fs::file_size(file)) / 1e6; }
+
+int run_view(const ViewArguments& arguments) {
+  ViewTarget target = page_target_of(arguments);
+  require_view(target, arguments);
+  Drawn drawn = drawn_of(arguments);
+  if (arguments.up.empty()) target.options.up = up_of(drawn.files);
+  if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
+  require_drawable(target.options, drawn);
+  SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
+  const std::string difference = difference_of(drawn, answer);
+  if (!difference.empty())
+    drawn.input.loaded.warnings.push_back(
+        "the answer of now is drawn, and it is another than the recorded one, first at " + difference);
+  print_warnings(drawn.input.loaded.warnings);
+  write_view(target, drawn.input, answer);
+  print_answer(written_lines(target, told_of(drawn, answer)));
+  return difference.empty() ? 0 : 1;
+}
 
 }  // namespace
 
@@ -276,22 +274,52 @@ void write_view(const ViewTarget& target, const CheckInput& input, const SceneAn
   write_files(target, page, glb);
 }
 
-int run_view(const ViewArguments& arguments) {
-  ViewTarget target = page_target_of(arguments);
-  require_view(target, arguments);
-  Drawn drawn = drawn_of(arguments);
-  if (arguments.up.empty()) target.options.up = up_of(drawn.files);
-  if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
-  require_drawable(target.options, drawn);
-  SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
-  const std::string difference = difference_of(drawn, answer);
-  if (!difference.empty())
-    drawn.input.loaded.warnings.push_back(
-        "the answer of now is drawn, and it is another than the recorded one, first at " + difference);
-  print_warnings(drawn.input.loaded.warnings);
-  write_view(target, drawn.input, answer);
-  print_answer(written_lines(target, told_of(drawn, answer)));
-  return difference.empty() ? 0 : 1;
+Subcommand add_view(CLI::App& app) {
+  const auto arguments = std::make_shared<ViewArguments>();
+  CLI::App* view = app.add_subcommand("view", "write a page that shows the objects, what was found, and why");
+  add_input(*view, arguments->input, any_files);
+  add_file(*view, "-o,--output", arguments->html, "the page to write", "FILE.html");
+  add_glb(*view, *arguments);
+  add_pose_pair(*view, *arguments);
+  add_solid(*view, *arguments);
+  view->add_flag("--penetration", arguments->penetration,
+                 "also how deep solids overlap, and their points and regions of contact");
+  add_clearances(*view, *arguments);
+  add_text(*view, "--hierarchy", arguments->hierarchy,
+           "also the levels of a hierarchy over each mesh, of these volumes: aabb, ball, cube, obb, 6-dop, …, "
+           "rss, ellipsoid, hull; wide: the tree that queries use",
+           "a volume must be named")
+      ->type_name("VOLUME");
+  add_text(*view, "--partition", arguments->partition,
+           "also the cells of a partition over each mesh, depth by depth: grid, grid-2d, octree, kd-tree, r-tree, "
+           "inserted-r-tree",
+           "a partition must be named")
+      ->type_name("PARTITION");
+  view->add_flag("--voronoi", arguments->voronoi,
+                 "also the Voronoi regions of objects that are convex polytopes: of faces, edges and vertices");
+  view->add_flag("--voronoi-walk", arguments->voronoi_walk,
+                 "also how each pair of convex polytopes is found to be nearest by walking from region to region, "
+                 "feature by feature");
+  add_picture(*view, *arguments);
+  view->add_option("--up", arguments->up, "which axis points up (default: y for glTF, else z)")
+      ->check(CLI::IsMember({"y", "z"}));
+  add_threads(*view, arguments->threads, "page");
+  add_save_case(*view, arguments->save_case, "also write what is shown as a case (docs/reference/case-file.md)");
+  view->footer(with_name(
+      "The page is one file that any browser with WebGL 2 opens from disk: no network, no server.\n\n"
+      "Exit code: 0 written, 1 written and the answer is another than a report or case says, 2 trouble.\n\nExample:\n"
+      "  {0} view a.stl b.obj -o touch.html\n"
+      "  {0} view scene.json --penetration --clearance 2mm -o scene.html\n"
+      "  {0} view bunny.ply --hierarchy obb -o tree.html\n"
+      "  {0} view bunny.ply --partition octree -o octree.html\n"
+      "  {0} view scene.json --glb scene.glb\n"
+      "  {0} ray part.stl --from 0 0 5 --to 0 0 -5 --json > report.json\n"
+      "  {0} view report.json -o report.html\n"
+      "  {0} view a.stl b.obj --png touch.png --look 'finding=0'"));
+  return {view, [arguments] {
+            take_words(*arguments);
+            return run_view(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

@@ -164,8 +164,8 @@ TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
                                        ReportOptions{.touching = Touching::ignore, .pair_clearances = {{0, 1, 0}}}})
     EXPECT_THROW(static_cast<void>(make_check_report(models, answer, options)), Error);
   const CheckReport report = make_check_report(models, answer, {.clearance = 0});
-  EXPECT_EQ(check_report_json(scene, models, report, {}).find("\"distance\""), std::string::npos);
-  const std::string csv = check_report_csv(scene, report);
+  EXPECT_EQ(report_json(scene, models, report).find("\"distance\""), std::string::npos);
+  const std::string csv = report_csv(scene, report);
   const std::string head = csv.substr(0, csv.find('\n')), line = csv.substr(head.size() + 1);
   EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ',')) << csv;
 }

@@ -58,9 +58,6 @@ struct CrowdReport {
 /// not there, for threads out of their range, and where there is no box, frame or method.
 [[nodiscard]] CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress = {});
 
-/// JSON by the schema toccata/crowd/2 of docs/reference/crowd.md.
-[[nodiscard]] std::string crowd_report_json(const CrowdReport& report);
-
 /// How fast a World steps bodies of many shapes that fly (BodyCrowd, one in twenty in contact), and which are in
 /// contact: `crowd --world`.
 struct CrowdWorldQuestion {
@@ -83,8 +80,5 @@ struct CrowdWorldReport {
 
 /// Steps the bodies. Throws Error where there is no body or no step, and for threads out of their range.
 [[nodiscard]] CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
-
-/// JSON by the schema toccata/crowd-world/2 of docs/reference/crowd.md.
-[[nodiscard]] std::string crowd_world_report_json(const CrowdWorldReport& report);
 
 }  // namespace toccata

@@ -85,11 +85,7 @@ struct ReportOptions {
 [[nodiscard]] CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                                             const ReportOptions& options = {});
 
-/// JSON by the schema docs/reference/check-report.md. Doubles round-trip.
-[[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                            const CheckReport& report, std::span<const std::string> warnings);
-
-/// A JSON document, such as check_report_json makes, and its name.
+/// A JSON document, such as report_json makes, and its name.
 struct NamedReport {
   std::string name;
   std::string json;
@@ -97,9 +93,6 @@ struct NamedReport {
 
 /// One document that has several as members.
 [[nodiscard]] std::string joined_reports_json(std::span<const NamedReport> reports);
-
-/// Comma-separated values with a header line: a line per pair, or per pair of faces when the report has them.
-[[nodiscard]] std::string check_report_csv(const Scene& scene, const CheckReport& report);
 
 /// "apart", "touching", "overlapping", "crossing".
 [[nodiscard]] std::string name_of(RelationKind kind);
@@ -138,20 +131,6 @@ struct SelfReport {
 /// How many of the objects intersect themselves.
 [[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
 
-/// JSON by the schema toccata/check-self/2 of docs/reference/check-report.md. Doubles round-trip.
-[[nodiscard]] std::string self_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                           const SelfReport& report, std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per object, or per pair of faces when the report has them.
-[[nodiscard]] std::string self_report_csv(const Scene& scene, const SelfReport& report);
-
-/// JSON by the schema toccata/cost/1 of docs/reference/cost-report.md; `scene` holds A and then B. Doubles round-trip.
-[[nodiscard]] std::string cost_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                           const CostTable& table, std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per row.
-[[nodiscard]] std::string cost_report_csv(const CostTable& table);
-
 /// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
 /// world.
 struct DecomposeQuestion {
@@ -169,23 +148,11 @@ struct DecomposeReport {
 /// The parts as objects, "gear-01" of a gear, of one group: they are not checked against each other.
 [[nodiscard]] Scene parts_scene(const DecomposeReport& report, const std::string& unit);
 
-/// JSON by the schema docs/reference/decompose-report.md.
-[[nodiscard]] std::string decompose_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                                const DecomposeReport& report, std::span<const std::string> warnings);
-
 struct ReportedDistance {
   Index a = 0;  ///< the object's place in the scene
   Index b = 0;
   Distance distance;
 };
-
-/// JSON by the schema toccata/distance/1 of docs/reference/distance-report.md. Doubles round-trip.
-[[nodiscard]] std::string distance_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                               std::span<const ReportedDistance> distances,
-                                               std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per pair.
-[[nodiscard]] std::string distance_report_csv(const Scene& scene, std::span<const ReportedDistance> distances);
 
 /// What `distance --poses` found: an entry per query in each list.
 struct DistancePosesReport {
@@ -196,27 +163,11 @@ struct DistancePosesReport {
 /// How many of the queries found the two meeting.
 [[nodiscard]] std::size_t intersecting_count(const DistancePosesReport& report);
 
-/// JSON by the schema toccata/distance-poses/2 of docs/reference/distance-report.md; `scene` holds A and then B.
-[[nodiscard]] std::string distance_poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                                     const DistancePosesReport& report,
-                                                     std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per query.
-[[nodiscard]] std::string distance_poses_report_csv(const DistancePosesReport& report);
-
 /// What of a scene lies within a region: of the object at that place in the scene.
 struct ReportedFaces {
   Index object = 0;
   std::vector<FoundElement> found;
 };
-
-/// JSON by the schema toccata/faces/1 of docs/reference/faces-report.md. Doubles round-trip.
-[[nodiscard]] std::string faces_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                            const Region& region, std::span<const ReportedFaces> found,
-                                            std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per face, with the number of its triangles that were found.
-[[nodiscard]] std::string faces_report_csv(const Scene& scene, std::span<const ReportedFaces> found);
 
 /// A scene's tree of nodes as a hierarchy, and what making it better would gain.
 struct RebalanceReport {
@@ -230,10 +181,6 @@ struct RebalanceReport {
 
 /// Takes as long as `report_of` for each of the three. Throws Error like `hierarchy_of`.
 [[nodiscard]] RebalanceReport rebalance_report(const Scene& scene);
-
-/// JSON by docs/methods/scene-graph.md#the-report.
-[[nodiscard]] std::string hierarchy_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                                const RebalanceReport& report, std::span<const std::string> warnings);
 
 /// An object and how it is, for `inspect`.
 struct InspectedObject {
@@ -256,10 +203,6 @@ struct InspectedObject {
 /// "boundary_edges", "non_manifold_edges", "flipped_edges", "degenerate_triangles", "duplicate_triangles",
 /// "unused_vertices".
 [[nodiscard]] std::string name_of(MeshFaultKind kind);
-
-/// JSON by the schema docs/reference/inspect-report.md.
-[[nodiscard]] std::string inspect_report_json(std::span<const InspectedObject> objects, const std::string& unit,
-                                              std::span<const std::string> warnings);
 
 /// The sum of two convex objects, the first of which is A and the second B: `minkowski`. In the world.
 struct MinkowskiQuestion {
@@ -284,10 +227,6 @@ struct MinkowskiReport {
 /// The sum as an object of that name.
 [[nodiscard]] SceneObject sum_object(const MinkowskiReport& report);
 
-/// JSON by the schema docs/reference/minkowski-report.md.
-[[nodiscard]] std::string minkowski_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                                const MinkowskiReport& report, std::span<const std::string> warnings);
-
 /// A point of the surface of a scene's object, which is told by its place in the scene.
 struct ReportedSurfacePoint {
   SurfacePoint nearest;
@@ -304,15 +243,6 @@ struct ReportedPoint {
   std::vector<ReportedSurfacePoint> nearest;
   std::optional<SceneSignedDistance> in_scene{};  ///< of all objects together, when asked for
 };
-
-/// JSON by the schema toccata/nearest/1 of docs/reference/nearest-report.md. Doubles round-trip.
-[[nodiscard]] std::string nearest_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                              std::span<const ReportedPoint> points,
-                                              std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per point of a surface. `sides`: with the columns of the signed
-/// distances, empty where there is none.
-[[nodiscard]] std::string nearest_report_csv(const Scene& scene, std::span<const ReportedPoint> points, bool sides);
 
 /// What `check --poses` found: an entry per query in each list.
 struct PosesReport {
@@ -332,26 +262,11 @@ struct PosesReport {
 /// How many of the queries found a contact.
 [[nodiscard]] std::size_t contact_count(const PosesReport& report);
 
-/// JSON by the schema toccata/check-poses/2 of docs/reference/check-report.md; `scene` holds A and then B. Doubles
-/// round-trip.
-[[nodiscard]] std::string poses_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                            const PosesReport& report, std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per query.
-[[nodiscard]] std::string poses_report_csv(const PosesReport& report);
-
 /// A ray at a scene: what it meets first, of the object at that place in the scene.
 struct ReportedRay {
   RayQuery query;
   RayHit hit;
   Index object = 0;
 };
-
-/// JSON by the schema toccata/ray/1 of docs/reference/ray-report.md. Doubles round-trip.
-[[nodiscard]] std::string ray_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                          std::span<const ReportedRay> rays, std::span<const std::string> warnings);
-
-/// Comma-separated values with a header line: a line per ray.
-[[nodiscard]] std::string ray_report_csv(const Scene& scene, std::span<const ReportedRay> rays);
 
 }  // namespace toccata

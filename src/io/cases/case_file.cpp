@@ -6,11 +6,11 @@
 #include <map>
 
 #include "io/cases/first_difference.hpp"
-#include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/json.hpp"
 #include "io/formats/number_rows.hpp"
 #include "io/formats/utf8.hpp"
+#include "io/questions/question_kinds.hpp"
 #include "io/scenes/scene_json.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"

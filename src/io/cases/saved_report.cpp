@@ -8,10 +8,10 @@
 #include <string_view>
 #include <variant>
 
-#include "io/cases/question_json.hpp"
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
+#include "io/questions/question_kinds.hpp"
 #include "io/scenes/solid_words.hpp"
 #include "toccata/core/error.hpp"
 

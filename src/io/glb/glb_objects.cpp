@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/glb/glb_scene.hpp"
+#include "io/questions/question_kinds.hpp"
 #include "io/view/asked_poses.hpp"
 
 namespace toccata::io {
@@ -23,40 +24,15 @@ GlbPaint paint_of(ObjectRole role, std::size_t object) {
                                    : GlbPaint{"second of a pair", 0xe69f00, seen_through};
 }
 
-/// Which objects the findings name, first and second.
-struct Named {
-  std::vector<std::optional<ObjectRole>>& roles;
-
-  void name(Index first) const {
-    if (!roles[first]) roles[first] = ObjectRole::first;
-  }
-  void name(Index first, Index second) const {
-    name(first);
-    if (!roles[second]) roles[second] = ObjectRole::second;
-  }
-
-  void operator()(const CheckReport& report) const {
-    for (const ReportedPair& pair : report.pairs) name(pair.a, pair.b);
-  }
-  void operator()(const DistanceReport& report) const {
-    for (const ReportedDistance& pair : report.pairs) name(pair.a, pair.b);
-  }
-  void operator()(const SelfReport& report) const {
-    for (std::size_t i = 0; i < report.objects.size(); ++i)
-      if (report.objects[i].face_pairs > 0) name(static_cast<Index>(i));
-  }
-  void operator()(const FacesReport& report) const {
-    for (const ReportedFaces& found : report.found) name(found.object);
-  }
-  template <class Other>
-  void operator()(const Other&) const {}
-};
-
 /// As it is in the first of the findings that name it.
 std::vector<ObjectRole> roles_of(std::size_t objects, const SceneAnswer& answer) {
   if (std::holds_alternative<DecomposeReport>(answer)) return std::vector<ObjectRole>(objects, ObjectRole::part);
   std::vector<std::optional<ObjectRole>> roles(objects);
-  std::visit(Named{roles}, answer);
+  if (const QuestionKind& kind = question_kind_of(answer); kind.named != nullptr)
+    for (const auto& [first, second] : kind.named(answer)) {
+      if (!roles[first]) roles[first] = ObjectRole::first;
+      if (!roles[second]) roles[second] = ObjectRole::second;
+    }
   std::vector<ObjectRole> known;
   for (const auto& role : roles) known.push_back(role.value_or(ObjectRole::alone));
   return known;

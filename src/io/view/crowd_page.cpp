@@ -196,7 +196,7 @@ std::string crowd_page(const CrowdRecording& recording, const ViewOptions& optio
   CrowdLayers(recording, data).write(header);
   Scene no_objects;
   no_objects.unit = "unit";
-  return io::filled_page(header, check_report_json(no_objects, {}, CheckReport{}, {}), data);
+  return io::filled_page(header, report_json(no_objects, {}, CheckReport{}), data);
 }
 
 }  // namespace toccata

@@ -4,12 +4,13 @@
 
 #include "io/formats/json.hpp"
 #include "io/formats/utf8.hpp"
+#include "io/questions/question_kinds.hpp"
 #include "io/view/asked_poses.hpp"
 #include "io/view/drawn_scene.hpp"
 #include "io/view/filled_page.hpp"
 #include "io/view/finding_layers.hpp"
-#include "io/view/finding_words.hpp"
 #include "io/view/hierarchy_layers.hpp"
+#include "io/view/pair_methods.hpp"
 #include "io/view/partition_layers.hpp"
 #include "io/view/scene_tree.hpp"
 #include "io/view/view_data.hpp"
@@ -25,15 +26,20 @@ using io::Json;
 
 namespace {
 
-/// The report as the subcommand writes it with --json, without the faces, which are in the layers.
+/// The report as the subcommand writes it with --json, without what is in the layers.
 std::string report_of(const Scene& scene, std::span<const SceneInstance> models, SceneAnswer answer,
                       std::span<const std::string> warnings) {
-  if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = false;
-  if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = false;
-  if (auto* faces = std::get_if<FacesReport>(&answer)) faces->found.clear();
-  if (auto* inspected = std::get_if<InspectReport>(&answer))
-    for (InspectedObject& object : inspected->objects) object.faults.clear();
+  const io::QuestionKind& kind = io::question_kind_of(answer);
+  if (kind.leave_out_drawn != nullptr) kind.leave_out_drawn(answer);
   return report_json(scene, models, answer, warnings);
+}
+
+/// What a page says of each finding, and the methods that this names (docs/reference/view-page.md).
+void add_words(Json& header, std::span<const SceneInstance> models, const SceneAnswer& answer) {
+  const io::QuestionKind& kind = io::question_kind_of(answer);
+  io::PairMethods methods(models);
+  header["words"] = kind.words == nullptr ? Json::array() : kind.words(answer, methods);
+  header["methods"] = methods.texts();
 }
 
 /// The tree of the scene, where it is one: nodes without parents are the objects themselves.
@@ -78,7 +84,7 @@ std::string page_of(const Scene& scene, std::span<const SceneInstance> models, c
   Json header = {
       {"format", "toccata/view/3"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
   meshes.write(header, data);
-  io::add_words(header, models, answer);
+  add_words(header, models, answer);
   add_nodes(header, scene);
   Json& layers = header["layers"] = io::finding_layers(answer, meshes, data);
   if (const auto* trees = std::get_if<RebalanceReport>(&answer))

@@ -1,12 +1,12 @@
-#include "toccata/io/crowd_report.hpp"
-
 #include <chrono>
 
+#include "io/questions/question_kinds.hpp"
+#include "io/questions/question_parts.hpp"
 #include "io/reports/crowd_parts.hpp"
-#include "io/reports/report_parts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "toccata/io/crowd_report.hpp"
 #include "toccata/io/pages.hpp"
 #include "toccata/world/world.hpp"
 
@@ -55,6 +55,51 @@ PairDigest digest_of_contacts(const World& world) {
   return digest_of(pairs);
 }
 
+struct CrowdWorldKind {
+  using Question = CrowdWorldQuestion;
+  using Report = CrowdWorldReport;
+  static constexpr const char* name = "crowd-world";
+
+  static io::Json write(const CrowdWorldQuestion& question) {
+    return {{"count", question.count},
+            {"frames", question.frames},
+            {"method", name_of(question.method)},
+            {"seed", std::to_string(question.seed)},
+            {"threads", question.threads}};
+  }
+
+  static CrowdWorldQuestion read(const io::JsonValue& value) {
+    value.expect_keys({"question", "count", "frames", "method", "seed", "threads"});
+    CrowdWorldQuestion question;
+    take_flight(question, value);
+    if (value.has("method"))
+      question.method = io::one_named<BroadPhaseMethod>(value.at("method"), broad_phase_methods());
+    return question;
+  }
+
+  static CrowdWorldReport ask(const CrowdWorldQuestion& question, const io::Asking& asking) {
+    return run_crowd_world(question, asking.options.progress);
+  }
+
+  static std::string json(const CrowdWorldReport& report, const io::Reporting&) {
+    const CrowdWorldQuestion& question = report.question;
+    return io::document({{"schema", "toccata/crowd-world/2"},
+                         {"version", version},
+                         {"count", question.count},
+                         {"frames", question.frames},
+                         {"seed", question.seed},
+                         {"threads", question.threads},
+                         {"method", name_of(question.method)},
+                         {"used_method", name_of(report.used)},
+                         {"median_ms", report.frames.median_ms()},
+                         {"worst_ms", report.frames.worst_ms()},
+                         {"pairs", report.pairs()},
+                         {"begin", report.begin},
+                         {"end", report.end},
+                         {"digest", io::text_of(report.frames.pairs)}});
+  }
+};
+
 }  // namespace
 
 CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progress& progress) {
@@ -90,22 +135,8 @@ WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Prog
   return recording;
 }
 
-std::string crowd_world_report_json(const CrowdWorldReport& report) {
-  const CrowdWorldQuestion& question = report.question;
-  return io::document({{"schema", "toccata/crowd-world/2"},
-                       {"version", version},
-                       {"count", question.count},
-                       {"frames", question.frames},
-                       {"seed", question.seed},
-                       {"threads", question.threads},
-                       {"method", name_of(question.method)},
-                       {"used_method", name_of(report.used)},
-                       {"median_ms", report.frames.median_ms()},
-                       {"worst_ms", report.frames.worst_ms()},
-                       {"pairs", report.pairs()},
-                       {"begin", report.begin},
-                       {"end", report.end},
-                       {"digest", io::text_of(report.frames.pairs)}});
-}
+namespace io {
+constinit const QuestionKind crowd_world_kind = question_kind<CrowdWorldKind>();
+}  // namespace io
 
 }  // namespace toccata

@@ -1,5 +1,3 @@
-#include "toccata/io/crowd_report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,20 +6,20 @@
 #include <cmath>
 #include <numeric>
 
+#include "io/questions/question_kinds.hpp"
+#include "io/questions/question_parts.hpp"
 #include "io/reports/crowd_parts.hpp"
-#include "io/reports/report_parts.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "toccata/io/crowd_report.hpp"
 #include "toccata/io/pages.hpp"
 #include "toccata/math/pose.hpp"
 
 namespace toccata {
 namespace {
-
-using io::Json;
 
 /// Around the box: its corners are as far from its middle, but for rounding.
 Ball ball_around_box(const Aabb& box, Index) {
@@ -123,7 +121,7 @@ void require_something(const CrowdQuestion& question) {
   io::require_threads(question.threads);
 }
 
-Json json_of(const CrowdRun& run) {
+io::Json json_of(const CrowdRun& run) {
   return {{"method", name_of(run.method)},
           {"median_ms", run.frames.median_ms()},
           {"worst_ms", run.frames.worst_ms()},
@@ -134,6 +132,47 @@ Json json_of(const CrowdRun& run) {
           {"bytes_per_body", run.bytes_per_body},
           {"reason", run.reason}};
 }
+
+struct CrowdKind {
+  using Question = CrowdQuestion;
+  using Report = CrowdReport;
+  static constexpr const char* name = "crowd";
+
+  static io::Json write(const CrowdQuestion& question) {
+    return {{"scene", question.scene},
+            {"count", question.count},
+            {"frames", question.frames},
+            {"methods", io::names_of(question.methods)},
+            {"seed", std::to_string(question.seed)},
+            {"threads", question.threads},
+            {"bounds", name_of(question.bounds)}};
+  }
+
+  static CrowdQuestion read(const io::JsonValue& value) {
+    value.expect_keys({"question", "scene", "count", "frames", "methods", "seed", "threads", "bounds"});
+    CrowdQuestion question;
+    question.scene = value.text_or("scene", question.scene);
+    take_flight(question, value);
+    io::take_list<BroadPhaseMethod>(question.methods, value, "methods", broad_phase_methods());
+    if (value.has("bounds")) question.bounds = io::one_named<CrowdBounds>(value.at("bounds"), all_crowd_bounds);
+    return question;
+  }
+
+  static CrowdReport ask(const CrowdQuestion& question, const io::Asking& asking) {
+    return run_crowd(question, asking.options.progress);
+  }
+
+  static std::string json(const CrowdReport& report, const io::Reporting&) {
+    const CrowdQuestion& question = report.question;
+    io::Json json = {{"schema", "toccata/crowd/2"}, {"version", version},
+                     {"scene", question.scene},     {"bounds", name_of(question.bounds)},
+                     {"count", question.count},     {"frames", question.frames},
+                     {"seed", question.seed},       {"threads", question.threads},
+                     {"methods", io::Json::array()}};
+    for (const CrowdRun& run : report.runs) json["methods"].push_back(json_of(run));
+    return io::document(json);
+  }
+};
 
 }  // namespace
 
@@ -170,15 +209,8 @@ CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progr
   return recording;
 }
 
-std::string crowd_report_json(const CrowdReport& report) {
-  const CrowdQuestion& question = report.question;
-  Json json = {{"schema", "toccata/crowd/2"}, {"version", version},
-               {"scene", question.scene},     {"bounds", name_of(question.bounds)},
-               {"count", question.count},     {"frames", question.frames},
-               {"seed", question.seed},       {"threads", question.threads},
-               {"methods", Json::array()}};
-  for (const CrowdRun& run : report.runs) json["methods"].push_back(json_of(run));
-  return io::document(json);
-}
+namespace io {
+constinit const QuestionKind crowd_kind = question_kind<CrowdKind>();
+}  // namespace io
 
 }  // namespace toccata

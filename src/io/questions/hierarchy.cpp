@@ -1,13 +1,12 @@
-#include "toccata/io/report.hpp"
-
+#include "io/questions/question_kinds.hpp"
 #include "io/reports/report_parts.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/report.hpp"
 
 namespace toccata {
 namespace {
 
-using io::Json;
-
-Json json_of(const HierarchyLevel& level) {
+io::Json json_of(const HierarchyLevel& level) {
   return {{"nodes", level.nodes},
           {"leaves", level.leaves},
           {"most_children", level.most_children},
@@ -15,8 +14,8 @@ Json json_of(const HierarchyLevel& level) {
           {"overlapping_sibling_pairs", level.overlapping_sibling_pairs}};
 }
 
-Json json_of(const HierarchyReport& report) {
-  Json levels = Json::array();
+io::Json json_of(const HierarchyReport& report) {
+  io::Json levels = io::Json::array();
   for (const HierarchyLevel& level : report.levels) levels.push_back(json_of(level));
   return {{"nodes", report.nodes},
           {"leaves", report.leaves},
@@ -38,6 +37,36 @@ std::size_t named_inner_nodes(const SceneHierarchy& hierarchy) {
   return named;
 }
 
+struct HierarchyKind {
+  using Question = HierarchyQuestion;
+  using Report = RebalanceReport;
+  static constexpr const char* name = "hierarchy";
+
+  static io::Json write(const HierarchyQuestion&) { return io::Json::object(); }
+
+  static HierarchyQuestion read(const io::JsonValue& value) {
+    value.expect_keys({"question"});
+    return HierarchyQuestion{};
+  }
+
+  static RebalanceReport ask(const HierarchyQuestion&, const io::Asking& asking) {
+    if (asking.scene == nullptr)
+      throw Error("this is asked about a scene's tree of nodes: hand the scene over, ask(scene, models, question)");
+    return rebalance_report(*asking.scene);
+  }
+
+  static std::string json(const RebalanceReport& report, const io::Reporting& reporting) {
+    io::Json json = reporting.head("toccata/hierarchy/1");
+    json["as_is"] = json_of(report.as_is);
+    json["cured"] = json_of(report.cured);
+    json["rebuilt"] = json_of(report.rebuilt);
+    json["named_nodes"] = report.named_nodes;
+    json["kept_nodes"] = report.kept_nodes;
+    json["unbounded_objects"] = report.unbounded;
+    return io::document(json);
+  }
+};
+
 }  // namespace
 
 RebalanceReport rebalance_report(const Scene& scene) {
@@ -48,16 +77,8 @@ RebalanceReport rebalance_report(const Scene& scene) {
           named_inner_nodes(as_is), named_inner_nodes(cured), as_is.unbounded.size()};
 }
 
-std::string hierarchy_report_json(const Scene& scene, std::span<const SceneInstance> models,
-                                  const RebalanceReport& report, std::span<const std::string> warnings) {
-  Json json = io::report_head("toccata/hierarchy/1", scene, models, warnings);
-  json["as_is"] = json_of(report.as_is);
-  json["cured"] = json_of(report.cured);
-  json["rebuilt"] = json_of(report.rebuilt);
-  json["named_nodes"] = report.named_nodes;
-  json["kept_nodes"] = report.kept_nodes;
-  json["unbounded_objects"] = report.unbounded;
-  return io::document(json);
-}
+namespace io {
+constinit const QuestionKind hierarchy_kind = question_kind<HierarchyKind>();
+}  // namespace io
 
 }  // namespace toccata
