@@ -5,6 +5,9 @@ foreach(check IN ITEMS format layering ledger)
   add_test(NAME repository/${check} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${check}.py)
 endforeach()
 
+# That the list of the constants on which proofs rest fits the sources; ./toccata test --all makes them too small.
+add_test(NAME repository/proofs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_proofs.py --check)
+
 add_test(NAME repository/rooms COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/draw_rooms.py --check)
 
 # The longest of these, and one compilation.

@@ -29,6 +29,7 @@ STEPS = {
     "debug": "configure debug; build debug; run_ctest debug",
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
     "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
+    "proofs": "python3 tools/check_proofs.py",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "
     f"(mkdir -p build/fuzz/corpus/${{f##*/}} && cd build/fuzz && ../../$f -max_total_time={FUZZ_SECONDS} -timeout=10 "

@@ -21,12 +21,12 @@ TEST(Vec3, CompoundAssignments) {
 }
 
 TEST(Vec3, LengthNeitherOverflowsNorUnderflows) {
-  EXPECT_EQ(length({3, 0, -4}), 5);
-  EXPECT_EQ(length({3e300, 0, -4e300}), 5e300);
-  EXPECT_EQ(length({0x3p-1074, 0x4p-1074, 0}), 0x5p-1074);
-  EXPECT_EQ(length({}), 0);
-  EXPECT_EQ(length({1, -INFINITY, 0}), INFINITY);
-  EXPECT_TRUE(std::isnan(length({1, NAN, 0})));
+  EXPECT_EQ(length(Vec3{3, 0, -4}), 5);
+  EXPECT_EQ(length(Vec3{3e300, 0, -4e300}), 5e300);
+  EXPECT_EQ(length(Vec3{0x3p-1074, 0x4p-1074, 0}), 0x5p-1074);
+  EXPECT_EQ(length(Vec3{}), 0);
+  EXPECT_EQ(length(Vec3{1, -INFINITY, 0}), INFINITY);
+  EXPECT_TRUE(std::isnan(length(Vec3{1, NAN, 0})));
 }
 
 TEST(Vec3, NormalizedHasLengthOneWhateverTheSize) {

@@ -1,0 +1,88 @@
+// Witnesses: with a constant that a proof rests on made a few times too small, these doubles give a false statement
+// (docs/design/proof-constants.md).
+#include <gtest/gtest.h>
+
+#include "bounds/box_bounds.hpp"
+#include "bounds/upper_sum.hpp"
+#include "oracle/rational.hpp"
+#include "toccata/bounds/obb.hpp"
+
+namespace toccata {
+namespace {
+
+using oracle::exact;
+using oracle::Rational;
+
+// Each of the small products is half a unit in the last place of the sum, and is lost.
+TEST(ProofConstants, AnUpperSumCoversProductsThatAreLost) {
+  UpperSum sum;
+  sum.add(1, 1);
+  for (int i = 0; i < 31; ++i) sum.add(0x1p-53, 1);
+  EXPECT_GE(exact(sum.bound()), exact(1) + Rational(31) * exact(0x1p-53));
+}
+
+TEST(ProofConstants, AnUpperSumOfAProductThatUnderflowsIsPositive) {
+  UpperSum sum;
+  sum.add(0x1p-540, 0x1p-540);
+  EXPECT_GT(sum.bound(), 0);
+}
+
+// This length is computed too small by more than one unit in its last place.
+TEST(ProofConstants, ALengthRoundedUpIsNotBelowTheExactOne) {
+  const Vec3 v{-0x1.991d4badf7dccp-1, 0x1.30238d2551966p-1, 0x1.5445484f26e8cp-1};
+  const Rational bound = exact(length_bound(v));
+  EXPECT_GE(bound * bound, oracle::dot(exact(v), exact(v)));
+}
+
+TEST(ProofConstants, ALengthOfLeastDoublesIsRoundedUp) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const Rational bound = exact(length_bound({least, least, 0}));
+  EXPECT_GE(bound * bound, Rational(2) * exact(least) * exact(least));
+}
+
+// The double nearest to the root of 2 lies above it.
+TEST(ProofConstants, AGapOfBoxesIsNotAboveTheExactOne) {
+  const Rational gap = exact(box_gap({{0, 0, 0}, {0, 0, 0}}, {{1, 1, 0}, {1, 1, 0}}));
+  EXPECT_LE(gap * gap, Rational(2));
+}
+
+TEST(ProofConstants, ABoxIsEnteredNotBeforeTheComputedTime) {
+  const double from = 0x1.7e123e465ea44p-2, to = 0x1.d224aeb0613cp-1, motion = 0x1.ab6e02afe727ep-1;
+  const double entry = box_entry({{0, 0, 0}, {from, 1, 1}}, {motion, 0, 0}, {{to, 0, 0}, {2, 1, 1}});
+  EXPECT_LE(exact(entry) * exact(motion), exact(to) - exact(from));
+}
+
+// The world vertex of 3 is rounded up by 1, and the image of the middle, 1.5, by 0.5.
+TEST(ProofConstants, APosedBoxFarAwayContainsRoundedVertices) {
+  const Obb box{{1.5, 0, 0}, {}, {1.5, 0, 0}};
+  const Pose pose{{}, {0x1p53, 0, 0}};
+  const Obb far = posed(box, pose);
+  const Rational vertex = exact(oracle::world_vertex(pose, {3, 0, 0}).x);
+  ASSERT_EQ(far.axes, Mat3{});
+  EXPECT_LE(vertex - exact(far.centre.x), exact(far.half.x));
+}
+
+// A point of the slim box, on its end, is another box. The axes use up some of what they may be off by.
+TEST(ProofConstants, AnOrientedBoxMeetsAPointOfItself) {
+  const Mat3 axes{{Vec3{0x1.23a7d70e35f66p-10, -0x1.35c3a4124c6a5p-2, -0x1.e802f08639013p-1},
+                   Vec3{-0x1.fc6b44bc5552fp-1, 0x1.cb8c0787ef773p-4, -0x1.2d311b4d0f6ffp-5},
+                   {0x1.e39269084d9fbp-4, 0x1.e49e85577f4dfp-1, -0x1.337849eb6f993p-2}}};
+  const Obb box{{0x1.5747c75b268e4p-1, -0x1.7639558d20b88p-1, 0x1.9847b90a63c72p-1},
+                axes,
+                {0x1.2d934947dce7bp-1, 0x1.c319b4241621fp-12, 0x1.2c3d84d8fb517p-12}};
+  const Vec3 point{0x1.5795f790e28f8p-1, -0x1.d1784308e54acp-1, 0x1.e35c427d81cc8p-3};
+  // Its coordinates in the frame by Cramer's rule.
+  const auto determinant = [](const auto& u, const auto& v, const auto& w) {
+    return oracle::dot(oracle::cross(u, v), w);
+  };
+  const auto way = exact(point) - exact(box.centre), u = exact(axes[0]), v = exact(axes[1]), w = exact(axes[2]);
+  const Rational whole = abs(determinant(u, v, w));
+  ASSERT_LE(abs(determinant(way, v, w)), whole * exact(box.half.x));
+  ASSERT_LE(abs(determinant(u, way, w)), whole * exact(box.half.y));
+  ASSERT_LE(abs(determinant(u, v, way)), whole * exact(box.half.z));
+  EXPECT_TRUE(overlap(box, Obb{point, {}, {0, 0, 0}}));
+  EXPECT_TRUE(overlap(Obb{point, {}, {0, 0, 0}}, box));
+}
+
+}  // namespace
+}  // namespace toccata

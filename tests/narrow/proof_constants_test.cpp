@@ -1,0 +1,148 @@
+// Witnesses: with a constant that a proof rests on made a few times too small, these doubles give a false statement
+// (docs/design/proof-constants.md).
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "narrow/half_spaces/half_space_heights.hpp"
+#include "narrow/triangles/ray_triangle.hpp"
+#include "oracle/convex.hpp"
+#include "oracle/rational.hpp"
+#include "oracle/rays.hpp"
+#include "toccata/narrow/box_box.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/primitives.hpp"
+
+namespace toccata {
+namespace {
+
+using oracle::exact;
+
+// The corner lies beyond the radius by so little that the squares round to the wrong order.
+TEST(ProofConstants, ASphereAlmostAtACornerIsDecidedExactly) {
+  const Vec3 centre{0x1.a94a22aa2cf6p+0, 0x1.54ac0c972ea43p+0, 0x1.1cf51ecd60fc3p+0};
+  const Vec3 corner{0x1.debcdcc908c0fp-11, -0x1.f828c710c9b37p-11, -0x1.5049f600796d3p-11};
+  const double radius = 0x1.337c9351083dbp+1;
+  const auto way = exact(centre) - exact(corner);
+  ASSERT_GT(oracle::dot(way, way), exact(radius) * exact(radius));
+  const PosedSphere sphere(Sphere(radius), {{}, centre});
+  EXPECT_FALSE(overlap_by_regions(sphere, {-4, -4, -4}, corner));
+  EXPECT_FALSE(overlap_by_clamping(sphere, {-4, -4, -4}, corner));
+}
+
+oracle::ConvexSet world_set(const Box& box, const Pose& pose) {
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = oracle::world_vertex(pose, box.corner(i));
+  return oracle::box_set(corners);
+}
+
+oracle::ConvexSet world_set(const Capsule& capsule, const Pose& pose) {
+  return oracle::capsule_set(oracle::world_vertex(pose, capsule.start()), oracle::world_vertex(pose, capsule.end()),
+                             capsule.radius());
+}
+
+oracle::ConvexSet world_set(const Sphere& sphere, const Pose& pose) {
+  return oracle::sphere_set(oracle::world_vertex(pose, sphere.centre()), sphere.radius());
+}
+
+void expect_overlap_of_the_oracle(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  const bool expected = oracle::overlap(world_set(a, pose_a), world_set(b, pose_b));
+  EXPECT_EQ(overlap(PosedBox(a, pose_a), PosedBox(b, pose_b)), expected);
+  EXPECT_EQ(overlap(a, pose_a, b, pose_b), expected);
+  EXPECT_EQ(overlap(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b)), expected);
+}
+
+void expect_overlap_of_the_oracle(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+  const bool expected = oracle::overlap(world_set(a, pose_a), world_set(b, pose_b));
+  EXPECT_EQ(overlap(PosedSphere(a, pose_a), PosedBox(b, pose_b)), expected);
+  EXPECT_EQ(overlap(a, pose_a, b, pose_b), expected);
+}
+
+// Far from the origin, where rounding bends boxes: the corners are not where the formulas have them.
+const Mat3 far_turn_a{{Vec3{-0x1.1e79a2bd55fecp-2, 0x1.3563835341937p-3, 0x1.e56ea4154884p-1},
+                       Vec3{-0x1.df7faf5c29e1bp-1, 0x1.6541239cb2ce8p-3, -0x1.376f7922e4cf9p-2},
+                       Vec3{-0x1.b0d00efddfdd8p-3, -0x1.f22e621653011p-1, 0x1.7b9b40ae2bec8p-4}}};
+const Mat3 far_turn_b{{Vec3{-0x1.f00becd2b0f68p-2, 0x1.405cc2488ee1fp-2, -0x1.a24b70314dc87p-1},
+                       Vec3{0x1.bdfee32135c49p-1, 0x1.60bd37b802898p-4, -0x1.ef2090c83b404p-2},
+                       Vec3{-0x1.4b6da8f115d65p-4, -0x1.e44b931d8c938p-1, -0x1.41c80ba4c4748p-2}}};
+const Pose far_pose_a{far_turn_a, {-0x1.8c99444c98ep+10, 0x1.e288a4c87421p+8, -0x1.ae88a6d1f00d4p+9}};
+const Vec3 far_half_a{0x1.29edf59ed49c4p-2, 0x1.89076dde0e0e8p-4, 0x1.f9bc311566505p-4};
+
+TEST(ProofConstants, CornersOfABoxFarAwayAreNotWhereTheFormulasHaveThem) {
+  const Vec3 centre{-0x1.8c9dff8e0fe4fp+10, 0x1.e2f23ef9076d8p+8, -0x1.ae8f2a7bbdad6p+9};
+  expect_overlap_of_the_oracle(Sphere(0x1.9d843a7290abdp-4), {far_turn_b, centre}, Box(far_half_a), far_pose_a);
+}
+
+TEST(ProofConstants, CornersOfTwoBoxesFarAwayAreNotWhereTheAxesHaveThem) {
+  const Vec3 offset{-0x1.8ca58fa5852a2p+10, 0x1.e2e1a54546ac1p+8, -0x1.ae8e1fb11e0dap+9};
+  const Box b({0x1.9d843a7290abdp-4, 0x1.abbc8923386d9p-5, 0x1.08eea434bdd8p-3});
+  expect_overlap_of_the_oracle(Box(far_half_a), far_pose_a, b, {far_turn_b, offset});
+}
+
+TEST(ProofConstants, BentBoxesFarAwayAreNotParallelepipeds) {
+  const Mat3 turn_a{{Vec3{0x1.35e41202c668ep-2, 0x1.a6043afa60a7dp-1, 0x1.ea0d8a98a9456p-2},
+                     Vec3{-0x1.6cb34865d5c54p-4, 0x1.0c79933eaed84p-1, -0x1.b1931e30205cap-1},
+                     Vec3{-0x1.e5db90d09e22bp-1, 0x1.b5948a940e1d3p-3, 0x1.db4b51efd60a4p-3}}};
+  const Mat3 turn_b{{Vec3{-0x1.31bd640a3f99cp-2, -0x1.e0569bd3c5a26p-1, -0x1.66e284b483fddp-3},
+                     Vec3{-0x1.71a5128161dc2p-1, 0x1.a1855240077bp-4, 0x1.5e67672345eb9p-1},
+                     Vec3{-0x1.3f96ef3003d8p-1, 0x1.52cb31618daddp-2, -0x1.6a5e6e606b346p-1}}};
+  const Vec3 offset_a{-0x1.5fffb7df8c87ap+9, -0x1.1faa823c434p+4, -0x1.c9c9c6f6e7818p+9};
+  const Vec3 offset_b{-0x1.5fdcc0fa2800bp+9, -0x1.2f629935db264p+4, -0x1.ca2471381cdcbp+9};
+  expect_overlap_of_the_oracle(
+      Box({0x1.0310f57575e7ep-2, 0x1.4966992542f77p-4, 0x1.11accaaa98b95p-1}), {turn_a, offset_a},
+      Box({0x1.62a3da2cec948p-1, 0x1.f462250ca6026p-3, 0x1.665a14f0138adp-4}), {turn_b, offset_b});
+}
+
+TEST(ProofConstants, ASphereSeenFromABoxIsNotExactlyWhereItIs) {
+  const Mat3 turn{{Vec3{-0x1.b1b7fe1c2d03ap-1, 0x1.de0cc3acade97p-2, 0x1.03fe554a5db99p-2},
+                   Vec3{0x1.022f60ae17408p-1, 0x1.b6bd945591e78p-1, 0x1.b589064a8f14cp-4},
+                   Vec3{-0x1.57743a04e4ba5p-3, 0x1.bf883e9037718p-3, -0x1.ec3153fa895ep-1}}};
+  const Vec3 centre{-0x1.0a7311263567ep-2, -0x1.0983612d1867ep-2, 0x1.f862eb1aaa41ep-3};
+  const Box box({0x1.6c624bec6dd0ep-5, 0x1.0f6653eecafd9p-2, 0x1.3d09bbdc82585p-2});
+  expect_overlap_of_the_oracle(Sphere(0x1.0bb165264de09p-5), {{}, centre}, box, {turn, {0, 0, 0}});
+}
+
+// Two thin capsules, the one as good as a point, almost in touch.
+TEST(ProofConstants, NearPointsOfThinCapsulesAreRounded) {
+  const Pose pose_a{{{Vec3{-0x1.11b9979f214c8p-3, 0x1.efea7eae8d239p-2, -0x1.bab1ab5f903bdp-1},
+                      Vec3{-0x1.e16d7a0af8b1fp-1, 0x1.b57de855dc56cp-3, 0x1.0f5c0161c6effp-2},
+                      Vec3{0x1.408d9ec77b83dp-2, 0x1.b264ef52f89f5p-1, 0x1.b5114ea699a42p-2}}},
+                    {0, 0, 0}};
+  const Pose pose_b{{{Vec3{0x1.a8c226500bdap-1, 0x1.0cf2bfdc298e5p-1, 0x1.83a1ba3f8b352p-3},
+                      Vec3{0x1.1041e4e88eccep-1, -0x1.b180b03410236p-1, 0x1.386f465faf3a1p-6},
+                      Vec3{0x1.5cb77fe89663cp-3, 0x1.5b72f49b7a28fp-4, -0x1.f6a6871ac8488p-1}}},
+                    {-0x1.90bf0d3878128p-5, -0x1.4173d87a111bp-8, 0x1.039463476dcfap-2}};
+  const double half_a = 0x1.9f646d8019ae8p-16, half_b = 0x1.08507bec996b8p-2;
+  const Capsule a({0, 0, -half_a}, {0, 0, half_a}, 0x1.72c0fe7a07139p-17);
+  const Capsule b({0, 0, -half_b}, {0, 0, half_b}, 0x1.4d4fad0f18b52p-14);
+  const bool expected = oracle::overlap(world_set(a, pose_a), world_set(b, pose_b));
+  EXPECT_EQ(overlap(PosedCapsule(a, pose_a), PosedCapsule(b, pose_b)), expected);
+  EXPECT_EQ(overlap(a, pose_a, b, pose_b), expected);
+}
+
+// A ray at an edge of the triangle.
+TEST(ProofConstants, ARayAlmostThroughAnEdgeIsDecidedExactly) {
+  const Vec3 origin{0x1.8886eb4003701p+1, -0x1.fdf107968a251p+1, -0x1.a32c57437430ap+1};
+  const Vec3 motion{-0x1.bc3267c88e038p+2, 0x1.38832cf2fb2abp+3, 0x1.114ce9553f17ap+3};
+  const Triangle target(std::array<Vec3, 3>{Vec3{-0x1.02548d21074b8p-2, 0x1.80c48d3a00afap-1, 0x1.ef69434c058f2p-1},
+                                            Vec3{-0x1.039f344408be8p-1, 0x1.3edae612b2ffcp-1, 0x1.a1660f45662cp-4},
+                                            Vec3{0x1.a1e6309168022p-1, -0x1.6f1800e6b63e8p-2, 0x1.1be53198ea946p-1}});
+  const bool expected = oracle::time_of_hit(exact(origin), exact(motion), oracle::exact(target)).has_value();
+  EXPECT_EQ(ray_time(PreparedRay(origin, motion), target).hit, expected);
+}
+
+TEST(ProofConstants, TheFilterOfHeightsAboveAHalfSpaceCoversFourRoundings) {
+  const Vec3 point{-0x1.be8f4817481cp-6, -0x1.e7a6b9ca0e33ap-1, 0x1.9cd280924d262p-1};
+  const Vec3 normal{0x1.5e9940bd59efap-1, 0x1.2da6316f48f94p-1, -0x1.5d89902014af8p-3};
+  const Vec3 above{-0x1.7632cdf6434b2p-2, -0x1.979ab9f638f06p-1, -0x1.62606d8ffb6p-7};
+  PosedHalfSpace half_space(HalfSpace({0, 0, 0}, {0, 0, 1}));
+  half_space.point = point;
+  half_space.normal = normal;
+  const auto height = oracle::dot(exact(above) - exact(point), exact(normal));
+  const Filtered found = filtered_height(half_space, above);
+  EXPECT_TRUE(!found.is_positive() || height > 0);
+  EXPECT_TRUE(!found.is_negative() || height < 0);
+}
+
+}  // namespace
+}  // namespace toccata
