@@ -56,13 +56,6 @@ struct CheckArguments : PosedArguments {
   std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
 };
 
-struct InspectArguments : PosedArguments {
-  bool volumes = false;     ///< every bounding volume and hierarchy of meshes, too
-  bool partitions = false;  ///< every partition of space over the triangles of meshes, too
-  bool faults = false;      ///< where the faults of meshes are, too
-  bool hierarchy = false;   ///< the tree of nodes instead of the objects
-};
-
 struct CrowdArguments : PosedArguments {
   CrowdArguments() { threads = 1; }
 
@@ -76,11 +69,5 @@ struct CrowdArguments : PosedArguments {
   std::uint64_t seed = 1;
   std::string cells = "method";  ///< those that the page shows, or "tracked"
 };
-
-/// What a subcommand asks with one of its options. Each returns the exit code: 0 nothing to report, 1 something.
-int run_check_poses(const CheckArguments& arguments);
-int run_check_self(const CheckArguments& arguments);
-int run_distance_poses(const PosedArguments& arguments);
-int run_inspect_hierarchy(const InspectArguments& arguments);
 
 }  // namespace toccata::command

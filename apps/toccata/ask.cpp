@@ -6,6 +6,7 @@
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/case_file.hpp"
+#include "view.hpp"
 
 namespace toccata::command {
 namespace {
@@ -28,13 +29,17 @@ SceneQuestion with_faces(SceneQuestion question) {
   return question;
 }
 
-bool has_faces(const SceneAnswer& answer) {
-  if (const auto* check = std::get_if<CheckReport>(&answer)) return check->has_faces;
-  const auto* self = std::get_if<SelfReport>(&answer);
-  return self != nullptr && self->has_faces;
+/// Lists the faces, or the faults, of an answer as this question asks: those of one that is drawn are found whether
+/// they are listed or not.
+void list_faces(SceneAnswer& answer, const SceneQuestion& question) {
+  if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = std::get<CheckQuestion>(question).faces;
+  if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = std::get<SelfQuestion>(question).faces;
+  auto* inspected = std::get_if<InspectReport>(&answer);
+  if (inspected == nullptr || std::get<InspectQuestion>(question).faults) return;
+  for (InspectedObject& object : inspected->objects) object.faults.clear();
 }
 
-std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format format, const TableText& table = {}) {
+std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format format, const TableText& table) {
   const LoadedScene& loaded = input.loaded;
   if (format == Format::json) return report_json(loaded.scene, input.models, answer, loaded.warnings);
   if (format == Format::csv) return report_csv(loaded.scene, answer);
@@ -44,12 +49,6 @@ std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format f
 
 }  // namespace
 
-void print_answer(const CheckInput& input, const SceneAnswer& answer, Format format) {
-  const std::string text = text_of(input, answer, format);
-  print_warnings(input.loaded.warnings);
-  print_answer(text);
-}
-
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
                   const PosedArguments& arguments, const TableText& table) {
   std::string text = text_of(input, answer, arguments.format, table);
@@ -58,25 +57,9 @@ void print_answer(const CheckInput& input, const SceneQuestion& question, const 
   print_answer(text);
 }
 
-void list_faces(SceneAnswer& answer, const SceneQuestion& question) {
-  if (auto* check = std::get_if<CheckReport>(&answer)) check->has_faces = std::get<CheckQuestion>(question).faces;
-  if (auto* self = std::get_if<SelfReport>(&answer)) self->has_faces = std::get<SelfQuestion>(question).faces;
-  auto* inspected = std::get_if<InspectReport>(&answer);
-  if (inspected == nullptr || std::get<InspectQuestion>(question).faults) return;
-  for (InspectedObject& object : inspected->objects) object.faults.clear();
-}
-
-std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer& answer) {
-  if (std::holds_alternative<InspectReport>(answer)) {
-    SceneAnswer as_asked = answer;
-    list_faces(as_asked, question);
-    return report_json(input.loaded.scene, input.models, as_asked);
-  }
-  const bool lists_faces = has_faces(answer);
+std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer answer) {
   list_faces(answer, question);
-  std::string json = report_json(input.loaded.scene, input.models, answer);
-  if (lists_faces) list_faces(answer, with_faces(question));
-  return json;
+  return report_json(input.loaded.scene, input.models, answer);
 }
 
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
@@ -93,6 +76,23 @@ SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, cons
     save(input, question, error_json(error.what()), arguments.save_case);
     throw;
   }
+}
+
+SceneAnswer answer_to(const SceneQuestion& question, const CheckInput& input, const PosedArguments& arguments,
+                      const std::string& label, const AlsoWritten& also) {
+  SceneAnswer answer = ask_for(input, question, arguments, {label, draws_something(target_of(arguments))});
+  give_answer(question, input, answer, arguments, also);
+  return answer;
+}
+
+void give_answer(const SceneQuestion& question, const CheckInput& input, SceneAnswer& answer,
+                 const PosedArguments& arguments, const AlsoWritten& also) {
+  const ViewTarget target = target_of(arguments);
+  const std::string told = also ? also(input, answer) : "";  // first: it may throw for what the answer is
+  if (draws_something(target)) write_view(target, input, answer);
+  list_faces(answer, question);
+  print_answer(input, question, answer, arguments);
+  if (arguments.format == Format::table) print_answer(told);
 }
 
 }  // namespace toccata::command

@@ -9,12 +9,8 @@
 
 namespace toccata::command {
 
-/// Lists the faces, or the faults, of an answer as this question asks: those of one that is drawn are found whether
-/// they are listed or not.
-void list_faces(SceneAnswer& answer, const SceneQuestion& question);
-
 /// The answer in JSON, with its faces listed as this question asks.
-std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer& answer);
+std::string json_as_asked(const CheckInput& input, const SceneQuestion& question, SceneAnswer answer);
 
 /// How a question is asked.
 struct Asking {
@@ -30,9 +26,20 @@ SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, cons
 /// What people read of an answer, where a subcommand has options about it; else `table_of`.
 using TableText = std::function<std::string(const SceneAnswer&)>;
 
-/// Prints the warnings of the input, and then the answer in that format; JSON as it is, or with what was asked.
-void print_answer(const CheckInput& input, const SceneAnswer& answer, Format format);
+/// Prints the warnings of the input, and then the answer in that format; JSON with what was asked.
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
                   const PosedArguments& arguments, const TableText& table = {});
+
+/// Writes what else a subcommand writes of its answer, and tells that in a line, where it did.
+using AlsoWritten = std::function<std::string(const CheckInput&, const SceneAnswer&)>;
+
+/// Asks, while a progress bar with that label tells how far it is; writes the pages and pictures that the arguments
+/// name, and prints the warnings and the answer.
+SceneAnswer answer_to(const SceneQuestion& question, const CheckInput& input, const PosedArguments& arguments,
+                      const std::string& label, const AlsoWritten& also = {});
+
+/// What is done with an answer that was found: it is drawn, written and printed, with faces as the question lists them.
+void give_answer(const SceneQuestion& question, const CheckInput& input, SceneAnswer& answer,
+                 const PosedArguments& arguments, const AlsoWritten& also);
 
 }  // namespace toccata::command

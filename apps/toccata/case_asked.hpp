@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "toccata/io/scene_question.hpp"
 
 namespace toccata::command {

@@ -1,21 +1,41 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
+#include "table_names.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/io/report.hpp"
 #include "view.hpp"
+#include "words.hpp"
 
 namespace toccata::command {
 namespace {
+
+int run_check_poses(const CheckArguments& arguments) {
+  require_view(arguments);
+  CheckInput input = read_check_input(arguments);
+  warn_of_open_meshes(input);
+  const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
+                                    arguments.penetration};
+  return exit_code_of(answer_to(question, input, arguments, "checking"));
+}
+
+int run_check_self(const CheckArguments& arguments) {
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  const SelfQuestion question{arguments.faces};
+  return exit_code_of(answer_to(question, input, arguments, "checking"));
+}
 
 int run_check(const CheckArguments& arguments) {
   const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
@@ -49,6 +69,62 @@ std::string table_of(const CheckInput& input, const CheckReport& report) {
 }
 
 Summary summary_of(const CheckReport& report) { return {counted(report.pairs.size(), "pair"), !report.pairs.empty()}; }
+
+std::string table_of(const CheckInput& input, const PosesReport& report) {
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < report.relations.size(); ++i) {
+    const Relation& relation = report.relations[i];
+    rows.push_back({fmt::format("query {}", i), names[0], verb_of(relation), names[1], remark_on(relation)});
+    const bool has_depth = relation.kind != RelationKind::apart;
+    if (!report.penetrations.empty()) rows.back().push_back(has_depth ? depth_text(report.penetrations[i]) : "");
+    if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
+  }
+  const std::size_t contacts = contact_count(report);
+  const auto touching = static_cast<std::size_t>(
+      std::count_if(report.relations.begin(), report.relations.end(),
+                    [](const Relation& relation) { return relation.kind != RelationKind::apart; }));
+  const auto undecided = static_cast<std::size_t>(
+      std::count_if(report.relations.begin(), report.relations.end(), [](const Relation& relation) {
+        return relation.kind == RelationKind::touching && relation.status != Status::exact;
+      }));
+  std::string text = columns(rows, 2) + fmt::format("{} of {} in contact, {}.\n", grouped(contacts),
+                                                    counted(rows.size(), "query", "queries"), decided_text(undecided));
+  if (touching > contacts) text += fmt::format("{} merely touching, ignored as asked.\n", grouped(touching - contacts));
+  return text;
+}
+
+Summary summary_of(const PosesReport& report) {
+  return {counted(report.queries.size(), "pose"), contact_count(report) > 0};
+}
+
+std::string table_of(const CheckInput& input, const SelfReport& report) {
+  const Scene& scene = input.loaded.scene;
+  const std::vector<std::string> names = table_names(scene.objects);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < report.objects.size(); ++i) {
+    const std::size_t pairs = report.objects[i].face_pairs;
+    rows.push_back({names[i], pairs == 0 ? "does not intersect itself"
+                                         : fmt::format("self-intersects in {} of faces", counted(pairs, "pair"))});
+  }
+  const std::size_t intersection = self_intersecting_count(report);
+  const std::string last = intersection == 0 ? "Nothing intersects itself, decided exactly.\n"
+                                             : fmt::format("{} {}, decided exactly.\n", counted(intersection, "object"),
+                                                           intersection == 1 ? "self-intersects" : "self-intersect");
+  std::string text = fmt::format("{} with {}, each against itself.\n", counted(rows.size(), "object"),
+                                 counted(triangle_count(scene), "triangle"));
+  if (!report.has_faces) return text + columns(rows, 2) + last;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += columns({rows[i]}, 2);
+    if (!report.objects[i].faces.empty()) text += face_lines(report.objects[i].faces);
+  }
+  return text + last;
+}
+
+Summary summary_of(const SelfReport& report) {
+  const std::size_t count = self_intersecting_count(report);
+  return {counted(count, "object") + " self-intersecting", count > 0};
+}
 
 Subcommand add_check(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();

@@ -24,4 +24,8 @@ class CrowdView {
   bool is_tracked_;  ///< the page shows a grid's cells in place of the method's
 };
 
+/// "100 boxes", "1 body that flies".
+std::string crowd_words(const CrowdQuestion& question);
+std::string crowd_words(const CrowdWorldQuestion& question);
+
 }  // namespace toccata::command

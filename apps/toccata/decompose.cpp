@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "option_kinds.hpp"
@@ -16,6 +17,13 @@
 
 namespace toccata::command {
 namespace {
+
+int run_distance_poses(const PosedArguments& arguments) {
+  require_view(arguments);
+  const CheckInput input = read_check_input(arguments);
+  const DistancePosesQuestion question{read_queries(input, arguments)};
+  return exit_code_of(answer_to(question, input, arguments, "measuring"));
+}
 
 int run_distance(const PosedArguments& arguments) {
   if (const auto code = answered_case(arguments, {"distance", changes_objects(arguments)})) return *code;
@@ -44,6 +52,20 @@ std::string table_of(const CheckInput& input, const DistanceReport& report) {
 Summary summary_of(const DistanceReport& report) {
   const auto meet = [](const ReportedDistance& pair) { return pair.distance.upper == 0; };
   return {counted(report.pairs.size(), "pair"), std::any_of(report.pairs.begin(), report.pairs.end(), meet)};
+}
+
+std::string table_of(const CheckInput& input, const DistancePosesReport& report) {
+  const std::vector<std::string> names = table_names(input.loaded.scene.objects);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < report.distances.size(); ++i)
+    rows.push_back({fmt::format("query {}", i), names[0], names[1], distance_text(report.distances[i]),
+                    nearest_text(report.distances[i])});
+  return columns(rows, 2) +
+         fmt::format("{} of {} meet.\n", grouped(intersecting_count(report)), counted(rows.size(), "query", "queries"));
+}
+
+Summary summary_of(const DistancePosesReport& report) {
+  return {counted(report.queries.size(), "pose"), intersecting_count(report) > 0};
 }
 
 Subcommand add_distance(CLI::App& app) {

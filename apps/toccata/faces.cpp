@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "load.hpp"

@@ -7,8 +7,8 @@
 #include <memory>
 #include <system_error>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "load.hpp"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "answer.hpp"
 #include "arguments.hpp"
+#include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "load.hpp"

@@ -160,7 +160,7 @@ void require_drawable(const ViewOptions& options, const Drawn& drawn) {
 }
 
 /// Where the answer is another than the recorded one; empty where none is recorded.
-std::string difference_of(const Drawn& drawn, SceneAnswer& answer) {
+std::string difference_of(const Drawn& drawn, const SceneAnswer& answer) {
   if (drawn.recorded.empty()) return {};
   return answer_difference(drawn.recorded, json_as_asked(drawn.input, drawn.question, answer));
 }
@@ -186,7 +186,7 @@ int run_view(const ViewArguments& arguments) {
   if (arguments.up.empty()) target.options.up = up_of(drawn.files);
   if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
   require_drawable(target.options, drawn);
-  SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
+  const SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
   const std::string difference = difference_of(drawn, answer);
   if (!difference.empty())
     drawn.input.loaded.warnings.push_back(

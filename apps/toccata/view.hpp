@@ -51,10 +51,6 @@ void write_files(const ViewTarget& target, const std::string& page, const std::s
 /// A line for each file that was written, with what it `holds`.
 std::string written_lines(const ViewTarget& target, const std::string& holds);
 
-/// "100 boxes", "1 body that flies".
-std::string crowd_words(const CrowdQuestion& question);
-std::string crowd_words(const CrowdWorldQuestion& question);
-
 /// What `check` asks.
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances);
 

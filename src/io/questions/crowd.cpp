@@ -1,25 +1,42 @@
+#include "toccata/io/crowd_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "io/questions/question_kinds.hpp"
 #include "io/questions/question_parts.hpp"
-#include "io/reports/crowd_parts.hpp"
 #include "toccata/bounds/ball.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/generate/crowds.hpp"
-#include "toccata/io/crowd_report.hpp"
 #include "toccata/io/pages.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/world/world.hpp"
 
 namespace toccata {
 namespace {
+
+/// The pairs of all frames, each in its place, as 16 hexadecimal digits.
+std::string text_of(std::span<const PairDigest> frames) {
+  std::uint64_t digest = 0;
+  for (const PairDigest& frame : frames) digest = Random(digest + frame.sum).bits() + frame.count;
+  return fmt::format("{:016x}", digest);
+}
+
+void require_threads(int threads) {
+  constexpr int most = 1024;
+  if (threads < 0 || threads > most)
+    throw Error(fmt::format("{} threads cannot be: say from 1 to {}, or 0 for as many as there are", threads, most));
+}
 
 /// Around the box: its corners are as far from its middle, but for rounding.
 Ball ball_around_box(const Aabb& box, Index) {
@@ -118,7 +135,7 @@ void require_same(const std::vector<CrowdRun>& runs) {
 void require_something(const CrowdQuestion& question) {
   if (question.count == 0 || question.frames == 0 || question.methods.empty())
     throw Error("a crowd has at least one box, one frame, and one method that finds its pairs");
-  io::require_threads(question.threads);
+  require_threads(question.threads);
 }
 
 io::Json json_of(const CrowdRun& run) {
@@ -128,9 +145,28 @@ io::Json json_of(const CrowdRun& run) {
           {"pairs", run.pairs()},
           {"begin", run.begin},
           {"end", run.end},
-          {"digest", io::text_of(run.frames.pairs)},
+          {"digest", text_of(run.frames.pairs)},
           {"bytes_per_body", run.bytes_per_body},
           {"reason", run.reason}};
+}
+
+/// A text, as JSON's numbers tell only 2⁵³ of them apart.
+std::uint64_t seed_of(const io::JsonValue& value) {
+  const std::string text = value.text();
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size())
+    value.fail(fmt::format("{} is no seed", text), "write a whole number below 2^64 as a text, \"1\"");
+  return seed;
+}
+
+/// How many fly, for how long, from which seed.
+template <class Question>
+void take_flight(Question& question, const io::JsonValue& value) {
+  question.count = value.whole_or("count", 100'000'000, question.count);
+  question.frames = value.whole_or("frames", 100'000'000, question.frames);
+  if (value.has("seed")) question.seed = seed_of(value.at("seed"));
+  question.threads = static_cast<int>(value.whole_or("threads", 1024, 1));
 }
 
 struct CrowdKind {
@@ -174,6 +210,93 @@ struct CrowdKind {
   }
 };
 
+void require_something(const CrowdWorldQuestion& question) {
+  if (question.count == 0 || question.frames == 0) throw Error("a crowd has at least one body and one step");
+  require_threads(question.threads);
+}
+
+/// The bodies of a question, and the World that they fly in.
+class FlyingBodies {
+ public:
+  explicit FlyingBodies(const CrowdWorldQuestion& question, WorldOptions options = {})
+      : crowd_(question.count, 0.05, question.seed), world_(with_those_of(question, options)) {
+    std::vector<Body> bodies;
+    for (std::size_t i = 0; i < crowd_.shapes().size(); ++i)
+      bodies.push_back({Model(crowd_.shapes()[i]), crowd_.poses()[i]});
+    ids_ = world_.add(bodies);
+    world_.step();
+  }
+
+  [[nodiscard]] const World& world() const { return world_; }
+  void fly() { crowd_.step(); }
+  const WorldStep& step() {
+    world_.move(ids_, crowd_.poses());
+    return world_.step();
+  }
+
+ private:
+  static WorldOptions with_those_of(const CrowdWorldQuestion& question, WorldOptions options) {
+    options.broad_phase = question.method;
+    options.threads = question.threads;
+    return options;
+  }
+
+  BodyCrowd crowd_;
+  World world_;
+  std::vector<BodyId> ids_;
+};
+
+PairDigest digest_of_contacts(const World& world) {
+  std::vector<IndexPair> pairs;
+  for (const PairReport& pair : world.pairs()) pairs.push_back({pair.a.index, pair.b.index});
+  return digest_of(pairs);
+}
+
+struct CrowdWorldKind {
+  using Question = CrowdWorldQuestion;
+  using Report = CrowdWorldReport;
+  static constexpr const char* name = "crowd-world";
+
+  static io::Json write(const CrowdWorldQuestion& question) {
+    return {{"count", question.count},
+            {"frames", question.frames},
+            {"method", name_of(question.method)},
+            {"seed", std::to_string(question.seed)},
+            {"threads", question.threads}};
+  }
+
+  static CrowdWorldQuestion read(const io::JsonValue& value) {
+    value.expect_keys({"question", "count", "frames", "method", "seed", "threads"});
+    CrowdWorldQuestion question;
+    take_flight(question, value);
+    if (value.has("method"))
+      question.method = io::one_named<BroadPhaseMethod>(value.at("method"), broad_phase_methods());
+    return question;
+  }
+
+  static CrowdWorldReport ask(const CrowdWorldQuestion& question, const io::Asking& asking) {
+    return run_crowd_world(question, asking.options.progress);
+  }
+
+  static std::string json(const CrowdWorldReport& report, const io::Reporting&) {
+    const CrowdWorldQuestion& question = report.question;
+    return io::document({{"schema", "toccata/crowd-world/2"},
+                         {"version", version},
+                         {"count", question.count},
+                         {"frames", question.frames},
+                         {"seed", question.seed},
+                         {"threads", question.threads},
+                         {"method", name_of(question.method)},
+                         {"used_method", name_of(report.used)},
+                         {"median_ms", report.frames.median_ms()},
+                         {"worst_ms", report.frames.worst_ms()},
+                         {"pairs", report.pairs()},
+                         {"begin", report.begin},
+                         {"end", report.end},
+                         {"digest", text_of(report.frames.pairs)}});
+  }
+};
+
 }  // namespace
 
 std::string_view name_of(CrowdBounds bounds) {
@@ -209,8 +332,42 @@ CrowdRecording record_crowd(const CrowdQuestion& question, const Progress& progr
   return recording;
 }
 
+CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  require_something(question);
+  FlyingBodies bodies(question);
+  CrowdWorldReport report{question, {}};
+  for (std::size_t frame = 0; frame < question.frames; ++frame) {
+    bodies.fly();
+    const auto start = Clock::now();
+    const WorldStep& step = bodies.step();
+    report.frames.milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    report.frames.pairs.push_back(digest_of_contacts(bodies.world()));
+    report.begin += step.begin.size();
+    report.end += step.end.size();
+    if (progress) progress(frame + 1, question.frames);
+  }
+  report.used = bodies.world().broad_phase().method();
+  return report;
+}
+
+WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Progress& progress) {
+  require_something(question);
+  FlyingBodies bodies(question, {.relation = true, .manifold = true, .penetration = true});
+  WorldRecording recording;
+  recording.add(bodies.world());
+  for (std::size_t frame = 0; frame < question.frames; ++frame) {
+    bodies.fly();
+    bodies.step();
+    recording.add(bodies.world());
+    if (progress) progress(frame + 1, question.frames);
+  }
+  return recording;
+}
+
 namespace io {
 constinit const QuestionKind crowd_kind = question_kind<CrowdKind>();
+constinit const QuestionKind crowd_world_kind = question_kind<CrowdWorldKind>();
 }  // namespace io
 
 }  // namespace toccata

@@ -58,7 +58,8 @@ struct QuestionKind {
   void (*leave_out_drawn)(SceneAnswer&);                   ///< what is in layers the report of a page need not say
 };
 
-/// A struct of static functions that has the first six of these, of its own Question and Report.
+/// A struct of static functions that has the first five of these, and of the others those that it needs, for a
+/// Question and a Report of its own.
 template <class Kind>
 concept DescribesQuestion = requires(const typename Kind::Question& question, const JsonValue& value,
                                      const typename Kind::Report& report, const Asking& asking,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 
 #include "io/formats/number_rows.hpp"
@@ -84,15 +83,6 @@ std::vector<PairQuery> queries_read_from(const JsonValue& value) {
   for (std::size_t i = 0; i < numbers.size(); i += 24)
     queries.push_back({pose_at(numbers, i), pose_at(numbers, i + 12), solids[0], solids[1]});
   return queries;
-}
-
-std::uint64_t seed_of(const JsonValue& value) {
-  const std::string text = value.text();
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc() || end != text.data() + text.size())
-    value.fail(fmt::format("{} is no seed", text), "write a whole number below 2^64 as a text, \"1\"");
-  return seed;
 }
 
 }  // namespace toccata::io

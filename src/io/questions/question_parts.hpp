@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,9 +26,6 @@ void add_queries(Json& json, const std::vector<PairQuery>& queries);
 
 /// 0 or more, or "all" for infinity.
 [[nodiscard]] double length_of(const JsonValue& value);
-
-/// A text, as JSON's numbers tell only 2⁵³ of them apart.
-[[nodiscard]] std::uint64_t seed_of(const JsonValue& value);
 
 template <class T>
 Json names_of(const std::vector<T>& values) {
@@ -56,15 +52,6 @@ void take_list(std::vector<T>& values, const JsonValue& question, const char* ke
   if (!question.has(key)) return;
   values.clear();
   for (const JsonValue& value : question.elements(key)) values.push_back(one_named<T>(value, all));
-}
-
-/// How many fly, for how long, from which seed.
-template <class Question>
-void take_flight(Question& question, const JsonValue& value) {
-  question.count = value.whole_or("count", 100'000'000, question.count);
-  question.frames = value.whole_or("frames", 100'000'000, question.frames);
-  if (value.has("seed")) question.seed = seed_of(value.at("seed"));
-  question.threads = static_cast<int>(value.whole_or("threads", 1024, 1));
 }
 
 }  // namespace toccata::io
