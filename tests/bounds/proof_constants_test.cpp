@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bounds/box_bounds.hpp"
+#include "bounds/frame.hpp"
 #include "bounds/upper_sum.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/bounds/obb.hpp"
@@ -82,6 +83,12 @@ TEST(ProofConstants, AnOrientedBoxMeetsAPointOfItself) {
   ASSERT_LE(abs(determinant(u, v, way)), whole * exact(box.half.z));
   EXPECT_TRUE(overlap(box, Obb{point, {}, {0, 0, 0}}));
   EXPECT_TRUE(overlap(Obb{point, {}, {0, 0, 0}}, box));
+}
+
+// (1, 0, 0) is the first axis less 2^-46 times the second, with which its product is 0.
+TEST(ProofConstants, CoordinatesInAFrameThatIsNotQuiteOrthonormal) {
+  const Mat3 axes{{Vec3{1, 0x1p-46, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+  EXPECT_GE(coordinate_bounds(axes, {0, 0, 0}, {1, 0, 0}).y, 0x1p-46);
 }
 
 }  // namespace

@@ -29,5 +29,12 @@ TEST(ProofConstants, ABoxGrowsByAMarginThatRoundsToNothing) {
   EXPECT_GE(exact(box.upper.x), exact(1) + exact(margin));
 }
 
+// An axis that is 2^-47 too short, as axes may be: the coordinate of a point at the distance 1 is greater than 1.
+TEST(ProofConstants, AnOrientedBoxGrowsByMoreThanTheMargin) {
+  const Mat3 axes{{Vec3{1 - 0x1p-47, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+  const Obb grown = offset_outward(Obb{{0, 0, 0}, axes, {0, 0, 0}}, 1);
+  EXPECT_GE(exact(grown.half.x) * exact(axes[0].x), exact(1));
+}
+
 }  // namespace
 }  // namespace toccata

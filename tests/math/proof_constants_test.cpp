@@ -88,5 +88,18 @@ TEST(ProofConstants, AProductOfDoubleWordsCoversItsRounding) {
 // The nearest float to 0.7 lies below it.
 TEST(ProofConstants, AFloatAboveIsNotTheNearest) { EXPECT_GE(exact(double{up_to_float(0.7)}), exact(0.7)); }
 
+// The end of the error rounds back to the value.
+TEST(ProofConstants, TheFloorOfABoundedDoubleIsNotAboveTheExactNumber) {
+  const BoundedDouble number{1, 0x1p-56};
+  EXPECT_LE(exact(floor_of(number)), exact(1) - exact(number.reach()));
+}
+
+TEST(ProofConstants, TheBracketOfANumberBesideADoubleHoldsIt) {
+  const auto above = bracket(BoundedNumber{{1, 0x1p-60}, 0}), below = bracket(BoundedNumber{{1, -0x1p-60}, 0});
+  ASSERT_TRUE(above && below);
+  EXPECT_GE(exact(above->upper), exact(1) + exact(0x1p-60));
+  EXPECT_LE(exact(below->lower), exact(1) - exact(0x1p-60));
+}
+
 }  // namespace
 }  // namespace toccata
