@@ -139,7 +139,7 @@ def check_self(checks, browser):
     for number, one in enumerate(report["self_contacts"]):
         sentence, facts = told(browser, number)
         meets = one["face_pairs"] > 0
-        checks.expect(sentence == f"{one['object']} {'meets' if meets else 'does not meet'} itself.", sentence)
+        checks.expect(sentence == f"{one['object']} {'intersects' if meets else 'does not intersect'} itself.", sentence)
         checks.expect(not meets or "1 face pair in contact" in facts, f"{facts}")
         checks.expect((len(segments_of(browser, number, "contact")) > 0) == meets, f"{sentence} and its curves")
     checks.quiet(browser, "self")

@@ -7,7 +7,7 @@ from pixels import differing, is_blue, is_orange, share
 GO = "toccata.time.go({})"
 # Of the pairs in contact at this moment: how many there are, and the largest gap between the boxes of the two as drawn.
 SEEN = """(() => {
-  const moment = toccata.state.moment, pairs = toccata.data.report.steps[moment].pairs.filter((pair) => pair.change !== 'ended');
+  const moment = toccata.state.moment, pairs = toccata.data.report.steps[moment].pairs.filter((pair) => pair.change !== 'end');
   const gap = (a, b) => Math.max(...[0, 1, 2].map((i) => Math.max(a.min.getComponent(i) - b.max.getComponent(i), b.min.getComponent(i) - a.max.getComponent(i))));
   const middles = toccata.data.report.objects.map((_, i) => toccata.boxOf(i).min.toArray().concat(toccata.boxOf(i).max.toArray()));
   return { pairs: pairs.length, gap: Math.max(-1, ...pairs.map(({ a_index, b_index }) => gap(toccata.boxOf(a_index), toccata.boxOf(b_index)))), places: middles };
