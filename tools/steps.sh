@@ -117,7 +117,10 @@ run_tests() {
   run_ctest release
 }
 
-configure_tests() { configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF; }
+# Files of tests are compiled without optimisation, unlike what they test, and CGAL's second opinion is left to --all.
+configure_tests() {
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+}
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built), or a part of a test's name.
 run_named_tests() {

@@ -22,8 +22,8 @@ FUZZ_SECONDS = 120
 STEPS = {
     "test": "run_tests",
     "asan": "configure asan-ubsan-all; build asan-ubsan-all; run_ctest asan-ubsan-all",
-    "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON; "
-    "build release; run_ctest release -R ^bench/",
+    "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON "
+    "-DTOCCATA_TEST_WITH_CGAL=ON; build release; run_ctest release -R '^bench/|[Cc]gal'",
     "page": "python3 tests/viewer/check_template.py --npm",
     "clang": "configure clang; build clang; run_ctest clang",
     "debug": "configure debug; build debug; run_ctest debug",
@@ -91,7 +91,7 @@ def run_sweeps(minutes):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
     limit = f" --minutes {minutes}" if minutes else ""
-    return run_steps(f"configure release -DTOCCATA_BUILD_TESTS=ON; build release toccata_sweeps; {run}{limit}") == 0
+    return run_steps(f"configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_WITH_CGAL=ON -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}{limit}") == 0
 
 
 def main():

@@ -1,6 +1,7 @@
 #include "poses.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "toccata/core/error.hpp"

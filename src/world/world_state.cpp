@@ -68,8 +68,16 @@ std::string World::State::name_of_body(Index index) const {
   return name_of_id(id_of(index)) + name_in_brackets(bodies_[index].name);
 }
 
+std::uint32_t World::State::number_of_new_world() {
+  static std::atomic<std::uint32_t> last = 0;
+  return ++last;
+}
+
 Index World::State::require(BodyId id) const {
   if (contains(id)) return id.index;
+  if (id.world != 0 && id.world != number_)
+    throw Error(
+        fmt::format("{} is of another World: ask the World that gave out its id, or a copy of it", name_of_id(id)));
   const bool was_there = id.generation > 0 && id.index < slots_.size() && id.generation < slots_[id.index].generation;
   throw Error(fmt::format("{} {}", name_of_id(id),
                           was_there ? "was removed: its id names no body any more"

@@ -13,7 +13,7 @@ namespace toccata {
 class World::State {
  public:
   explicit State(const WorldOptions& options)
-      : options_(options), phase_({options.broad_phase, options.threads}), narrow_(options) {}
+      : options_(options), number_(number_of_new_world()), phase_({options.broad_phase, options.threads}), narrow_(options) {}
 
   std::vector<BodyId> add(std::span<const Body> bodies);
   void remove(std::span<const BodyId> ids);
@@ -23,7 +23,7 @@ class World::State {
   const WorldStep& step();
 
   [[nodiscard]] bool contains(BodyId id) const {
-    return id.index < slots_.size() && slots_[id.index].is_used && slots_[id.index].generation == id.generation;
+    return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used && slots_[id.index].generation == id.generation;
   }
   /// Throws Error naming the id when it is of no body.
   [[nodiscard]] Index require(BodyId id) const;
@@ -35,7 +35,7 @@ class World::State {
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::size_t index_count() const { return slots_.size(); }
   [[nodiscard]] bool is_used(Index index) const { return index < slots_.size() && slots_[index].is_used; }
-  [[nodiscard]] BodyId id_of(Index index) const { return {index, slots_[index].generation}; }
+  [[nodiscard]] BodyId id_of(Index index) const { return {index, slots_[index].generation, number_}; }
   [[nodiscard]] const Body& body(Index index) const { return bodies_[index]; }
   [[nodiscard]] std::span<const Aabb> boxes() const { return boxes_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -54,6 +54,7 @@ class World::State {
     bool has_changed = false;  ///< it is among those that did
   };
 
+  [[nodiscard]] static std::uint32_t number_of_new_world();
   /// What messages call the body.
   [[nodiscard]] std::string name_of_body(Index index) const;
   [[nodiscard]] std::vector<Index> required(std::span<const BodyId> ids) const;
@@ -75,6 +76,7 @@ class World::State {
   void tell(std::vector<PairReport> now);
 
   WorldOptions options_;
+  std::uint32_t number_;  ///< of this World and its copies, in the ids that it gives out
   std::vector<Body> bodies_;
   std::vector<Slot> slots_;
   std::vector<Aabb> boxes_;

@@ -168,6 +168,20 @@ TEST(World, AnIdOfARemovedBodyIsAnError) {
             "body 0 (generation 0) is not in this World: its id was not given out by it");
 }
 
+TEST(World, AnIdOfAnotherWorldIsRefusedAndOneOfACopyIsKnown) {
+  World one, other;
+  const BodyId first = one.add(ball_at(0));
+  const BodyId second = other.add(ball_at(0));
+  EXPECT_NE(first, second);
+  EXPECT_FALSE(other.contains(first));
+  EXPECT_EQ(complaint_of([&] { (void)other.body(first); }),
+            "body 0 (generation 1) is of another World: ask the World that gave out its id, or a copy of it");
+  EXPECT_EQ(complaint_of([&] { other.remove(first); }),
+            "body 0 (generation 1) is of another World: ask the World that gave out its id, or a copy of it");
+  const World copy = one;
+  EXPECT_TRUE(copy.contains(first));
+}
+
 /// Whatever is asked of it, a refused id leaves the World as a copy of before.
 TEST(World, AnIdOfARemovedBodyChangesNothing) {
   World world({.distance = true});

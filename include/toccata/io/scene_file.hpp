@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,13 +24,13 @@ struct ReadOptions {
 /// "gen:<name>?<parameter>=<number>&…" as that generated mesh (generate/meshes.hpp). Object names are unique
 /// and UTF-8; a byte of a file name that is not becomes \xff, in hexadecimal. Objects
 /// from the same mesh share it. Throws Error naming the file, and the line or the place in it.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] Scene read_scene(const std::string& path, const ReadOptions& options = {});
 
 /// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same
 /// objects with the same doubles; the node tree is not written. Names and groups must be UTF-8, and names unique:
 /// otherwise an Error naming the object, before anything is written. The folder is complete or not there: it must not
 /// exist or be empty.
-void write_scene(const Scene& scene, const std::filesystem::path& folder);
+void write_scene(const Scene& scene, const std::string& folder);
 
 /// One sentence for every mesh whose box diagonal in the world is 500 times the median of the scene's meshes or more,
 /// or as much less: a unit is probably missing.

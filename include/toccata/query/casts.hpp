@@ -44,6 +44,11 @@ struct ShapeHit : Cast {
 [[nodiscard]] ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
                                   Workspace& workspace);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> ShapeHit cast_shape(const A&, const Vec3&, const B&, const PairQuery& = {})
+= delete;
+
 /// Shapes of types for which it is not defined are refused by the compiler.
 template <PlainShape A, PlainShape B>
 requires(!Answered<ShapeQuestion::cast_shape, A, B>) ShapeHit

@@ -33,6 +33,11 @@ requires NeedAModel<A, B> Distance distance(const A&, const B&, const PairQuery&
 [[nodiscard]] bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query,
                                    Workspace& workspace);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B>
+bool within_distance(const A&, const B&, double, const PairQuery& = {}) = delete;
+
 /// What `distance` answers, to the last bit, where `within_distance` says yes; nothing where it says no, which is found
 /// out without the distance. Throws like it.
 [[nodiscard]] std::optional<Distance> distance_within(const Model& a, const Model& b, double limit,

@@ -46,6 +46,10 @@ struct SurfacePoint {
 [[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query,
                                          Workspace& workspace);
 
+/// Make a Model of it, once: `Model(mesh)`.
+template <ShapeOfAModel S>
+SurfacePoint nearest_point(const Vec3&, const S&, const NearestQuery& = {}) = delete;
+
 /// The nearest points of the k nearest elements, in the order of (upper, element); fewer where the surface has fewer
 /// within the greatest distance. The first is that of `nearest_point`. Neighbours share what lies on their common edge,
 /// so several may have one and the same nearest point. Throws like it.

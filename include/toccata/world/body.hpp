@@ -12,11 +12,12 @@
 
 namespace toccata {
 
-/// Names a body of a World for as long as it is there. Indices are dense and are given out again; with another
-/// generation, so that the id of a body that was removed never names another. `BodyId{}` is of no body.
+/// Names a body of a World, and of copies of it, for as long as it is there. Indices are dense and are given out again;
+/// with another generation, so that the id of a body that was removed never names another. `BodyId{}` is of no body.
 struct BodyId {
   Index index = 0;
   std::uint32_t generation = 0;  ///< from 1
+  std::uint32_t world = 0;  ///< from 1, in the order in which a program makes its Worlds; a copy has its original's
   friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
 };
 

@@ -40,18 +40,18 @@ TriangleMesh parse_mesh(std::span<const char> bytes, std::string_view name, std:
 
 }  // namespace io
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
+TriangleMesh read_mesh(const std::string& path) {
   const io::FileBytes bytes = io::read_file(path);
-  return io::parse_mesh(bytes.span(), path.string(), io::lower_case_extension(path));
+  return io::parse_mesh(bytes.span(), path, io::lower_case_extension(path));
 }
 
-void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
+void write_mesh(const TriangleMesh& mesh, const std::string& path) {
   const std::string extension = io::lower_case_extension(path);
   if (extension == ".obj") return io::write_file(path, io::obj_text(mesh));
   if (extension == ".off") return io::write_file(path, io::off_text(mesh));
   if (extension == ".ply") return io::write_file(path, io::ply_text(mesh));
   if (extension == ".stl") return io::write_file(path, io::stl_text(mesh));
-  io::fail_in_file(path.string(), {"the extension names no format that is written", "use .obj, .off, .ply or .stl"});
+  io::fail_in_file(path, {"the extension names no format that is written", "use .obj, .off, .ply or .stl"});
 }
 
 }  // namespace toccata

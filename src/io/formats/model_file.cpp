@@ -4,10 +4,9 @@
 
 namespace toccata {
 
-Model load_model(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  if (!is_generator_specification(name)) return Model(read_mesh(path), all_threads);
-  const GeneratorSpecification specification = parse_generator(name);
+Model load_model(const std::string& path) {
+  if (!is_generator_specification(path)) return Model(read_mesh(path), all_threads);
+  const GeneratorSpecification specification = parse_generator(path);
   return Model(generate_mesh(specification.name, specification.parameters), all_threads);
 }
 

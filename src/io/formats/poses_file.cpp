@@ -53,9 +53,9 @@ std::vector<PairQuery> parse_poses(std::span<const char> bytes, std::string_view
 
 }  // namespace io
 
-std::vector<PairQuery> read_poses(const std::filesystem::path& path) {
+std::vector<PairQuery> read_poses(const std::string& path) {
   const io::FileBytes bytes = io::read_file(path);
-  return io::parse_poses(bytes.span(), path.string());
+  return io::parse_poses(bytes.span(), path);
 }
 
 }  // namespace toccata

@@ -22,10 +22,10 @@ RayQuery read_line(io::TextCursor& cursor) {
 
 }  // namespace
 
-std::vector<RayQuery> read_rays(const std::filesystem::path& path) {
+std::vector<RayQuery> read_rays(const std::string& path) {
   std::vector<RayQuery> rays;
   io::for_each_line_of_numbers(path, [&](io::TextCursor& cursor) { rays.push_back(read_line(cursor)); });
-  if (rays.empty()) io::fail_in_file(path.string(), {"the file holds no ray", "write a line of 6 numbers for each"});
+  if (rays.empty()) io::fail_in_file(path, {"the file holds no ray", "write a line of 6 numbers for each"});
   return rays;
 }
 

@@ -45,22 +45,21 @@ fs::path end_of_links(fs::path path) {
 
 }  // namespace
 
-void save_tree(const Model& model, const std::filesystem::path& path) {
+void save_tree(const Model& model, const std::string& path) {
   if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(model.shape()))
-    throw Error(
-        fmt::format("{}: the tree of a mesh is saved, and the model is a {}", path.string(), name_of(model.shape())));
+    throw Error(fmt::format("{}: the tree of a mesh is saved, and the model is a {}", path, name_of(model.shape())));
   require_tree_or_nothing(path);
   io::write_file(end_of_links(path), io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
-Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::filesystem::path& tree) {
+Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::string& tree) {
   if (!mesh) throw Error("a model needs a mesh, and the pointer given is null");
   const io::FileBytes bytes = io::read_file(tree);
-  WideBvh parsed = io::parse_tree(bytes.span(), *mesh, tree.string());
+  WideBvh parsed = io::parse_tree(bytes.span(), *mesh, tree);
   try {
     return Model(std::move(mesh), std::move(parsed));
   } catch (const Error& error) {
-    io::fail_in_file(tree.string(), {"the tree file is damaged", error.what()});
+    io::fail_in_file(tree, {"the tree file is damaged", error.what()});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
@@ -131,13 +132,13 @@ void scale_scene(Scene& scene, double factor) {
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+Scene read_scene(const std::string& path, const ReadOptions& options) {
   check_options(options);
   const bool is_scene_file = io::lower_case_extension(path) == ".json";
   if (is_scene_file && options.metres_per_unit)
-    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path.string()));
+    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path));
   const double factor = factor_of(path, options);
-  Scene scene = is_generator_specification(path.string()) ? generated_scene(path.string())
+  Scene scene = is_generator_specification(path) ? generated_scene(path)
                 : is_scene_file                           ? read_scene_file(path)
                                                           : io::read_shapes(path);
   scale_scene(scene, factor);

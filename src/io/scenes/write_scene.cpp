@@ -105,9 +105,10 @@ class MeshFiles {
 
 }  // namespace
 
-void write_scene(const Scene& scene, const fs::path& folder) {
+void write_scene(const Scene& scene, const std::string& folder) {
   io::require_writable(scene);
-  FolderInTheMaking making(folder.has_filename() ? folder : folder.parent_path());
+  const fs::path path(folder);
+  FolderInTheMaking making(path.has_filename() ? path : path.parent_path());
   MeshFiles files(making.path());
   Json json = io::scene_head(scene);
   json["objects"] = Json::array();
