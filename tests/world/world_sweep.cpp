@@ -26,8 +26,12 @@ bool are_near(const Body& a, const Body& b, double margin) {
   return apart.lower <= margin && within_distance(a.model, b.model, margin, query_of(a, b));
 }
 
+/// Ids are the same in two Worlds to which the same was done, but for the World.
+bool same_body(const BodyId& a, const BodyId& b) { return a.index == b.index && a.generation == b.generation; }
+
 bool same(const PairReport& a, const PairReport& b) {
-  if (key_of(a) != key_of(b) || a.in_contact != b.in_contact || !a.details != !b.details) return false;
+  if (!same_body(a.a, b.a) || !same_body(a.b, b.b) || a.in_contact != b.in_contact || !a.details != !b.details)
+    return false;
   if (!a.details) return true;
   const PairDetails &x = *a.details, &y = *b.details;
   const bool same_contacts =
@@ -90,17 +94,27 @@ class WorldLife {
     std::vector<Body> bodies;
     while (bodies.size() < count) bodies.push_back(random_body(family_, random));
     const std::vector<BodyId> ids = world_.add(bodies);
-    if (other_.add(bodies) != ids) return "other ids in the other World";
+    const std::vector<BodyId> others = other_.add(bodies);
+    if (!std::equal(ids.begin(), ids.end(), others.begin(), others.end(), same_body))
+      return "other ids in the other World";
+    if (!others.empty()) number_of_other_ = others[0].world;
     for (std::size_t i = 0; i < count; ++i)
       if (!bodies_.emplace(ids.at(i), bodies[i]).second || was_removed(ids[i])) return "an id is given out twice";
     return {};
+  }
+
+  BodyId in_other(BodyId id) const { return {id.index, id.generation, number_of_other_}; }
+
+  std::vector<BodyId> in_other(std::vector<BodyId> ids) const {
+    for (BodyId& id : ids) id = in_other(id);
+    return ids;
   }
 
   bool was_removed(BodyId id) const { return std::find(removed_.begin(), removed_.end(), id) != removed_.end(); }
 
   void remove(const std::vector<BodyId>& ids) {
     world_.remove(ids);
-    other_.remove(ids);
+    other_.remove(in_other(ids));
     for (const BodyId id : ids) {
       bodies_.erase(id);
       removed_.push_back(id);
@@ -117,14 +131,14 @@ class WorldLife {
       poses.push_back(pose);
     }
     world_.move(ids, poses);
-    other_.move(ids, poses);
+    other_.move(in_other(ids), poses);
   }
 
   void replace(const std::vector<BodyId>& ids, Random& random) {
     std::vector<Body> bodies;
     for (const BodyId id : ids) bodies.push_back(bodies_.at(id) = random_body(family_, random));
     world_.replace(ids, bodies);
-    other_.replace(ids, bodies);
+    other_.replace(in_other(ids), bodies);
   }
 
   void set_rule(Random& random) {
@@ -135,7 +149,7 @@ class WorldLife {
     if (random.below(3) == 0) rule.excluded = true;
     if (random.below(2) == 0) rule.margin = random_margin(random);
     world_.set_rule(rule);
-    other_.set_rule(rule);
+    other_.set_rule({in_other(rule.a), in_other(rule.b), rule.excluded, rule.margin});
     rules_[std::minmax(rule.a, rule.b)] = rule;
   }
 
@@ -249,6 +263,7 @@ class WorldLife {
   std::string_view family_;
   World world_;
   World other_;
+  std::uint32_t number_of_other_ = 0;  ///< in the ids that it gives out
   std::map<BodyId, Body> bodies_;
   std::map<Key, PairRule> rules_;
   Truth pairs_;  ///< of the last step
