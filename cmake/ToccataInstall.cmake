@@ -1,9 +1,9 @@
-# Install rules: the library with its headers, a CMake package, a relocatable pkg-config file, and the command.
+# Install rules: the two libraries with their headers, a CMake package, relocatable pkg-config files, and the command.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(TOCCATA_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Toccata)
-install(TARGETS toccata EXPORT ToccataTargets)
+install(TARGETS toccata toccata_reports EXPORT ToccataTargets)
 install(DIRECTORY include/toccata DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ToccataTargets NAMESPACE Toccata:: DESTINATION ${TOCCATA_CMAKE_FOLDER})
 if(TOCCATA_BUILD_COMMAND)
@@ -24,4 +24,5 @@ else()
   set(TOCCATA_PC_REQUIRES Requires)
 endif()
 configure_file(cmake/toccata.pc.in toccata.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/toccata.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(cmake/toccata-reports.pc.in toccata-reports.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/toccata.pc ${CMAKE_CURRENT_BINARY_DIR}/toccata-reports.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -69,7 +69,7 @@ class Checker:
     def __init__(self, prefix, compiler, folder):
         self.prefix, self.compiler, self.precompiled = prefix.resolve(), compiler, folder / "first.hpp"
         environment = {**os.environ, "PKG_CONFIG_PATH": str(next(self.prefix.rglob("pkgconfig")))}
-        ask = ["pkg-config", "--cflags", "--libs", "toccata"]
+        ask = ["pkg-config", "--cflags", "--libs", "toccata-reports"]
         self.flags = subprocess.run(ask, env=environment, check=True, capture_output=True, text=True).stdout.split()
         self.environment = {**os.environ, "PATH": f"{self.prefix}/bin:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
         self.precompile()

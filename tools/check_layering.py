@@ -14,8 +14,6 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOMS = (ROOT / "tools/rooms.txt").read_text().split()
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
-# Rooms that exist to meet other libraries: their headers include them and are in no umbrella.
-GUEST_ROOMS = {"interop", "distributed"}
 # What such a header includes of its room needs no umbrella that names it again.
 LISTS = ["toccata/bounds/all_volumes.hpp"]
 
@@ -37,7 +35,7 @@ def room_of(included):
 def check_room_file(path, room, public):
     for quote, included in includes(path):
         if quote == "<":
-            if public and room not in GUEST_ROOMS and not STANDARD_HEADER.fullmatch(included):
+            if public and not STANDARD_HEADER.fullmatch(included):
                 yield f"{path}: a public header includes <{included}>, which is not of the standard library"
             continue
         other = room_of(included)
@@ -75,7 +73,7 @@ def check_umbrellas():
     named = [included for umbrella in umbrellas for _, included in includes(umbrella)]
     public = {str(p.relative_to(ROOT / "include")) for p in sources("include/toccata") if p not in umbrellas}
     listed = [included for header in LISTS for _, included in includes(ROOT / "include" / header)]
-    for missing in sorted(p for p in public - set(named + listed) if p.split("/")[1] not in GUEST_ROOMS):
+    for missing in sorted(public - set(named + listed)):
         yield f'{ROOT}/include/toccata: no umbrella includes "{missing}"'
     for twice in sorted({name for name in named if named.count(name) > 1}):
         yield f'{ROOT}/include/toccata: more than one umbrella includes "{twice}"'

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "toccata/io/report.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
 
 namespace toccata::command {

@@ -5,7 +5,7 @@
 #include "saved.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/case_file.hpp"
+#include "toccata/reports/case_file.hpp"
 #include "view.hpp"
 
 namespace toccata::command {

@@ -5,7 +5,7 @@
 
 #include "arguments.hpp"
 #include "check_input.hpp"
-#include "toccata/io/scene_question.hpp"
+#include "toccata/reports/scene_question.hpp"
 
 namespace toccata::command {
 

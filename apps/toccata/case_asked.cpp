@@ -11,7 +11,7 @@
 #include "output.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/case_file.hpp"
+#include "toccata/reports/case_file.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -14,7 +14,7 @@
 #include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/report.hpp"
+#include "toccata/reports/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

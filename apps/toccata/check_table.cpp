@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "table_names.hpp"
-#include "toccata/io/report.hpp"
 #include "toccata/query/pairs.hpp"
+#include "toccata/reports/report.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "toccata/io/report.hpp"
+#include "toccata/reports/report.hpp"
 
 namespace toccata::command {
 

@@ -12,9 +12,9 @@
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
-#include "toccata/io/output_file.hpp"
-#include "toccata/io/plot.hpp"
-#include "toccata/io/report.hpp"
+#include "toccata/reports/output_file.hpp"
+#include "toccata/reports/plot.hpp"
+#include "toccata/reports/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -17,7 +17,7 @@
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
-#include "toccata/io/crowd_report.hpp"
+#include "toccata/reports/crowd_report.hpp"
 #include "whole_number.hpp"
 #include "words.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/pages.hpp"
+#include "toccata/reports/pages.hpp"
 #include "tracked_cells.hpp"
 #include "words.hpp"
 

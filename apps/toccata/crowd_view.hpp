@@ -3,7 +3,7 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "toccata/io/scene_question.hpp"
+#include "toccata/reports/scene_question.hpp"
 #include "view.hpp"
 
 namespace toccata::command {

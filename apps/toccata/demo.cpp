@@ -18,8 +18,8 @@
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/io/scene_question.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/reports/scene_question.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

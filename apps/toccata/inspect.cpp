@@ -13,7 +13,7 @@
 #include "shape_text.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/report.hpp"
+#include "toccata/reports/report.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -17,9 +17,9 @@
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/model_file.hpp"
-#include "toccata/io/output_file.hpp"
-#include "toccata/io/pages.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/reports/output_file.hpp"
+#include "toccata/reports/pages.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

@@ -24,7 +24,7 @@
 #include "output.hpp"
 #include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/output_file.hpp"
+#include "toccata/reports/output_file.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 

@@ -9,8 +9,8 @@
 #include "output.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/output_file.hpp"
-#include "toccata/io/plot.hpp"
+#include "toccata/reports/output_file.hpp"
+#include "toccata/reports/plot.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

@@ -12,9 +12,9 @@
 #include "output.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/case_file.hpp"
-#include "toccata/io/output_file.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/reports/case_file.hpp"
+#include "toccata/reports/output_file.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "check_input.hpp"
-#include "toccata/io/scene_question.hpp"
+#include "toccata/reports/scene_question.hpp"
 
 namespace CLI {
 class App;

@@ -14,9 +14,9 @@
 #include "saved.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/case_file.hpp"
-#include "toccata/io/output_file.hpp"
-#include "toccata/io/pages.hpp"
+#include "toccata/reports/case_file.hpp"
+#include "toccata/reports/output_file.hpp"
+#include "toccata/reports/pages.hpp"
 #include "view.hpp"
 #include "words.hpp"
 

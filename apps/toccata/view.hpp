@@ -8,8 +8,8 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "picture.hpp"
-#include "toccata/io/pages.hpp"
-#include "toccata/io/scene_question.hpp"
+#include "toccata/reports/pages.hpp"
+#include "toccata/reports/scene_question.hpp"
 
 namespace toccata::command {
 

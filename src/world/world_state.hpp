@@ -13,7 +13,10 @@ namespace toccata {
 class World::State {
  public:
   explicit State(const WorldOptions& options)
-      : options_(options), number_(number_of_new_world()), phase_({options.broad_phase, options.threads}), narrow_(options) {}
+      : options_(options),
+        number_(number_of_new_world()),
+        phase_({options.broad_phase, options.threads}),
+        narrow_(options) {}
 
   std::vector<BodyId> add(std::span<const Body> bodies);
   void remove(std::span<const BodyId> ids);
@@ -23,7 +26,8 @@ class World::State {
   const WorldStep& step();
 
   [[nodiscard]] bool contains(BodyId id) const {
-    return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used && slots_[id.index].generation == id.generation;
+    return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used &&
+           slots_[id.index].generation == id.generation;
   }
   /// Throws Error naming the id when it is of no body.
   [[nodiscard]] Index require(BodyId id) const;

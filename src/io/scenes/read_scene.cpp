@@ -139,8 +139,8 @@ Scene read_scene(const std::string& path, const ReadOptions& options) {
     throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path));
   const double factor = factor_of(path, options);
   Scene scene = is_generator_specification(path) ? generated_scene(path)
-                : is_scene_file                           ? read_scene_file(path)
-                                                          : io::read_shapes(path);
+                : is_scene_file                  ? read_scene_file(path)
+                                                 : io::read_shapes(path);
   scale_scene(scene, factor);
   if (options.metres_per_unit) scene.unit = "m";
   return scene;

@@ -1,0 +1,194 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "toccata/core/parallel.hpp"
+#include "toccata/reports/crowd_report.hpp"
+#include "toccata/reports/report.hpp"
+#include "toccata/shapes/scene.hpp"
+
+// What the command's subcommands ask about a scene, as values: they can be asked, written down with the scene
+// (case_file.hpp), and asked again. Lengths and points are in the world.
+namespace toccata {
+
+/// Which pairs touch, or are nearer than their clearance: `check`.
+using CheckQuestion = ReportOptions;
+
+/// How two objects lie at many poses: `check --poses`.
+struct CheckPosesQuestion {
+  std::vector<PairQuery> queries;  ///< the first object is A, the second B
+  Touching touching = Touching::count;
+  bool faces = false;
+  bool penetration = false;
+};
+
+/// Where each object meets itself: `check --self`.
+struct SelfQuestion {
+  bool faces = false;
+};
+
+/// How far apart the objects are: `distance`.
+struct DistanceQuestion {
+  /// 0: every two objects. Else each of the first so many objects and each of the others. Two of one group are no pair.
+  std::size_t first_objects = 0;
+};
+
+/// How far apart two objects are at many poses: `distance --poses`.
+struct DistancePosesQuestion {
+  std::vector<PairQuery> queries;
+};
+
+/// What rays meet first: `ray`. Of each ray only its origin and its motion count.
+struct RayQuestion {
+  std::vector<RayQuery> rays;
+};
+
+/// Which faces lie in a region: `faces`.
+struct FacesQuestion {
+  Region region;
+};
+
+/// What is nearest to points: `nearest`.
+struct NearestQuestion {
+  std::vector<Vec3> points;
+  std::size_t k = 1;
+  double within = std::numeric_limits<double>::infinity();
+  bool sides = false;  ///< on which side of the surface each point is
+};
+
+/// What the objects are, and what is out of order in their meshes: `inspect`.
+struct InspectQuestion {
+  bool volumes = false;     ///< every bounding volume and hierarchy of each mesh, too
+  bool partitions = false;  ///< every partition of space over each mesh, too
+  bool faults = false;      ///< where the faults are that are counted
+};
+
+/// How good the scene's tree of nodes is as a hierarchy: `inspect --hierarchy`.
+struct HierarchyQuestion {};
+
+/// What a question about two meshes costs with each bounding volume and hierarchy: `cost`.
+struct CostQuestion {
+  std::vector<PairQuery> queries;  ///< the first object is A, the second B
+  CostOptions options{};           ///< `progress` plays no part: AskOptions has one
+};
+
+/// Those of crowds are about no scene: they are asked of no models (`is_of_crowd`).
+using SceneQuestion =
+    std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion, DistancePosesQuestion, RayQuestion,
+                 FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion,
+                 DecomposeQuestion, MinkowskiQuestion, CrowdWorldQuestion>;
+
+/// It makes what it asks about, from a seed, and no scene has a part in it.
+[[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
+
+struct DistanceReport {
+  std::vector<ReportedDistance> pairs;
+};
+struct RayReport {
+  std::vector<ReportedRay> rays;
+};
+struct FacesReport {
+  Region region;
+  std::vector<ReportedFaces> found;
+};
+struct NearestReport {
+  std::vector<ReportedPoint> points;
+  bool sides = false;  ///< with the side on which each is
+};
+
+struct InspectReport {
+  std::vector<InspectedObject> objects;  ///< those of the scene, in its order
+};
+
+struct CostReport {
+  CostTable table;
+  CostQuestion question;
+};
+
+/// What a question found, in the order of SceneQuestion's alternatives.
+using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
+                                 FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport,
+                                 DecomposeReport, MinkowskiReport, CrowdWorldReport>;
+
+struct AskOptions {
+  int threads = all_threads;
+  Progress progress{};
+};
+
+/// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
+/// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
+/// no double tells.
+[[nodiscard]] SceneAnswer ask(std::span<const SceneInstance> models, const SceneQuestion& question,
+                              const AskOptions& options = {});
+
+/// The same; a question about the scene's tree of nodes needs the scene, whose objects the models are.
+[[nodiscard]] SceneAnswer ask(const Scene& scene, std::span<const SceneInstance> models, const SceneQuestion& question,
+                              const AskOptions& options = {});
+
+/// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world".
+[[nodiscard]] std::string name_of(const SceneQuestion& question);
+
+/// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
+[[nodiscard]] std::string report_json(const Scene& scene, std::span<const SceneInstance> models,
+                                      const SceneAnswer& answer, std::span<const std::string> warnings = {});
+
+/// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
+/// `inspect`, `decompose` and `minkowski`, and of crowds.
+[[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
+
+}  // namespace toccata
+
+// A report in JSON that says what was asked (docs/reference/asked.md), so that the question can be asked again.
+namespace toccata {
+
+/// A file that was asked about.
+struct AskedFile {
+  std::string name;    ///< as it was given: a path, or "gen:…"
+  std::string digest;  ///< of what it held (`content_digest`)
+};
+
+/// What was asked about which files.
+struct Asked {
+  std::string folder;            ///< where relative names of files began; absolute
+  std::vector<AskedFile> files;  ///< none of a crowd
+  std::string unit{};            ///< of plain mesh files, as `metres_per_unit` takes it; empty: as the files say
+  double scale = 1;              ///< of all files; positive
+  std::optional<Pose> pose_a{};  ///< of everything in the first of two files; composed with what the file says
+  std::optional<Pose> pose_b{};  ///< of the second
+  std::optional<Solid> solid{};  ///< overrides what the files say
+  SceneQuestion question{};
+};
+
+/// 16 hexadecimal digits that tell apart objects of other names, shapes, poses, groups, taken for something else, or of
+/// a scene in another unit (`Scene::unit`): equal by chance for one in 2⁶⁴. Where a shape came from does not count.
+[[nodiscard]] std::string content_digest(std::span<const SceneObject> objects, const std::string& unit);
+
+/// The same of a scene with its tree of nodes, for a question about that.
+[[nodiscard]] std::string content_digest(const Scene& scene);
+
+/// The report that `report_json` made, with what was asked as its last member.
+[[nodiscard]] std::string with_asked(std::string report, const Asked& asked);
+
+/// A report from a file.
+struct SavedReport {
+  Asked asked;
+  std::vector<std::string> sources;  ///< of its objects, in their order
+  std::string answer;                ///< the whole report, as JSON
+};
+
+/// Whether the file is a JSON object with a "schema" of Toccata: a report, and neither a scene nor a case. Throws Error
+/// naming the file when it cannot be read or is no JSON.
+[[nodiscard]] bool is_report(const std::filesystem::path& path);
+
+/// Throws Error naming the file and the place in it; also for a report that does not say what was asked.
+[[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
+
+}  // namespace toccata

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "reports/glb/glb_recordings.hpp"
+#include "reports/view/recorded_bodies.hpp"
+#include "toccata/reports/pages.hpp"
+
+namespace toccata {
+
+using io::Json;
+
+namespace {
+
+using WorldFrame = WorldRecording::Frame;
+using Change = WorldRecording::Change;
+
+const std::array pairs_paints{io::GlbPaint{"pairs begun", 0xd55e00}, io::GlbPaint{"pairs kept", 0x0072b2},
+                              io::GlbPaint{"pairs ended", 0x999999}};
+constexpr std::array pairs_names{"begin", "persist", "end"};
+const io::GlbPaint points_paint{"contact points", 0x000000};
+const io::GlbPaint lengths_paint{"depths, distances and rays", 0xcc79a7};
+
+std::vector<std::vector<io::GlbKey>> keys_of(const WorldRecording& recording) {
+  std::vector<std::vector<io::GlbKey>> keys(recording.objects().size());
+  for (std::size_t i = 0; i < recording.frames().size(); ++i) {
+    const WorldFrame& frame = recording.frames()[i];
+    for (const WorldRecording::Place& place : frame.placed) {
+      if (i > 0 && keys[place.object].empty()) io::add_key(keys[place.object], 0, std::nullopt);
+      io::add_key(keys[place.object], i, place.pose);
+    }
+    for (const Index object : frame.gone) io::add_key(keys[object], i, std::nullopt);
+  }
+  return keys;
+}
+
+std::vector<bool> are_in_pairs(const WorldRecording& recording) {
+  std::vector<bool> are(recording.objects().size());
+  for (const WorldFrame& frame : recording.frames())
+    for (const WorldRecording::Pair& pair : frame.pairs) are[pair.a] = are[pair.b] = true;
+  return are;
+}
+
+/// What is drawn of the pairs of a frame.
+struct DrawnPairs {
+  std::array<std::vector<Vec3>, 3> middles;  ///< begin, persist, end
+  std::vector<Vec3> points, distances;
+
+  explicit DrawnPairs(const WorldFrame& frame) {
+    for (const WorldRecording::Pair& pair : frame.pairs) {
+      std::vector<Vec3>& ends = middles[static_cast<std::size_t>(pair.change)];
+      ends.insert(ends.end(), {pair.middle_a, pair.middle_b});
+      if (pair.change != Change::end && pair.details) add(*pair.details);
+    }
+  }
+
+ private:
+  void add(const PairDetails& details) {
+    for (int i = 0; details.manifold && i < details.manifold->count; ++i)
+      points.push_back(details.manifold->points[static_cast<std::size_t>(i)].position);
+    if (details.distance && details.distance->upper > 0)
+      distances.insert(distances.end(), {details.distance->on_a, details.distance->on_b});
+  }
+};
+
+void add_steps(io::GlbScene& glb, const WorldRecording& recording) {
+  io::GlbFrames pairs(glb, "pairs", recording.frames().size());
+  for (std::size_t i = 0; i < recording.frames().size(); ++i) {
+    const DrawnPairs drawn(recording.frames()[i]);
+    io::Json extras = io::Json::object();
+    for (std::size_t change = 0; change < pairs_names.size(); ++change) {
+      pairs.add(pairs_names[change], drawn.middles[change], io::GlbMode::lines, pairs_paints[change]);
+      extras[pairs_names[change]] = drawn.middles[change].size() / 2;
+    }
+    pairs.add("contact points", drawn.points, io::GlbMode::points, points_paint);
+    pairs.add("distances", drawn.distances, io::GlbMode::lines, lengths_paint);
+    pairs.end_frame(fmt::format("step {}", i), std::move(extras));
+  }
+  pairs.write();
+}
+
+}  // namespace
+
+std::string recording_glb(const WorldRecording& recording, const ViewOptions& options) {
+  io::require_recorded(recording.frames().size(), recording.objects().size());
+  io::RecordedBodies bodies(recording.objects());
+  for (SceneInstance& posed : bodies.models) posed.pose = {};  // as their nodes move
+  const auto keys = keys_of(recording);
+  const io::ViewMeshes meshes(bodies.models, io::places_of(keys));
+  io::GlbScene glb(bodies.models, meshes);
+  io::add_moving_objects(glb, keys, are_in_pairs(recording));
+  add_steps(glb, recording);
+  return glb.file(options, bodies.scene.unit);
+}
+
+}  // namespace toccata

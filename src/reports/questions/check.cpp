@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "io/formats/utf8.hpp"
+#include "reports/glb/glb_findings.hpp"
+#include "reports/questions/question_kinds.hpp"
+#include "reports/questions/question_parts.hpp"
+#include "reports/view/finding_layers.hpp"
+#include "reports/view/pair_methods.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/reports/report.hpp"
+
+namespace toccata {
+namespace {
+
+using io::csv_field;
+using io::document;
+using io::json_of;
+using io::json_of_length;
+
+constexpr std::array<std::string_view, 11> distance_fields = {
+    "lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"};
+
+io::Json json_of(const PairClearance& pair, const Scene& scene) {
+  const auto [first, second] = std::minmax(pair.a, pair.b);
+  return {{"a", io::as_utf8(scene.objects[first].name)},
+          {"b", io::as_utf8(scene.objects[second].name)},
+          {"a_index", first},
+          {"b_index", second},
+          {"clearance", json_of_length(pair.clearance)}};
+}
+
+/// What was asked about distances, where something was.
+void add_clearances(io::Json& json, const Scene& scene, const CheckReport& report) {
+  if (!report.clearance) return;
+  json["clearance"] = json_of_length(*report.clearance);
+  if (report.pair_clearances.empty()) return;
+  io::Json& pairs = json["pair_clearances"] = io::Json::array();
+  for (const PairClearance& pair : report.pair_clearances) pairs.push_back(json_of(pair, scene));
+}
+
+/// A line, and where the report has faces one more for each pair of them.
+std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckReport& report) {
+  const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
+  io::Json line = {{"a", first},
+                   {"b", second},
+                   {"a_index", pair.a},
+                   {"b_index", pair.b},
+                   {"relation", name_of(pair.relation.kind)},
+                   {"containment", name_of(pair.relation.containment)},
+                   {"side_unresolved", pair.relation.side_unresolved},
+                   {"status", name_of(pair.relation.status)}};
+  if (report.has_penetration) {
+    line["penetration"] = pair.penetration ? json_of(*pair.penetration) : io::Json();
+    line["manifold"] = pair.manifold ? json_of(*pair.manifold) : io::Json();
+    if (!pair.manifolds.empty()) line["manifolds"] = io::json_of(pair.manifolds);
+    line["regions"] = io::json_of(pair.regions);
+  }
+  if (report.clearance && pair.distance) io::add(line["distance"] = io::Json::object(), *pair.distance);
+  std::string text = io::line_of(line);
+  if (!report.has_faces) return text;
+  text.back() = ',';
+  text += "\"faces\":[";
+  for (std::size_t i = 0; i < pair.face_pairs.size(); ++i)
+    text += (i == 0 ? "\n      " : ",\n      ") + io::line_of(json_of(pair.face_pairs[i]));
+  return text + "]}";
+}
+
+std::string csv_names(const Scene& scene, const ReportedPair& pair) {
+  return csv_field(io::as_utf8(scene.objects[pair.a].name)) + "," + csv_field(io::as_utf8(scene.objects[pair.b].name));
+}
+
+/// The end of a line: what is told of pairs besides, where it is.
+std::string csv_end_names(const CheckReport& report) {
+  std::string names = io::csv_penetration_head(report.has_penetration);
+  if (!report.clearance) return names;
+  names.pop_back();
+  for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
+  return names + "\n";
+}
+
+/// Empty fields where there is none.
+std::string csv_of_distance(const ReportedPair& pair) {
+  return pair.distance ? io::csv_of(*pair.distance) : std::string(distance_fields.size(), ',');
+}
+
+std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
+  return (report.has_penetration ? io::csv_of(pair.penetration) : "") +
+         (report.clearance ? csv_of_distance(pair) : "") + "\n";
+}
+
+std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
+  std::string csv = "a,b,relation,containment,side_unresolved,status" + csv_end_names(report);
+  for (const ReportedPair& pair : report.pairs)
+    csv +=
+        fmt::format("{},{},{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
+                    name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status)) +
+        csv_end(report, pair);
+  return csv;
+}
+
+/// A pair without meeting faces (one solid inside the other) still has its line, with empty face fields.
+std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
+  std::string csv = "a,b,relation,containment,face_a,face_b,crossing" + csv_end_names(report);
+  for (const ReportedPair& pair : report.pairs) {
+    const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
+                                          name_of(pair.relation.containment));
+    const std::string end = csv_end(report, pair);
+    if (pair.face_pairs.empty()) csv += start + ",,," + end;
+    for (const ReportedFacePair& faces : pair.face_pairs)
+      csv += fmt::format("{},{},{},{}", start, faces.face_a, faces.face_b, faces.crossing) + end;
+  }
+  return csv;
+}
+
+struct CheckKind {
+  using Question = CheckQuestion;
+  using Report = CheckReport;
+  static constexpr const char* name = "check";
+
+  static io::Json write(const CheckQuestion& q) {
+    io::Json json = {{"touching", io::touching_word(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
+    if (q.clearance) json["clearance"] = io::json_of_length(*q.clearance);
+    for (const PairClearance& pair : q.pair_clearances)
+      json["pair_clearances"].push_back(
+          {{"a_index", pair.a}, {"b_index", pair.b}, {"clearance", io::json_of_length(pair.clearance)}});
+    return json;
+  }
+
+  static CheckQuestion read(const io::JsonValue& value) {
+    value.expect_keys({"question", "touching", "faces", "penetration", "clearance", "pair_clearances"});
+    CheckQuestion q;
+    q.touching = io::touching_of(value);
+    q.faces = value.flag_or("faces", false);
+    q.penetration = value.flag_or("penetration", false);
+    if (value.has("clearance")) q.clearance = io::length_of(value.at("clearance"));
+    constexpr std::size_t most = std::numeric_limits<Index>::max();
+    for (const io::JsonValue& pair : value.elements("pair_clearances")) {
+      pair.expect_keys({"a_index", "b_index", "clearance"});
+      q.pair_clearances.push_back({static_cast<Index>(pair.at("a_index").whole(most)),
+                                   static_cast<Index>(pair.at("b_index").whole(most)),
+                                   io::length_of(pair.at("clearance"))});
+    }
+    return q;
+  }
+
+  static CheckReport ask(const CheckQuestion& question, const io::Asking& asking) {
+    CheckOptions options;
+    options.contacts = question.faces;
+    options.penetration = question.penetration;
+    options.clearance = question.clearance;
+    options.pair_clearances = question.pair_clearances;
+    options.threads = asking.options.threads;
+    options.progress = asking.options.progress;
+    return make_check_report(asking.models, check_all(asking.models, options), question);
+  }
+
+  static std::string json(const CheckReport& report, const io::Reporting& reporting) {
+    io::Json json = reporting.head("toccata/check/2");
+    json["candidate_pairs"] = report.candidate_pairs;
+    json["ignored_touching"] = report.ignored_touching;
+    add_clearances(json, reporting.scene, report);
+    return io::with_list(document(json), "pairs", report.pairs.size(),
+                         [&](std::size_t i) { return text_of(report.pairs[i], reporting.scene, report); });
+  }
+
+  static std::string csv(const CheckReport& report, const Scene& scene) {
+    return report.has_faces ? csv_of_faces(scene, report) : csv_of_pairs(scene, report);
+  }
+
+  static void mark(const CheckReport& report, io::LayerWriter& layers) {
+    for (std::size_t i = 0; i < report.pairs.size(); ++i) {
+      const ReportedPair& pair = report.pairs[i];
+      layers.begin(i);
+      io::add_intersecting_faces(layers, pair.a, pair.b, pair.face_pairs);
+      io::add_depth(layers, pair.penetration);
+      if (pair.distance) io::add_distance(layers, *pair.distance);
+      io::add_normals(layers, pair.regions, pair.manifold);
+      for (const ContactManifold& one : pair.manifolds) io::add_normals(layers, {}, one.manifold);
+    }
+  }
+
+  static io::Json words(const CheckReport& report, io::PairMethods& methods) {
+    io::Json words = io::Json::array();
+    for (const ReportedPair& pair : report.pairs) {
+      io::Json entry = io::words_of(pair.relation, "is closer than its clearance to");
+      if (report.has_faces) entry["face_pairs"] = pair.face_pairs.size();
+      io::Json& by = entry["methods"] = {{"relation", methods.number_of(ShapeQuestion::relation, pair.a, pair.b)}};
+      if (pair.penetration) by["penetration"] = methods.number_of(ShapeQuestion::penetration, pair.a, pair.b);
+      if (pair.distance) by["distance"] = methods.number_of(ShapeQuestion::distance, pair.a, pair.b);
+      words.push_back(std::move(entry));
+    }
+    return words;
+  }
+
+  static void show(const CheckReport& report, io::GlbFindings& nodes) {
+    for (const ReportedPair& pair : report.pairs) {
+      if (pair.relation.kind != RelationKind::apart) nodes.add_contacts(pair);
+      if (pair.penetration && pair.penetration->upper > 0)
+        nodes.add_length("depth", {pair.a, pair.b}, pair.penetration->upper,
+                         {pair.penetration->on_a, pair.penetration->on_b});
+      if (pair.distance) nodes.add_distance({pair.a, pair.b}, *pair.distance);
+    }
+    nodes.glb().add_group("pairs", nodes.nodes());
+  }
+
+  static std::vector<io::NamedObjects> named(const CheckReport& report) {
+    std::vector<io::NamedObjects> named;
+    for (const ReportedPair& pair : report.pairs) named.push_back({pair.a, pair.b});
+    return named;
+  }
+
+  static void leave_out_drawn(CheckReport& report) { report.has_faces = false; }
+};
+
+}  // namespace
+
+bool counts_as_contact(const Relation& relation, Touching touching) {
+  if (relation.kind == RelationKind::apart) return false;
+  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved ||
+         relation.status != Status::exact;
+}
+
+CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
+                              const ReportOptions& options) {
+  const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
+  if (asks_clearance && options.touching == Touching::ignore)
+    throw Error("pairs that touch are nearer than any clearance, so they cannot be ignored where one is asked for");
+  CheckReport report;
+  report.candidate_pairs = answer.candidate_pairs;
+  report.has_faces = options.faces;
+  report.has_penetration = options.penetration;
+  if (asks_clearance) report.clearance = options.clearance.value_or(0);
+  report.pair_clearances = options.pair_clearances;
+  for (const PairAnswer& pair : answer.pairs) {
+    const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
+    if (!is_near && !counts_as_contact(pair.relation, options.touching)) {
+      ++report.ignored_touching;
+      continue;
+    }
+    ReportedPair& reported = report.pairs.emplace_back();
+    reported.a = pair.a;
+    reported.b = pair.b;
+    reported.relation = pair.relation;
+    if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
+    reported.penetration = pair.penetration;
+    reported.manifold = pair.manifold;
+    reported.manifolds = pair.manifolds;
+    reported.regions = pair.regions;
+    reported.distance = pair.distance;
+  }
+  return report;
+}
+
+namespace io {
+constinit const QuestionKind check_kind = question_kind<CheckKind>();
+}  // namespace io
+
+}  // namespace toccata
