@@ -28,6 +28,7 @@ WORDS = {
     "partitions": "grids, octrees, k-d trees, R-trees",
     "broad": "which of many boxes overlap",
     "query": "models, and the questions about them",
+    "methods": "what is compared and taught, not production",
     "world": "bodies that move, step by step",
     "io": "files of meshes, scenes, poses",
     "reports": "reports, pages, plots: a library of its own",

@@ -11,7 +11,7 @@
 #include "single_mesh.hpp"
 #include "toccata/bounds/obb.hpp"
 #include "toccata/core/version.hpp"
-#include "toccata/query/cost.hpp"
+#include "toccata/methods/cost.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/trees/builders.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "sums.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/methods/minkowski.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/minkowski.hpp"
 
 namespace toccata::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include "convex_library.hpp"
 #include "convex_questions.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/methods/voronoi.hpp"
 #include "toccata/narrow/convex_convex.hpp"
-#include "toccata/narrow/voronoi.hpp"
 
 // Hulls that move by small steps: walking through Voronoi regions, and what it is to be compared with.
 namespace toccata::bench {

@@ -7,6 +7,7 @@
 #include "convex_library.hpp"
 #include "convex_questions.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/primitives.hpp"
 

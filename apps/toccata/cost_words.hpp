@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "toccata/methods/cost.hpp"
 #include "toccata/partitions/measure.hpp"
-#include "toccata/query/cost.hpp"
 
 namespace toccata::command {
 

@@ -7,10 +7,10 @@
 
 #include "support/mesh_soups.hpp"
 #include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/tightness.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/methods.hpp"
+#include "toccata/methods/cost.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {

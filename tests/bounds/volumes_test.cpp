@@ -7,9 +7,9 @@
 #include "support/mesh_soups.hpp"
 #include "support/volume_cases.hpp"
 #include "support/volume_sets.hpp"
-#include "toccata/bounds/tightness.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/methods/cost.hpp"
 
 namespace toccata {
 namespace {

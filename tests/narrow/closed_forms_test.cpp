@@ -10,6 +10,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/simd.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/primitives.hpp"
 
 namespace toccata {

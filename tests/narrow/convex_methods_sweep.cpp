@@ -2,6 +2,7 @@
 #include <array>
 
 #include "narrow/convex_cells.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/casts.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/primitives.hpp"

@@ -7,6 +7,7 @@
 #include "support/convex_cases.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/primitives.hpp"
 

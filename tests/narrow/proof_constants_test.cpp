@@ -9,6 +9,7 @@
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/primitives.hpp"

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/methods/cost.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/cost.hpp"
 #include "toccata/reports/scene_question.hpp"
 #include "toccata/shapes/scene.hpp"
 #include "toccata/world/world.hpp"

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
-#include "toccata/narrow/minkowski.hpp"
+#include "toccata/methods/cost.hpp"
+#include "toccata/methods/minkowski.hpp"
 #include "toccata/narrow/set_relation.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/convex_parts.hpp"
-#include "toccata/query/cost.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/nearest.hpp"

@@ -9,8 +9,8 @@
 
 #include "toccata/bounds/volume.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/methods/cost.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/cost.hpp"
 #include "toccata/query/model.hpp"
 
 namespace toccata::io {

@@ -4,8 +4,8 @@
 
 #include "io/formats/json.hpp"
 #include "reports/view/view_data.hpp"
+#include "toccata/methods/cost.hpp"
 #include "toccata/query/check_all.hpp"
-#include "toccata/query/cost.hpp"
 
 namespace toccata::io {
 

@@ -9,7 +9,7 @@
 #include "io/formats/utf8.hpp"
 #include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/voronoi.hpp"
+#include "toccata/methods/voronoi.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 
 namespace toccata::io {

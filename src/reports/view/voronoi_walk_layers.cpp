@@ -7,7 +7,7 @@
 #include "io/formats/utf8.hpp"
 #include "reports/view/voronoi_layers.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/narrow/voronoi.hpp"
+#include "toccata/methods/voronoi.hpp"
 
 namespace toccata::io {
 namespace {
