@@ -4,7 +4,8 @@
 A file of a room (include/toccata/<room>/, src/<room>/) includes only its own room and those before it in
 tools/rooms.txt. A public header includes only public headers and the standard library. The command includes only public
 headers and its own. Every public header is named by one of the umbrellas in include/toccata, or by a list that one of
-them includes, and no folder is a room without a name.
+them includes, and no folder is a room without a name. The interface stays small: public headers, and the types that a
+program meets who includes toccata.hpp, are counted.
 """
 import pathlib
 import re
@@ -16,6 +17,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 # What such a header includes of its room needs no umbrella that names it again.
 LISTS = ["toccata/bounds/all_volumes.hpp"]
+MOST_HEADERS, MOST_TYPES = 100, 150
+# A struct, class or enumeration at namespace scope.
+TYPE = re.compile(r"^(?:template\s*<[^\n]*>\s*(?:requires[^\n]*\n)?)?(?:struct|class|enum class|enum)\s+(\w+)[^;{\n]*\{", re.MULTILINE)
 
 
 def sources(folder):
@@ -79,8 +83,27 @@ def check_umbrellas():
         yield f'{ROOT}/include/toccata: more than one umbrella includes "{twice}"'
 
 
+def reached_from(header, known):
+    """The header and all public ones that it includes, also by way of others."""
+    if header not in known:
+        known.add(header)
+        for _, included in includes(ROOT / "include" / header):
+            if included.startswith("toccata/"):
+                reached_from(included, known)
+    return known
+
+
+def check_size():
+    headers = sources("include/toccata")
+    if len(headers) > MOST_HEADERS:
+        yield f"{ROOT}/include/toccata: {len(headers)} public headers, and at most {MOST_HEADERS} are wanted"
+    types = {name for header in reached_from("toccata/toccata.hpp", set()) for name in TYPE.findall((ROOT / "include" / header).read_text())}
+    if len(types) > MOST_TYPES:
+        yield f"{ROOT}/include/toccata/toccata.hpp: brings {len(types)} types, and at most {MOST_TYPES} are wanted"
+
+
 def main():
-    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrellas()]
+    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrellas(), *check_size()]
     for complaint in complaints:
         print(complaint.replace(f"{ROOT}/", ""))
     print(f"layering: {len(complaints)} complaints")

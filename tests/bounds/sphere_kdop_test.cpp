@@ -1,4 +1,5 @@
 #include "toccata/bounds/kdop.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 
 #include <gtest/gtest.h>
 
