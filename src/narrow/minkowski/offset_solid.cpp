@@ -5,8 +5,8 @@
 #include "math/vec3_measures.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/vertices_of.hpp"
-#include "narrow/exact/within.hpp"
 #include "narrow/minkowski/sum_operand.hpp"
+#include "narrow/near.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -108,7 +108,7 @@ bool OffsetSolid::in_beveled_planes(const Vec3& point) const {
 }
 
 bool OffsetSolid::contains(const Vec3& point) const {
-  return is_within(PosedPolytope(Point{point}), parts_->convex, parts_->distance);
+  return nearby(PosedPolytope(Point{point}), parts_->convex, WantedDistance::within(parts_->distance)).has_value();
 }
 
 }  // namespace toccata
