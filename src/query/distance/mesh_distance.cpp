@@ -1,12 +1,10 @@
 #include "query/distance/mesh_distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <optional>
 #include <tuple>
-#include <type_traits>
 
 #include "math/constants.hpp"
 #include "narrow/quadrics/distance/quadric_beyond.hpp"
@@ -55,16 +53,6 @@ Distance least_of(Distance nearest, double lower, const PosedQuadric&) {
   return nearest;
 }
 
-/// Of shapes of which every triangle is looked at closely.
-struct NeverBeyond {
-  explicit NeverBeyond(const PosedPolytope&) {}
-  void look_along(const Vec3&) {}
-  [[nodiscard]] bool is_beyond(const std::array<Vec3, 3>&, double) const { return false; }
-};
-
-template <class Shape>
-using Beyond = std::conditional_t<std::same_as<Shape, PosedQuadric>, QuadricBeyond, NeverBeyond>;
-
 /// The nearest triangle to a convex shape, or the first that is found near enough.
 template <class Shape>
 class NearestToShape final : public NearQuestion {
@@ -100,8 +88,10 @@ class NearestToShape final : public NearQuestion {
     if (wanted_.is_yes_or_no()) return;
     Distance found = distance(triangle, shape_, &workspace_);
     found.element_a = number;
-    if (!beyond_) beyond_.emplace(shape_);
-    beyond_->look_along(found.on_a - found.on_b);
+    if constexpr (std::same_as<Shape, PosedQuadric>) {
+      if (!beyond_) beyond_.emplace(shape_);
+      beyond_->look_along(found.on_a - found.on_b);
+    }
     if (found.lower > limit_) return;
     is_within_ = is_within_ || found.upper <= wanted_.limit ||
                  (found.lower <= wanted_.limit && is_within(triangle, shape_, wanted_.limit, workspace_));
@@ -120,7 +110,7 @@ class NearestToShape final : public NearQuestion {
   SimplexCache& workspace_;
   WantedDistance wanted_;
   double limit_;
-  std::optional<Beyond<Shape>> beyond_;
+  std::optional<QuadricBeyond> beyond_;  ///< of a quadric, from the first distance on
   std::optional<Distance> best_;
   double lower_ = infinity;  ///< of all distances
   bool is_within_ = false;
@@ -144,20 +134,11 @@ void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, Ne
   scratch.counts = scratch.near.counts;
 }
 
-/// Where a shape meets triangles or lies inside the solid.
+/// Where a shape meets triangles. Of a quadric this is proved; what is undecided is found by the distances.
 template <class Shape>
 std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& b, SearchScratch& scratch) {
-  const auto intersection = triangles_intersecting(a.mesh, b, scratch);
-  if (intersection.empty()) return {};
-  Distance found = distance(convex(a.mesh, intersection.front()), b);
-  found.element_a = intersection.front();
-  return with_faces(found, a.mesh);
-}
-
-/// Where it is proved; what is undecided is found by the distances.
-std::optional<Distance> at_least_triangle(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
   for (const Index triangle : triangles_intersecting(a.mesh, b, scratch)) {
-    Distance found = toccata::distance(convex(a.mesh, triangle), b);
+    Distance found = distance(convex(a.mesh, triangle), b);
     if (found.upper > 0) continue;
     found.element_a = triangle;
     return with_faces(found, a.mesh);
