@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "query/near_parts.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
@@ -97,18 +96,8 @@ struct PosedModelPair {
         if (!see(part_a, part_b)) return;
   }
 
-  /// Calls `see(part of a, part of b)` for pairs whose boxes are not farther apart than the limit, the nearest first,
-  /// ascending where they are as near. What it returns is the next limit; a negative one ends it.
-  template <class See>
-  void visit_near(double limit, const See& see) const {
-    if (a.parts.size() == 1 && b.parts.size() == 1) {
-      see(a.parts[0], b.parts[0]);
-      return;
-    }
-    NearParts pairs(a, b, limit, lender_);
-    while (const std::optional<ItemPair> next = pairs.next(limit))
-      limit = see(a.parts[next->first], b.parts[next->second]);
-  }
+  /// Each of the two is one part.
+  [[nodiscard]] bool are_single() const { return a.parts.size() == 1 && b.parts.size() == 1; }
 
   PosedModel a;
   PosedModel b;

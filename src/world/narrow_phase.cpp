@@ -5,7 +5,7 @@
 
 #include <hwy/cache_control.h>
 
-#include "narrow/exact/within.hpp"
+#include "narrow/near.hpp"
 #include "query/ask_each.hpp"
 #include "query/contacts/part_contacts.hpp"
 #include "query/penetration/solid_penetration.hpp"
@@ -51,7 +51,8 @@ struct PlaceConvex {
 };
 
 BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, double margin, SimplexCache& workspace) {
-  if (margin > 0 && !std::isinf(margin) && !is_within(a, b, margin, &workspace)) return BodyNearness::apart;
+  if (margin > 0 && !std::isinf(margin) && !nearby(a, b, WantedDistance::within(margin), &workspace))
+    return BodyNearness::apart;
   if (overlap(a, b, &workspace)) return BodyNearness::contact;
   return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }

@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/near.hpp"
 #include "narrow/quadric_cases.hpp"
 #include "narrow/quadrics/distance/axial_box.hpp"
 #include "narrow/quadrics/distance/ellipsoid_pair.hpp"
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
-#include "narrow/quadrics/distance/quadric_within.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 // Answers in doubles, where these only just suffice, against 60 digits.
@@ -15,6 +15,11 @@ namespace toccata::test {
 namespace {
 
 using oracle::Fine;
+
+template <class B>
+bool is_within(const PosedQuadric& a, const B& b, double length) {
+  return nearby(a, b, WantedDistance::within(length)).has_value();
+}
 
 /// What is wrong about an interval of [lower, upper] or about yes and no around it; empty: nothing.
 template <class B>

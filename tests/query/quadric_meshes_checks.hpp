@@ -79,7 +79,7 @@ inline void leave_gap_to_mesh(QuadricMeshCase& one, double gap) {
   SearchScratch scratch;
   const PosedTriangles surface{PosedMesh(one.mesh, one.pose), false};
   for (int i = 0; i < 3; ++i) {
-    const Distance now = distance(surface, posed(one.shape), scratch);
+    const Distance now = nearby(surface, posed(one.shape), {}, scratch)->distance;
     const Vec3 way = now.on_b - now.on_a;
     const double length = std::sqrt(dot(way, way));
     if (!(length > 0)) return;
@@ -188,7 +188,7 @@ inline std::string fault_of_contact(const PosedTriangles& a, const PosedQuadric&
 inline std::string fault_of_distance(const PosedTriangles& a, const PosedQuadric& b, const TrianglesAlone& truth,
                                      bool inside) {
   SearchScratch scratch;
-  const Distance found = distance(a, b, scratch);
+  const Distance found = nearby(a, b, {}, scratch)->distance;
   if (inside && truth.nearest.upper > 0)
     return found.upper == 0 && found.status == Status::exact ? "" : "distance of what lies inside";
   if (found.upper != truth.nearest.upper) return fmt::format("distance {} of {}", found.upper, truth.nearest.upper);
@@ -198,10 +198,11 @@ inline std::string fault_of_distance(const PosedTriangles& a, const PosedQuadric
   if (found.status == Status::exact && !(found.upper - found.lower <= 1e-12 * found.upper)) return "interval too wide";
   if (found.status == Status::undecided && found.lower > 0) return "undecided, but apart";
   const double more = found.upper * (1 + 1e-6) + 1e-300, less = found.lower * (1 - 1e-6);
-  if (!is_within(a, b, more, scratch) || (less > 0 && is_within(a, b, less, scratch))) return "within a tolerance";
-  const auto near = nearby(a, b, more, scratch);
+  if (!nearby(a, b, WantedDistance::within(more), scratch)) return "within a tolerance";
+  if (less > 0 && nearby(a, b, WantedDistance::within(less), scratch)) return "not within a tolerance";
+  const auto near = nearby(a, b, {.limit = more}, scratch);
   if (!near || near->distance.upper != found.upper || near->distance.lower != found.lower) return "nearby";
-  if (less > 0 && nearby(a, b, less / 2, scratch)) return "nearby, though farther";
+  if (less > 0 && nearby(a, b, {.limit = less / 2}, scratch)) return "nearby, though farther";
   return "";
 }
 

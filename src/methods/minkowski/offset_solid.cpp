@@ -6,7 +6,8 @@
 #include "math/wide_integer.hpp"
 #include "methods/minkowski/sum_operand.hpp"
 #include "narrow/convex/vertices_of.hpp"
-#include "narrow/exact/within.hpp"
+#include "methods/minkowski/sum_operand.hpp"
+#include "narrow/near.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -108,7 +109,7 @@ bool OffsetSolid::in_beveled_planes(const Vec3& point) const {
 }
 
 bool OffsetSolid::contains(const Vec3& point) const {
-  return is_within(PosedPolytope(Point{point}), parts_->convex, parts_->distance);
+  return nearby(PosedPolytope(Point{point}), parts_->convex, WantedDistance::within(parts_->distance)).has_value();
 }
 
 }  // namespace toccata

@@ -12,7 +12,7 @@
 #include "narrow/exact/intersection_certificate.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 #include "narrow/exact/nearest_formula.hpp"
-#include "narrow/exact/within.hpp"
+#include "narrow/near.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -27,7 +27,7 @@ void keep(SimplexCache& workspace, const VertexPairs& simplex, const Vec3& diffe
   workspace.direction = -difference;
 }
 
-/// What `offset_shapes_meet` knows for certain: positive is apart.
+/// Positive is apart.
 std::optional<bool> certain_meeting(const BoundedNumber& gap) {
   if (gap.is_positive()) return false;
   if (gap.is_negative()) return true;
@@ -45,6 +45,10 @@ std::optional<Distance> at_common_point(const BoundedVector& point) {
   const auto common = nearest_doubles(point);
   if (!common) return {};
   return Distance{0, 0, *common, *common, Status::exact};
+}
+
+bool are_exactly_within(const ExactNearest& nearest, const PosedPolytope& a, const PosedPolytope& b, double length) {
+  return nearest.meet || compare_offset_distance(nearest, a.radius(), b.radius(), length) != Sign::positive;
 }
 
 /// One question about two shapes; of `is_within` and `certainly_beyond` with the length.
@@ -67,20 +71,11 @@ class ConvexQuestion {
   ConvexQuestion& operator=(const ConvexQuestion&) = delete;
   ~ConvexQuestion() { workspace_.counts.heights += a_.heights() + b_.heights(); }
 
-  bool overlap() {
-    GjkEnd end;
-    if (const std::optional<bool> within = certainly_within(end)) return *within;
-    ++workspace_.counts.exact;
-    return offset_shapes_meet(exact(end.simplex.pairs), a_.shape().radius(), b_.shape().radius());
-  }
-
   bool is_within() {
     GjkEnd end;
     if (const std::optional<bool> within = certainly_within(end)) return *within;
     ++workspace_.counts.exact;
-    const ExactNearest nearest = exact(end.simplex.pairs);
-    return nearest.meet ||
-           compare_offset_distance(nearest, a_.shape().radius(), b_.shape().radius(), length_) != Sign::positive;
+    return are_exactly_within(exact(end.simplex.pairs), a_.shape(), b_.shape(), length_);
   }
 
   bool certainly_beyond() {
@@ -265,6 +260,19 @@ std::optional<Distance> distance_by_closed_form(const PosedPolytope& a, const Po
   return found;
 }
 
+/// Is the exact distance at most the length, which is not negative?
+bool is_within(const PosedPolytope& a, const PosedPolytope& b, double length, SimplexCache* workspace) {
+  if (length == 0) return overlap(a, b, workspace);
+  std::optional<Distance> known = distance_by_closed_form(a, b, workspace);
+  if (!known && !(length < greatest_asked_length)) known = distance_by_gjk(a, b, {}, workspace);
+  if (known) {
+    if (known->upper <= length) return true;
+    return known->lower <= length && are_exactly_within(exact_nearest(a, b, first_vertices()), a, b, length);
+  }
+  SimplexCache alone;
+  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).is_within();
+}
+
 }  // namespace
 
 bool overlap(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
@@ -284,24 +292,23 @@ Distance distance(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* 
   return distance_by_gjk(a, b, {}, workspace);
 }
 
-bool is_within(const PosedPolytope& a, const PosedPolytope& b, double tolerance, SimplexCache* workspace) {
-  if (const auto found = distance_by_closed_form(a, b, workspace)) return is_within(*found, a, b, tolerance);
-  SimplexCache alone;
-  SimplexCache& used = workspace != nullptr ? *workspace : alone;
-  if (!(tolerance < greatest_asked_length)) return is_within(distance_by_gjk(a, b, {}, &used), a, b, tolerance);
-  return ConvexQuestion(a, b, used, {}, tolerance).is_within();
+std::optional<Nearby> nearby(const PosedPolytope& a, const PosedPolytope& b, const WantedDistance& wanted,
+                             SimplexCache* kept) {
+  return nearby_by(
+      wanted, Quicker::distance, [&](double length) { return is_within(a, b, length, kept); },
+      [&] { return distance(a, b, kept); });
 }
 
-bool certainly_beyond(const PosedPolytope& a, const PosedPolytope& b, double length, SimplexCache* workspace) {
+bool certainly_beyond(const PosedPolytope& a, const PosedPolytope& b, double length, SimplexCache* kept) {
   if (!(length < greatest_asked_length)) return false;
   SimplexCache alone;
-  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, {}, length).certainly_beyond();
+  return ConvexQuestion(a, b, kept != nullptr ? *kept : alone, {}, length).certainly_beyond();
 }
 
 bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options,
                     SimplexCache* workspace) {
   SimplexCache alone;
-  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).overlap();
+  return ConvexQuestion(a, b, workspace != nullptr ? *workspace : alone, options).is_within();
 }
 
 Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options,

@@ -6,6 +6,7 @@
 #include "math/exact.hpp"
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/half_spaces/half_space_gap.hpp"
+#include "narrow/near.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -93,7 +94,24 @@ Vec3 common_point(const PosedHalfSpace& a, const PosedHalfSpace& b) {
 /// move has to reach. Its length along the exact normal is at least upper · (1 − 2^-50).
 double depth_that_parts(double upper) { return std::nextafter(upper * (1 + 0x1p-49), HUGE_VAL); }
 
+/// The distance is rounded both ways to neighbouring doubles, or is itself a double: `upper` is the least that is not
+/// below it.
+template <class A>
+std::optional<Nearby> nearby_half_space(const A& a, const PosedHalfSpace& b, const WantedDistance& wanted) {
+  return nearby_by(
+      wanted, Quicker::distance,
+      [&](double length) { return length == 0 ? overlap(a, b) : distance(a, b).upper <= length; },
+      [&] { return distance(a, b); });
+}
+
 }  // namespace
+
+std::optional<Nearby> nearby(const PosedPolytope& a, const PosedHalfSpace& b, const WantedDistance& wanted) {
+  return nearby_half_space(a, b, wanted);
+}
+std::optional<Nearby> nearby(const PosedHalfSpace& a, const PosedHalfSpace& b, const WantedDistance& wanted) {
+  return nearby_half_space(a, b, wanted);
+}
 
 Distance distance(const PosedPolytope& a, const PosedHalfSpace& b) {
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;

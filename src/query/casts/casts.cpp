@@ -1,12 +1,9 @@
 #include "toccata/query/casts.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <optional>
 #include <variant>
 
-#include "narrow/half_spaces/half_space_casts.hpp"
-#include "narrow/quadrics/casts/quadric_cast_until.hpp"
 #include "query/ask.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
@@ -27,12 +24,8 @@ struct AskCast {
   }
   template <PosedConvexSet A, PosedConvexSet B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {
-    if constexpr (std::same_as<A, PosedHalfSpace> || std::same_as<B, PosedHalfSpace>) {
-      return whole(cast_shape(a, motion, b));
-    } else {
-      const auto cast = cast_shape_until(a, motion, b, limit);
-      return cast ? std::optional(whole(*cast)) : std::nullopt;
-    }
+    const auto cast = cast_convex_until(a, motion, b, limit, scratch.convex);
+    return cast ? std::optional(whole(*cast)) : std::nullopt;
   }
   template <class A, class B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {

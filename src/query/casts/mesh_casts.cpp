@@ -4,8 +4,6 @@
 #include <tuple>
 #include <vector>
 
-#include "narrow/convex/cast_until.hpp"
-#include "narrow/half_spaces/half_space_casts.hpp"
 #include "narrow/quadrics/casts/quadric_cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
@@ -40,27 +38,6 @@ Index face_of(const Shape&, Index) {
   return 0;
 }
 
-std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b, double limit,
-                               SearchScratch& scratch) {
-  return cast_shape_until(a, motion, b, limit, scratch.convex);
-}
-std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedQuadric& b, double limit,
-                               SearchScratch&) {
-  return cast_shape_until(a, motion, b, limit);
-}
-std::optional<Cast> cast_items(const PosedQuadric& a, const Vec3& motion, const PosedPolytope& b, double limit,
-                               SearchScratch&) {
-  return cast_shape_until(a, motion, b, limit);
-}
-std::optional<Cast> cast_items(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b, double,
-                               SearchScratch&) {
-  return cast_shape(a, motion, b);
-}
-std::optional<Cast> cast_items(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b, double,
-                               SearchScratch&) {
-  return cast_shape(a, motion, b);
-}
-
 template <class A, class B>
 constexpr bool has_quadric_side = std::same_as<A, PosedQuadric> || std::same_as<B, PosedQuadric>;
 
@@ -83,14 +60,15 @@ class FirstMeeting {
         cast(items);
       return limit_;
     });
-    cast_until(1);
+    cast_waiting(1);
     scratch_.counts = scratch_.swept.counts;
     return first_;
   }
 
  private:
   void cast(ItemPair items) {
-    const auto found = cast_items(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_);
+    const auto found =
+        cast_convex_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_.convex);
     if (!found || !found->hit) return;
     keep_first(first_, {*found, items.first, items.second, face_of(a_, items.first), face_of(b_, items.second)});
     limit_ = std::min(limit_, first_->upper + widest_cast);
@@ -105,10 +83,11 @@ class FirstMeeting {
       waiting.push_back({time, items});
       std::push_heap(waiting.begin(), waiting.end());
     }
-    cast_until(scratch_.swept.waiting.empty() ? limit_ : scratch_.swept.waiting.front().time);
+    cast_waiting(scratch_.swept.waiting.empty() ? limit_ : scratch_.swept.waiting.front().time);
   }
 
-  void cast_until(double time) {
+  /// Casts the items that may meet until the time.
+  void cast_waiting(double time) {
     std::vector<WaitingCast>& waiting = scratch_.casts;
     while (!waiting.empty() && waiting.front().time <= std::min(time, limit_)) {
       std::pop_heap(waiting.begin(), waiting.end());

@@ -49,7 +49,7 @@ void follow(const PosedTriangles& a, const PosedTriangles& b, CoherentState& sta
 void make_front(const PosedMesh& a, const PosedMesh& b, double upper, CoherentState& state) {
   const NearWalk walk = near_walk(a, b);
   if (!NearFront::serves(walk)) return;
-  NearestTriangles question(a, b, state.workspace.scratch(), upper);
+  NearestTriangles question(a, b, state.workspace.scratch(), {.limit = upper});
   state.front.make(walk, question);
   state.counts.last.volume_tests += state.front.counts().volume_tests;
   state.counts.last.items += state.front.counts().items;
@@ -57,7 +57,7 @@ void make_front(const PosedMesh& a, const PosedMesh& b, double upper, CoherentSt
 
 Distance searched(const PosedMesh& a, const PosedMesh& b, CoherentState& state) {
   SearchScratch& scratch = state.workspace.scratch();
-  const Distance found = surfaces_nearby(a, b, infinity, scratch)->distance;
+  const Distance found = surfaces_nearby(a, b, {}, scratch)->distance;
   ++state.counts.searches;
   state.counts.last = scratch.counts;
   if (state.rest > 0) {

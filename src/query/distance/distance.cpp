@@ -1,32 +1,18 @@
 #include "toccata/query/distance.hpp"
 
-#include "math/constants.hpp"
-#include "query/ask.hpp"
-#include "query/distance/least_distance.hpp"
-#include "query/distance/mesh_distance.hpp"
-#include "query/search_scratch.hpp"
-#include "toccata/narrow/quadrics.hpp"
+#include <fmt/format.h>
+
+#include "query/distance/nearby.hpp"
+#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-struct AskDistance {
-  static constexpr ShapeQuestion question = ShapeQuestion::distance;
-
-  Distance operator()(const PosedPolytope& a, const PosedPolytope& b) const { return distance(a, b, &scratch.convex); }
-  Distance operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return distance(a, b); }
-  Distance operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return distance(a, b); }
-  template <PosedConvexSet Other>
-  Distance operator()(const PosedQuadric& a, const Other& b) const {
-    return distance(a, b);
-  }
-  template <class Other>
-  Distance operator()(const PosedTriangles& a, const Other& b) const {
-    return distance(a, b, scratch);
-  }
-
-  SearchScratch& scratch;
-};
+/// −0 is 0.
+double checked(double length, const char* name) {
+  if (!(length >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, length));
+  return length + 0.0;
+}
 
 }  // namespace
 
@@ -36,14 +22,27 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query) {
 }
 
 Distance distance(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  const PosedModelPair models(a, b, query, workspace.scratch());
-  LeastDistance least(workspace.scratch());
-  models.visit_near(infinity, [&](const PosedPart& part_a, const PosedPart& part_b) {
-    if (!least.is_farther(part_a, part_b))
-      least.keep(ask(AskDistance{workspace.scratch()}, part_a, part_b), part_a, part_b);
-    return least.limit(infinity);
-  });
-  return *least.found();
+  return nearby(a, b, {}, query, workspace)->distance;
+}
+
+bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query) {
+  Workspace workspace;
+  return within_distance(a, b, tolerance, query, workspace);
+}
+
+bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query, Workspace& workspace) {
+  return nearby(a, b, WantedDistance::within(checked(tolerance, "tolerance")), query, workspace).has_value();
+}
+
+std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query) {
+  Workspace workspace;
+  return distance_within(a, b, limit, query, workspace);
+}
+
+std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query,
+                                        Workspace& workspace) {
+  const auto found = nearby(a, b, {.limit = checked(limit, "limit")}, query, workspace);
+  return found && found->is_within ? std::optional(found->distance) : std::nullopt;
 }
 
 }  // namespace toccata

@@ -1,17 +1,13 @@
 #include "query/distance/mesh_distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <optional>
 #include <tuple>
-#include <type_traits>
 
 #include "math/constants.hpp"
-#include "narrow/exact/within.hpp"
 #include "narrow/quadrics/distance/quadric_beyond.hpp"
-#include "narrow/quadrics/distance/quadric_within.hpp"
 #include "query/distance/near_view.hpp"
 #include "query/inside/part_inside.hpp"
 #include "query/meshes/pair_search.hpp"
@@ -35,12 +31,11 @@ Distance distance(const PosedPolytope& triangle, const PosedQuadric& shape, Simp
   return toccata::distance(triangle, shape);
 }
 
-/// Or may be.
-bool is_within(const Distance& known, const PosedPolytope& triangle, const PosedQuadric& shape, double tolerance) {
-  return known.upper <= tolerance || (known.lower <= tolerance && toccata::is_within(shape, triangle, tolerance));
+bool is_within(const PosedPolytope& triangle, const PosedPolytope& shape, double length, SimplexCache& kept) {
+  return nearby(triangle, shape, WantedDistance::within(length), &kept).has_value();
 }
-bool is_within(const PosedPolytope& triangle, const PosedQuadric& shape, double tolerance, SimplexCache*) {
-  return toccata::is_within(shape, triangle, tolerance);
+bool is_within(const PosedPolytope& triangle, const PosedQuadric& shape, double length, SimplexCache&) {
+  return nearby(shape, triangle, WantedDistance::within(length)).has_value();
 }
 
 /// The least of several distances, of which `nearest` has the least upper end.
@@ -58,92 +53,67 @@ Distance least_of(Distance nearest, double lower, const PosedQuadric&) {
   return nearest;
 }
 
-/// Of shapes of which every triangle is looked at closely.
-struct NeverBeyond {
-  explicit NeverBeyond(const PosedPolytope&) {}
-  void look_along(const Vec3&) {}
-  [[nodiscard]] bool is_beyond(const std::array<Vec3, 3>&, double) const { return false; }
-};
-
-template <class Shape>
-using Beyond = std::conditional_t<std::same_as<Shape, PosedQuadric>, QuadricBeyond, NeverBeyond>;
-
-/// The nearest triangle to a convex shape; what is farther than the cutoff is not wanted.
+/// The nearest triangle to a convex shape, or the first that is found near enough.
 template <class Shape>
 class NearestToShape final : public NearQuestion {
  public:
-  NearestToShape(const PosedMesh& mesh, const Shape& shape, double cutoff, SimplexCache& workspace)
-      : mesh_(mesh),
-        shape_(shape),
-        workspace_(workspace),
-        cutoff_(cutoff),
-        limit_(limit_from(cutoff)),
-        beyond_(shape) {}
+  NearestToShape(const PosedMesh& mesh, const Shape& shape, const WantedDistance& wanted, SimplexCache& workspace)
+      : mesh_(mesh), shape_(shape), workspace_(workspace), wanted_(wanted), limit_(search_limit(wanted)) {}
 
   /// Of the shape's core, which boxes are compared with.
   [[nodiscard]] double limit() const override {
-    return std::max(std::nextafter(limit_ + radius_of(shape_), infinity), least_limit);
+    return is_enough() ? -1 : std::max(std::nextafter(limit_ + radius_of(shape_), infinity), least_limit);
   }
 
   void visit(std::span<const ItemPair> pairs) override {
     for (const ItemPair& pair : pairs) {
-      if (beyond_.is_beyond(mesh_.triangle(pair.first).vertex, limit_)) continue;
-      const PosedPolytope triangle = convex(mesh_, pair.first);
-      Distance found = distance(triangle, shape_, &workspace_);
-      found.element_a = pair.first;
-      beyond_.look_along(found.on_a - found.on_b);
-      if (found.lower > limit_) continue;
-      within_ = within_ || is_within(found, triangle, shape_, cutoff_);
-      lower_ = std::min(lower_, found.lower);
-      if (best_ && std::tie(best_->upper, best_->element_a) <= std::tie(found.upper, found.element_a)) continue;
-      best_ = found;
-      limit_ = std::min(limit_, limit_from(found.upper));
+      if (is_enough()) return;
+      if (beyond_ && beyond_->is_beyond(mesh_.triangle(pair.first).vertex, limit_)) continue;
+      look_at(pair.first);
     }
   }
 
   [[nodiscard]] std::optional<Nearby> nearest() const {
     if (!best_) return {};
-    return Nearby{least_of(*best_, lower_, shape_), within_};
+    return is_enough() ? Nearby{*best_} : Nearby{least_of(*best_, lower_, shape_), is_within_};
   }
 
  private:
+  [[nodiscard]] bool is_enough() const { return best_ && best_->upper <= wanted_.enough; }
+
+  void look_at(Index number) {
+    const PosedPolytope triangle = convex(mesh_, number);
+    if (wanted_.enough >= 0 && is_within(triangle, shape_, wanted_.enough, workspace_))
+      return keep({.upper = wanted_.enough, .element_a = number});
+    if (wanted_.is_yes_or_no()) return;
+    Distance found = distance(triangle, shape_, &workspace_);
+    found.element_a = number;
+    if constexpr (std::same_as<Shape, PosedQuadric>) {
+      if (!beyond_) beyond_.emplace(shape_);
+      beyond_->look_along(found.on_a - found.on_b);
+    }
+    if (found.lower > limit_) return;
+    is_within_ = is_within_ || found.upper <= wanted_.limit ||
+                 (found.lower <= wanted_.limit && is_within(triangle, shape_, wanted_.limit, workspace_));
+    keep(found);
+  }
+
+  void keep(const Distance& found) {
+    lower_ = std::min(lower_, found.lower);
+    if (best_ && std::tie(best_->upper, best_->element_a) <= std::tie(found.upper, found.element_a)) return;
+    best_ = found;
+    limit_ = std::min(limit_, limit_from(found.upper));
+  }
+
   const PosedMesh& mesh_;
   const Shape& shape_;
   SimplexCache& workspace_;
-  double cutoff_;
+  WantedDistance wanted_;
   double limit_;
-  Beyond<Shape> beyond_;
+  std::optional<QuadricBeyond> beyond_;  ///< of a quadric, from the first distance on
   std::optional<Distance> best_;
   double lower_ = infinity;  ///< of all distances
-  bool within_ = false;
-};
-
-/// Ends when a triangle is found that is at most `tolerance` from the shape.
-template <class Shape>
-class CloseToShape final : public NearQuestion {
- public:
-  CloseToShape(const PosedMesh& mesh, const Shape& shape, double tolerance, SimplexCache& workspace)
-      : mesh_(mesh), shape_(shape), tolerance_(tolerance), workspace_(workspace) {}
-
-  [[nodiscard]] double limit() const override {
-    return found_ ? -1 : std::max(std::nextafter(tolerance_ + radius_of(shape_), infinity), least_limit);
-  }
-
-  void visit(std::span<const ItemPair> pairs) override {
-    found_ = found_ || std::any_of(pairs.begin(), pairs.end(), [&](const ItemPair& pair) {
-               workspace_.element_a = pair.first;
-               return is_within(convex(mesh_, pair.first), shape_, tolerance_, &workspace_);
-             });
-  }
-
-  [[nodiscard]] bool found() const { return found_; }
-
- private:
-  const PosedMesh& mesh_;
-  const Shape& shape_;
-  double tolerance_;
-  SimplexCache& workspace_;
-  bool found_ = false;
+  bool is_within_ = false;
 };
 
 Distance with_faces(Distance d, const PosedMesh& a) {
@@ -164,29 +134,11 @@ void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, Ne
   scratch.counts = scratch.near.counts;
 }
 
-bool surfaces_in_region(const PosedMesh& a, const PosedMesh& b, double tolerance, SearchScratch& scratch) {
-  CloseTriangles question(a, b, scratch, tolerance);
-  ask_near(a, b, scratch, question);
-  if (!question.found()) return false;
-  scratch.convex.element_a = question.pair().first;
-  scratch.convex.element_b = question.pair().second;
-  return true;
-}
-
-/// Where a shape meets triangles or lies inside the solid.
+/// Where a shape meets triangles. Of a quadric this is proved; what is undecided is found by the distances.
 template <class Shape>
 std::optional<Distance> at_least_triangle(const PosedTriangles& a, const Shape& b, SearchScratch& scratch) {
-  const auto intersection = triangles_intersecting(a.mesh, b, scratch);
-  if (intersection.empty()) return {};
-  Distance found = distance(convex(a.mesh, intersection.front()), b);
-  found.element_a = intersection.front();
-  return with_faces(found, a.mesh);
-}
-
-/// Where it is proved; what is undecided is found by the distances.
-std::optional<Distance> at_least_triangle(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
   for (const Index triangle : triangles_intersecting(a.mesh, b, scratch)) {
-    Distance found = toccata::distance(convex(a.mesh, triangle), b);
+    Distance found = distance(convex(a.mesh, triangle), b);
     if (found.upper > 0) continue;
     found.element_a = triangle;
     return with_faces(found, a.mesh);
@@ -211,8 +163,9 @@ void ask_near(const PosedMesh& a, const Shape& b, SearchScratch& scratch, NearQu
 }
 
 template <class Shape>
-std::optional<Nearby> outer_nearby(const PosedMesh& a, const Shape& b, double cutoff, SearchScratch& scratch) {
-  NearestToShape question(a, b, cutoff, scratch.convex);
+std::optional<Nearby> outer_nearby(const PosedMesh& a, const Shape& b, const WantedDistance& wanted,
+                                   SearchScratch& scratch) {
+  NearestToShape question(a, b, wanted, scratch.convex);
   ask_near(a, b, scratch, question);
   std::optional<Nearby> nearest = question.nearest();
   if (!nearest) return {};
@@ -221,20 +174,23 @@ std::optional<Nearby> outer_nearby(const PosedMesh& a, const Shape& b, double cu
   return nearest;
 }
 
+/// Of a shape that meets no triangle: where it lies within the solid.
 template <class Shape>
-std::optional<Nearby> nearby_shape(const PosedTriangles& a, const Shape& b, double cutoff, SearchScratch& scratch) {
-  scratch.counts = {};
-  if (const auto common = at_least_triangle(a, b, scratch)) return Nearby{*common, true};
-  if (a.solid && is_interior(some_point_of(b), a.mesh))
-    return Nearby{with_faces(at_common_point(some_point_of(b)), a.mesh), true};
-  return outer_nearby(a.mesh, b, cutoff, scratch);
+std::optional<Nearby> inner_nearby(const PosedTriangles& a, const Shape& b) {
+  if (!a.solid || !is_interior(some_point_of(b), a.mesh)) return {};
+  return Nearby{with_faces(at_common_point(some_point_of(b)), a.mesh)};
 }
 
 template <class Shape>
-bool is_shape_within(const PosedTriangles& a, const Shape& b, double tolerance, SearchScratch& scratch) {
-  CloseToShape question(a.mesh, b, tolerance, scratch.convex);
-  ask_near(a.mesh, b, scratch, question);
-  return question.found() || (a.solid && is_interior(some_point_of(b), a.mesh));
+std::optional<Nearby> nearby_shape(const PosedTriangles& a, const Shape& b, const WantedDistance& wanted,
+                                   SearchScratch& scratch) {
+  scratch.counts = {};
+  if (!wanted.is_yes_or_no()) {
+    if (const auto common = at_least_triangle(a, b, scratch)) return Nearby{*common};
+    if (const auto inner = inner_nearby(a, b)) return inner;
+  }
+  const std::optional<Nearby> found = outer_nearby(a.mesh, b, wanted, scratch);
+  return found || !wanted.is_yes_or_no() ? found : inner_nearby(a, b);
 }
 
 /// The triangle with the corner that is lowest over the half-space, but for rounding.
@@ -261,6 +217,24 @@ PosedHalfSpace widened(PosedHalfSpace b, double by) {
   return b;
 }
 
+/// Calls `see` with all triangles that may be within the distance of the half-space, until it returns false.
+template <class See>
+void visit_triangles_within(const PosedMesh& a, const PosedHalfSpace& b, double distance, const See& see) {
+  const PosedHalfSpace region = widened(b, distance);
+  if (is_finite(region.point)) return visit_triangles_near(a, region, see);
+  for (Index i = 0; i < a.model().element_count(); ++i)
+    if (!see(i)) return;
+}
+
+bool is_within(const PosedMesh& a, const PosedHalfSpace& b, double length) {
+  bool found = false;
+  visit_triangles_within(a, b, length, [&](Index triangle) {
+    found = nearby(convex(a, triangle), b, WantedDistance::within(length)).has_value();
+    return !found;
+  });
+  return found;
+}
+
 Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
   std::optional<Distance> best;
   const auto see = [&](Index triangle) {
@@ -270,11 +244,7 @@ Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
     return true;
   };
   see(lowest_triangle(a, b));
-  const PosedHalfSpace region = widened(b, best->upper);
-  if (is_finite(region.point))
-    visit_triangles_near(a, region, see);
-  else
-    for (Index i = 0; i < a.model().element_count(); ++i) see(i);
+  visit_triangles_within(a, b, best->upper, see);
   best->lower = lower_from(best->upper);
   return with_faces(*best, a);
 }
@@ -297,15 +267,16 @@ Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scrat
   return found;
 }
 
-std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b, double cutoff, SearchScratch& scratch) {
-  NearestTriangles question(a, b, scratch, cutoff);
+std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b, const WantedDistance& wanted,
+                                      SearchScratch& scratch) {
+  NearestTriangles question(a, b, scratch, wanted);
   ask_near(a, b, scratch, question);
-  if (question.found_meeting()) return Nearby{at_contact(a, b, scratch), true};
+  if (question.found_meeting()) return Nearby{at_contact(a, b, scratch)};
   if (!question.found_any()) return {};
   const Distance nearest = question.nearest();
   scratch.convex.element_a = nearest.element_a;
   scratch.convex.element_b = nearest.element_b;
-  return Nearby{nearest, nearest.upper <= cutoff || question.any_within(cutoff)};
+  return Nearby{nearest, nearest.upper <= wanted.limit || question.any_within(wanted.limit)};
 }
 
 std::optional<PartInside> inner_part(const PosedTriangles& a, const PosedTriangles& b) {
@@ -328,71 +299,42 @@ Distance with_faces(Distance d, const PosedMesh& a, const PosedMesh& b) {
   return with_faces(d, a);
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, double cutoff, SearchScratch& scratch) {
-  std::optional<Nearby> found = surfaces_nearby(a.mesh, b.mesh, cutoff, scratch);
-  if (!found || found->distance.upper > 0)
-    if (const auto part = inner_part(a, b)) found = Nearby{at_inner_part(*part, a.mesh, b.mesh), true};
+bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b_solid, SearchScratch& scratch) {
+  return overlap(a.box(), b.box()) &&
+         (surfaces_meet(a, b, scratch) || (b_solid && part_inside(a, b)) || (a_solid && part_inside(b, a)));
+}
+
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, const WantedDistance& wanted,
+                             SearchScratch& scratch) {
+  if (wanted.is_yes_or_no() && wanted.limit == 0)
+    return meshes_overlap(a.mesh, a.solid, b.mesh, b.solid, scratch) ? std::optional(Nearby{}) : std::nullopt;
+  std::optional<Nearby> found = surfaces_nearby(a.mesh, b.mesh, wanted, scratch);
+  if (!found || found->distance.upper > std::max(wanted.enough, 0.0))
+    if (const auto part = inner_part(a, b)) found = Nearby{at_inner_part(*part, a.mesh, b.mesh)};
   if (found) found->distance = with_faces(found->distance, a.mesh, b.mesh);
   return found;
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b, double cutoff, SearchScratch& scratch) {
-  return nearby_shape(a, b, cutoff, scratch);
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b, const WantedDistance& wanted,
+                             SearchScratch& scratch) {
+  return nearby_shape(a, b, wanted, scratch);
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, double cutoff, SearchScratch& scratch) {
-  return nearby_shape(a, b, cutoff, scratch);
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, const WantedDistance& wanted,
+                             SearchScratch& scratch) {
+  return nearby_shape(a, b, wanted, scratch);
 }
 
-std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff, SearchScratch& scratch) {
-  if (cutoff < infinity && !is_within(a, b, limit_from(cutoff), scratch)) return {};
-  const Distance found = distance(a, b, scratch);
-  return Nearby{found, found.upper <= cutoff};  // the least double not below the exact one
-}
-
-bool is_within(const PosedTriangles& a, const PosedTriangles& b, double tolerance, SearchScratch& scratch) {
-  return surfaces_in_region(a.mesh, b.mesh, tolerance, scratch) || inner_part(a, b);
-}
-
-bool is_within(const PosedTriangles& a, const PosedPolytope& b, double tolerance, SearchScratch& scratch) {
-  return is_shape_within(a, b, tolerance, scratch);
-}
-
-bool is_within(const PosedTriangles& a, const PosedQuadric& b, double tolerance, SearchScratch& scratch) {
-  return is_shape_within(a, b, tolerance, scratch);
-}
-
-bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance, SearchScratch& scratch) {
+std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, const WantedDistance& wanted,
+                             SearchScratch& scratch) {
   scratch.counts = {};
-  bool found = false;
-  const auto see = [&](Index triangle) {
-    found = is_within(distance(convex(a.mesh, triangle), b), convex(a.mesh, triangle), b, tolerance);
-    return !found;
-  };
-  const PosedHalfSpace region = widened(b, tolerance);
-  if (is_finite(region.point))
-    visit_triangles_near(a.mesh, region, see);
-  else
-    for (Index i = 0; i < a.mesh.model().element_count() && !found; ++i) see(i);
-  return found;
-}
-
-Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch) {
-  return nearby(a, b, infinity, scratch)->distance;
-}
-
-Distance distance(const PosedTriangles& a, const PosedPolytope& b, SearchScratch& scratch) {
-  return nearby(a, b, infinity, scratch)->distance;
-}
-
-Distance distance(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
-  return nearby(a, b, infinity, scratch)->distance;
-}
-
-Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch) {
-  scratch.counts = {};
-  if (const auto common = at_least_triangle(a, b, scratch)) return *common;
-  return outer_distance(a.mesh, b);
+  return nearby_by(
+      wanted, Quicker::comparison,
+      [&](double length) { return length == 0 ? overlap(a, b) : is_within(a.mesh, b, length); },
+      [&] {
+        const auto common = at_least_triangle(a, b, scratch);
+        return common ? *common : outer_distance(a.mesh, b);
+      });
 }
 
 }  // namespace toccata

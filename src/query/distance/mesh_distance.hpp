@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "narrow/near.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
-#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
 #include "trees/near_walk.hpp"
 
@@ -12,31 +12,16 @@
 // meshes.
 namespace toccata {
 
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedTriangles& b, SearchScratch& scratch);
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedPolytope& b, SearchScratch& scratch);
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedHalfSpace& b, SearchScratch& scratch);
-/// The status is that of quadrics.hpp: undecided when some triangle is and none is proved to meet the shape.
-[[nodiscard]] Distance distance(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch);
-
-/// A distance, and whether the exact one is at most a cutoff; of a quadric, whether it may be.
-struct Nearby {
-  Distance distance;
-  bool is_within;
-};
-
-[[nodiscard]] inline std::optional<Nearby> flipped(const std::optional<Nearby>& found) {
-  return found ? std::optional(Nearby{flipped(found->distance), found->is_within}) : std::nullopt;
-}
-
-// The same bits where the distance is at most the cutoff, and where only its interval reaches above it. Nothing where
-// it certainly is more, by more than 4 · 10⁻¹² of it.
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b, double cutoff,
-                                           SearchScratch& scratch);
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b, double cutoff,
-                                           SearchScratch& scratch);
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b, double cutoff,
-                                           SearchScratch& scratch);
-[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, double cutoff,
+// The nearest triangle where there are several, and its face. Of a quadric the status is that of quadrics.hpp:
+// undecided when some triangle is and none is proved to meet the shape. A search for what is near enough ends at the
+// first triangles that are.
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b,
+                                           const WantedDistance& wanted, SearchScratch& scratch);
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedPolytope& b,
+                                           const WantedDistance& wanted, SearchScratch& scratch);
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedHalfSpace& b,
+                                           const WantedDistance& wanted, SearchScratch& scratch);
+[[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedQuadric& b, const WantedDistance& wanted,
                                            SearchScratch& scratch);
 
 // What these are made of, for two meshes.
@@ -45,8 +30,8 @@ struct Nearby {
 [[nodiscard]] NearWalk near_walk(const PosedMesh& a, const PosedMesh& b);
 
 /// Of the surfaces alone; elements are told, and faces are not.
-[[nodiscard]] std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b, double cutoff,
-                                                    SearchScratch& scratch);
+[[nodiscard]] std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b,
+                                                    const WantedDistance& wanted, SearchScratch& scratch);
 
 /// Of surfaces that meet: at the least pair of triangles that do.
 [[nodiscard]] Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
@@ -64,13 +49,8 @@ struct PartInside {
 /// The faces of its elements told as well.
 [[nodiscard]] Distance with_faces(Distance d, const PosedMesh& a, const PosedMesh& b);
 
-// The exact distance is at most `tolerance`, which is finite and not negative. Ends at the first triangles that are.
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedTriangles& b, double tolerance,
-                             SearchScratch& scratch);
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedPolytope& b, double tolerance, SearchScratch& scratch);
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedHalfSpace& b, double tolerance,
-                             SearchScratch& scratch);
-/// False is proved; true where the tolerance lies within the interval.
-[[nodiscard]] bool is_within(const PosedTriangles& a, const PosedQuadric& b, double tolerance, SearchScratch& scratch);
+/// They meet, or lie within one that is taken as a solid.
+[[nodiscard]] bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b_solid,
+                                  SearchScratch& scratch);
 
 }  // namespace toccata

@@ -1,33 +1,23 @@
 #include "toccata/query/overlap.hpp"
 
 #include "query/ask.hpp"
-#include "query/inside/part_inside.hpp"
-#include "query/meshes/pair_search.hpp"
+#include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "query/near_parts.hpp"
 #include "query/posed_mesh_pair.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {
 
-bool meshes_overlap(const PosedMesh& a, bool a_solid, const PosedMesh& b, bool b_solid, SearchScratch& scratch) {
-  return overlap(a.box(), b.box()) &&
-         (surfaces_meet(a, b, scratch) || (b_solid && part_inside(a, b)) || (a_solid && part_inside(b, a)));
-}
-
 struct AskOverlap {
   static constexpr ShapeQuestion question = ShapeQuestion::overlap;
 
+  template <class A, class B>
+  requires requires(const A& a, const B& b) { overlap(a, b); }
+  bool operator()(const A& a, const B& b) const { return overlap(a, b); }
   bool operator()(const PosedPolytope& a, const PosedPolytope& b) const { return overlap(a, b, &scratch.convex); }
-  bool operator()(const PosedPolytope& a, const PosedHalfSpace& b) const { return overlap(a, b); }
-  bool operator()(const PosedHalfSpace& a, const PosedHalfSpace& b) const { return overlap(a, b); }
-  bool operator()(const PosedTriangles& a, const PosedQuadric& b) const { return overlap(a, b); }
-  template <PosedConvexSet Other>
-  bool operator()(const PosedQuadric& a, const Other& b) const {
-    return overlap(a, b);
-  }
-  bool operator()(const PosedTriangles& a, const PosedPolytope& b) const { return overlap(a, b); }
-  bool operator()(const PosedTriangles& a, const PosedHalfSpace& b) const { return overlap(a, b); }
   bool operator()(const PosedTriangles& a, const PosedTriangles& b) const {
     return meshes_overlap(a.mesh, a.solid, b.mesh, b.solid, scratch);
   }
@@ -37,12 +27,12 @@ struct AskOverlap {
 
 bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
   const PosedModelPair models(a, b, query, scratch);
-  bool found = false;
-  models.visit_near(0, [&](const PosedPart& x, const PosedPart& y) {
-    found = ask(AskOverlap{scratch}, x, y);
-    return found ? -1.0 : 0.0;
-  });
-  return found;
+  const AskOverlap question{scratch};
+  if (models.are_single()) return ask(question, models.a.parts[0], models.b.parts[0]);
+  NearParts pairs(models.a, models.b, 0, scratch);
+  while (const std::optional<ItemPair> next = pairs.next(0))
+    if (ask(question, models.a.parts[next->first], models.b.parts[next->second])) return true;
+  return false;
 }
 
 }  // namespace

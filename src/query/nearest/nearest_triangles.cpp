@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "math/constants.hpp"
-#include "narrow/exact/within.hpp"
 #include "narrow/triangles/gap_direction.hpp"
 #include "query/nearest/nearest_elements.hpp"
 
@@ -19,8 +18,6 @@ constexpr double interval_width = 0.99e-12;
 bool is_narrow(double lower, double upper) { return upper - lower < 0.9 * interval_width * upper; }
 
 }  // namespace
-
-double limit_from(double upper) { return std::nextafter(upper * (1 + 4e-12), infinity); }
 
 /// Which triangle of a pair comes first is told by the two alone, and so is what is computed of them, unless they meet.
 void PairDistances::put(std::size_t lane, const ItemPair& pair) {
@@ -114,13 +111,22 @@ bool PairDistances::is_within(const NearCandidate& candidate, double tolerance) 
     if (precise.upper <= tolerance) return true;
     if (precise.lower > tolerance) return false;
   }
-  return toccata::is_within(PosedPolytope(a_[candidate.pair.first]), PosedPolytope(b_[candidate.pair.second]),
-                            tolerance);
+  return nearby(PosedPolytope(a_[candidate.pair.first]), PosedPolytope(b_[candidate.pair.second]),
+                WantedDistance::within(tolerance))
+      .has_value();
 }
 
-/// False when two meet.
+/// False when nothing more is wanted.
 bool NearestTriangles::keep(NearCandidate candidate) {
   if (candidate.lower > limit_) return true;
+  if (wanted_.enough >= 0) {
+    if (pairs_.is_within(candidate, wanted_.enough)) {
+      near_enough_ = candidate.pair;
+      limit_ = -1;
+      return false;
+    }
+    if (wanted_.is_yes_or_no()) return true;
+  }
   if (candidate.lower == 0 && pairs_.meet(candidate.pair)) {
     limit_ = -1;
     return false;
@@ -174,6 +180,8 @@ NearestTriangles::Key NearestTriangles::least() {
 }
 
 Distance NearestTriangles::nearest(SimplexCache* kept) {
+  if (near_enough_)
+    return {.upper = wanted_.enough, .element_a = near_enough_->first, .element_b = near_enough_->second};
   const Key best = least();
   Distance result = pairs_.exact(best.pair, kept);
   result.upper = std::min(result.upper, best.upper);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "math/constants.hpp"
 #include "math/world_vertex.hpp"
+#include "narrow/near.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "query/meshes/posed_mesh.hpp"
 #include "query/search_scratch.hpp"
@@ -19,10 +21,6 @@
 
 // Which triangles of two posed meshes are nearest, or near enough (docs/methods/mesh-distance.md).
 namespace toccata {
-
-/// A distance that lies in the interval of a pair and is less than `upper`, or has an interval with a lesser upper end,
-/// is not above this.
-[[nodiscard]] double limit_from(double upper);
 
 /// No walk is given a lesser limit: it divides by it.
 inline constexpr double least_limit = 1e-200;
@@ -143,16 +141,16 @@ class PairDistances {
   std::array<bool, TrianglePairBlock::lanes> swapped_{};  ///< the block's first triangle is of b
 };
 
-/// Keeps the pairs of triangles that may be the nearest; ends when two meet. Pairs farther than `limit_from(cutoff)`
-/// are not wanted.
+/// Keeps the pairs of triangles that may be the nearest; ends when two meet or are near enough. Pairs farther than
+/// the search's limit are left out.
 class NearestTriangles final : public NearQuestion, public FrontQuestion {
  public:
-  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, double cutoff = infinity)
-      : pairs_(a, b, scratch), candidates_(scratch.candidates), limit_(limit_from(cutoff)) {
+  NearestTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, const WantedDistance& wanted = {})
+      : pairs_(a, b, scratch), candidates_(scratch.candidates), wanted_(wanted), limit_(search_limit(wanted)) {
     candidates_.clear();
   }
 
-  [[nodiscard]] double limit() const override { return found_meeting() ? -1 : std::max(limit_, least_limit); }
+  [[nodiscard]] double limit() const override { return limit_ < 0 ? -1 : std::max(limit_, least_limit); }
   void visit(std::span<const ItemPair> pairs) override {
     if (limit_ >= 0) pairs_.bound(pairs, [&](const NearCandidate& candidate) { return keep(candidate); });
   }
@@ -166,13 +164,13 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
     });
   }
 
-  [[nodiscard]] bool found_meeting() const { return limit_ < 0; }
+  [[nodiscard]] bool found_meeting() const { return limit_ < 0 && !near_enough_; }
 
-  /// There is a pair within the cutoff, but for what intervals leave open.
-  [[nodiscard]] bool found_any() const { return found_meeting() || !candidates_.empty(); }
+  /// There is a pair within the limit, but for what intervals leave open.
+  [[nodiscard]] bool found_any() const { return limit_ < 0 || !candidates_.empty(); }
 
-  /// Of all pairs that were seen and wanted; none of them meet, and there is one. What is kept of the nearest two saves
-  /// time and changes nothing.
+  /// Of all pairs that were seen and wanted; none of them meet, and there is one. Of two that are near enough, only
+  /// this. What is kept of the nearest two saves time and changes nothing.
   [[nodiscard]] Distance nearest(SimplexCache* kept = nullptr);
 
   /// Of the same: one is at most that far.
@@ -193,33 +191,9 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
 
   PairDistances pairs_;
   std::vector<NearCandidate>& candidates_;
-  double limit_;
-};
-
-/// Ends when two triangles are found that are at most `tolerance` apart.
-class CloseTriangles final : public NearQuestion {
- public:
-  CloseTriangles(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, double tolerance)
-      : pairs_(a, b, scratch), tolerance_(tolerance) {}
-
-  [[nodiscard]] double limit() const override { return found_ ? -1 : std::max(tolerance_, least_limit); }
-  void visit(std::span<const ItemPair> pairs) override {
-    if (!found_)
-      pairs_.bound(pairs, [&](const NearCandidate& candidate) {
-        if (candidate.lower <= tolerance_ && pairs_.is_within(candidate, tolerance_)) found_ = true;
-        if (found_) pair_ = candidate.pair;
-        return !found_;
-      });
-  }
-
-  [[nodiscard]] bool found() const { return found_; }
-  [[nodiscard]] const ItemPair& pair() const { return pair_; }
-
- private:
-  PairDistances pairs_;
-  double tolerance_;
-  bool found_ = false;
-  ItemPair pair_{};
+  WantedDistance wanted_;
+  double limit_;  ///< negative: nothing more is wanted
+  std::optional<ItemPair> near_enough_;
 };
 
 }  // namespace toccata

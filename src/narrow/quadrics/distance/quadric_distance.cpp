@@ -2,12 +2,12 @@
 #include <optional>
 
 #include "math/vec3_measures.hpp"
+#include "narrow/near.hpp"
 #include "narrow/quadrics/distance/axial_box.hpp"
 #include "narrow/quadrics/distance/ellipsoid_pair.hpp"
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/quadric_coherent.hpp"
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
-#include "narrow/quadrics/distance/quadric_within.hpp"
 #include "narrow/quadrics/quadric_order.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
@@ -103,13 +103,21 @@ Distance distance_of(const PosedQuadric& a, const B& b) {
   return distance_of(a, b, none);
 }
 
+/// False is proved. It is told as soon as a plane or two points show it.
 template <class B>
-bool is_within_of(const PosedQuadric& a, const B& b, double tolerance) {
-  if (tolerance == 0) return contact_of(a, b) != QuadricContact::apart;
+bool is_within(const PosedQuadric& a, const B& b, double length) {
+  if (length == 0) return contact_of(a, b) != QuadricContact::apart;
   const PairFrame frame = pair_frame(a, b);
   if (is_fast(a, b, frame))
-    if (const auto quick = FastPair(a, b, frame).is_within(tolerance, frame.factor)) return *quick;
-  return distance_of(a, b).lower <= tolerance;
+    if (const auto quick = FastPair(a, b, frame).is_within(length, frame.factor)) return *quick;
+  return distance_of(a, b).lower <= length;
+}
+
+template <class B>
+std::optional<Nearby> nearby_of(const PosedQuadric& a, const B& b, const WantedDistance& wanted) {
+  return nearby_by(
+      wanted, Quicker::comparison, [&](double length) { return is_within(a, b, length); },
+      [&] { return distance_of(a, b); });
 }
 
 }  // namespace
@@ -137,14 +145,17 @@ Distance coherent_distance(const PosedQuadric& a, const PosedPolytope& b, Vec3& 
   return found;
 }
 
-bool is_within(const PosedQuadric& a, const PosedQuadric& b, double tolerance) {
-  return comes_before(b, a) ? is_within_of(b, a, tolerance) : is_within_of(a, b, tolerance);
+std::optional<Nearby> nearby(const PosedQuadric& a, const PosedQuadric& b, const WantedDistance& wanted) {
+  return comes_before(b, a) ? flipped(nearby_of(b, a, wanted)) : nearby_of(a, b, wanted);
 }
-bool is_within(const PosedQuadric& a, const PosedPolytope& b, double tolerance) {
-  return is_within_of(a, b, tolerance);
+std::optional<Nearby> nearby(const PosedQuadric& a, const PosedPolytope& b, const WantedDistance& wanted) {
+  return nearby_of(a, b, wanted);
 }
-bool is_within(const PosedQuadric& a, const PosedHalfSpace& b, double tolerance) {
-  return tolerance == 0 ? overlap(a, b) : distance(a, b).lower <= tolerance;
+std::optional<Nearby> nearby(const PosedQuadric& a, const PosedHalfSpace& b, const WantedDistance& wanted) {
+  return nearby_by(
+      wanted, Quicker::distance,
+      [&](double length) { return length == 0 ? overlap(a, b) : distance(a, b).lower <= length; },
+      [&] { return distance(a, b); });
 }
 
 Distance distance(const PosedQuadric& a, const PosedQuadric& b) {
