@@ -160,8 +160,9 @@ HWY_INLINE LaneVector<T> cross(const LaneVector<T>& u, const LaneVector<T>& v) {
   return {hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)), hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
           hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
 }
+/// By value: a vector that is replaced by what is selected would otherwise stay in memory when g++ compiles this.
 template <class T>
-HWY_INLINE LaneVector<T> select(const hn::Mask<T>& mask, const LaneVector<T>& yes, const LaneVector<T>& no) {
+HWY_INLINE LaneVector<T> select(hn::Mask<T> mask, LaneVector<T> yes, LaneVector<T> no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/prefetch.hpp"
 #include "trees/box_lanes.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -183,11 +184,6 @@ class NearRun {
     const std::size_t side = entry.first & 1U;
     prefetch(block(side, entry.first >> 1));
     prefetch(block(side ^ 1, entry.second >> 3));
-  }
-
-  static void prefetch(const OrientedBlock& block) {
-    const auto* bytes = reinterpret_cast<const char*>(&block);
-    for (std::size_t line = 0; line < sizeof(OrientedBlock); line += 64) __builtin_prefetch(bytes + line);
   }
 
   void open(const NearFrontier::Entry& entry) {

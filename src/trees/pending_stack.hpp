@@ -11,14 +11,14 @@
 
 namespace toccata {
 
-/// A block or an item (as WideBlock::child), and when its turn comes.
+/// A block of a tree, and when its turn comes.
 struct Pending {
   float when;
-  std::int32_t child;
+  std::int32_t block;
 };
 
-/// As much as the usual walk needs; a deeper one takes memory from elsewhere. Places are written before they are
-/// claimed, so there is always room for a block's children.
+/// As much as the usual walk needs; a deeper one takes memory from elsewhere. After `make_room` there is room for a
+/// block's children.
 class PendingStack {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -27,7 +27,7 @@ class PendingStack {
   void make_room() {
     if (size_ + WideBlock::width > capacity_) grow();
   }
-  /// After `make_room`: at so many places beyond the last, for `claim` to take.
+  /// At so many places beyond the last, for `claim` to take.
   void put(std::size_t beyond, const Pending& one) { place_[size_ + beyond] = one; }
   void claim(std::size_t count) { size_ += count; }
   /// Among the last `count`, so that the earliest comes last.

@@ -14,15 +14,13 @@
 #include <cstdint>
 #include <limits>
 
-#include "trees/block_lanes.hpp"
+#include "trees/block_walk.hpp"
 #include "trees/wide_ray.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
-
-using LaneFloats = std::array<float, WideBlock::width>;
 
 HWY_INLINE Float lanes_from(const LaneFloats& of, std::size_t first) { return hn::Load(Floats(), of.data() + first); }
 

@@ -10,10 +10,10 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <memory_resource>
 #include <utility>
 
-#include "trees/block_lanes.hpp"
+#include "core/prefetch.hpp"
+#include "trees/slanted_lanes.hpp"
 
 #ifndef TOCCATA_WIDE_WALK_TABLE
 #define TOCCATA_WIDE_WALK_TABLE
@@ -155,40 +155,11 @@ HWY_INLINE void look(const WalkEntry& entry, SeenBox& seen) {
   seen.size = hn::GetLane(hn::Mul(size, hn::Set(Floats(), axes.other_is_larger_by)));
 }
 
-template <class V>
-HWY_INLINE V along(const std::array<float, 3>& form, V x, V y, V z) {
-  const Floats d;
-  return hn::Add(hn::Add(hn::Mul(hn::Set(d, form[0]), x), hn::Mul(hn::Set(d, form[1]), y)),
-                 hn::Mul(hn::Set(d, form[2]), z));
-}
-
 struct Compared {
   unsigned apart;   ///< lanes that do not meet the box
   unsigned larger;  ///< lanes that are at least as large as it
   unsigned items;   ///< lanes that are single items
 };
-
-/// The lanes first, first + 1 … of a block, as vectors.
-struct BlockLanes {
-  explicit BlockLanes(const WideBlock& block, std::size_t first)
-      : cx(hn::Load(Floats(), block.centre[0].data() + first)),
-        cy(hn::Load(Floats(), block.centre[1].data() + first)),
-        cz(hn::Load(Floats(), block.centre[2].data() + first)),
-        ex(hn::Load(Floats(), block.extent[0].data() + first)),
-        ey(hn::Load(Floats(), block.extent[1].data() + first)),
-        ez(hn::Load(Floats(), block.extent[2].data() + first)) {}
-  Float cx, cy, cz, ex, ey, ez;
-};
-
-/// Every comparison is written so that what is not a number keeps the lane.
-HWY_INLINE FloatMask is_beyond(Float centre, Float extent, float at, float reach) {
-  const Floats d;
-  return hn::Gt(hn::Abs(hn::Sub(centre, hn::Set(d, at))), hn::Add(extent, hn::Set(d, reach)));
-}
-
-HWY_INLINE FloatMask is_beyond_along(const SlantedForm& form, const BlockLanes& l, float at, float reach) {
-  return is_beyond(along(form.own, l.cx, l.cy, l.cz), along(form.size, l.ex, l.ey, l.ez), at, reach);
-}
 
 /// One box against the eight of a block.
 template <std::size_t axis_count>
@@ -330,12 +301,6 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
   if (!visitor.visit(f.pairs)) f.ended = true;
 }
 
-/// Asks for the memory of a block before its turn comes.
-HWY_INLINE void prefetch(const WideBlock* block) {
-  const auto* bytes = reinterpret_cast<const char*>(block);
-  for (std::size_t line = 0; line < sizeof(WideBlock); line += 64) __builtin_prefetch(bytes + line);
-}
-
 /// The entries of a block, step by step. One stage after another for all: within a stage nothing waits for anything, so
 /// the processor works on many entries at once, while it could not see beyond the end of one whole step. All are read
 /// before the first is filed, which may be where they were.
@@ -346,7 +311,7 @@ class Stages {
                       std::size_t count, FrontierEnds& ends) {
     for (std::size_t i = 0; i < count; ++i) {
       entries_[i] = WalkEntry(sides, blocks[i], boxes[i]);
-      prefetch(entries_[i].block);
+      prefetch(*entries_[i].block);
       look<axis_count>(entries_[i], seen_[i]);
     }
     for (std::size_t i = 0; i < count; ++i) compared_[i] = compare<axis_count>(entries_[i], seen_[i]);
@@ -417,33 +382,6 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   run_all(walk, f, visitor);
 }
 
-void run_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
-  // As much as the usual walk needs; a deeper one takes memory from elsewhere.
-  alignas(std::int32_t) std::array<std::byte, 2048> first_memory;
-  std::pmr::monotonic_buffer_resource memory(first_memory.data(), first_memory.size());
-  std::pmr::vector<std::int32_t> pending(&memory);
-  pending.reserve(first_memory.size() / sizeof(std::int32_t));
-  pending.push_back(0);
-  while (!pending.empty()) {
-    const WideBlock& block = tree.blocks[static_cast<std::size_t>(pending.back())];
-    pending.pop_back();
-    unsigned apart = 0;
-    for (std::size_t part = 0; part < block_parts; ++part) {
-      const BlockLanes l(block, part * part_lanes);
-      for (std::size_t i = 0; i < probe.count; ++i)
-        apart |= bits_of(Floats(), is_beyond_along(probe.axes[i].form, l, probe.axes[i].at, probe.axes[i].reach))
-                 << part * part_lanes;
-    }
-    for (unsigned hits = ~apart & ((1U << block.count) - 1U); hits != 0; hits &= hits - 1) {
-      const std::int32_t child = block.child[static_cast<std::size_t>(std::countr_zero(hits))];
-      if (child >= 0)
-        pending.push_back(child);
-      else if (!visit(tree.items[~static_cast<std::uint32_t>(child)]))
-        return;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace toccata::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -455,7 +393,6 @@ namespace {
 HWY_EXPORT(run_all);
 HWY_EXPORT(run_level);
 HWY_EXPORT(run_all_self);
-HWY_EXPORT(run_probe);
 
 /// To at least so many.
 template <class T>
@@ -502,10 +439,6 @@ void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, WideVis
   frontier.size = 0;
   frontier.within_one = true;
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
-}
-
-void walk_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit) {
-  if (!tree.blocks.empty()) HWY_DYNAMIC_DISPATCH(run_probe)(tree, probe, visit);
 }
 
 }  // namespace toccata

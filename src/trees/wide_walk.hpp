@@ -1,27 +1,17 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
 #include "toccata/trees/walk.hpp"
 #include "toccata/trees/wide_bvh.hpp"
+#include "trees/wide_probe.hpp"
 
 namespace toccata {
-
-/// own · q, and what half sizes add up to along it.
-struct SlantedForm {
-  SlantedForm() = default;
-  explicit SlantedForm(const std::array<float, 3>& form)
-      : own(form), size{std::fabs(form[0]), std::fabs(form[1]), std::fabs(form[2])} {}
-  std::array<float, 3> own{};
-  std::array<float, 3> size{};
-};
 
 /// How blocks of one tree ("its own") are compared with boxes of another: constants of a query. For a point q of the
 /// own tree and a point p of the other, each in its tree's units, every axis has a number that is the same for both
@@ -51,23 +41,6 @@ struct WideCull {
   WideAxes of_a;
   WideAxes of_b;
 };
-
-/// A region of the world that items of one tree are compared with: along every axis, own · q lies within at ± reach for
-/// every point of the region. The pads are in `reach`.
-struct WideProbe {
-  struct Axis {
-    SlantedForm form;
-    float at = 0;
-    float reach = 0;
-  };
-  static constexpr std::size_t most = 6;
-  std::array<Axis, most> axes{};
-  std::size_t count = 0;
-};
-
-/// Calls `visit(item)` until it returns false: with all items whose boxes may meet the region, each
-/// once.
-void walk_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit);
 
 /// What a walk finds: pairs (item of the first tree, item of the second), in batches. Of one tree with itself: two
 /// different items, the lesser first.

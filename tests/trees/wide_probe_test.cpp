@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "toccata/trees/wide_bvh.hpp"
-#include "trees/wide_walk.hpp"
+#include "trees/wide_probe.hpp"
 
 namespace toccata {
 namespace {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/prefetch.hpp"
 #include "query/nearest/surface_target.hpp"
 
 namespace toccata {
@@ -28,11 +29,7 @@ SurfacePoint nearest_of(NearestElements& nearest) {
 
 void prefetch_corners(const TriangleMesh& mesh, const Left& left) {
   for (const Index triangle : left.all())
-    for (const Index corner : mesh.triangles()[triangle]) {
-      const auto* bytes = reinterpret_cast<const char*>(&mesh.vertices()[corner]);
-      __builtin_prefetch(bytes);
-      __builtin_prefetch(bytes + sizeof(Vec3) - 1);
-    }
+    for (const Index corner : mesh.triangles()[triangle]) prefetch(mesh.vertices()[corner]);
 }
 
 }  // namespace
@@ -75,7 +72,7 @@ void SurfaceTarget::find_some(std::span<const Vec3> points, double max_distance,
       return finish(point, [&](NearestElements& nearest) { see_left(points[point], some, nearest, scratch); });
     }
     for (const Index triangle : some) {
-      __builtin_prefetch(&mesh_.triangles()[triangle]);
+      prefetch(mesh_.triangles()[triangle]);
       left[i].triangles[left[i].count++] = triangle;
     }
   };

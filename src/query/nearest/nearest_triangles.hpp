@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/prefetch.hpp"
 #include "math/constants.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/near.hpp"
@@ -36,13 +37,9 @@ class WorldTriangles {
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
   // Of the memory of a triangle: its corners' numbers, and when these have come, the corners.
-  void prefetch_numbers(Index number) const { __builtin_prefetch(&triangles_[number]); }
+  void prefetch_numbers(Index number) const { prefetch(triangles_[number]); }
   void prefetch_corners(Index number) const {
-    for (const Index corner : triangles_[number]) {
-      const auto* bytes = reinterpret_cast<const char*>(&vertices_[corner]);
-      __builtin_prefetch(bytes);
-      __builtin_prefetch(bytes + sizeof(Vec3) - 1);
-    }
+    for (const Index corner : triangles_[number]) prefetch(vertices_[corner]);
   }
 
   Triangle operator[](Index number) const {

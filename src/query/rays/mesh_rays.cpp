@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/prefetch.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/triangles/passing_rays.hpp"
 #include "query/meshes/world_search.hpp"
@@ -151,7 +152,7 @@ void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<Tri
   walk_rays(tree_, posed_.model().leaf_triangles_for(all.walking.size()), all.walking,
             [&](std::size_t i, std::span<const RayCandidate> candidates, bool last) {
               if (last && candidates.size() == 1) {
-                __builtin_prefetch(&mesh_.triangles()[candidates[0].triangle]);
+                prefetch(mesh_.triangles()[candidates[0].triangle]);
                 all.last.push_back({i, candidates[0]});
               } else {
                 for (const RayCandidate& one : candidates) consider(one, all.found[i]);
@@ -159,7 +160,7 @@ void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<Tri
               return all.found[i].limit();
             });
   for (const auto& [ray, candidate] : all.last)
-    for (const Index corner : mesh_.triangles()[candidate.triangle]) __builtin_prefetch(&mesh_.vertices()[corner]);
+    for (const Index corner : mesh_.triangles()[candidate.triangle]) prefetch(mesh_.vertices()[corner]);
   for (const auto& [ray, candidate] : all.last)
     if (candidate.certain)
       all.passing.push_back({&rays[all.number_of[ray]], world_triangle(candidate.triangle)});
