@@ -6,7 +6,6 @@
 #include "math/wide_integer.hpp"
 #include "methods/minkowski/sum_operand.hpp"
 #include "narrow/convex/vertices_of.hpp"
-#include "methods/minkowski/sum_operand.hpp"
 #include "narrow/near.hpp"
 #include "toccata/core/error.hpp"
 
