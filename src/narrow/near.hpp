@@ -10,7 +10,7 @@
 // distance itself are one question with two numbers.
 namespace toccata {
 
-/// How much of a distance is wanted. Lengths are in world units.
+/// How much of a distance is wanted. Lengths are in world units, and `enough` is not more than the limit.
 struct WantedDistance {
   double limit = infinity;  ///< nothing is wanted of shapes that are farther apart
   double enough = -1;       ///< of shapes that are no farther apart only this is wanted; negative: all distances are
@@ -19,7 +19,7 @@ struct WantedDistance {
   [[nodiscard]] static constexpr WantedDistance within(double length) { return {length, length}; }
 
   /// No distance is wanted, only whether it is enough.
-  [[nodiscard]] constexpr bool is_yes_or_no() const { return limit <= enough; }
+  [[nodiscard]] constexpr bool is_yes_or_no() const { return limit == enough; }
 };
 
 /// The answer of shapes that are near. The exact distance of others is certainly more than the limit.
