@@ -28,15 +28,6 @@ struct GapView {
   float pad;
 };
 
-/// Boxes of both trees by lanes.
-struct PairedBoxes {
-  using Numbers = GapPlaneLanes::Lanes;
-  struct Side {
-    std::array<Numbers, 3> centre, first, second, extent;
-  };
-  alignas(64) std::array<Side, 2> side;
-};
-
 }  // namespace toccata
 #endif
 
@@ -92,9 +83,9 @@ struct TurnedBox {
   std::array<Vector, 3> axis;
 };
 
-HWY_INLINE TurnedBox box_of(const PairedBoxes::Side& side, std::size_t lane) {
-  const Vector first = loaded(side.first, lane), second = loaded(side.second, lane);
-  return {loaded(side.centre, lane), loaded(side.extent, lane), {first, second, cross(first, second)}};
+HWY_INLINE TurnedBox box_of(const OrientedBlock& block, std::size_t lane) {
+  const Vector first = loaded(block.axis[0], lane), second = loaded(block.axis[1], lane);
+  return {loaded(block.centre, lane), loaded(block.extent, lane), {first, second, cross(first, second)}};
 }
 
 HWY_INLINE Vector transposed_times(const Mat3& m, const Vector& v) {
@@ -157,7 +148,7 @@ HWY_INLINE Number rounded(const Number& value, float* to) {
   hn::StoreU(narrow, floats, to);
   return hn::PromoteTo(tag, narrow);
 }
-HWY_INLINE Vector rounded(const Vector& v, std::array<PairedBoxes::Numbers, 3>& to, std::size_t lane) {
+HWY_INLINE Vector rounded(const Vector& v, std::array<GapPlaneLanes::Lanes, 3>& to, std::size_t lane) {
   return {rounded(v.x, to[0].data() + lane), rounded(v.y, to[1].data() + lane), rounded(v.z, to[2].data() + lane)};
 }
 /// Not below a number of at most some hundreds, computed in doubles.
@@ -166,9 +157,11 @@ HWY_INLINE Number rounded_up(const Number& value, float* to) {
   return rounded(hn::Add(value, hn::Mul(size, hn::Set(tag, 0x1p-22))), to);
 }
 
-void part_paired_boxes(const NearView& view, const PairedBoxes& boxes, GapPlaneLanes& planes) {
+/// The boxes of the first tree and of the second in the same lanes.
+void part_paired_boxes(const NearView& view, const OrientedBlock& first, const OrientedBlock& second,
+                       GapPlaneLanes& planes) {
   for (std::size_t lane = 0; lane < GapPlaneLanes::width; lane += hn::Lanes(tag)) {
-    const TurnedBox own = box_of(boxes.side[0], lane), local = box_of(boxes.side[1], lane), other = seen(view, local);
+    const TurnedBox own = box_of(first, lane), local = box_of(second, lane), other = seen(view, local);
     const Vector between = minus(other.centre, own.centre);
     const Vector normal = rounded(separating_direction(own, other, between), planes.normal, lane);
     const Vector turned_now = times(hn::Set(tag, view.ratio), transposed_times(view.rotation, normal));
@@ -198,26 +191,23 @@ namespace {
 HWY_EXPORT(near_planes);
 HWY_EXPORT(part_paired_boxes);
 
-void put_box(const NearBvh& tree, std::uint32_t box, std::size_t lane, PairedBoxes::Side& side) {
+/// Into so many lanes, from one on.
+template <std::size_t count>
+void put_box(const NearBvh& tree, std::uint32_t box, OrientedBlock& to, std::size_t lane) {
   const OrientedBlock& block = tree.blocks[box >> 3];
   const std::size_t from = box & 7U;
   for (std::size_t i = 0; i < 3; ++i) {
-    side.centre[i][lane] = block.centre[i][from];
-    side.first[i][lane] = block.axis[0][i][from];
-    side.second[i][lane] = block.axis[1][i][from];
-    side.extent[i][lane] = block.extent[i][from];
+    std::fill_n(to.centre[i].data() + lane, count, block.centre[i][from]);
+    std::fill_n(to.axis[0][i].data() + lane, count, block.axis[0][i][from]);
+    std::fill_n(to.axis[1][i].data() + lane, count, block.axis[1][i][from]);
+    std::fill_n(to.extent[i].data() + lane, count, block.extent[i][from]);
   }
 }
 
-void put_everywhere(const NearBvh& tree, std::uint32_t box, PairedBoxes::Side& side) {
-  const OrientedBlock& block = tree.blocks[box >> 3];
-  const std::size_t from = box & 7U;
-  for (std::size_t i = 0; i < 3; ++i) {
-    side.centre[i].fill(block.centre[i][from]);
-    side.first[i].fill(block.axis[0][i][from]);
-    side.second[i].fill(block.axis[1][i][from]);
-    side.extent[i].fill(block.extent[i][from]);
-  }
+void part_lanes_of(const NearWalk& walk, const OrientedBlock& first, const OrientedBlock& second,
+                   GapPlaneLanes& planes) {
+  planes.centre = second.centre;
+  HWY_DYNAMIC_DISPATCH(part_paired_boxes)(walk.view(0), first, second, planes);
 }
 
 }  // namespace
@@ -280,24 +270,21 @@ void GapPlanes::find_near(const NearView& view, double limit, std::vector<Near>&
 }
 
 void part_boxes(const NearWalk& walk, std::span<const BoxPair> pairs, GapPlaneLanes& planes) {
-  PairedBoxes boxes;
+  OrientedBlock first, second;
   for (std::size_t lane = 0; lane < GapPlaneLanes::width; ++lane) {
     const BoxPair& pair = pairs[lane < pairs.size() ? lane : 0];
-    put_box(walk.tree(0), pair.first, lane, boxes.side[0]);
-    put_box(walk.tree(1), pair.second, lane, boxes.side[1]);
+    put_box<1>(walk.tree(0), pair.first, first, lane);
+    put_box<1>(walk.tree(1), pair.second, second, lane);
   }
-  planes.centre = boxes.side[1].centre;
-  HWY_DYNAMIC_DISPATCH(part_paired_boxes)(walk.view(0), boxes, planes);
+  part_lanes_of(walk, first, second, planes);
 }
 
 void part_children(const NearWalk& walk, std::size_t side, std::uint32_t number, std::uint32_t other,
                    GapPlaneLanes& planes) {
-  PairedBoxes boxes;
   const OrientedBlock& block = walk.tree(side).blocks[number];
-  boxes.side[side] = {block.centre, block.axis[0], block.axis[1], block.extent};
-  put_everywhere(walk.tree(side ^ 1), other, boxes.side[side ^ 1]);
-  planes.centre = boxes.side[1].centre;
-  HWY_DYNAMIC_DISPATCH(part_paired_boxes)(walk.view(0), boxes, planes);
+  OrientedBlock everywhere;
+  put_box<GapPlaneLanes::width>(walk.tree(side ^ 1), other, everywhere, 0);
+  part_lanes_of(walk, side == 0 ? block : everywhere, side == 0 ? everywhere : block, planes);
 }
 
 }  // namespace toccata

@@ -1,7 +1,5 @@
 #include "query/meshes/pair_visitors.hpp"
 
-#include "core/prefetch.hpp"
-
 namespace toccata {
 namespace {
 
@@ -20,15 +18,15 @@ void put_local(const TriangleMesh& mesh, Index triangle, std::size_t lane, Trian
 
 void PairVisitor::ask_for_triangles(std::span<const ItemPair> pairs) const {
   for (const ItemPair& pair : pairs) {
-    prefetch(mesh_a_.triangles()[pair.first]);
-    prefetch(mesh_b_.triangles()[pair.second]);
+    __builtin_prefetch(&mesh_a_.triangles()[pair.first]);
+    __builtin_prefetch(&mesh_b_.triangles()[pair.second]);
   }
 }
 
 void PairVisitor::ask_for_vertices(std::span<const ItemPair> pairs) const {
   for (const ItemPair& pair : pairs) {
-    for (const Index corner : mesh_a_.triangles()[pair.first]) prefetch(mesh_a_.vertices()[corner]);
-    for (const Index corner : mesh_b_.triangles()[pair.second]) prefetch(mesh_b_.vertices()[corner]);
+    for (const Index corner : mesh_a_.triangles()[pair.first]) __builtin_prefetch(&mesh_a_.vertices()[corner]);
+    for (const Index corner : mesh_b_.triangles()[pair.second]) __builtin_prefetch(&mesh_b_.vertices()[corner]);
   }
 }
 
