@@ -8,6 +8,7 @@
 
 #include "narrow/convex/gjk_simplex.hpp"
 #include "narrow/quadrics/plain_body.hpp"
+#include "narrow/quadrics/weighted_generators.hpp"
 #include "toccata/math/mat3.hpp"
 
 namespace toccata {
@@ -48,10 +49,7 @@ class QuadricSearch {
 
   /// What carries the nearest point on one side: the generators of the corners that have a weight, each once, with the
   /// sum of its weights, and the mean of the round parts.
-  struct Carried {
-    std::array<Index, 4> generator{};
-    std::array<double, 4> weight{};
-    std::size_t size = 0;
+  struct Carried : WeightedGenerators<double, 4> {
     double grown = 0;  ///< the weight of the generators that have a round part
     Vec3 round;
   };
