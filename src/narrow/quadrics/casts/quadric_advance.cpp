@@ -44,9 +44,7 @@ class NearestSeen {
     for (const double part : {0.3, 1e-2}) {
       search.run(part);
       if (search.inside()) return false;
-      std::array<QuadricSearch::Corner, 4> corner;
-      const std::size_t count = search.corners(corner);
-      refinement.begin({corner.data(), count}, search.nearest());
+      refinement.begin(search.simplex(), search.nearest());
       if (refinement.run()) {
         keep(refinement);
         return true;

@@ -134,10 +134,8 @@ bool has_points_across(QuadricSeparation& separation, const QuadricBody& a, cons
   FastRefinement refinement(moved, b);
   for (const double part : {0.1, 1e-3}) {
     search.run(part);
-    std::array<QuadricSearch::Corner, 4> corner;
-    const std::size_t count = search.corners(corner);
     if (search.inside()) return false;
-    refinement.begin({corner.data(), count}, search.nearest());
+    refinement.begin(search.simplex(), search.nearest());
     if (!refinement.run()) continue;
     const Vec3 x = point_of_side(moved, refinement.on_a()), y = point_of_side(b, refinement.on_b());
     if (!(plain_length(y - x - apart) <= rounding_across)) return false;

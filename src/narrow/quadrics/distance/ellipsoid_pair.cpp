@@ -120,7 +120,10 @@ struct FarthestPoint {
 /// Tiny gaps, with twice the digits.
 std::optional<FastDistance> proved_longer(const PosedQuadric& a, const PosedQuadric& b, const FarthestPoint& on_a,
                                           const FarthestPoint& on_b, const Vec3& direction) {
-  return if_narrow(proved_interval(a, b, FastSide{.round = on_a.round}, FastSide{.round = on_b.round}, direction));
+  FastSide side_a, side_b;
+  side_a.round = on_a.round;
+  side_b.round = on_b.round;
+  return if_narrow(proved_interval(a, b, side_a, side_b, direction));
 }
 
 // An operation rounds by at most u = 2⁻⁵³ of its result, a product of three terms by 3 u times that of the magnitudes;

@@ -58,7 +58,7 @@ std::optional<FastDistance> FastPair<B>::distance() {
   for (const double part : fast_parts) {
     search_.run(part);
     if (search_.inside()) return {};
-    begin_refinement();
+    refinement_.begin(search_.simplex(), search_.nearest());
     if (refinement_.run()) {
       is_guess_ = true;
       const auto found = proved_distance(a_, b_, refinement_);
@@ -72,15 +72,8 @@ std::optional<FastDistance> FastPair<B>::distance() {
 template <class B>
 std::optional<QuadricContact> FastPair<B>::contact() {
   if (is_apart()) return QuadricContact::apart;
-  if (search_.inside() && is_meeting()) return QuadricContact::contact;
+  if (search_.inside() && are_surely_around_origin(search_.simplex())) return QuadricContact::contact;
   return {};
-}
-
-template <class B>
-bool FastPair<B>::is_meeting() const {
-  std::array<QuadricSearch::Corner, 4> corner;
-  const std::size_t count = search_.corners(corner);
-  return are_surely_around_origin({corner.data(), count});
 }
 
 template <class B>
@@ -96,17 +89,10 @@ std::optional<bool> FastPair<B>::is_within(double tolerance, double factor) {
   // By so much more that the tolerance lies below the interval of the distance too, which is wider for tiny gaps only.
   const double length = (1 + 0x1p-38) * plain_length(search_.best_direction());
   if (search_.best_gap() > length * (factor * tolerance) + (least_wide_distance + gap_rounding_)) return false;
-  begin_refinement();
+  refinement_.begin(search_.simplex(), search_.nearest());
   if (proved_interval(a_, b_, refinement_.on_a(), refinement_.on_b(), refinement_.direction()).upper <= tolerance)
     return true;
   return {};
-}
-
-template <class B>
-void FastPair<B>::begin_refinement() {
-  std::array<QuadricSearch::Corner, 4> corner;
-  const std::size_t count = search_.corners(corner);
-  refinement_.begin({corner.data(), count}, search_.nearest());
 }
 
 template <class B>

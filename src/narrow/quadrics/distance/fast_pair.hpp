@@ -32,8 +32,6 @@ class FastPair {
   std::optional<bool> is_within(double tolerance, double factor);
 
  private:
-  [[nodiscard]] bool is_meeting() const;
-  void begin_refinement();
   /// From the farthest points along the direction from B to A.
   double lower_along(const Vec3& direction);
 

@@ -82,11 +82,7 @@ FastRefinement::Witness FastRefinement::witness_of(FastSide& side) const {
   for (std::size_t i = 0; i < side.size; ++i)
     witness.point = witness.point + side.weight[i] * body.plain_centre(side.generator[i]);
   const double grown = side.grown_weight();
-  if (!(grown > 0) && !side.in_cap) {
-    bool any = false;
-    for (std::size_t i = 0; i < side.size; ++i) any = any || body.grown(side.generator[i]);
-    if (!any) return witness;
-  }
+  if (!(grown > 0) && !side.in_cap && !side.any_grown(body)) return witness;
   if (!side.in_cap) {
     const Vec3 along = side.outward * body.along_columns(direction_);
     const double length = plain_length(along);
@@ -190,19 +186,7 @@ void FastRefinement::move_by(const std::array<double, 2>& along_edges) {
 }
 
 bool FastRefinement::change(FastSide& side) {
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < side.size; ++i)
-    if (side.weight[i] < side.weight[least]) least = i;
-  if (side.size > 1 && side.weight[least] < -slack_of_weights) {
-    --side.size;
-    for (std::size_t i = least; i < side.size; ++i) {
-      side.generator[i] = side.generator[i + 1];
-      side.weight[i] = side.weight[i + 1];
-    }
-    double total = 0;
-    for (std::size_t i = 0; i < side.size; ++i) total += side.weight[i] = std::fmax(side.weight[i], 0);
-    for (std::size_t i = 0; i < side.size; ++i)
-      side.weight[i] = total > 0 ? side.weight[i] / total : 1.0 / static_cast<double>(side.size);
+  if (side.drop_negative(slack_of_weights)) {
     if (side.in_cap && !(side.grown_weight() > 0)) side.in_cap = false;
     return true;
   }
@@ -214,14 +198,12 @@ bool FastRefinement::change(FastSide& side) {
     return true;
   }
   const QuadricSupport farthest = side.body->support(side.outward * direction_);
-  for (std::size_t i = 0; i < side.size; ++i)
-    if (side.generator[i] == farthest.generator) return false;
+  if (side.has(farthest.generator)) return false;
   const PlainBody& body = *side.body;
   const Vec3 own = body.grown(side.generator[0]) ? body.plain_centre(side.generator[0]) + body.map(side.round)
                                                  : body.plain_centre(side.generator[0]);
   if (side.size == 3 || !(side.outward * dot(direction_, farthest.point - own) > 0x1p-47)) return false;
-  side.generator[side.size] = farthest.generator;
-  side.weight[side.size++] = 0;
+  side.append(farthest.generator, 0);
   return true;
 }
 

@@ -9,12 +9,9 @@
 namespace toccata {
 
 /// What carries the nearest point of one body: Σ λ_i centre_i + (Σ λ_i grown_i) · M u.
-struct FastSide {
+struct FastSide : WeightedGenerators<double, 3> {
   const PlainBody* body = nullptr;
-  double outward = 0;  ///< 1, where d points away from the body, and −1
-  std::array<Index, 3> generator{};
-  std::array<double, 3> weight{};
-  std::size_t size = 0;
+  double outward = 0;   ///< 1, where d points away from the body, and −1
   Vec3 round;           ///< u
   bool in_cap = false;  ///< u lies within a disc, else on the ball
 

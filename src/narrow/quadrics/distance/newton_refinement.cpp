@@ -50,36 +50,11 @@ struct NewtonRefinement::Values {
   Number grown_weight{};
 };
 
-BodyPoint NewtonRefinement::Side::point() const {
-  BodyPoint result;
-  for (std::size_t i = 0; i < size; ++i) result.append(generator[i], weight[i]);
-  result.round = round;
-  return result;
-}
-
-bool NewtonRefinement::Side::has(Index which) const {
-  return std::find(generator.begin(), generator.begin() + static_cast<std::ptrdiff_t>(size), which) !=
-         generator.begin() + static_cast<std::ptrdiff_t>(size);
-}
+BodyPoint NewtonRefinement::Side::point() const { return {*this, round}; }
 
 std::size_t NewtonRefinement::Side::unknowns() const {
   const std::size_t of_round = kind == Round::none ? 0 : body->column_count() + (kind == Round::side ? 1 : 0);
   return size - 1 + of_round;
-}
-
-void NewtonRefinement::Side::drop(std::size_t which) {
-  --size;
-  for (std::size_t i = which; i < size; ++i) {
-    generator[i] = generator[i + 1];
-    weight[i] = weight[i + 1];
-  }
-  double total = 0;
-  for (std::size_t i = 0; i < size; ++i) total += std::fmax(weight[i].high, 0);
-  for (std::size_t i = 0; i < size; ++i)
-    weight[i] = {total > 0 ? std::fmax(weight[i].high, 0) / total : 1.0 / static_cast<double>(size), 0};
-  bool any = false;
-  for (std::size_t i = 0; i < size; ++i) any = any || body->grown(generator[i]);
-  if (!any) kind = Round::none;
 }
 
 NewtonRefinement::NewtonRefinement(const QuadricBody& a, const QuadricBody& b) {
@@ -127,8 +102,7 @@ void NewtonRefinement::begin_side(Side& side, const FastSide& guess) {
   side.size = guess.size;
   std::copy_n(guess.generator.begin(), guess.size, side.generator.begin());
   for (std::size_t i = 0; i < side.size; ++i) side.weight[i] = {guess.weight[i], 0};
-  bool any = false;
-  for (std::size_t i = 0; i < side.size; ++i) any = any || body.grown(side.generator[i]);
+  const bool any = side.any_grown(body);
   side.kind = !any ? Round::none : guess.in_cap ? Round::cap : Round::side;
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
   side.slope = {side.kind == Round::side ? plain_length(body.along_columns(d)) : 0, 0};
@@ -275,8 +249,7 @@ bool NewtonRefinement::add_missing_generator(Side& side) {
 }
 
 void NewtonRefinement::add_generator(Side& side, Index which) {
-  side.generator[side.size] = which;
-  side.weight[side.size++] = {};
+  side.append(which, {});
   if (side.kind != Round::none || !side.body->grown(which)) return;
   const Vec3 along =
       side.body->along_columns(side.outward * Vec3{direction_[0].high, direction_[1].high, direction_[2].high});
@@ -308,11 +281,8 @@ bool NewtonRefinement::add_finely_missing_generator(Side& side) {
 }
 
 bool NewtonRefinement::change(Side& side) {
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < side.size; ++i)
-    if (side.weight[i].high < side.weight[least].high) least = i;
-  if (side.size > 1 && side.weight[least].high < -slack_) {
-    side.drop(least);
+  if (side.drop_negative(slack_)) {
+    if (!side.any_grown(*side.body)) side.kind = Round::none;
     return true;
   }
   if (side.kind == Round::side && side.slope.high < 0) {

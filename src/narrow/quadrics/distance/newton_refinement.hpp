@@ -45,21 +45,16 @@ class NewtonRefinement {
  private:
   enum class Round { none, side, cap };
 
-  struct Side {
+  struct Side : WeightedGenerators<DoubleWord, 4> {
     const QuadricBody* body = nullptr;
     double outward = 0;  ///< e
-    std::array<Index, 4> generator{};
-    std::array<DoubleWord, 4> weight{};
-    std::size_t size = 0;
     std::array<DoubleWord, 3> round{};
     DoubleWord slope;  ///< μ
     Round kind = Round::none;
     std::size_t first_unknown = 0;
 
     [[nodiscard]] BodyPoint point() const;
-    [[nodiscard]] bool has(Index which) const;
     [[nodiscard]] std::size_t unknowns() const;
-    void drop(std::size_t which);
   };
 
   template <class Number>

@@ -47,7 +47,8 @@ class QuadricNearestSearch {
       if (try_refined(search_, search_.nearest())) return true;
       if (search_.inside() || search_.stalled()) break;
     }
-    improve_upper<BoundedNumber>(joined(true), joined(false));
+    const QuadricSearch::Simplex simplex = search_.simplex();
+    improve_upper<BoundedNumber>(joined(simplex, true), joined(simplex, false));
     return false;
   }
 
@@ -61,14 +62,6 @@ class QuadricNearestSearch {
 
  private:
   /// The corners of the simplex as points of a body, joined with the weights.
-  [[nodiscard]] BodyPoint joined(bool of_a) const { return joined(of_a, search_); }
-
-  [[nodiscard]] BodyPoint joined(bool of_a, const QuadricSearch& search) const {
-    std::array<QuadricSearch::Corner, 4> corner;
-    const std::size_t count = search.corners(corner);
-    return joined({corner.data(), count}, of_a);
-  }
-
   [[nodiscard]] BodyPoint joined(std::span<const QuadricSearch::Corner> corners, bool of_a) const {
     BodyPoint point;
     Vec3 round;
@@ -92,9 +85,7 @@ class QuadricNearestSearch {
   }
 
   bool attempt(const QuadricSearch& search, const Vec3& direction, NewtonRefinement::Attempt which) {
-    std::array<QuadricSearch::Corner, 4> corner;
-    const std::size_t count = search.corners(corner);
-    refinement_.begin({corner.data(), count}, direction, which);
+    refinement_.begin(search.simplex(), direction, which);
     // Where the distance is small, doubles do not tell what is the direction.
     const bool settled = refinement_.settle();
     if (!settled && !(std::fabs(refinement_.signed_distance()) < 0x1p-16)) return false;
@@ -136,13 +127,11 @@ class QuadricNearestSearch {
 
   /// A common point: the simplex contains the origin, or a point of one body lies within the other.
   bool is_meeting_proved(const QuadricSearch& search) {
-    std::array<QuadricSearch::Corner, 4> corner;
-    const std::size_t count = search.corners(corner);
-    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(false, search)),
-                        of_a = point_of<BoundedNumber>(a_, joined(true, search));
-    if (count == 4 && (is_simplex_around<BoundedDouble>(corner) || is_simplex_around<BoundedNumber>(corner)))
-      return met(of_b);
-    if (is_surrounded(a_, b_, {corner.data(), count})) return met(of_b);
+    const QuadricSearch::Simplex simplex = search.simplex();
+    const BoundedVector of_b = point_of<BoundedNumber>(b_, joined(simplex, false)),
+                        of_a = point_of<BoundedNumber>(a_, joined(simplex, true));
+    if (is_simplex_around<BoundedDouble>(simplex) || is_simplex_around<BoundedNumber>(simplex)) return met(of_b);
+    if (is_surrounded(a_, b_, simplex)) return met(of_b);
     if (is_common(of_a, of_b)) return true;
     for (const double part : {0.125, 0.5, 1.0})
       if (is_common(towards(of_a, a_.middle_point(), part), towards(of_b, b_.middle_point(), part))) return true;
@@ -183,10 +172,11 @@ class QuadricNearestSearch {
     const QuadricBody alone(point);
     QuadricSearch search(alone, b_, plain(point) - plain(b_.middle_point()));
     search.run(0);
-    std::array<QuadricSearch::Corner, 4> corner;
-    if (search.corners(corner) < 4) return false;
+    const QuadricSearch::Simplex simplex = search.simplex();
+    if (simplex.size() < 4) return false;
     std::array<BoundedVector, 4> difference_at;
-    for (std::size_t i = 0; i < 4; ++i) difference_at[i] = point - point_of<BoundedNumber>(b_, body_point(corner[i].b));
+    for (std::size_t i = 0; i < 4; ++i)
+      difference_at[i] = point - point_of<BoundedNumber>(b_, body_point(simplex.corner[i].b));
     return is_origin_within(difference_at);
   }
 
@@ -195,7 +185,8 @@ class QuadricNearestSearch {
   }
 
   template <class Number>
-  [[nodiscard]] bool is_simplex_around(const std::array<QuadricSearch::Corner, 4>& corner) const {
+  [[nodiscard]] bool is_simplex_around(std::span<const QuadricSearch::Corner> corner) const {
+    if (corner.size() < 4) return false;
     std::array<VectorOf<Number>, 4> point;
     for (std::size_t i = 0; i < 4; ++i)
       point[i] =

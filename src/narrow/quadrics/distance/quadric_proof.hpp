@@ -21,17 +21,8 @@ inline FineDirection fine(const Vec3& d) { return {DoubleWord{d.x, 0}, DoubleWor
 
 /// A point of a body by what it is made of: it is the body's, whatever these numbers are. Weights that are negative
 /// count as 0, and are brought to the sum 1; a round part that is longer than 1 is brought to length 1.
-struct BodyPoint {
-  std::array<Index, 4> generator{};
-  std::array<DoubleWord, 4> weight{};
-  std::size_t size = 0;
+struct BodyPoint : WeightedGenerators<DoubleWord, 4> {
   std::array<DoubleWord, 3> round{};
-
-  void append(Index which, const DoubleWord& part) {
-    generator[size] = which;
-    weight[size] = part;
-    ++size;
-  }
 };
 
 [[nodiscard]] BodyPoint body_point(const QuadricSupport& support);

@@ -137,12 +137,13 @@ QuadricSearch::Carried QuadricSearch::carried(std::span<const Corner> corners, S
   return side;
 }
 
-std::size_t QuadricSearch::corners(std::array<Corner, 4>& found) const {
-  const std::size_t size = simplex_.pairs.size;
-  const auto weight = weights_of(simplex_.point, size, nearest_);
-  for (std::size_t i = 0; i < size; ++i)
-    found[i] = {slot_a_[simplex_.pairs.a[i]], slot_b_[simplex_.pairs.a[i]], weight[i]};
-  return size;
+QuadricSearch::Simplex QuadricSearch::simplex() const {
+  Simplex found;
+  found.count = simplex_.pairs.size;
+  const auto weight = weights_of(simplex_.point, found.count, nearest_);
+  for (std::size_t i = 0; i < found.count; ++i)
+    found.corner[i] = {slot_a_[simplex_.pairs.a[i]], slot_b_[simplex_.pairs.a[i]], weight[i]};
+  return found;
 }
 
 }  // namespace toccata

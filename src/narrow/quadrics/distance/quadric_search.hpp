@@ -8,6 +8,7 @@
 
 #include "narrow/convex/gjk_simplex.hpp"
 #include "narrow/quadrics/plain_body.hpp"
+#include "narrow/quadrics/weighted_generators.hpp"
 #include "toccata/math/mat3.hpp"
 
 namespace toccata {
@@ -34,15 +35,21 @@ class QuadricSearch {
     QuadricSupport b;
     double weight = 0;  ///< of the nearest point
   };
-  /// Of the simplex of up to four points, with weights.
-  [[nodiscard]] std::size_t corners(std::array<Corner, 4>& found) const;
+  /// Up to four; a range that a span may be made of.
+  struct Simplex {
+    std::array<Corner, 4> corner;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::size_t size() const { return count; }
+    [[nodiscard]] const Corner* begin() const { return corner.data(); }
+    [[nodiscard]] const Corner* end() const { return corner.data() + count; }
+  };
+  /// The points on which the nearest one lies.
+  [[nodiscard]] Simplex simplex() const;
 
   /// What carries the nearest point on one side: the generators of the corners that have a weight, each once, with the
   /// sum of its weights, and the mean of the round parts.
-  struct Carried {
-    std::array<Index, 4> generator{};
-    std::array<double, 4> weight{};
-    std::size_t size = 0;
+  struct Carried : WeightedGenerators<double, 4> {
     double grown = 0;  ///< the weight of the generators that have a round part
     Vec3 round;
   };
