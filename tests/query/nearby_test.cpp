@@ -51,9 +51,10 @@ TEST(Nearby, WithAnyTwoNumbersAnswersAsTheDistanceDoes) {
         const double length = distance(a.model, b.model, query).upper;
         for (const double limit : {0.0, 0.5 * length, 2 * length, infinity})
           for (const double enough : {-1.0, 0.0, 0.25 * length, 1.5 * length, infinity})
-            if (enough <= limit)
+            if (enough <= limit) {
               EXPECT_EQ(fault_of(a.model, b.model, query, {limit, enough}), "")
                   << fmt::format("{} and {}, {} apart, limit {}, enough {}", a.name, b.name, length, limit, enough);
+            }
         Workspace workspace;
         EXPECT_EQ(nearby(a.model, b.model, WantedDistance::within(0), query, workspace).has_value(),
                   overlap(a.model, b.model, query));
