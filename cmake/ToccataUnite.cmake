@@ -21,10 +21,8 @@ function(toccata_unite target)
     endif()
     set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${piece})
   endforeach()
-  # g++ tidies its memory up a tenth of its time when it may not take more. And it inlines less in a large piece than it
-  # does in its files, unless a piece of this size does not count as large: overlap(Sphere, Sphere) took a fifth longer.
-  target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=500000 --param large-unit-insns=1000000>)
+  # g++ tidies its memory up a tenth of its time when it may not take more.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=500000>)
   # A local name may hide another file's; a class that one file alone knows may have its own file's types as members.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP UNITY_BUILD_CODE_BEFORE_INCLUDE
     "#pragma GCC diagnostic ignored \"-Wshadow\"\n#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"")
