@@ -107,22 +107,19 @@ run_tests() {
     run_named_tests "$@"
     return
   fi
-  say "the tests under the address and undefined-behaviour sanitizers"
-  configure asan-ubsan
-  build asan-ubsan
-  run_ctest asan-ubsan -E '^oracle/'  # the oracles' own tests need no sanitizer; the next step runs them
-  say "all tests, optimised"
   configure_tests
   build release
   run_ctest release
 }
 
-# Files of tests are compiled without optimisation, unlike what they test, and CGAL's second opinion is left to --all.
+# Files of tests are compiled without optimisation, unlike what they test, and once for two programs: one with the
+# libraries as users get them, one with those under sanitizers. CGAL's second opinion is left to --all.
 configure_tests() {
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
 }
 
-# run_named_tests NAME…: each a room of tests/ (only its program is built), or a part of a test's name.
+# run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's
+# name.
 run_named_tests() {
   local name patterns=() targets=() of_rooms=yes
   for name in "$@"; do
@@ -134,10 +131,11 @@ run_named_tests() {
       of_rooms=no
     fi
   done
-  if [[ $of_rooms == no ]]; then targets=(); fi
+  local left_out=()
+  if [[ $of_rooms == no ]]; then targets=(); else left_out=(-E /sanitized-); fi
   configure_tests
   build release "${targets[@]}"
-  run_ctest release --no-tests=error -R "$(
+  run_ctest release --no-tests=error "${left_out[@]}" -R "$(
     IFS='|'
     echo "${patterns[*]}"
   )"

@@ -19,9 +19,14 @@ void redirect(const std::filesystem::path& file, int descriptor) {
   close(opened);
 }
 
+std::string command_file() {
+  const char* of_environment = std::getenv("TOCCATA_TEST_COMMAND");
+  return of_environment != nullptr && *of_environment != '\0' ? of_environment : TOCCATA_COMMAND;
+}
+
 [[noreturn]] void become_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   std::vector<char*> arguments;
-  std::string program = TOCCATA_COMMAND;
+  std::string program = command_file();
   arguments.push_back(program.data());
   std::vector<std::string> copies = words;
   for (std::string& word : copies) arguments.push_back(word.data());
