@@ -1,18 +1,12 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "math/rational.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/math/vec3.hpp"
 
 // Exact numbers for the rare paths: constructed points, and what the predicates leave open. Heavy; include it in .cpp
 // files only.
 namespace toccata {
-
-// Without expression templates, so that `auto` holds a number and not a reference to temporaries.
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
 /// The value of a finite double.
 [[nodiscard]] Rational to_rational(double value);

@@ -1,4 +1,5 @@
 #include "io/formats/json.hpp"
 
-template class nlohmann::basic_json<>;
-template class nlohmann::basic_json<nlohmann::ordered_map>;
+template nlohmann::ordered_json::basic_json(const nlohmann::ordered_json&);
+template std::string nlohmann::ordered_json::dump(int, char, bool, error_handler_t) const;
+template void nlohmann::ordered_json::json_value::destroy(nlohmann::detail::value_t);
