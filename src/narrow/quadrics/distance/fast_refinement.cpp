@@ -122,7 +122,8 @@ FastRefinement::Step FastRefinement::step() {
   const Vec3 z = of_a.point - of_b.point;
   const double gap = dot(z, direction_);
   if (!(gap > 0)) return Step::failed;
-  const auto [t, s] = basis_across(direction_);
+  const std::array<Vec3, 2> across = basis_across(direction_);
+  const Vec3 &t = across[0], &s = across[1];  // not by structured binding: clang 14 captures none
   const auto flat = [&](const Vec3& v) { return Flat{dot(t, v), dot(s, v)}; };
   FlatMatrix k{gap, 0, gap};
   for (std::size_t i = 0; i < 2; ++i) {
