@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
+#include "narrow/convex/difference_body.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
+#include "narrow/primitives/nearness.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
@@ -18,6 +21,7 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
+using oracle::Rational;
 
 // The corner lies beyond the radius by so little that the squares round to the wrong order.
 TEST(ProofConstants, ASphereAlmostAtACornerIsDecidedExactly) {
@@ -143,6 +147,27 @@ TEST(ProofConstants, TheFilterOfHeightsAboveAHalfSpaceCoversFourRoundings) {
   const Filtered found = filtered_height(half_space, above);
   EXPECT_TRUE(!found.is_positive() || height > 0);
   EXPECT_TRUE(!found.is_negative() || height < 0);
+}
+
+// The squares of the difference's coordinates round to 0, and that of the reach, which is less than its length, does not.
+TEST(ProofConstants, SquaresThatUnderflowProveNoMeeting) {
+  const double coordinate = 0.93e-162, reach = 1.6e-162;
+  ASSERT_LT(reach * reach, 3 * 0x1p-1074);
+  ASSERT_GT(Rational(3) * exact(coordinate) * exact(coordinate), exact(reach) * exact(reach));
+  const Vec3 difference{coordinate, coordinate, coordinate};
+  const double error = nearness_error(reach, sum_of_magnitudes(difference));
+  EXPECT_FALSE(proves_meeting(dot(difference, difference), reach, error));
+}
+
+// Two points of the least doubles: their unit is some 2^1074 times that of the difference. What is 1.75 or 1.25 of it in
+// the world is not a double.
+TEST(ProofConstants, ADepthOfLeastDoublesIsRoundedBothWays) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const DifferenceBody body(PosedPolytope(Point{{0, 0, 0}}), PosedPolytope(Point{{4 * least, 0, 0}}));
+  const double unit = body.scaled_length(least);
+  ASSERT_EQ(body.unscaled(unit), least);
+  EXPECT_EQ(body.lower_in_world(1.75 * unit), least);
+  EXPECT_EQ(body.upper_in_world(1.25 * unit), 2 * least);
 }
 
 }  // namespace
