@@ -41,6 +41,8 @@ def entries():
 def has_test(reference):
     room, _, test = reference.partition(":")
     suite, _, name = test.partition(".")
+    # Of a test with parameters: Instance/Suite.Test/number.
+    suite, name = suite.split("/")[-1], name.split("/")[0]
     pattern = re.compile(rf"TEST(_F|_P)?\(\s*{re.escape(suite)},\s*{re.escape(name)}\s*\)")
     return any(pattern.search(p.read_text()) for p in (ROOT / "tests" / room).glob("*_test.cpp"))
 
@@ -63,7 +65,8 @@ def mistakes(entry):
 def check(rows):
     bad = [f"{entry['name']}: {mistake}" for entry in rows for mistake in mistakes(entry)]
     names = [entry["name"] for entry in rows]
-    return bad + [f"{name}: twice in the list" for name in sorted(set(names)) if names.count(name) > 1]
+    numbers = [identifier(name) for name in names]
+    return bad + [f"{name}: has the name, or the number, of another one" for name in names if numbers.count(identifier(name)) > 1]
 
 
 def fingerprint(tree):

@@ -29,7 +29,7 @@ namespace proof_constants {
 inline const unsigned long weakened = std::getenv("TOCCATA_WEAKENED") ? std::strtoul(std::getenv("TOCCATA_WEAKENED"), nullptr, 16) : 0;
 // Which constants were asked for, written to the file TOCCATA_TOUCHED at the end.
 struct Touched {
-  std::array<std::atomic<bool>, 65536> ids{};
+  std::array<std::atomic<bool>, 1 << 22> ids{};
   ~Touched() {
     if (std::FILE* file = std::fopen(std::getenv("TOCCATA_TOUCHED"), "w")) {
       for (unsigned id = 0; id < ids.size(); ++id)
@@ -54,8 +54,8 @@ TOKEN = re.compile(r"\s+|0[xX][0-9a-fA-F']*\.?[0-9a-fA-F']*(?:[pP][+-]?\d+)?[fFu
 
 
 def identifier(name):
-    """Of a constant, 16 bits; 0 is none."""
-    return zlib.crc32(name.encode()) % 65535 + 1
+    """Of a constant, 22 bits, which no two share (check_proofs.py); 0 is none."""
+    return zlib.crc32(name.encode()) % 0x3FFFFF + 1
 
 
 def tokens(text):

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "narrow/convex/difference_body.hpp"
+#include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/primitives/nearness.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
@@ -21,7 +23,6 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
-using oracle::Rational;
 
 // The corner lies beyond the radius by so little that the squares round to the wrong order.
 TEST(ProofConstants, ASphereAlmostAtACornerIsDecidedExactly) {
@@ -149,18 +150,19 @@ TEST(ProofConstants, TheFilterOfHeightsAboveAHalfSpaceCoversFourRoundings) {
   EXPECT_TRUE(!found.is_negative() || height < 0);
 }
 
-// The squares of the difference's coordinates round to 0, and that of the reach, which is less than its length, does not.
+// The squares of the difference's coordinates round to 0, and that of the reach, which is less than its length, does
+// not.
 TEST(ProofConstants, SquaresThatUnderflowProveNoMeeting) {
   const double coordinate = 0.93e-162, reach = 1.6e-162;
   ASSERT_LT(reach * reach, 3 * 0x1p-1074);
-  ASSERT_GT(Rational(3) * exact(coordinate) * exact(coordinate), exact(reach) * exact(reach));
+  ASSERT_GT(oracle::Rational(3) * exact(coordinate) * exact(coordinate), exact(reach) * exact(reach));
   const Vec3 difference{coordinate, coordinate, coordinate};
   const double error = nearness_error(reach, sum_of_magnitudes(difference));
   EXPECT_FALSE(proves_meeting(dot(difference, difference), reach, error));
 }
 
-// Two points of the least doubles: their unit is some 2^1074 times that of the difference. What is 1.75 or 1.25 of it in
-// the world is not a double.
+// Two points of the least doubles: their unit is some 2^1074 times that of the difference. What is 1.75 or 1.25 of it
+// in the world is not a double.
 TEST(ProofConstants, ADepthOfLeastDoublesIsRoundedBothWays) {
   const double least = std::numeric_limits<double>::denorm_min();
   const DifferenceBody body(PosedPolytope(Point{{0, 0, 0}}), PosedPolytope(Point{{4 * least, 0, 0}}));
@@ -168,6 +170,17 @@ TEST(ProofConstants, ADepthOfLeastDoublesIsRoundedBothWays) {
   ASSERT_EQ(body.unscaled(unit), least);
   EXPECT_EQ(body.lower_in_world(1.75 * unit), least);
   EXPECT_EQ(body.upper_in_world(1.25 * unit), 2 * least);
+}
+
+// The first coordinate of the direction loses 127 of its last places, which are 2^-53 of it, when it is rounded: then the
+// first vertex seems to lie at 0, and the second at -64.
+TEST(ProofConstants, TheLeastVertexAlongALongDirectionIsNotThatOfTheRoundedOne) {
+  const WideInteger large = WideInteger(1) << 60;
+  const IntegerVector direction{{large + 127, large, WideInteger(64)}};
+  const PosedPolytope segment(Segment{{-1, 1, 0}, {0, 0, -1}});
+  const std::vector<Index> least = least_vertices(segment, direction);
+  ASSERT_EQ(least.size(), 1U);
+  EXPECT_EQ(segment.vertex(least.front()), (Vec3{-1, 1, 0}));
 }
 
 }  // namespace
