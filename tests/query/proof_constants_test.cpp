@@ -15,6 +15,7 @@
 #include "query/decomposition/solid_frame.hpp"
 #include "query/inside/enclose.hpp"
 #include "query/nearest/nearest_elements.hpp"
+#include "query/penetration/separating_search.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/nearest.hpp"
@@ -135,6 +136,31 @@ TEST(ProofConstants, TheConcavityOfAHullThatSticksOutALittleIsRoundedUp) {
   ASSERT_LT(upper, 0x1.1p-30);
   const auto way = exact(corner) - exact(less);
   EXPECT_GE(exact(upper) * exact(upper), oracle::dot(way, way));
+}
+
+ConvexHull octahedron_around(const Vec3& c) {
+  return ConvexHull({c + Vec3{1, 0, 0}, c - Vec3{1, 0, 0}, c + Vec3{0, 1, 0}, c - Vec3{0, 1, 0}, c + Vec3{0, 0, 1},
+                     c - Vec3{0, 0, 1}});
+}
+
+// Two octahedra that touch. The translation parts them, but adding it changes no coordinate.
+TEST(ProofConstants, ATranslationThatRoundingTakesForNoneIsNotCovered) {
+  const InnerPart a(octahedron_around({4, 4, 4})), b(octahedron_around({5, 5, 4}));
+  SeparatingCover cover(24);
+  cover.add({&a, &b});
+  EXPECT_FALSE(cover.covers({{0x1p-60, 0x1p-60, 0}, 0}));
+}
+
+// Up to 1.5 only rounding is told to part the two boxes, whose coordinates are at most 2.
+TEST(ProofConstants, ATranslationAfterWhichOnlyRoundingPartsIsNotTaken) {
+  const Model box(Box({1, 1, 1}));
+  const PosedModel a = pose_model(box, {}, Solid::automatic, "a"),
+                   b = pose_model(box, Pose::translation(1, 0, 0), Solid::automatic, "b");
+  SolidBody body_a(a), body_b(b);
+  SeparatingSearch search(body_a, body_b,
+                          {[](const Vec3& move) { return dot(move, move) < 2.25 ? 0x1p-50 : 1.0; },
+                           [](const Vec3&) { return std::vector<SurfaceIntersection>(); }});
+  EXPECT_GE(search.answer().upper, 1.5);
 }
 
 }  // namespace
