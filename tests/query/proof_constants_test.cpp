@@ -13,6 +13,7 @@
 #include "query/decomposition/outermost_corners.hpp"
 #include "query/decomposition/part_concavity.hpp"
 #include "query/decomposition/solid_frame.hpp"
+#include "query/inside/bounded_sum.hpp"
 #include "query/inside/enclose.hpp"
 #include "query/nearest/nearest_elements.hpp"
 #include "query/penetration/separating_search.hpp"
@@ -136,6 +137,23 @@ TEST(ProofConstants, TheConcavityOfAHullThatSticksOutALittleIsRoundedUp) {
   ASSERT_LT(upper, 0x1.1p-30);
   const auto way = exact(corner) - exact(less);
   EXPECT_GE(exact(upper) * exact(upper), oracle::dot(way, way));
+}
+
+// 1 + 2^-53 rounds to 1.
+TEST(ProofConstants, ABoundedSumCoversTheRoundingOfItsValue) {
+  BoundedSum sum;
+  sum.add(1, 0);
+  sum.add(0x1p-53, 0);
+  EXPECT_GE(exact(sum.value()) + exact(sum.bound()), exact(1) + exact(0x1p-53));
+}
+
+// A million bounds, each less than half a last place of their sum.
+TEST(ProofConstants, ABoundedSumCoversTheRoundingOfItsBounds) {
+  constexpr int count = 1 << 20;
+  BoundedSum sum;
+  sum.add(0, 1);
+  for (int i = 0; i < count; ++i) sum.add(0, 0x1p-54);
+  EXPECT_GE(exact(sum.bound()), 1 + count * exact(0x1p-54));
 }
 
 ConvexHull octahedron_around(const Vec3& c) {
