@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
@@ -181,6 +183,17 @@ TEST(ProofConstants, TheLeastVertexAlongALongDirectionIsNotThatOfTheRoundedOne) 
   const std::vector<Index> least = least_vertices(segment, direction);
   ASSERT_EQ(least.size(), 1U);
   EXPECT_EQ(segment.vertex(least.front()), (Vec3{-1, 1, 0}));
+}
+
+// Each coordinate of the difference is 1 + 2^-53, which rounds to 1; so does the length of (1, 1, 1), downwards.
+TEST(ProofConstants, APointThatIsAsFarAsALengthIsNotNearer) {
+  const double least = -0x1p-53, length = std::nextafter(std::hypot(1.0, 1.0, 1.0), 2);
+  const Vec3 p{1, 1, 1}, q{least, least, least};
+  const auto way = exact(p) - exact(q);
+  ASSERT_GE(oracle::dot(way, way), exact(length) * exact(length));
+  VertexPairs simplex;
+  simplex.append(0, 0);
+  EXPECT_FALSE(certainly_nearer(PosedPolytope(Point{p}), PosedPolytope(Point{q}), simplex, length));
 }
 
 }  // namespace
