@@ -12,7 +12,9 @@
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/primitives/nearness.hpp"
+#include "narrow/triangles/point_triangles.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
+#include "narrow/triangles/triangle_gaps.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
@@ -174,8 +176,8 @@ TEST(ProofConstants, ADepthOfLeastDoublesIsRoundedBothWays) {
   EXPECT_EQ(body.upper_in_world(1.25 * unit), 2 * least);
 }
 
-// The first coordinate of the direction loses 127 of its last places, which are 2^-53 of it, when it is rounded: then the
-// first vertex seems to lie at 0, and the second at -64.
+// The first coordinate of the direction loses 127 of its last places, which are 2^-53 of it, when it is rounded: then
+// the first vertex seems to lie at 0, and the second at -64.
 TEST(ProofConstants, TheLeastVertexAlongALongDirectionIsNotThatOfTheRoundedOne) {
   const WideInteger large = WideInteger(1) << 60;
   const IntegerVector direction{{large + 127, large, WideInteger(64)}};
@@ -194,6 +196,66 @@ TEST(ProofConstants, APointThatIsAsFarAsALengthIsNotNearer) {
   VertexPairs simplex;
   simplex.append(0, 0);
   EXPECT_FALSE(certainly_nearer(PosedPolytope(Point{p}), PosedPolytope(Point{q}), simplex, length));
+}
+
+void expect_between(double lower, double upper, const oracle::Rational& squared) {
+  EXPECT_LE(exact(lower) * exact(lower), squared);
+  EXPECT_GE(exact(upper) * exact(upper), squared);
+}
+
+// Boxes that overlap by 2^54 - 1 and by 2^54 + 1 along the first axis, which both round to 2^54.
+TEST(ProofConstants, ADifferenceOfCoordinatesThatIsNoDoubleIsRoundedBothWays) {
+  const double wide = 0x1p60;
+  const PosedPolytope box(Box({0x1p54, wide, wide}));
+  const Box other({0x1p52, wide, wide});
+  const Penetration less = penetration(box, PosedPolytope(other, {{}, {0x1p52 + 1, 0, 0}}));
+  EXPECT_LE(exact(less.lower), exact(0x1p54) - 1);
+  const Penetration more = penetration(box, PosedPolytope(other, {{}, {0x1p52 - 1, 0, 0}}));
+  EXPECT_GE(exact(more.upper), exact(0x1p54) + 1);
+}
+
+const Triangle far_triangle(std::array<Vec3, 3>{
+    Vec3{0x1.c130d83adb65dp+9, -0x1.7ecab650076a1p+9, 0x1.8845510278109p+9},
+    Vec3{0x1.c11717da8f3cap+9, -0x1.7e0d7416ac38p+9, 0x1.8871d2038c7dp+9},
+    Vec3{0x1.c1b21fd95da8dp+9, -0x1.7ed5fd1a83662p+9, 0x1.880affc787081p+9}});
+
+// In one lane a pair whose gap seems greater than it is, in the others one whose gap seems less.
+TEST(ProofConstants, BoundsOfTheGapOfTwoTrianglesHoldIt) {
+  using Pair = std::array<Triangle, 2>;
+  const Pair greater{far_triangle, Triangle(std::array<Vec3, 3>{
+                                       Vec3{0x1.c1bba483d6182p+9, -0x1.7e15464ed4e3p+9, 0x1.8818b38477f1dp+9},
+                                       Vec3{0x1.c1bacdc713999p+9, -0x1.7e14a67f72ecep+9, 0x1.881a5c623f0a8p+9},
+                                       Vec3{0x1.c1bbd5aefc12ap+9, -0x1.7e122c0f1b8d9p+9, 0x1.881bba9659a61p+9}})};
+  const Pair less{
+      Triangle(std::array<Vec3, 3>{Vec3{0x1.c1562718d95cdp+9, -0x1.7e921c35bc052p+9, 0x1.87e4c9359f331p+9},
+                                   Vec3{0x1.c145708dc720cp+9, -0x1.7e8f7f2caf8ddp+9, 0x1.87e1b63c17965p+9},
+                                   Vec3{0x1.c14e84488682fp+9, -0x1.7e93cc71bbc99p+9, 0x1.87e65b9c4c8acp+9}}),
+      Triangle(std::array<Vec3, 3>{Vec3{0x1.c0d7458fa12dep+9, -0x1.7e2de2369eb43p+9, 0x1.87c7c182a8f46p+9},
+                                   Vec3{0x1.c0d75dc682f6ap+9, -0x1.7e2dca08dbd11p+9, 0x1.87c877282b183p+9},
+                                   Vec3{0x1.c0d771913da95p+9, -0x1.7e2de82de94c8p+9, 0x1.87c803ab5b13cp+9}})};
+  TrianglePairBlock block{};
+  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; ++lane) {
+    const Pair& pair = lane == 0 ? greater : less;
+    set_pair(block, lane, pair[0], pair[1]);
+  }
+  TriangleGaps gaps{};
+  bound_gaps(block, gaps);
+  const auto set = [](const Triangle& t) { return oracle::triangle_set(t[0], t[1], t[2]); };
+  expect_between(gaps.lower[0], gaps.upper[0], oracle::squared_distance(set(greater[0]), set(greater[1])));
+  expect_between(gaps.lower[1], gaps.upper[1], oracle::squared_distance(set(less[0]), set(less[1])));
+}
+
+TEST(ProofConstants, ALowerBoundByHeightsIsNotAboveTheDistance) {
+  const Vec3 point{0x1.c0f14601852ebp+9, -0x1.7f07d717c7624p+9, 0x1.883ee62cd21b2p+9};
+  TriangleBlock block;
+  block.count = TriangleBlock::lanes;
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      block.corner[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)].fill(far_triangle[i][axis]);
+  PointDistances distances{};
+  measure(point, block, distances);
+  const auto triangle = oracle::triangle_set(far_triangle[0], far_triangle[1], far_triangle[2]);
+  expect_between(distances.lower[0], distances.upper[0], oracle::squared_distance(oracle::point_set(point), triangle));
 }
 
 }  // namespace
