@@ -258,5 +258,24 @@ TEST(ProofConstants, ALowerBoundByHeightsIsNotAboveTheDistance) {
   expect_between(distances.lower[0], distances.upper[0], oracle::squared_distance(oracle::point_set(point), triangle));
 }
 
+// The directions of both are shorter than 1: the depth alone does not part the two.
+TEST(ProofConstants, TheDepthOfABoxInAHalfSpaceParts) {
+  const Box box({0x1.3aa139a0529ebp-1, 0x1.6829e72a94804p-2, 0x1.dd378dfb021a7p-1});
+  const PosedHalfSpace plane(
+      HalfSpace({0, 0, 0}, {-0x1.bc8b46be234f4p-2, -0x1.998d608812b6ap-2, -0x1.6921b3bd68d98p-1}));
+  const Penetration found = penetration(PosedPolytope(box), plane);
+  const auto normal = exact(plane.normal), way = exact(found.upper) * exact(found.direction);
+  for (int i = 0; i < 8; ++i) EXPECT_GE(oracle::dot(exact(box.corner(i)) - exact(plane.point) - way, normal), 0);
+}
+
+TEST(ProofConstants, TheDepthOfTwoSpheresParts) {
+  const double radius = 0x1.bc18369ecf2dp-3, other = 0x1.7020ee5fc3a6cp-1;
+  const Vec3 centre{0x1.693c7a3654c6ep-3, -0x1.589bac293850bp-3, -0x1.1345842ff87dp-2};
+  const Penetration found = penetration(PosedPolytope(Sphere(radius, {0, 0, 0})), PosedPolytope(Sphere(other, centre)));
+  const auto between = exact(centre) + exact(found.upper) * exact(found.direction);
+  const oracle::Rational reach = exact(radius) + exact(other);
+  EXPECT_GE(oracle::dot(between, between), reach * reach);
+}
+
 }  // namespace
 }  // namespace toccata
