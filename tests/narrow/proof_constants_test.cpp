@@ -9,6 +9,7 @@
 
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/difference_body.hpp"
+#include "narrow/convex/gjk.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/primitives/nearness.hpp"
@@ -275,6 +276,33 @@ TEST(ProofConstants, TheDepthOfTwoSpheresParts) {
   const auto between = exact(centre) + exact(found.upper) * exact(found.direction);
   const oracle::Rational reach = exact(radius) + exact(other);
   EXPECT_GE(oracle::dot(between, between), reach * reach);
+}
+
+// The length of the first two columns seems to be 1.
+TEST(ProofConstants, TheSkewOfARotationIsNotLessThanTheExactOne) {
+  const double cosine = -0x1.4fea22a169da7p-1, sine = 0x1.82668aa998302p-1;
+  const Pose turn{{{Vec3{cosine, -sine, 0}, Vec3{sine, cosine, 0}, Vec3{0, 0, 1}}}, {0, 0, 0}};
+  const oracle::Rational beside = exact(cosine) * exact(cosine) + exact(sine) * exact(sine) - 1;
+  EXPECT_GE(exact(PosedBox(Box({1, 1, 1}), turn).rigid.skew), abs(beside));
+}
+
+// A pyramid seen along the normal of its base, of which rounding makes some corners seem lower than their neighbours.
+TEST(ProofConstants, AWalkAlongEdgesFindsTheVertexThatSeemsLowest) {
+  const ConvexHull hull(std::vector<Vec3>{{0x1.f250f5d49a6d8p-1, 0x1.4860a302957c8p-3, -0x1.50b32f27aafb8p-3},
+                                          {0x1.613a692989f71p-3, 0x1.f5db198144df5p-1, 0x1.8eec77026c0cap-4},
+                                          {-0x1.bbbd4fba68056p-1, 0x1.c823a35fa3abap-2, 0x1.cbf9611f9cd4dp-3},
+                                          {-0x1.6a8d9a2992df4p-1, -0x1.68e6add106337p-1, 0x1.53456ee95595cp-5},
+                                          {0x1.b756b389fbf26p-2, -0x1.c31e6620b5e0cp-1, -0x1.978dc9337d44fp-3},
+                                          {0x1.065bed93e5b15p-2, 0x1.50ecb21f76bd4p-4, 0x1.fa3b079934db3p-1}});
+  const PosedPolytope pyramid(hull, {{}, {1, 0, 0}});
+  const Vec3 direction{0x1.7ca403e56667fp-3, -0x1.092ea2c0168e6p-3, 0x1.f2b1154d23faap-1};
+  const SupportKernels kernels = support_kernels();
+  const Index lowest = SupportSearch(pyramid, kernels, GjkSupport::scan).least(direction);
+  for (Index start = 0; start < pyramid.vertex_count(); ++start) {
+    const SupportSearch walk(pyramid, kernels, GjkSupport::hill_climbing);
+    walk.begin_at(start);
+    EXPECT_EQ(walk.least(direction), lowest);
+  }
 }
 
 }  // namespace
