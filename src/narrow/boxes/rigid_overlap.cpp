@@ -173,8 +173,8 @@ Nearness sphere_triangle_nearness(const Sphere& a, const Pose& pose_a, const Tri
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   const auto local = local_point(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
   // What the formulas add, 2^-46 of the corners seen from the centre, is less than what `frame_error` has to spare.
-  const double error =
-      frame_error * (sizes_of(local, b) + a.radius()) + (offset_error * sum_of_magnitudes(pose_b.offset) + nearness_floor);
+  const double error = frame_error * (sizes_of(local, b) + a.radius()) +
+                       (offset_error * sum_of_magnitudes(pose_b.offset) + nearness_floor);
   return nearness_of_triangle(local, b, a.radius(), error);
 }
 
