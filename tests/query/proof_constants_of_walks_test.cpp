@@ -23,7 +23,6 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
-using oracle::Rational;
 
 Mat3 stretched_along_x(double factor) { return {{Vec3{factor, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}; }
 
@@ -46,7 +45,7 @@ TEST(ProofConstants, TheWayIntoATreeCoversTheRoundingOfWorldVertices) {
   const WayIntoTree way(mesh);
   ASSERT_TRUE(way.usable());
   const Vec3 world = mesh.vertex(0), place = way.place(world);
-  const Rational error = abs(exact(place.x) - exact(vertex.x / model.wide_bvh().unit));
+  const oracle::Rational error = abs(exact(place.x) - exact(vertex.x / model.wide_bvh().unit));
   EXPECT_LE(error, exact(way.off(largest_magnitude(world))));
 }
 
@@ -56,12 +55,12 @@ TEST(ProofConstants, TheWayIntoATreeCoversTheRoundingOfTheWay) {
   const WayIntoTree way(PosedMesh(model, {{{Vec3{0.6, -0.8, 0}, Vec3{0.8, 0.6, 0}, Vec3{0, 0, 1}}}, {}}));
   ASSERT_TRUE(way.usable());
   const Vec3 point{0x1.bb10ca0c8beebp+40, 0x1.4164edf44a8fp+40, 0x1.9711770b96c57p+40};
-  const Rational along = oracle::dot(exact(way.back()[0]), exact(point)) - exact(way.origin().x);
+  const oracle::Rational along = oracle::dot(exact(way.back()[0]), exact(point)) - exact(way.origin().x);
   EXPECT_LE(abs(exact(way.place(point).x) - along), exact(way.off(largest_magnitude(point))));
 }
 
 /// The length of the nearest point's bound for two points, each a tree of its own.
-Rational bound_of_points(const NearFrame& a, const NearFrame& b) {
+oracle::Rational bound_of_points(const NearFrame& a, const NearFrame& b) {
   OrientedBlock block{};
   block.count = 1;
   block.child.fill(~0);
@@ -172,7 +171,7 @@ bool is_bound_of(const BroughtBack& a) {
   const std::vector<Index> items{0};
   const NearFrame frame_a = near_frame(a.mesh), frame_b = near_frame(point);
   const NearWalk walk({boxes_a, items}, {boxes_b, items}, near_view(frame_a, frame_b), near_view(frame_b, frame_a));
-  const Rational least = exact(walk.bounds(0, 0, 0).least[0]);
+  const oracle::Rational least = exact(walk.bounds(0, 0, 0).least[0]);
   const auto way = exact(a.world) - exact(beyond);
   return least <= 0 || least * least <= oracle::dot(way, way);
 }
@@ -220,7 +219,7 @@ TEST(ProofConstants, PartsAreApartOnlyWhereRoundedMeshesAre) {
     for (const double y : {-1, 1})
       for (const double z : {-1, 1}) corners.push_back({x, y, z});
   ConvexParts parts;
-  parts.parts.push_back({.hull = ConvexHull(corners)});
+  parts.parts.push_back({ConvexHull(corners), 0, 0, 0, {}});
   const Model mesh(TriangleMesh({vertex, {0, 0, 0}, {0, 0, 0.5}}, {{0, 1, 2}}));
   const Pose pose{turn, {}};
   const Model point(Point(transform(pose, vertex)));

@@ -194,7 +194,7 @@ TEST(ProofConstants, TheLimitOfANearWalkCoversTheRoundingOfBounds) {
   OneNearBox a({}), b({});
   const std::vector<Index> items{0, 1, 2};
   a.block.count = 3;
-  for (const auto [lane, distance] : {std::pair{0, 0.0625F}, {1, 0.5F}, {2, 0.125F}}) {
+  for (const auto& [lane, distance] : {std::pair{0, 0.0625F}, {1, 0.5F}, {2, 0.125F}}) {
     set_lane(a.block, static_cast<std::size_t>(lane), {{1 - distance, 0, 0}});
     a.block.child[static_cast<std::size_t>(lane)] = ~lane;
   }
