@@ -178,6 +178,13 @@ def survey(tree, chosen, rooms):
             print(f"{entry['name']:40} {room}: {len(failed)} of {len(tests)} notice {' '.join(failed)}", flush=True)
 
 
+def rooms_of_tests(chosen, is_survey):
+    """A survey runs the tests of a constant's own room, the check those that entries name."""
+    if is_survey:
+        return sorted({entry["room"] for entry in chosen})
+    return sorted({entry["noticed_by"].partition(":")[0] for entry in chosen if "noticed_by" in entry})
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("names", nargs="*", metavar="NAME", help="only the constants of this name, or of this room")
@@ -203,8 +210,7 @@ def main():
     chosen = [e for e in rows if not options.names or e["name"] in options.names or e["room"] in options.names]
     if options.survey and not options.names:
         chosen = [e for e in chosen if "open" in e]
-    rooms = options.tests_of or sorted({e["noticed_by"].partition(":")[0] if "noticed_by" in e and not options.survey else e["room"] for e in chosen if options.survey or "noticed_by" in e})
-    said = build(tree, rooms)
+    said = build(tree, options.tests_of or rooms_of_tests(chosen, options.survey))
     if said:
         print("does not compile:\n" + said[-6000:])
         return 1
