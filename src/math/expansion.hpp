@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/constants.hpp"
 #include "toccata/math/predicates.hpp"
 
 // Floating-point expansions (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
@@ -21,6 +22,12 @@ inline TwoPart two_sum(double a, double b) {
   const double high = a + b;
   const double b_part = high - a, a_part = high - b_part;
   return {high, (a - a_part) + (b - b_part)};
+}
+
+/// The least double that is not less than a + b, where that does not overflow.
+inline double sum_not_less(double a, double b) {
+  const TwoPart sum = two_sum(a, b);
+  return sum.low <= 0 ? sum.high : std::nextafter(sum.high, infinity);
 }
 
 inline TwoPart two_difference(double a, double b) { return two_sum(a, -b); }

@@ -20,10 +20,7 @@ namespace {
 
 /// The least double that is not less than a + b; what overflows ends at the greatest, as all coordinates do.
 double clamped_sum_not_less(double a, double b) {
-  const TwoPart sum = two_sum(a, b);
-  const bool is_exact_or_above = sum.low <= 0;  // false also for what overflowed
-  return std::clamp(is_exact_or_above ? sum.high : std::nextafter(sum.high, infinity), -greatest_double,
-                    greatest_double);
+  return std::clamp(sum_not_less(a, b), -greatest_double, greatest_double);
 }
 
 /// Makes the posed shape in place; none is copied.

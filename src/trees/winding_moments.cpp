@@ -21,6 +21,8 @@ std::array<double, 3> components(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 // Upper bounds are rounded, too: a little is added to each.
 constexpr double upward = 1 + 0x1p-44;
+// Corners lie within 2 of the tree's origin, and to take that off them rounds a coordinate by 2⁻⁵³ of it at most.
+constexpr double of_corners = 0x1p-50;
 
 /// Of a triangle, around its middle.
 WindingMoments moments_of_triangle(const std::array<Vec3, 3>& t) {
@@ -42,7 +44,7 @@ WindingMoments moments_of_triangle(const std::array<Vec3, 3>& t) {
                   m.first[c] * covariance[pair_at[a][b]]) /
                  3;
   }
-  m.radius = upward * m.radius + 0x1p-50;
+  m.radius = upward * m.radius + of_corners;
   m.size = upward * (plain_length(u) * plain_length(v));
   m.area = upward * (plain_length(area) + 0x1p-49 * m.size);
   m.spread = upward * m.area * ((covariance[0] + covariance[1]) + covariance[2]);
@@ -68,7 +70,7 @@ void add(WindingMoments& to, const WindingMoments& from) {
     to.third[n] += from.third[n] + (2 * once + twice) / 3;
   }
   const double distance = plain_length(way);
-  to.radius = std::max(to.radius, upward * (distance + from.radius) + 0x1p-50);
+  to.radius = std::max(to.radius, upward * (distance + from.radius) + of_corners);
   const double lean = plain_length(from.lean) + 0x1p-40 * from.size * from.radius;
   to.spread = upward * (to.spread + (from.spread + distance * (2 * lean + distance * from.area)));
   to.lean = to.lean + (from.lean + from.area * way);
@@ -101,7 +103,7 @@ double reach(const WideBlock& block, const Vec3& centre) {
       const double off = std::abs(double{block.centre[i][lane]} - centre[axis]) + double{block.extent[i][lane]};
       farthest[axis] = std::max(farthest[axis], off);
     }
-  return upward * plain_length(farthest) + 0x1p-50;
+  return upward * plain_length(farthest) + of_corners;
 }
 
 /// The corners of the triangle, scaled first: a difference may be too large for doubles.

@@ -2,10 +2,18 @@
 // (docs/design/proof-constants.md).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
 #include "bounds/box_bounds.hpp"
 #include "bounds/frame.hpp"
+#include "bounds/posed_bounds.hpp"
 #include "bounds/upper_sum.hpp"
 #include "oracle/rational.hpp"
+#include "toccata/bounds/ellipsoid_bound.hpp"
+#include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
 
 namespace toccata {
@@ -89,6 +97,78 @@ TEST(ProofConstants, AnOrientedBoxMeetsAPointOfItself) {
 TEST(ProofConstants, CoordinatesInAFrameThatIsNotQuiteOrthonormal) {
   const Mat3 axes{{Vec3{1, 0x1p-46, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   EXPECT_GE(coordinate_bounds(axes, {0, 0, 0}, {1, 0, 0}).y, 0x1p-46);
+}
+
+template <class V, std::size_t count>
+V fitted(const std::array<Vec3, count>& points) {
+  return fit<V>(std::span<const Vec3>(points));
+}
+
+// Two points far apart: what the box's length lets `contains` be off by is more than how wide the box is.
+TEST(ProofConstants, TwoPointsAreInTheBoxThatTheirBoxesMake) {
+  const Vec3 p{0, 0, 0}, q{1, 0, 0};
+  const Obb merged = merge(fitted<Obb>(std::array{p}), fitted<Obb>(std::array{q}));
+  EXPECT_TRUE(contains(merged, p));
+  EXPECT_TRUE(contains(merged, q));
+}
+
+TEST(ProofConstants, TwoPointsAreInTheEllipsoidThatTheirEllipsoidsMake) {
+  const Vec3 p{0x1.dc097e086147ep-2, 0x1.e00402e550374p-1, 0x1.bfdf79277fd5ep-2};
+  const Vec3 q{0x1.4c82e6daccbc6p+0, 0x1.e00a51340ad32p-1, 0x1.23f5610ffd1c1p-2};
+  const auto merged = merge(fitted<EllipsoidBound>(std::array{p}), fitted<EllipsoidBound>(std::array{q}));
+  EXPECT_TRUE(contains(merged, p));
+  EXPECT_TRUE(contains(merged, q));
+}
+
+TEST(ProofConstants, AnEllipsoidThatHasGrownAroundTwoPointsHoldsThem) {
+  const std::array points{Vec3{0x1.8c25e6225b551p-4, -0x1.9c6b7652b8ceep-1, -0x1.d7ce6d5878b2p-2},
+                          Vec3{0x1.8beb34ed04bb9p-4, -0x1.9c6c80f6a6fd7p-1, -0x1.d7af62d9fdbb3p-2}};
+  const auto around = fitted<EllipsoidBound>(points);
+  EXPECT_TRUE(std::ranges::all_of(points, [&](const Vec3& p) { return contains(around, p); }));
+}
+
+// The product of a rotation's least entry with the direction is lost, and the box reaches very far along it.
+TEST(ProofConstants, APosedBoxIsBoundedWhereTheTurnedDirectionUnderflows) {
+  const double far = 0x1p1000, least = std::numeric_limits<double>::denorm_min();
+  Pose pose;
+  pose.linear[0].y = least;
+  const Aabb box{{0, -far, 0}, {0, far, 0}};
+  const Vec3 vertex = oracle::world_vertex(pose, {0, far, 0});
+  EXPECT_GE(PosedSupport(box, pose)({0.5, 0, 0}, {}), 0.5 * vertex.x);
+}
+
+template <std::size_t k>
+std::size_t slab_of(const Vec3& normal) {
+  constexpr auto normals = kdop_normals<k>();
+  return static_cast<std::size_t>(std::find(normals.begin(), normals.end(), normal) - normals.begin());
+}
+
+// The direction is (1, 1, 0) and (1, 0, 1), each just less than half, and twice as much of (1, 0, 0) as is computed.
+TEST(ProofConstants, APartOfADirectionThatCancelsIsCovered) {
+  const double less_than_half = 0.5 - 0x1p-54;
+  Kdop<18> volume;
+  volume.lower.fill(-5000);
+  volume.upper.fill(5000);
+  volume.upper[0] = 1000;
+  volume.upper[slab_of<18>({1, 1, 0})] = volume.upper[slab_of<18>({1, 0, 1})] = 0;
+  const Vec3 point{1000, -1000, -1000}, direction{1, less_than_half, less_than_half};
+  for (std::size_t i = 0; i < Kdop<18>::slabs; ++i) {
+    const double height = dot(kdop_normals<18>()[i], point);  // of whole numbers
+    ASSERT_TRUE(volume.lower[i] <= height && height <= volume.upper[i]);
+  }
+  EXPECT_GE(exact(support_bound(volume, direction, {})), oracle::dot(exact(direction), exact(point)));
+}
+
+// 1 + 2^-53 rounds to 1: the sum of the coordinates is 2^-52, and seems to be half of that.
+TEST(ProofConstants, APointBeyondASlabByLessThanRoundingIsSeenBeyondIt) {
+  const std::size_t slab = slab_of<14>({1, 1, 1});
+  Kdop<14> volume;
+  volume.lower.fill(-10);
+  volume.upper.fill(10);
+  volume.upper[slab] = 0x1.8p-53;
+  const Vec3 point{1, 0x1p-53, -1 + 0x1p-53};
+  ASSERT_EQ((exact(point.x) + exact(point.y)) + exact(point.z), exact(0x1p-52));
+  EXPECT_EQ(kdop_region(point, volume) >> (2 * slab + 1) & 1U, 1U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "broad/exact_balls.hpp"
+#include "broad/own_bounds.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/broad/broad_phase.hpp"
 
@@ -34,6 +35,13 @@ TEST(ProofConstants, AnOrientedBoxGrowsByMoreThanTheMargin) {
   const Mat3 axes{{Vec3{1 - 0x1p-47, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   const Obb grown = offset_outward(Obb{{0, 0, 0}, axes, {0, 0, 0}}, 1);
   EXPECT_GE(exact(grown.half.x) * exact(axes[0].x), exact(1));
+}
+
+// Proofs about oriented boxes need axes to be of length 1 up to 2^-46, as the second ones are.
+TEST(ProofConstants, AxesThatAreNotOfLengthOneAreRefused) {
+  const auto box_along = [](double x) { return Obb{{}, {{Vec3{x, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {1, 1, 1}}; };
+  EXPECT_NE(complaint_about(box_along(1 + 0x1p-45)), "");
+  EXPECT_EQ(complaint_about(box_along(1 + 0x1p-47)), "");
 }
 
 }  // namespace

@@ -94,6 +94,10 @@ TEST(ProofConstants, TheFloorOfABoundedDoubleIsNotAboveTheExactNumber) {
   EXPECT_LE(exact(floor_of(number)), exact(1) - exact(number.reach()));
 }
 
+TEST(ProofConstants, TheFloorOfABoundedNumberIsNotAboveTheExactNumber) {
+  EXPECT_LE(exact(floor_of(BoundedNumber{{1, -0x1p-60}, 0})), exact(1) - exact(0x1p-60));
+}
+
 TEST(ProofConstants, TheBracketOfANumberBesideADoubleHoldsIt) {
   const auto above = bracket(BoundedNumber{{1, 0x1p-60}, 0}), below = bracket(BoundedNumber{{1, -0x1p-60}, 0});
   ASSERT_TRUE(above && below);

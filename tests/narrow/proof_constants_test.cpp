@@ -3,9 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
 
+#include "narrow/convex/core_distance.hpp"
+#include "narrow/convex/difference_body.hpp"
+#include "narrow/convex/gjk.hpp"
+#include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
+#include "narrow/primitives/nearness.hpp"
+#include "narrow/triangles/point_triangles.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
+#include "narrow/triangles/triangle_gaps.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
@@ -143,6 +153,156 @@ TEST(ProofConstants, TheFilterOfHeightsAboveAHalfSpaceCoversFourRoundings) {
   const Filtered found = filtered_height(half_space, above);
   EXPECT_TRUE(!found.is_positive() || height > 0);
   EXPECT_TRUE(!found.is_negative() || height < 0);
+}
+
+// The squares of the difference's coordinates round to 0, and that of the reach, which is less than its length, does
+// not.
+TEST(ProofConstants, SquaresThatUnderflowProveNoMeeting) {
+  const double coordinate = 0.93e-162, reach = 1.6e-162;
+  ASSERT_LT(reach * reach, 3 * 0x1p-1074);
+  ASSERT_GT(oracle::Rational(3) * exact(coordinate) * exact(coordinate), exact(reach) * exact(reach));
+  const Vec3 difference{coordinate, coordinate, coordinate};
+  const double error = nearness_error(reach, sum_of_magnitudes(difference));
+  EXPECT_FALSE(proves_meeting(dot(difference, difference), reach, error));
+}
+
+// Two points of the least doubles: their unit is some 2^1074 times that of the difference. What is 1.75 or 1.25 of it
+// in the world is not a double.
+TEST(ProofConstants, ADepthOfLeastDoublesIsRoundedBothWays) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const DifferenceBody body(PosedPolytope(Point{{0, 0, 0}}), PosedPolytope(Point{{4 * least, 0, 0}}));
+  const double unit = body.scaled_length(least);
+  ASSERT_EQ(body.unscaled(unit), least);
+  EXPECT_EQ(body.lower_in_world(1.75 * unit), least);
+  EXPECT_EQ(body.upper_in_world(1.25 * unit), 2 * least);
+}
+
+// The first coordinate of the direction loses 127 of its last places, which are 2^-53 of it, when it is rounded: then
+// the first vertex seems to lie at 0, and the second at -64.
+TEST(ProofConstants, TheLeastVertexAlongALongDirectionIsNotThatOfTheRoundedOne) {
+  const WideInteger large = WideInteger(1) << 60;
+  const IntegerVector direction{{large + 127, large, WideInteger(64)}};
+  const PosedPolytope segment(Segment{{-1, 1, 0}, {0, 0, -1}});
+  const std::vector<Index> least = least_vertices(segment, direction);
+  ASSERT_EQ(least.size(), 1U);
+  EXPECT_EQ(segment.vertex(least.front()), (Vec3{-1, 1, 0}));
+}
+
+// Each coordinate of the difference is 1 + 2^-53, which rounds to 1; so does the length of (1, 1, 1), downwards.
+TEST(ProofConstants, APointThatIsAsFarAsALengthIsNotNearer) {
+  const double least = -0x1p-53, length = std::nextafter(std::hypot(1.0, 1.0, 1.0), 2);
+  const Vec3 p{1, 1, 1}, q{least, least, least};
+  const auto way = exact(p) - exact(q);
+  ASSERT_GE(oracle::dot(way, way), exact(length) * exact(length));
+  VertexPairs simplex;
+  simplex.append(0, 0);
+  EXPECT_FALSE(certainly_nearer(PosedPolytope(Point{p}), PosedPolytope(Point{q}), simplex, length));
+}
+
+void expect_between(double lower, double upper, const oracle::Rational& squared) {
+  EXPECT_LE(exact(lower) * exact(lower), squared);
+  EXPECT_GE(exact(upper) * exact(upper), squared);
+}
+
+// Boxes that overlap by 2^54 - 1 and by 2^54 + 1 along the first axis, which both round to 2^54.
+TEST(ProofConstants, ADifferenceOfCoordinatesThatIsNoDoubleIsRoundedBothWays) {
+  const double wide = 0x1p60;
+  const PosedPolytope box(Box({0x1p54, wide, wide}));
+  const Box other({0x1p52, wide, wide});
+  const Penetration less = penetration(box, PosedPolytope(other, {{}, {0x1p52 + 1, 0, 0}}));
+  EXPECT_LE(exact(less.lower), exact(0x1p54) - 1);
+  const Penetration more = penetration(box, PosedPolytope(other, {{}, {0x1p52 - 1, 0, 0}}));
+  EXPECT_GE(exact(more.upper), exact(0x1p54) + 1);
+}
+
+const Triangle far_triangle(std::array<Vec3, 3>{
+    Vec3{0x1.c130d83adb65dp+9, -0x1.7ecab650076a1p+9, 0x1.8845510278109p+9},
+    Vec3{0x1.c11717da8f3cap+9, -0x1.7e0d7416ac38p+9, 0x1.8871d2038c7dp+9},
+    Vec3{0x1.c1b21fd95da8dp+9, -0x1.7ed5fd1a83662p+9, 0x1.880affc787081p+9}});
+
+// In one lane a pair whose gap seems greater than it is, in the others one whose gap seems less.
+TEST(ProofConstants, BoundsOfTheGapOfTwoTrianglesHoldIt) {
+  using Pair = std::array<Triangle, 2>;
+  const Pair greater{far_triangle, Triangle(std::array<Vec3, 3>{
+                                       Vec3{0x1.c1bba483d6182p+9, -0x1.7e15464ed4e3p+9, 0x1.8818b38477f1dp+9},
+                                       Vec3{0x1.c1bacdc713999p+9, -0x1.7e14a67f72ecep+9, 0x1.881a5c623f0a8p+9},
+                                       Vec3{0x1.c1bbd5aefc12ap+9, -0x1.7e122c0f1b8d9p+9, 0x1.881bba9659a61p+9}})};
+  const Pair less{
+      Triangle(std::array<Vec3, 3>{Vec3{0x1.c1562718d95cdp+9, -0x1.7e921c35bc052p+9, 0x1.87e4c9359f331p+9},
+                                   Vec3{0x1.c145708dc720cp+9, -0x1.7e8f7f2caf8ddp+9, 0x1.87e1b63c17965p+9},
+                                   Vec3{0x1.c14e84488682fp+9, -0x1.7e93cc71bbc99p+9, 0x1.87e65b9c4c8acp+9}}),
+      Triangle(std::array<Vec3, 3>{Vec3{0x1.c0d7458fa12dep+9, -0x1.7e2de2369eb43p+9, 0x1.87c7c182a8f46p+9},
+                                   Vec3{0x1.c0d75dc682f6ap+9, -0x1.7e2dca08dbd11p+9, 0x1.87c877282b183p+9},
+                                   Vec3{0x1.c0d771913da95p+9, -0x1.7e2de82de94c8p+9, 0x1.87c803ab5b13cp+9}})};
+  TrianglePairBlock block{};
+  for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; ++lane) {
+    const Pair& pair = lane == 0 ? greater : less;
+    set_pair(block, lane, pair[0], pair[1]);
+  }
+  TriangleGaps gaps{};
+  bound_gaps(block, gaps);
+  const auto set = [](const Triangle& t) { return oracle::triangle_set(t[0], t[1], t[2]); };
+  expect_between(gaps.lower[0], gaps.upper[0], oracle::squared_distance(set(greater[0]), set(greater[1])));
+  expect_between(gaps.lower[1], gaps.upper[1], oracle::squared_distance(set(less[0]), set(less[1])));
+}
+
+TEST(ProofConstants, ALowerBoundByHeightsIsNotAboveTheDistance) {
+  const Vec3 point{0x1.c0f14601852ebp+9, -0x1.7f07d717c7624p+9, 0x1.883ee62cd21b2p+9};
+  TriangleBlock block;
+  block.count = TriangleBlock::lanes;
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      block.corner[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)].fill(far_triangle[i][axis]);
+  PointDistances distances{};
+  measure(point, block, distances);
+  const auto triangle = oracle::triangle_set(far_triangle[0], far_triangle[1], far_triangle[2]);
+  expect_between(distances.lower[0], distances.upper[0], oracle::squared_distance(oracle::point_set(point), triangle));
+}
+
+// The directions of both are shorter than 1: the depth alone does not part the two.
+TEST(ProofConstants, TheDepthOfABoxInAHalfSpaceParts) {
+  const Box box({0x1.3aa139a0529ebp-1, 0x1.6829e72a94804p-2, 0x1.dd378dfb021a7p-1});
+  const PosedHalfSpace plane(
+      HalfSpace({0, 0, 0}, {-0x1.bc8b46be234f4p-2, -0x1.998d608812b6ap-2, -0x1.6921b3bd68d98p-1}));
+  const Penetration found = penetration(PosedPolytope(box), plane);
+  const auto normal = exact(plane.normal), way = exact(found.upper) * exact(found.direction);
+  for (int i = 0; i < 8; ++i) EXPECT_GE(oracle::dot(exact(box.corner(i)) - exact(plane.point) - way, normal), 0);
+}
+
+TEST(ProofConstants, TheDepthOfTwoSpheresParts) {
+  const double radius = 0x1.bc18369ecf2dp-3, other = 0x1.7020ee5fc3a6cp-1;
+  const Vec3 centre{0x1.693c7a3654c6ep-3, -0x1.589bac293850bp-3, -0x1.1345842ff87dp-2};
+  const Penetration found = penetration(PosedPolytope(Sphere(radius, {0, 0, 0})), PosedPolytope(Sphere(other, centre)));
+  const auto between = exact(centre) + exact(found.upper) * exact(found.direction);
+  const oracle::Rational reach = exact(radius) + exact(other);
+  EXPECT_GE(oracle::dot(between, between), reach * reach);
+}
+
+// The length of the first two columns seems to be 1.
+TEST(ProofConstants, TheSkewOfARotationIsNotLessThanTheExactOne) {
+  const double cosine = -0x1.4fea22a169da7p-1, sine = 0x1.82668aa998302p-1;
+  const Pose turn{{{Vec3{cosine, -sine, 0}, Vec3{sine, cosine, 0}, Vec3{0, 0, 1}}}, {0, 0, 0}};
+  const oracle::Rational beside = exact(cosine) * exact(cosine) + exact(sine) * exact(sine) - 1;
+  EXPECT_GE(exact(PosedBox(Box({1, 1, 1}), turn).rigid.skew), abs(beside));
+}
+
+// A pyramid seen along the normal of its base, of which rounding makes some corners seem lower than their neighbours.
+TEST(ProofConstants, AWalkAlongEdgesFindsTheVertexThatSeemsLowest) {
+  const ConvexHull hull(std::vector<Vec3>{{0x1.f250f5d49a6d8p-1, 0x1.4860a302957c8p-3, -0x1.50b32f27aafb8p-3},
+                                          {0x1.613a692989f71p-3, 0x1.f5db198144df5p-1, 0x1.8eec77026c0cap-4},
+                                          {-0x1.bbbd4fba68056p-1, 0x1.c823a35fa3abap-2, 0x1.cbf9611f9cd4dp-3},
+                                          {-0x1.6a8d9a2992df4p-1, -0x1.68e6add106337p-1, 0x1.53456ee95595cp-5},
+                                          {0x1.b756b389fbf26p-2, -0x1.c31e6620b5e0cp-1, -0x1.978dc9337d44fp-3},
+                                          {0x1.065bed93e5b15p-2, 0x1.50ecb21f76bd4p-4, 0x1.fa3b079934db3p-1}});
+  const PosedPolytope pyramid(hull, {{}, {1, 0, 0}});
+  const Vec3 direction{0x1.7ca403e56667fp-3, -0x1.092ea2c0168e6p-3, 0x1.f2b1154d23faap-1};
+  const SupportKernels kernels = support_kernels();
+  const Index lowest = SupportSearch(pyramid, kernels, GjkSupport::scan).least(direction);
+  for (Index start = 0; start < pyramid.vertex_count(); ++start) {
+    const SupportSearch walk(pyramid, kernels, GjkSupport::hill_climbing);
+    walk.begin_at(start);
+    EXPECT_EQ(walk.least(direction), lowest);
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "math/floats.hpp"
 #include "oracle/convex.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/random.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 using oracle::exact;
 using oracle::Rational;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// A mesh in its tree.
 struct Scene {
@@ -57,7 +56,7 @@ struct Found {
   friend bool operator==(const Found&, const Found&) = default;
 };
 
-Found found(const Scene& scene, const Vec3& at, std::size_t k, float limit = infinity) {
+Found found(const Scene& scene, const Vec3& at, std::size_t k, float limit = infinite_float) {
   NearTriangles::Memory memory;
   NearTriangles near(k, limit, memory);
   static_cast<void>(find_near(scene.tree, scene.leaves, {at, 0}, near));

@@ -8,7 +8,9 @@
 
 #include "oracle/rational.hpp"
 #include "trees/leaf_triangles.hpp"
+#include "trees/oriented_boxes.hpp"
 #include "trees/wide_boxes.hpp"
+#include "trees/wide_check.hpp"
 #include "trees/wide_frame.hpp"
 #include "trees/wide_walk.hpp"
 #include "trees/winding_moments.hpp"
@@ -95,6 +97,67 @@ TEST(ProofConstants, TheRoundingShareOfWindingNumbersCoversACrossProductThatVani
   const WindingPart part = winding_part(moments.at(0), {0, 0, -height}, 0);
   const double least = 0x1p-55 * height / (4 * std::numbers::pi * distance * distance * distance);
   EXPECT_GE(std::abs(part.value) + part.bound, least);
+}
+
+WindingMoments moments_of(const std::vector<Vec3>& corners, const Aabb& box) {
+  return winding_moments(build_wide_bvh(std::vector<Aabb>{box}), TriangleMesh(corners, {{0, 1, 2}})).at(0);
+}
+
+// The product of two edges is rounded down.
+TEST(ProofConstants, UpperBoundsOfASurfaceAreRoundedUp) {
+  const double a = 1 + 0x1p-27;
+  const WindingMoments moments = moments_of({{0, 0, 0}, {a, 0, 0}, {0, a, 0}}, {{0, 0, 0}, {a, a, 0}});
+  EXPECT_GE(exact(moments.size), exact(a) * exact(a));
+}
+
+// As above, twice the area is 2^-54 and seems to be 0.
+TEST(ProofConstants, TheAreaOfATriangleCoversACrossProductThatVanishes) {
+  const double a = 1 + 0x1p-27, b = 1 + 0x1p-26;
+  EXPECT_GE(exact(moments_of({{0, 0, 0}, {a, 1, 0}, {b, a, 0}}, {{0, 0, 0}, {b, a, 0}}).area), exact(0x1p-55));
+}
+
+// A triangle without extent, which is rounded where the origin is taken off it.
+TEST(ProofConstants, TheRadiusOfASurfaceCoversTheRoundingOfCorners) {
+  const TriangleMesh mesh({{0.75, 0, 0}, {0.75, 0, 0}, {0.75, 0, 0}}, {{0, 1, 2}});
+  WideBvh tree = build_wide_bvh(std::vector<Aabb>{{{-0.75, -0.75, -0.75}, {0.75, 0.75, 0.75}}});
+  ASSERT_EQ(tree.unit, 1);
+  tree.origin = {0x1p-54 - 0x1p-100, 0, 0};
+  const WindingMoments moments = winding_moments(tree, mesh).at(0);
+  EXPECT_GE(exact(moments.radius), abs(exact(0.75) - exact(tree.origin.x) - exact(moments.centre.x)));
+}
+
+// A tree whose boxes reach a little beyond 1, as those of floats do.
+TEST(ProofConstants, ATreeMayReachALittleBeyondItsUnit) {
+  const double most = 1 - 0x1p-53;
+  const std::vector<Aabb> boxes{{{-most, -most, -most}, {most, most, most}}};
+  const WideBvh tree = build_wide_bvh(boxes);
+  ASSERT_EQ(tree.unit, 1);
+  ASSERT_GT(tree.blocks.at(0).centre[0][0] + tree.blocks.at(0).extent[0][0], 1);
+  EXPECT_EQ(fault_of(tree, boxes), "");
+}
+
+/// Whether the point is centre + Σ αₖ axisₖ with |αₖ| at most extentₖ, for the box in the first lane.
+bool holds(const OrientedBlock& block, const oracle::RationalPoint& point) {
+  const auto first_lane = [](const auto& lanes) { return Vec3{lanes[0][0], lanes[1][0], lanes[2][0]}; };
+  const Vec3 first = first_lane(block.axis[0]), second = first_lane(block.axis[1]);
+  const auto u = exact(first), v = exact(second), w = exact(cross(first, second));
+  const auto from_centre = point - exact(first_lane(block.centre));
+  const Rational volume = abs(oracle::dot(u, oracle::cross(v, w)));
+  const auto is_within = [&](const oracle::RationalPoint& p, const oracle::RationalPoint& q, std::size_t axis) {
+    return abs(oracle::dot(from_centre, oracle::cross(p, q))) <= exact(double{block.extent[axis][0]}) * volume;
+  };
+  return is_within(v, w, 0) && is_within(w, u, 1) && is_within(u, v, 2);
+}
+
+// As floats its two axes are not quite at right angles, so that along the needle they go apart.
+TEST(ProofConstants, ABoxAroundANeedleHoldsItsCorners) {
+  const Vec3 end{0x1.300b214093e52p-2, 0x1.9db1be6db9edbp-2, -0x1.f305955f94767p-4};
+  const TriangleMesh needle({end, -end, {0, 0, 0}}, {{0, 1, 2}});
+  const WideBvh tree = build_wide_bvh(std::vector<Aabb>{merge(Aabb{end, end}, -end)});
+  ASSERT_EQ(tree.origin, Vec3{});
+  const OrientedBlock block = oriented_boxes(tree, needle).at(0);
+  EXPECT_TRUE(holds(block, exact((1 / tree.unit) * end)));
+  EXPECT_TRUE(holds(block, exact((-1 / tree.unit) * end)));
 }
 
 /// Collects nothing but how many pairs a walk finds.

@@ -78,8 +78,8 @@ HWY_INLINE unsigned bits_of_three(const hn::Mask<Coordinates>& mask) { return bi
 HWY_INLINE Nearness nearness_of_corners(const FourCoordinates& a, const FourCoordinates& b, const FourCoordinates& c,
                                         double reach, double error) {
   const double inner = reach - error, outer = reach + error;
-  const FourCoordinates near_squared = hn::Set(four, inner > 0 ? (1 - 0x1p-48) * (inner * inner) : 0.0);
-  const FourCoordinates far_squared = hn::Set(four, (1 + 0x1p-48) * (outer * outer)), zero = hn::Zero(four);
+  const FourCoordinates near_squared = hn::Set(four, inner > 0 ? less_square * (inner * inner) : 0.0);
+  const FourCoordinates far_squared = hn::Set(four, more_square * (outer * outer)), zero = hn::Zero(four);
 
   const CornerRows v = transposed(a, b, c), w = next(v), edge = minus(w, v);
   const FourCoordinates share = hn::Div(hn::Neg(dot(v, edge)), dot(edge, edge));
@@ -161,7 +161,7 @@ Nearness sphere_box_nearness(const Sphere& a, const Pose& pose_a, const Box& b, 
   const Vec3 from_offset = placed(pose_a, a.centre()) - pose_b.offset;
   const double squared = squared_beyond(b, pose_b, from_offset);
   const double sizes = (sum_of_magnitudes(from_offset) + size_of(b)) + a.radius();
-  const double error = frame_error * sizes + (offset_error * sum_of_magnitudes(pose_b.offset) + 0x1p-480);
+  const double error = frame_error * sizes + (offset_error * sum_of_magnitudes(pose_b.offset) + nearness_floor);
   const double inner = a.radius() - error, outer = a.radius() + error;
   // Without a branch between the two: which of them it is, no processor foresees.
   const bool meets = (inner > 0) & (squared < inner * inner), apart = squared > outer * outer;
@@ -173,8 +173,8 @@ Nearness sphere_triangle_nearness(const Sphere& a, const Pose& pose_a, const Tri
   if (!are_rigid(pose_a, pose_b)) return Nearness::unknown;
   const auto local = local_point(pose_b, placed(pose_a, a.centre()) - pose_b.offset);
   // What the formulas add, 2^-46 of the corners seen from the centre, is less than what `frame_error` has to spare.
-  const double error =
-      frame_error * (sizes_of(local, b) + a.radius()) + (offset_error * sum_of_magnitudes(pose_b.offset) + 0x1p-480);
+  const double error = frame_error * (sizes_of(local, b) + a.radius()) +
+                       (offset_error * sum_of_magnitudes(pose_b.offset) + nearness_floor);
   return nearness_of_triangle(local, b, a.radius(), error);
 }
 

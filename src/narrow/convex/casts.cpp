@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/bounded_number.hpp"
+#include "math/bounded_double.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/cast_until.hpp"
 #include "narrow/convex/gjk.hpp"
@@ -134,8 +134,7 @@ class ShapeCast {
     const BoundedNumber gap = (*of_a + *of_b) - reach * length(exactly(direction));
     if (!gap.is_positive() || !speed.is_positive()) return 0;
     const BoundedNumber time = gap / speed;
-    const double certain = std::nextafter(time.value.high - distance_from_high(time), -HUGE_VAL);
-    return certain > 0 ? certain : 0;
+    return std::fmax(floor_of(time), 0);
   }
 
   /// The least height of a vertex along a direction; nothing where too many may be the lowest.
@@ -256,9 +255,9 @@ class ShapeCast {
     const BoundedVector normal = cross(c[1] - c[0], c[2] - c[0]);
     const BoundedNumber time = dot(normal, c[0]) / dot(normal, exactly(motion_));
     if (!time.is_positive()) return {};  // the triangle lies behind
-    const double late = time.value.high + distance_from_high(time);
+    const double late = ceiling_of(time);
     if (!std::isfinite(late)) return {};
-    return CastMeeting{std::nextafter(late, HUGE_VAL), point_of_b(pairs, c), high_parts(normal)};
+    return CastMeeting{late, point_of_b(pairs, c), high_parts(normal)};
   }
 
   /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.

@@ -62,8 +62,8 @@ std::optional<CoreSeparation> part_cores_by_edges(const PosedPolytope& a, const 
   CoreSeparation separation;
   separation.kind = CoreSeparation::Kind::deep;
   separation.direction = least.direction;
-  separation.upper = std::nextafter(body.unscaled(least.upper + 0x1p-49 * least.upper), infinity);
-  separation.lower = std::nextafter(body.unscaled(least.lower), 0.0);
+  separation.upper = body.upper_in_world(least.upper);
+  separation.lower = body.lower_in_world(least.lower);
   if (least.edge_a != nullptr && find_points_of_edges(separation, a, b, axes, *least.edge_a, *least.edge_b))
     return separation;
   if (!find_points_of_face(separation, a, b)) return {};

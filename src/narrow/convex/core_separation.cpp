@@ -158,9 +158,8 @@ CoreSeparation Search::answer(double lower, Status status) const {
   find_points(separation);
   if (upper_ <= 0) return separation;
   separation.kind = CoreSeparation::Kind::deep;
-  // The direction is a unit vector up to 2^-50, and the way back to the world's unit may round.
-  separation.upper = std::nextafter(body_.unscaled(upper_ + 0x1p-49 * upper_), infinity);
-  separation.lower = lower > 0 ? std::nextafter(body_.unscaled(lower), 0.0) : 0.0;
+  separation.upper = body_.upper_in_world(upper_);
+  separation.lower = lower > 0 ? body_.lower_in_world(lower) : 0.0;
   return separation;
 }
 

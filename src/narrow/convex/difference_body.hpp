@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
+#include "math/constants.hpp"
 #include "math/double_word.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/support_scan.hpp"
@@ -94,6 +96,12 @@ class DifferenceBody {
   [[nodiscard]] double extent() const { return extent_; }
   /// From scaled lengths back: multiply by the first, then by the second. Exact but for over- and underflow.
   [[nodiscard]] double unscaled(double length) const { return length / second_ / first_; }
+  /// Of a depth along a direction that is a unit vector up to 2^-50, what parts in the world's unit; and no more than
+  /// the depth, which is positive. The way back to that unit may round.
+  [[nodiscard]] double upper_in_world(double depth) const {
+    return std::nextafter(unscaled(depth + 0x1p-49 * depth), infinity);
+  }
+  [[nodiscard]] double lower_in_world(double depth) const { return std::nextafter(unscaled(depth), 0.0); }
   [[nodiscard]] double scaled_length(double length) const { return length * first_ * second_; }
 
   /// Roughly from the middle of A to that of B, scaled.

@@ -12,14 +12,9 @@
 namespace toccata {
 namespace {
 
-struct Neighbours {
-  double lower = 0;
-  double upper = 0;
-};
-
 /// The doubles around a positive number known by comparisons.
 template <class Compare>
-Neighbours neighbours_of(const Compare& compare, double guess) {
+DoubleBracket neighbours_of(const Compare& compare, double guess) {
   const double lower = greatest_double_below(compare, std::fmax(0, guess));
   const bool is_double = compare(lower, lower) == Sign::zero;
   return {lower, is_double ? lower : of_rank(rank_of(lower) + 1)};
@@ -52,13 +47,9 @@ LikelyGap likely_gap(const Vec3& centre, double radius, const PosedHalfSpace& h)
           moved_along(centre, height / squared, h.normal)};
 }
 
-/// The doubles around a positive number that certainly is none.
-std::optional<Neighbours> certain_neighbours(const BoundedNumber& number) {
-  const double high = number.value.high, low = number.value.low, off = 4 * number.error;
-  if (!(high > 0)) return {};
-  if (low > off) return Neighbours{high, std::nextafter(high, HUGE_VAL)};
-  if (low < -off) return Neighbours{std::nextafter(high, 0), high};
-  return {};
+/// The doubles around the gap, where it certainly is one.
+std::optional<DoubleBracket> certain_neighbours(const BoundedNumber& gap) {
+  return gap.is_positive() ? bracket(gap) : std::nullopt;
 }
 
 Distance apart_by(const Vec3& centre, double radius, const PosedHalfSpace& h) {

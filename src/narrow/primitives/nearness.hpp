@@ -15,24 +15,30 @@ enum class Nearness { apart, meet, unknown };
 /// and each product with d goes through fewer than 20, and a length has at most √3 of what its coordinates have.
 inline constexpr double nearness_bound = 0x1p-46;
 
+/// What squares lose that underflow: where a length is greater, its square is off by far less than a rounding.
+inline constexpr double nearness_floor = 0x1p-480;
+
 /// What a formula's numbers may be off by. `magnitude` is the sum of the magnitudes of the coordinates that d was made
-/// of, `slack` what the cores may differ by from the points taken for them; the floor stands for underflow.
+/// of, `slack` what the cores may differ by from the points taken for them.
 inline double nearness_error(double reach, double magnitude, double slack = 0) {
-  return nearness_bound * (magnitude + reach) + (slack + 0x1p-480);
+  return nearness_bound * (magnitude + reach) + (slack + nearness_floor);
 }
+
+/// Parts of squares, for the roundings of the squares themselves and of their comparison: fewer than 8 of each side.
+inline constexpr double less_square = 1 - 0x1p-48, more_square = 1 + 0x1p-48;
 
 // Where something overflows or is NaN, both are false.
 
 /// `length_squared` is d · d, of a d from a point of one core to a point of the other.
 inline bool proves_meeting(double length_squared, double reach, double error) {
   const double inner = reach - error;
-  return inner > 0 && length_squared < (1 - 0x1p-48) * (inner * inner);
+  return inner > 0 && length_squared < less_square * (inner * inner);
 }
 
 /// `gap_along` is the least product with d of a difference of core points; d may be any vector.
 inline bool proves_apart(double gap_along, double length_squared, double reach, double error) {
   const double outer = reach + error;
-  return gap_along > 0 && gap_along * gap_along > (1 + 0x1p-48) * (outer * outer) * length_squared;
+  return gap_along > 0 && gap_along * gap_along > more_square * (outer * outer) * length_squared;
 }
 
 inline Nearness judge(double gap_along, double length_squared, double reach, double magnitude, double slack = 0) {

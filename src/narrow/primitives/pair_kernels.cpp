@@ -25,11 +25,12 @@ struct Judged {
 /// `judge` of nearness.hpp.
 HWY_INLINE Judged judged(const Number& gap, const Number& squared, const Number& reach, const Number& magnitude,
                          const Number& slack) {
-  const Number error = hn::Add(hn::Mul(all(nearness_bound), hn::Add(magnitude, reach)), hn::Add(slack, all(0x1p-480)));
+  const Number error =
+      hn::Add(hn::Mul(all(nearness_bound), hn::Add(magnitude, reach)), hn::Add(slack, all(nearness_floor)));
   const Number inner = hn::Sub(reach, error), outer = hn::Add(reach, error);
   const Mask meets =
-      hn::And(hn::Gt(inner, hn::Zero(tag)), hn::Lt(squared, hn::Mul(all(1 - 0x1p-48), hn::Mul(inner, inner))));
-  const Number needed = hn::Mul(hn::Mul(all(1 + 0x1p-48), hn::Mul(outer, outer)), squared);
+      hn::And(hn::Gt(inner, hn::Zero(tag)), hn::Lt(squared, hn::Mul(all(less_square), hn::Mul(inner, inner))));
+  const Number needed = hn::Mul(hn::Mul(all(more_square), hn::Mul(outer, outer)), squared);
   return {meets, hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Gt(hn::Mul(gap, gap), needed))};
 }
 

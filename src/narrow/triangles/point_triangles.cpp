@@ -7,6 +7,7 @@
 #include "narrow/triangles/least_difference.hpp"
 #include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/point_triangles.hpp"
+#include "narrow/triangles/triangle_gap_rounding.hpp"
 
 #ifndef TOCCATA_NARROW_POINT_TRIANGLES_ONCE
 #define TOCCATA_NARROW_POINT_TRIANGLES_ONCE
@@ -81,7 +82,7 @@ HWY_INLINE void bound_lanes(const Vector& p, const Pose& pose, const TriangleBlo
   const Vector& d = least.difference;
   const Number length = hn::Sqrt(least.squared), height = lesser(lesser(dot(a, d), dot(b, d)), dot(c, d));
   const Number size = greater(greater(greatest_of(a), greatest_of(b)), greatest_of(c));
-  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(tag);
+  const Number off = hn::Mul(all(triangle_gap_rounding), size), zero = hn::Zero(tag);
   const Mask plain = hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
   const Mask some = hn::And(plain, hn::Gt(length, off));
   hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), tag,

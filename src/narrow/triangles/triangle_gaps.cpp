@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "math/lanes.hpp"
+#include "narrow/triangles/triangle_gap_rounding.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 
 #ifndef TOCCATA_NARROW_TRIANGLE_GAPS_ONCE
@@ -156,7 +157,7 @@ HWY_INLINE void bound_lanes(const TrianglePairBlock& block, std::size_t lane, Tr
   const Number length = hn::Sqrt(least.squared), size = size_of(a, b);
   const Number height =
       hn::Sub(lesser(lesser(above[0], above[1]), above[2]), greater(greater(below[0], below[1]), below[2]));
-  const Number off = hn::Mul(all(0x1p-47), size), zero = hn::Zero(tag);
+  const Number off = hn::Mul(all(triangle_gap_rounding), size), zero = hn::Zero(tag);
   const Mask plain = hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
   const Mask some = hn::And(plain, hn::Gt(length, off));
   hn::Store(hn::IfThenElseZero(some, greater(hn::Sub(hn::Div(height, length), off), zero)), tag,

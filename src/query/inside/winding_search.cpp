@@ -6,6 +6,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/triangles/solid_angle.hpp"
+#include "query/inside/bounded_sum.hpp"
 #include "query/meshes/cull_bounds.hpp"
 
 // The names and bounds are those of docs/methods/winding-numbers.md.
@@ -17,17 +18,6 @@ constexpr WindingPart too_near{0, HUGE_VAL};
 bool is_better(const WindingEntry& a, const WindingEntry& b) {
   return a.bound != b.bound ? a.bound < b.bound : a.block < b.block;
 }
-
-/// A sum, and a bound on what it is off by.
-struct BoundedSum {
-  double value = 0;
-  double bound = 0;
-
-  void add(double more, double more_bound) {
-    value += more;
-    bound += more_bound + unit_roundoff * std::abs(value);
-  }
-};
 
 Vec3 product(const Mat3& m, const Vec3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
@@ -85,9 +75,9 @@ struct WindingSearch::Seen {
   BoundedSum sum() {
     BoundedSum blocks, all = near;
     for (const WindingEntry& entry : far) blocks.add(entry.value, entry.bound);
-    far_value = blocks.value;
-    far_bound = blocks.bound;
-    all.add(blocks.value, blocks.bound);
+    far_value = blocks.value();
+    far_bound = blocks.rounded_bound();
+    all.add(blocks.value(), blocks.bound());
     return all;
   }
 };
@@ -138,12 +128,11 @@ WindingNumber WindingSearch::search(const Vec3& point, WindingEntries& memory, c
   open(0, seen);
   for (;;) {
     // What was added and taken away again rounds: before it counts, all is added anew.
-    if (seen.far.empty() || done(seen.near.value + seen.far_value, seen.near.bound + seen.far_bound)) {
+    if (seen.far.empty() || done(seen.near.value() + seen.far_value, seen.near.rounded_bound() + seen.far_bound)) {
       const BoundedSum all = seen.sum();
-      const double bound = (1 + 0x1p-40) * all.bound + unit_roundoff * std::abs(all.value);
-      if (seen.far.empty() || done(all.value, bound))
-        return {all.value, all.value - bound, all.value + bound,
-                done(all.value, bound) ? Status::exact : Status::not_converged};
+      const double value = all.value(), bound = all.bound() + unit_roundoff * std::abs(value);
+      if (seen.far.empty() || done(value, bound))
+        return {value, value - bound, value + bound, done(value, bound) ? Status::exact : Status::not_converged};
     }
     open(seen.take_worst().block, seen);
   }

@@ -31,6 +31,11 @@ inline FormRange range_of(const Vec3& form, const Aabb& box) {
 /// that what is not a number fails them, and nothing is culled.
 inline bool is_certain(double gap, double pad) { return gap > pad && gap <= std::numeric_limits<double>::max(); }
 
+/// pad(L): `rounded` is W, or S along an axis, and `underflowed` is what smallest doubles are multiplied with.
+inline double culling_pad(double rounded, double underflowed) {
+  return 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+}
+
 /// ρ: the largest magnitude of each coordinate in a box.
 [[nodiscard]] Vec3 largest_coordinates(const Aabb& box);
 

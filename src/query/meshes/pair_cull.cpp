@@ -68,7 +68,7 @@ void PairCull::add_box_normals(const PosedMesh& of, const PosedMesh& a, const Po
 double PairCull::pad_of(const Vec3& world) const {
   const Vec3 size = magnitudes(world);
   const double underflowed = 1 + sum_of_magnitudes(size) + coordinates_;
-  return pad_scale_ * (16 * unit_roundoff * dot(size, world_sizes_) + 8 * smallest_double * underflowed);
+  return pad_scale_ * culling_pad(dot(size, world_sizes_), underflowed);
 }
 
 void PairCull::add(const Vec3& world, const PosedMesh& a, const PosedMesh& b) {

@@ -22,7 +22,7 @@ RegionDirection along_axis(const PosedMesh& mesh, const Aabb& region, int axis) 
   return {mesh.pose().linear[axis],
           mesh.pose().offset[axis],
           {region.lower[axis], region.upper[axis]},
-          16 * unit_roundoff * world_sizes(mesh)[axis] + 8 * smallest_double};
+          culling_pad(world_sizes(mesh)[axis], 1)};
 }
 
 /// The direction at right angles to a ray along `axis` and to an edge of the mesh's posed boxes: turned boxes that lie
@@ -49,7 +49,7 @@ RegionDirection beside_ray(const PosedMesh& mesh, const Aabb& ray, int axis, con
     rounded += std::abs(direction[k]) * (sizes[k] + reach);
     underflowed += std::abs(direction[k]) + reach;
   }
-  result.pad = 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  result.pad = culling_pad(rounded, underflowed);
   return result;
 }
 
@@ -101,7 +101,7 @@ RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
   }
   result.region.high = dot(normal, half_space.point);
   result.region.low = std::min(-2 * size, result.region.high);
-  result.pad = 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  result.pad = culling_pad(rounded, underflowed);
   return result;
 }
 

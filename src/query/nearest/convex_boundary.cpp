@@ -17,13 +17,6 @@ SurfacePoint surface_point(double upper, const Vec3& point, Status status) {
   return {true, lower_from(upper), upper, point, 0, 0, status};
 }
 
-/// The least double that is not less than a + b. One more would leave the interval's lower end too high where all are
-/// among the least doubles.
-double sum_not_less(double a, double b) {
-  const TwoPart sum = two_sum(a, b);
-  return sum.low <= 0 ? sum.high : std::nextafter(sum.high, infinity);
-}
-
 /// `lower` is the exact depth or the double before it; `upper` is more than the next where that is along a direction
 /// that was rounded.
 double upper_of(const Penetration& depth) {
@@ -109,6 +102,7 @@ SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scrat
   }
   const SurfacePoint out = from_core(point, scratch);
   const Vec3 normal = rounded_unit(exact_cross(core().mesh.triangle(out.element)));
+  // A double more would leave the interval's lower end too high where all are among the least doubles.
   return surface_point(sum_not_less(out.upper, radius), out.point + radius * normal, out.status);
 }
 

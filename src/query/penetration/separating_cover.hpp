@@ -27,8 +27,8 @@ struct TranslationCell {
 /// difference of its bodies. Several of them cover what none does, as the walls of a hole hold a peg together.
 class SeparatingCover {
  public:
-  /// `margin`: more than rounding moves a vertex by.
-  explicit SeparatingCover(double margin) : margin_(margin) {}
+  /// `extent`: the greatest coordinates of both and of the translations, added up.
+  explicit SeparatingCover(double extent) : margin_(0x1p-40 * extent) {}
 
   void add(const InnerPair& pair) { pairs_.push_back(pair); }
 
@@ -40,7 +40,7 @@ class SeparatingCover {
   [[nodiscard]] bool covers(const InnerPair& pair, const TranslationCell& cell) const;
 
   std::vector<InnerPair> pairs_;
-  double margin_;
+  double margin_;  ///< more than rounding moves a vertex by
 };
 
 }  // namespace toccata

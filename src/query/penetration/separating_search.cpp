@@ -53,7 +53,7 @@ Vec3 unit_along(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 }  // namespace
 
 SeparatingSearch::SeparatingSearch(SolidBody& a, SolidBody& b, SeparatingQuestions questions)
-    : a_(a), b_(b), questions_(std::move(questions)), extent_(a.extent() + b.extent()), cover_(0x1p-40 * extent_) {}
+    : a_(a), b_(b), questions_(std::move(questions)), extent_(a.extent() + b.extent()), cover_(extent_) {}
 
 bool SeparatingSearch::parted(const Vec3& move) const {
   return questions_.distance(move) > slack(std::sqrt(dot(move, move)));
