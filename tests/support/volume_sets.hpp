@@ -7,9 +7,19 @@
 #include "oracle/convex.hpp"
 #include "toccata/bounds/all_volumes.hpp"
 
-// Which set a volume is, as its header says, in rational numbers: the one thing that tests of volumes want to be told
-// of a new one.
+// Which set a volume is, as its header says, in rational numbers, and whether it can turn: what tests of volumes want
+// to be told of a new one.
 namespace toccata::test {
+
+/// Turned, it is as tight as before: it has no directions that are given.
+template <class V>
+inline constexpr bool can_turn = true;
+template <>
+inline constexpr bool can_turn<Aabb> = false;
+template <>
+inline constexpr bool can_turn<Cube> = false;
+template <std::size_t k>
+inline constexpr bool can_turn<Kdop<k>> = false;
 
 /// All centre ± half_i axis_i.
 inline oracle::ConvexSet box_set(const Vec3& centre, const Mat3& axes, std::span<const double> half, double radius) {
