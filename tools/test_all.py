@@ -30,6 +30,7 @@ STEPS = {
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
     "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
     "proofs": "python3 tools/check_proofs.py",
+    "recipes": "python3 tools/check_recipes.py --build",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "
     f"(mkdir -p build/fuzz/corpus/${{f##*/}} && cd build/fuzz && ../../$f -max_total_time={FUZZ_SECONDS} -timeout=10 "

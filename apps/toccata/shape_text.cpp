@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -30,39 +31,22 @@ std::string text_of(const ConvexHull& hull) {
   return fmt::format("convex hull {}: {}", size, vertices_text(hull));
 }
 
+std::string text_of(double number) { return fmt::format("{:.6g}", number); }
+std::string text_of(const Vec3& point) { return point_text(point); }
+
 struct Text {
-  std::string operator()(const Point& s) const { return "point " + point_text(s.position()); }
-  std::string operator()(const Segment& s) const {
-    return fmt::format("segment from {} to {}", point_text(s.start()), point_text(s.end()));
+  template <DescribedShape S>
+  std::string operator()(const S& shape) const {
+    return std::apply(
+        [&shape](const auto&... parameters) { return fmt::format(S::words, text_of((shape.*parameters.value)())...); },
+        S::parameters);
   }
   std::string operator()(const Triangle& t) const {
     return fmt::format("triangle {}, {}, {}", point_text(t[0]), point_text(t[1]), point_text(t[2]));
   }
-  std::string operator()(const HalfSpace& s) const {
-    return fmt::format("half-space behind {}, normal {}", point_text(s.point()), point_text(s.normal()));
-  }
-  std::string operator()(const Sphere& s) const {
-    return fmt::format("sphere of radius {:.6g} around {}", s.radius(), point_text(s.centre()));
-  }
-  std::string operator()(const Box& s) const {
-    return fmt::format("box of half extents {} around {}", point_text(s.half_extents()), point_text(s.centre()));
-  }
-  std::string operator()(const Capsule& s) const {
-    return fmt::format("capsule of radius {:.6g} from {} to {}", s.radius(), point_text(s.start()),
-                       point_text(s.end()));
-  }
   std::string operator()(const ConvexHull& hull) const { return text_of(hull); }
   std::string operator()(const Rounded& s) const {
     return fmt::format("rounded by {:.6g}: {}", s.radius(), std::visit(*this, s.core()));
-  }
-  std::string operator()(const Cylinder& s) const {
-    return fmt::format("cylinder of radius {:.6g} and half height {:.6g} along z", s.radius(), s.half_height());
-  }
-  std::string operator()(const Cone& s) const {
-    return fmt::format("cone of radius {:.6g} and half height {:.6g} along z", s.radius(), s.half_height());
-  }
-  std::string operator()(const Ellipsoid& s) const {
-    return fmt::format("ellipsoid of half axes {}", point_text(s.half_axes()));
   }
   std::string operator()(const HeightField& s) const {
     return fmt::format("height field of {} × {} heights, spacing {:.6g} × {:.6g}", s.columns(), s.rows(), s.spacing_x(),

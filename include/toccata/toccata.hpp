@@ -10,6 +10,7 @@
 #include "toccata/core/index.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/status.hpp"
+#include "toccata/core/type_list.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/query_files.hpp"

@@ -1,4 +1,4 @@
-#include "toccata/bounds/cube.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 #include "bounds/normals.hpp"
 #include "bounds/point_clouds.hpp"

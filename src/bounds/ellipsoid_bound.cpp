@@ -1,4 +1,4 @@
-#include "toccata/bounds/ellipsoid_bound.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 #include <array>
 #include <numbers>

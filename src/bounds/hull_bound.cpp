@@ -1,4 +1,4 @@
-#include "toccata/bounds/hull_bound.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 #include <vector>
 

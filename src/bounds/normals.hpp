@@ -4,9 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "toccata/bounds/cube.hpp"
-#include "toccata/bounds/obb.hpp"
-#include "toccata/bounds/volume.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 namespace toccata {
 

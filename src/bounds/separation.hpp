@@ -8,10 +8,7 @@
 #include "bounds/upper_sum.hpp"
 #include "math/constants.hpp"
 #include "narrow/convex/gjk_simplex.hpp"
-#include "toccata/bounds/ball.hpp"
-#include "toccata/bounds/cube.hpp"
-#include "toccata/bounds/swept_sphere.hpp"
-#include "toccata/bounds/volume.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 // Any two convex sets, by the least they need to tell. Whatever directions are tried, each gives a valid bound: so the
 // search for a good one may be as rough as it likes.

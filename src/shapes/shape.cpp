@@ -1,7 +1,7 @@
 #include "toccata/shapes/shape.hpp"
 
 #include <algorithm>
-#include <array>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +20,17 @@ void require_part(const CompoundPart& part, std::size_t number) {
   if (mesh != nullptr && !*mesh)
     throw Error(fmt::format("part {} of a compound is a mesh, and the pointer given is null", number));
 }
+
+template <DescribedShape S>
+constexpr std::string_view name_for(std::type_identity<S>) {
+  return S::name;
+}
+constexpr std::string_view name_for(std::type_identity<Triangle>) { return "triangle"; }
+constexpr std::string_view name_for(std::type_identity<ConvexHull>) { return "convex hull"; }
+constexpr std::string_view name_for(std::type_identity<Rounded>) { return "rounded shape"; }
+constexpr std::string_view name_for(std::type_identity<HeightField>) { return "height field"; }
+constexpr std::string_view name_for(std::type_identity<std::shared_ptr<const TriangleMesh>>) { return "mesh"; }
+constexpr std::string_view name_for(std::type_identity<Compound>) { return "compound"; }
 
 }  // namespace
 
@@ -49,9 +60,8 @@ Compound::Compound(std::initializer_list<CompoundPart> parts) : Compound(std::sp
 std::span<const CompoundPart> Compound::parts() const { return parts_->all; }
 
 std::string_view name_of(ShapeKind kind) {
-  constexpr std::array<std::string_view, shape_kind_count> names = {
-      "point",         "segment",  "triangle", "half-space", "sphere",       "box",  "capsule", "convex hull",
-      "rounded shape", "cylinder", "cone",     "ellipsoid",  "height field", "mesh", "compound"};
+  static constexpr auto names =
+      AllShapes::of_each([]<class S>(std::type_identity<S> type) -> std::string_view { return name_for(type); });
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,7 +16,26 @@
 // Pairs of a quadric and any other, in regimes that are hard in a way of their own.
 namespace toccata::test {
 
-using QuadricShape = std::variant<Cylinder, Cone, Ellipsoid>;
+using QuadricShape = QuadricShapes::put_into<std::variant>;
+
+/// Of each kind: what the oracle calls the set, and the shape that is made of half axes, of which it may have fewer.
+template <class S>
+struct QuadricTruth;
+template <>
+struct QuadricTruth<Cylinder> {
+  static constexpr oracle::FineKind kind = oracle::FineKind::cylinder;
+  static Cylinder made(const Vec3& half) { return {half.x, half.z}; }
+};
+template <>
+struct QuadricTruth<Cone> {
+  static constexpr oracle::FineKind kind = oracle::FineKind::cone;
+  static Cone made(const Vec3& half) { return {half.x, half.z}; }
+};
+template <>
+struct QuadricTruth<Ellipsoid> {
+  static constexpr oracle::FineKind kind = oracle::FineKind::ellipsoid;
+  static Ellipsoid made(const Vec3& half) { return Ellipsoid(half); }
+};
 
 struct PlacedQuadric {
   QuadricShape shape;
@@ -27,8 +48,8 @@ inline PosedQuadric posed(const PlacedQuadric& placed) {
 
 inline oracle::FineSet fine_set(const PlacedQuadric& placed) {
   const PosedQuadric seen = posed(placed);
-  const oracle::FineKind kinds[] = {oracle::FineKind::cylinder, oracle::FineKind::cone, oracle::FineKind::ellipsoid};
-  return oracle::quadric_set(kinds[placed.shape.index()], seen.half(), placed.pose);
+  const oracle::FineKind kind = std::visit([]<class S>(const S&) { return QuadricTruth<S>::kind; }, placed.shape);
+  return oracle::quadric_set(kind, seen.half(), placed.pose);
 }
 
 inline oracle::FineSet fine_set(const PlacedPolytope& placed) {
@@ -49,7 +70,8 @@ struct QuadricCase {
 };
 
 inline const std::vector<std::string>& quadric_kinds() {
-  static const std::vector<std::string> kinds{"cylinder", "cone", "ellipsoid"};
+  static const auto names = QuadricShapes::of_each([]<class S>(std::type_identity<S>) { return std::string(S::name); });
+  static const std::vector<std::string> kinds(names.begin(), names.end());
   return kinds;
 }
 
@@ -82,9 +104,12 @@ inline Vec3 quadric_half_axes(const std::string& regime, Random& random) {
 }
 
 inline QuadricShape quadric_shape(const std::string& kind, const Vec3& half) {
-  if (kind == "cylinder") return Cylinder(half.x, half.z);
-  if (kind == "cone") return Cone(half.x, half.z);
-  return Ellipsoid(half);
+  const auto all = QuadricShapes::of_each(
+      [&half]<class S>(std::type_identity<S>) { return QuadricShape(QuadricTruth<S>::made(half)); });
+  const auto is_it = [&kind](const QuadricShape& shape) {
+    return kind == std::visit([]<class S>(const S&) { return S::name; }, shape);
+  };
+  return *std::ranges::find_if(all, is_it);
 }
 
 inline Vec3 quadric_direction(Random& random) {
@@ -127,9 +152,7 @@ inline void leave_quadric_gap(QuadricCase& pair, double gap) {
   }
 }
 
-inline bool is_plain_kind(const std::string& kind) {
-  return kind == "cylinder" || kind == "cone" || kind == "ellipsoid";
-}
+inline bool is_plain_kind(const std::string& kind) { return std::ranges::count(quadric_kinds(), kind) > 0; }
 
 inline void resize(QuadricCase& pair, double factor) {
   const auto scale = [factor](Pose& pose) { pose = {scaled(pose, factor).linear, factor * pose.offset}; };

@@ -127,7 +127,7 @@ Vec3 point_in(const PlacedQuadric& placed, Random& random) {
   if (random.below(4) == 0) unit = {0, 0, random.between(-1, 1)};
   if (random.below(8) == 0) unit = {random.between(-1, 1), 0, 0};
   if (random.below(4) == 0) unit = (1 - std::pow(10.0, random.between(-12, -1))) * quadric_direction(random);
-  if (seen.kind() == PosedQuadric::Kind::cone && random.below(2) == 0) {
+  if (seen.kind() == PosedQuadric::kind_of<Cone> && random.below(2) == 0) {
     const double below = 0.5 * (1 - unit.z);
     unit = {unit.x * below, unit.y * below, unit.z};
   }

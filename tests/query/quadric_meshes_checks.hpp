@@ -242,11 +242,11 @@ struct RegionsShown {
 
 inline Vec3 point_well_within(const PosedQuadric& shape, Random& random) {
   const Vec3 d = std::cbrt(random.between(0, 1)) * quadric_direction(random);
-  const double across = shape.kind() == PosedQuadric::Kind::cone       ? 0.4
-                        : shape.kind() == PosedQuadric::Kind::cylinder ? 0.7
-                                                                       : 0.99;
+  const double across = shape.kind() == PosedQuadric::kind_of<Cone>       ? 0.4
+                        : shape.kind() == PosedQuadric::kind_of<Cylinder> ? 0.7
+                                                                          : 0.99;
   const Vec3 u{across * d.x * shape.half().x, across * d.y * shape.half().y,
-               (shape.kind() == PosedQuadric::Kind::cone ? 0.15 : across) * d.z * shape.half().z};
+               (shape.kind() == PosedQuadric::kind_of<Cone> ? 0.15 : across) * d.z * shape.half().z};
   return transform(shape.pose(), u);
 }
 

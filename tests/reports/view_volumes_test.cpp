@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "reports/view/drawn_hierarchy.hpp"
-#include "toccata/bounds/hull_bound.hpp"
-#include "toccata/bounds/kdop.hpp"
-#include "toccata/bounds/obb.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/generate/meshes.hpp"
 
 namespace toccata {

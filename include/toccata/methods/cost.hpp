@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "toccata/bounds/all_volumes.hpp"
-#include "toccata/bounds/hull_bound.hpp"
-#include "toccata/bounds/volume.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/pair_query.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
@@ -29,8 +27,8 @@ enum class CostVolume : std::uint8_t { wide = AllVolumes::size };
 
 /// `cost_volume<Obb>`: the others are the places of AllVolumes.
 template <ListedVolume V>
-requires(AllVolumes::place_of<V>() <
-         AllVolumes::size) inline constexpr CostVolume cost_volume = static_cast<CostVolume>(AllVolumes::place_of<V>());
+requires(AllVolumes::has<V>) inline constexpr CostVolume cost_volume =
+    static_cast<CostVolume>(AllVolumes::place_of<V>());
 
 /// In the order of AllVolumes, `wide` last.
 inline constexpr auto all_cost_volumes = [] {

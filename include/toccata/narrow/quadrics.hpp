@@ -16,16 +16,19 @@ namespace toccata {
 /// need not be rigid (docs/truth.md, "quadric").
 class PosedQuadric {
  public:
-  enum class Kind : std::uint8_t { cylinder, cone, ellipsoid };
+  /// The place in QuadricShapes.
+  enum class Kind : std::uint8_t {};
+  template <QuadricShape S>
+  static constexpr Kind kind_of = static_cast<Kind>(QuadricShapes::place_of<S>());
 
-  // Throw Error when the pose is not finite or singular, or the shape reaches beyond the finite doubles.
-  explicit PosedQuadric(const Cylinder& shape, const Pose& pose = {});
-  explicit PosedQuadric(const Cone& shape, const Pose& pose = {});
-  explicit PosedQuadric(const Ellipsoid& shape, const Pose& pose = {});
+  /// Throws Error when the pose is not finite or singular, or the shape reaches beyond the finite doubles.
+  template <QuadricShape S>
+  explicit PosedQuadric(const S& shape, const Pose& pose = {})
+      : PosedQuadric(kind_of<S>, shape.half_axes(), pose, S::name) {}
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Half axes of the ellipsoid; of a cylinder and a cone the radius twice, and the half height.
+  /// The shape's `half_axes()`.
   [[nodiscard]] const Vec3& half() const { return half_; }
 
   /// A copy that lies elsewhere; the new place is rounded where the vector is not a step of its last place.
@@ -34,7 +37,7 @@ class PosedQuadric {
   friend bool operator==(const PosedQuadric&, const PosedQuadric&) = default;
 
  private:
-  PosedQuadric(Kind kind, const Vec3& half, const Pose& pose, std::string_view who);
+  PosedQuadric(Kind kind, const Vec3& half, const Pose& pose, std::string_view name);
 
   Kind kind_;
   Vec3 half_;

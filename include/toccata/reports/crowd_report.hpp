@@ -12,6 +12,10 @@
 #include "toccata/core/parallel.hpp"
 #include "toccata/generate/crowds.hpp"
 
+namespace toccata::io {
+struct QuestionKind;
+}
+
 namespace toccata {
 
 /// What bounds the bodies of a crowd, of which each fills a box.
@@ -28,6 +32,7 @@ inline constexpr std::array all_crowd_bounds{CrowdBounds::boxes, CrowdBounds::ba
 
 /// How fast which methods find the pairs of a crowd of moving boxes, and whether all find the same: `crowd`.
 struct CrowdQuestion {
+  static const io::QuestionKind kind;                                  ///< scene_question.hpp
   std::string scene = "uniform";                                       ///< one of crowd_scenes
   std::size_t count = 100'000;                                         ///< boxes, at least one
   std::size_t frames = 60;                                             ///< at least one
@@ -61,8 +66,9 @@ struct CrowdReport {
 /// How fast a World steps bodies of many shapes that fly (BodyCrowd, one in twenty in contact), and which are in
 /// contact: `crowd --world`.
 struct CrowdWorldQuestion {
-  std::size_t count = 100'000;  ///< bodies, at least one
-  std::size_t frames = 60;      ///< steps that are timed, at least one
+  static const io::QuestionKind kind;  ///< scene_question.hpp
+  std::size_t count = 100'000;         ///< bodies, at least one
+  std::size_t frames = 60;             ///< steps that are timed, at least one
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
   std::uint64_t seed = 1;
   int threads = own_thread;  ///< times compare with each other so. From 0 to 1024

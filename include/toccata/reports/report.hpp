@@ -23,6 +23,10 @@
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/shapes/scene.hpp"
 
+namespace toccata::io {
+struct QuestionKind;
+}
+
 namespace toccata {
 
 /// One piece of what two faces have in common: its extreme points in world units, each number the double nearest to the
@@ -74,6 +78,7 @@ struct CheckReport {
 /// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them. The
 /// clearances are those that it was asked for.
 struct ReportOptions {
+  static const io::QuestionKind kind;  ///< scene_question.hpp
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
@@ -134,7 +139,8 @@ struct SelfReport {
 /// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
 /// world.
 struct DecomposeQuestion {
-  std::size_t max_parts = 32;  ///< as DecompositionOptions says
+  static const io::QuestionKind kind;  ///< scene_question.hpp
+  std::size_t max_parts = 32;          ///< as DecompositionOptions says
   double concavity = 0;
   friend bool operator==(const DecomposeQuestion&, const DecomposeQuestion&) = default;
 };
@@ -206,7 +212,8 @@ struct InspectedObject {
 
 /// The sum of two convex objects, the first of which is A and the second B: `minkowski`. In the world.
 struct MinkowskiQuestion {
-  bool difference = false;      ///< A − B instead of A + B
+  static const io::QuestionKind kind;  ///< scene_question.hpp
+  bool difference = false;             ///< A − B instead of A + B
   bool hulls = false;           ///< meshes that are not convex stand for their convex hulls; else they are refused
   std::optional<Vec3> point{};  ///< where it lies is asked too
   friend bool operator==(const MinkowskiQuestion&, const MinkowskiQuestion&) = default;

@@ -10,12 +10,16 @@
 #include <vector>
 
 #include "toccata/core/parallel.hpp"
+#include "toccata/core/type_list.hpp"
 #include "toccata/reports/crowd_report.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
 
 // What the command's subcommands ask about a scene, as values: they can be asked, written down with the scene
 // (case_file.hpp), and asked again. Lengths and points are in the world.
+//
+// What the library does with a question, from reading it to drawing what it found, is its `kind`, in a file of its own
+// in src/reports/questions.
 namespace toccata {
 
 /// Which pairs touch, or are nearer than their clearance: `check`.
@@ -23,6 +27,7 @@ using CheckQuestion = ReportOptions;
 
 /// How two objects lie at many poses: `check --poses`.
 struct CheckPosesQuestion {
+  static const io::QuestionKind kind;
   std::vector<PairQuery> queries;  ///< the first object is A, the second B
   Touching touching = Touching::count;
   bool faces = false;
@@ -31,32 +36,38 @@ struct CheckPosesQuestion {
 
 /// Where each object meets itself: `check --self`.
 struct SelfQuestion {
+  static const io::QuestionKind kind;
   bool faces = false;
 };
 
 /// How far apart the objects are: `distance`.
 struct DistanceQuestion {
+  static const io::QuestionKind kind;
   /// 0: every two objects. Else each of the first so many objects and each of the others. Two of one group are no pair.
   std::size_t first_objects = 0;
 };
 
 /// How far apart two objects are at many poses: `distance --poses`.
 struct DistancePosesQuestion {
+  static const io::QuestionKind kind;
   std::vector<PairQuery> queries;
 };
 
 /// What rays meet first: `ray`. Of each ray only its origin and its motion count.
 struct RayQuestion {
+  static const io::QuestionKind kind;
   std::vector<RayQuery> rays;
 };
 
 /// Which faces lie in a region: `faces`.
 struct FacesQuestion {
+  static const io::QuestionKind kind;
   Region region;
 };
 
 /// What is nearest to points: `nearest`.
 struct NearestQuestion {
+  static const io::QuestionKind kind;
   std::vector<Vec3> points;
   std::size_t k = 1;
   double within = std::numeric_limits<double>::infinity();
@@ -65,28 +76,23 @@ struct NearestQuestion {
 
 /// What the objects are, and what is out of order in their meshes: `inspect`.
 struct InspectQuestion {
+  static const io::QuestionKind kind;
   bool volumes = false;     ///< every bounding volume and hierarchy of each mesh, too
   bool partitions = false;  ///< every partition of space over each mesh, too
   bool faults = false;      ///< where the faults are that are counted
 };
 
 /// How good the scene's tree of nodes is as a hierarchy: `inspect --hierarchy`.
-struct HierarchyQuestion {};
+struct HierarchyQuestion {
+  static const io::QuestionKind kind;
+};
 
 /// What a question about two meshes costs with each bounding volume and hierarchy: `cost`.
 struct CostQuestion {
+  static const io::QuestionKind kind;
   std::vector<PairQuery> queries;  ///< the first object is A, the second B
   CostOptions options{};           ///< `progress` plays no part: AskOptions has one
 };
-
-/// Those of crowds are about no scene: they are asked of no models (`is_of_crowd`).
-using SceneQuestion =
-    std::variant<CheckQuestion, CheckPosesQuestion, SelfQuestion, DistanceQuestion, DistancePosesQuestion, RayQuestion,
-                 FacesQuestion, NearestQuestion, InspectQuestion, HierarchyQuestion, CostQuestion, CrowdQuestion,
-                 DecomposeQuestion, MinkowskiQuestion, CrowdWorldQuestion>;
-
-/// It makes what it asks about, from a seed, and no scene has a part in it.
-[[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -112,10 +118,35 @@ struct CostReport {
   CostQuestion question;
 };
 
-/// What a question found, in the order of SceneQuestion's alternatives.
-using SceneAnswer = std::variant<CheckReport, PosesReport, SelfReport, DistanceReport, DistancePosesReport, RayReport,
-                                 FacesReport, NearestReport, InspectReport, RebalanceReport, CostReport, CrowdReport,
-                                 DecomposeReport, MinkowskiReport, CrowdWorldReport>;
+/// A question, and the report of what it found.
+template <class SomeQuestion, class SomeReport>
+struct QuestionAndReport {
+  using Question = SomeQuestion;
+  using Report = SomeReport;
+};
+
+/// All that can be asked. Those of crowds are about no scene: they are asked of no models (`is_of_crowd`).
+using SceneQuestions =
+    TypeList<QuestionAndReport<CheckQuestion, CheckReport>, QuestionAndReport<CheckPosesQuestion, PosesReport>,
+             QuestionAndReport<SelfQuestion, SelfReport>, QuestionAndReport<DistanceQuestion, DistanceReport>,
+             QuestionAndReport<DistancePosesQuestion, DistancePosesReport>, QuestionAndReport<RayQuestion, RayReport>,
+             QuestionAndReport<FacesQuestion, FacesReport>, QuestionAndReport<NearestQuestion, NearestReport>,
+             QuestionAndReport<InspectQuestion, InspectReport>, QuestionAndReport<HierarchyQuestion, RebalanceReport>,
+             QuestionAndReport<CostQuestion, CostReport>, QuestionAndReport<CrowdQuestion, CrowdReport>,
+             QuestionAndReport<DecomposeQuestion, DecomposeReport>,
+             QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
+             QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>>;
+
+template <class... Listed>
+using QuestionVariant = std::variant<typename Listed::Question...>;
+template <class... Listed>
+using ReportVariant = std::variant<typename Listed::Report...>;
+
+using SceneQuestion = SceneQuestions::put_into<QuestionVariant>;
+using SceneAnswer = SceneQuestions::put_into<ReportVariant>;
+
+/// It makes what it asks about, from a seed, and no scene has a part in it.
+[[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
 
 struct AskOptions {
   int threads = all_threads;

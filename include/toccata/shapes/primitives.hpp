@@ -1,10 +1,44 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
 
+#include "toccata/core/type_list.hpp"
 #include "toccata/math/vec3.hpp"
 
 namespace toccata {
+
+enum class WhenLeftOut : std::uint8_t { refused, zero };
+
+/// One of the numbers and vectors that a shape is made of.
+template <class S, class Value>
+struct ShapeParameter {
+  constexpr ShapeParameter(const char* name_in_files, Value (S::*getter)() const,
+                           WhenLeftOut left_out = WhenLeftOut::refused)
+      : name(name_in_files), value(getter), when_left_out(left_out) {}
+
+  const char* name;
+  Value (S::*value)() const;
+  WhenLeftOut when_left_out;  ///< of a file
+};
+
+/// A shape that is made of numbers and vectors alone says what it is, and files and messages go by that:
+///  - name: what it is called;
+///  - words: how people read of it, with the values of its parameters in the braces;
+///  - parameters: what its constructor takes, in that order.
+template <class S>
+concept DescribedShape = requires {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::words } -> std::convertible_to<std::string_view>;
+  S::parameters;
+};
+
+/// What constructors of shapes check: throws Error unless the number is positive and finite. `what` begins the message:
+/// "the radius of a sphere".
+void require_positive(double value, std::string_view what);
 
 /// One point, in the shape's own frame. A surface: it has no interior.
 class Point {
@@ -13,6 +47,9 @@ class Point {
   explicit Point(const Vec3& position = {});
 
   [[nodiscard]] const Vec3& position() const { return position_; }
+
+  static constexpr std::string_view name = "point", words = "point {}";
+  static constexpr std::tuple parameters{ShapeParameter("position", &Point::position, WhenLeftOut::zero)};
 
  private:
   Vec3 position_;
@@ -26,6 +63,10 @@ class Segment {
 
   [[nodiscard]] const Vec3& start() const { return start_; }
   [[nodiscard]] const Vec3& end() const { return end_; }
+
+  static constexpr std::string_view name = "segment", words = "segment from {} to {}";
+  static constexpr std::tuple parameters{ShapeParameter("start", &Segment::start),
+                                         ShapeParameter("end", &Segment::end)};
 
  private:
   Vec3 start_;
@@ -56,6 +97,10 @@ class Sphere {
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
 
+  static constexpr std::string_view name = "sphere", words = "sphere of radius {} around {}";
+  static constexpr std::tuple parameters{ShapeParameter("radius", &Sphere::radius),
+                                         ShapeParameter("centre", &Sphere::centre, WhenLeftOut::zero)};
+
  private:
   Vec3 centre_;
   double radius_;
@@ -71,6 +116,10 @@ class Capsule {
   [[nodiscard]] const Vec3& start() const { return start_; }
   [[nodiscard]] const Vec3& end() const { return end_; }
   [[nodiscard]] double radius() const { return radius_; }
+
+  static constexpr std::string_view name = "capsule", words = "capsule of radius {2} from {0} to {1}";
+  static constexpr std::tuple parameters{ShapeParameter("start", &Capsule::start), ShapeParameter("end", &Capsule::end),
+                                         ShapeParameter("radius", &Capsule::radius)};
 
  private:
   Vec3 start_;
@@ -98,6 +147,10 @@ class Box {
     return {along(0), along(1), along(2)};
   }
 
+  static constexpr std::string_view name = "box", words = "box of half extents {} around {}";
+  static constexpr std::tuple parameters{ShapeParameter("half_extents", &Box::half_extents),
+                                         ShapeParameter("centre", &Box::centre, WhenLeftOut::zero)};
+
  private:
   Vec3 centre_;
   Vec3 half_extents_;
@@ -114,6 +167,10 @@ class HalfSpace {
   [[nodiscard]] const Vec3& point() const { return point_; }
   [[nodiscard]] const Vec3& normal() const { return normal_; }
 
+  static constexpr std::string_view name = "half-space", words = "half-space behind {}, normal {}";
+  static constexpr std::tuple parameters{ShapeParameter("point", &HalfSpace::point, WhenLeftOut::zero),
+                                         ShapeParameter("normal", &HalfSpace::normal)};
+
  private:
   Vec3 point_;
   Vec3 normal_;
@@ -124,10 +181,19 @@ class HalfSpace {
 class Cylinder {
  public:
   /// Throws Error when a number is not positive, or not finite.
-  Cylinder(double radius, double half_height);
+  Cylinder(double radius, double half_height) : radius_(radius), half_height_(half_height) {
+    require_positive(radius, "the radius of a cylinder");
+    require_positive(half_height, "the half height of a cylinder");
+  }
 
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] double half_height() const { return half_height_; }
+  /// The radius twice, and the half height.
+  [[nodiscard]] Vec3 half_axes() const { return {radius_, radius_, half_height_}; }
+
+  static constexpr std::string_view name = "cylinder", words = "cylinder of radius {} and half height {} along z";
+  static constexpr std::tuple parameters{ShapeParameter("radius", &Cylinder::radius),
+                                         ShapeParameter("half_height", &Cylinder::half_height)};
 
  private:
   double radius_;
@@ -139,10 +205,19 @@ class Cylinder {
 class Cone {
  public:
   /// Throws Error when a number is not positive, or not finite.
-  Cone(double radius, double half_height);
+  Cone(double radius, double half_height) : radius_(radius), half_height_(half_height) {
+    require_positive(radius, "the radius of a cone");
+    require_positive(half_height, "the half height of a cone");
+  }
 
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] double half_height() const { return half_height_; }
+  /// The radius twice, and the half height.
+  [[nodiscard]] Vec3 half_axes() const { return {radius_, radius_, half_height_}; }
+
+  static constexpr std::string_view name = "cone", words = "cone of radius {} and half height {} along z";
+  static constexpr std::tuple parameters{ShapeParameter("radius", &Cone::radius),
+                                         ShapeParameter("half_height", &Cone::half_height)};
 
  private:
   double radius_;
@@ -154,12 +229,26 @@ class Cone {
 class Ellipsoid {
  public:
   /// Throws Error when a half axis is not positive, or not finite.
-  explicit Ellipsoid(const Vec3& half_axes);
+  explicit Ellipsoid(const Vec3& half_axes) : half_axes_(half_axes) {
+    require_positive(half_axes.x, "the half axis along x of an ellipsoid");
+    require_positive(half_axes.y, "the half axis along y of an ellipsoid");
+    require_positive(half_axes.z, "the half axis along z of an ellipsoid");
+  }
 
   [[nodiscard]] const Vec3& half_axes() const { return half_axes_; }
+
+  static constexpr std::string_view name = "ellipsoid", words = "ellipsoid of half axes {}";
+  static constexpr std::tuple parameters{ShapeParameter("half_axes", &Ellipsoid::half_axes)};
 
  private:
   Vec3 half_axes_;
 };
+
+/// All shapes of which only the real image is posed (PosedQuadric). Each has `half_axes()`, by which it is the image of
+/// the shape of its kind within |x|, |y|, |z| ≤ 1. What else is known of a kind is in src/narrow/quadrics/kinds.
+using QuadricShapes = TypeList<Cylinder, Cone, Ellipsoid>;
+
+template <class S>
+concept QuadricShape = QuadricShapes::has<S>;
 
 }  // namespace toccata

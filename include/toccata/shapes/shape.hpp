@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "toccata/core/type_list.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 #include "toccata/shapes/height_field.hpp"
@@ -56,20 +56,20 @@ class Compound {
   std::shared_ptr<const Parts> parts_;
 };
 
-/// Any shape. Sets and classes: docs/truth.md.
-using Shape = std::variant<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, Cylinder,
-                           Cone, Ellipsoid, HeightField, std::shared_ptr<const TriangleMesh>, Compound>;
+template <class... Quadrics>
+using ShapesWith = TypeList<Point, Segment, Triangle, HalfSpace, Sphere, Box, Capsule, ConvexHull, Rounded, Quadrics...,
+                            HeightField, std::shared_ptr<const TriangleMesh>, Compound>;
+using AllShapes = QuadricShapes::put_into<ShapesWith>;
 
-/// A shape of which only the real image is posed: `PosedQuadric`.
-template <class S>
-concept QuadricShape = std::same_as<S, Cylinder> || std::same_as<S, Cone> || std::same_as<S, Ellipsoid>;
+/// Any shape. Sets and classes: docs/truth.md.
+using Shape = AllShapes::put_into<std::variant>;
 
 struct CompoundPart {
   Shape shape;
   Pose pose{};
 };
 
-/// In the order of Shape's alternatives.
+/// In the order of Shape's alternatives. Quadrics have no names here: theirs are `shape_kind<Cone>`.
 enum class ShapeKind : std::uint8_t {
   point,
   segment,
@@ -80,18 +80,20 @@ enum class ShapeKind : std::uint8_t {
   capsule,
   convex_hull,
   rounded,
-  cylinder,
-  cone,
-  ellipsoid,
-  height_field,
+  first_quadric,
+  height_field = first_quadric + QuadricShapes::size,
   mesh,
   compound,
 };
 
-inline constexpr std::size_t shape_kind_count = std::variant_size_v<Shape>;
+inline constexpr std::size_t shape_kind_count = AllShapes::size;
+
+template <class S>
+requires(AllShapes::has<S>) inline constexpr ShapeKind shape_kind = static_cast<ShapeKind>(AllShapes::place_of<S>());
+static_assert(shape_kind<Compound> == ShapeKind::compound);
 
 [[nodiscard]] constexpr bool is_quadric(ShapeKind kind) {
-  return kind == ShapeKind::cylinder || kind == ShapeKind::cone || kind == ShapeKind::ellipsoid;
+  return kind >= ShapeKind::first_quadric && kind < ShapeKind::height_field;
 }
 
 [[nodiscard]] inline ShapeKind kind_of(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstdint>
 #include <map>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,8 +30,15 @@ Mat3 rotation_of(const JsonValue& value) {
   return located(value, [&] { return toccata::rotation_of(Quaternion{q[0], q[1], q[2], q[3]}); });
 }
 
-Vec3 vector_or_zero(const JsonValue& value, const char* key) {
-  return value.has(key) ? value.at(key).vector() : Vec3{};
+/// The value of a parameter of a shape, as its constructor takes it.
+template <class S>
+double read_parameter(const JsonValue& shape, const ShapeParameter<S, double>& parameter) {
+  return shape.at(parameter.name).number();
+}
+template <class S>
+Vec3 read_parameter(const JsonValue& shape, const ShapeParameter<S, const Vec3&>& parameter) {
+  if (parameter.when_left_out == WhenLeftOut::zero && !shape.has(parameter.name)) return {};
+  return shape.at(parameter.name).vector();
 }
 
 std::vector<Vec3> points_of(const JsonValue& list) {
@@ -52,14 +61,7 @@ class ShapeReader {
 
   [[nodiscard]] Shape read(const JsonValue& value) const {
     using Reading = Shape (ShapeReader::*)(const JsonValue&) const;
-    static const std::map<std::string, Reading, std::less<>> readings = {
-        {"point", &ShapeReader::point},         {"segment", &ShapeReader::segment},
-        {"triangle", &ShapeReader::triangle},   {"half-space", &ShapeReader::half_space},
-        {"sphere", &ShapeReader::sphere},       {"box", &ShapeReader::box},
-        {"capsule", &ShapeReader::capsule},     {"convex-hull", &ShapeReader::convex_hull},
-        {"rounded", &ShapeReader::rounded},     {"height-field", &ShapeReader::height_field},
-        {"cylinder", &ShapeReader::cylinder},   {"cone", &ShapeReader::cone},
-        {"ellipsoid", &ShapeReader::ellipsoid}, {"compound", &ShapeReader::compound}};
+    static const std::map<std::string, Reading, std::less<>> readings = all_readings<Reading>();
     const std::string type = value.at("type").text();
     const auto found = readings.find(type);
     if (found != readings.end()) return (this->*found->second)(value);
@@ -71,14 +73,30 @@ class ShapeReader {
   }
 
  private:
-  [[nodiscard]] Shape point(const JsonValue& value) const {
-    value.expect_keys({"type", "position"});
-    return made<Point>(value, vector_or_zero(value, "position"));
+  template <class Reading>
+  [[nodiscard]] static std::map<std::string, Reading, std::less<>> all_readings() {
+    std::map<std::string, Reading, std::less<>> readings = {{"triangle", &ShapeReader::triangle},
+                                                            {"convex-hull", &ShapeReader::convex_hull},
+                                                            {"rounded", &ShapeReader::rounded},
+                                                            {"height-field", &ShapeReader::height_field},
+                                                            {"compound", &ShapeReader::compound}};
+    AllShapes::for_each([&]<class S>(std::type_identity<S>) {
+      if constexpr (DescribedShape<S>) readings.emplace(S::name, &ShapeReader::described<S>);
+    });
+    return readings;
   }
-  [[nodiscard]] Shape segment(const JsonValue& value) const {
-    value.expect_keys({"type", "start", "end"});
-    return made<Segment>(value, value.at("start").vector(), value.at("end").vector());
+
+  template <DescribedShape S>
+  [[nodiscard]] Shape described(const JsonValue& value) const {
+    const auto read_all = [&value](const auto&... parameters) {
+      value.expect_keys({"type", parameters.name...});
+      // Braces, so that the first that is wrong is told.
+      const std::tuple values{read_parameter(value, parameters)...};
+      return std::apply([&value](const auto&... numbers) { return made<S>(value, numbers...); }, values);
+    };
+    return std::apply(read_all, S::parameters);
   }
+
   [[nodiscard]] Shape triangle(const JsonValue& value) const {
     value.expect_keys({"type", "vertices"});
     const std::vector<Vec3> vertices = points_of(value.at("vertices"));
@@ -87,22 +105,6 @@ class ShapeReader {
           .fail(fmt::format("a triangle has three vertices, and here are {}", vertices.size()),
                 "write three, or \"convex-hull\"");
     return Triangle{{vertices[0], vertices[1], vertices[2]}};
-  }
-  [[nodiscard]] Shape half_space(const JsonValue& value) const {
-    value.expect_keys({"type", "point", "normal"});
-    return made<HalfSpace>(value, vector_or_zero(value, "point"), value.at("normal").vector());
-  }
-  [[nodiscard]] Shape sphere(const JsonValue& value) const {
-    value.expect_keys({"type", "radius", "centre"});
-    return made<Sphere>(value, value.at("radius").number(), vector_or_zero(value, "centre"));
-  }
-  [[nodiscard]] Shape box(const JsonValue& value) const {
-    value.expect_keys({"type", "half_extents", "centre"});
-    return made<Box>(value, value.at("half_extents").vector(), vector_or_zero(value, "centre"));
-  }
-  [[nodiscard]] Shape capsule(const JsonValue& value) const {
-    value.expect_keys({"type", "start", "end", "radius"});
-    return made<Capsule>(value, value.at("start").vector(), value.at("end").vector(), value.at("radius").number());
   }
   [[nodiscard]] Shape convex_hull(const JsonValue& value) const {
     value.expect_keys({"type", "points", "file"});
@@ -122,18 +124,6 @@ class ShapeReader {
     if (const auto* shape = std::get_if<ConvexHull>(&core)) return made<Rounded>(value, *shape, radius);
     value.at("core").fail(fmt::format("a {} cannot be the core of a rounded shape", name_of(core)),
                           "use a point, segment, triangle, box or convex-hull");
-  }
-  [[nodiscard]] Shape cylinder(const JsonValue& value) const {
-    value.expect_keys({"type", "radius", "half_height"});
-    return made<Cylinder>(value, value.at("radius").number(), value.at("half_height").number());
-  }
-  [[nodiscard]] Shape cone(const JsonValue& value) const {
-    value.expect_keys({"type", "radius", "half_height"});
-    return made<Cone>(value, value.at("radius").number(), value.at("half_height").number());
-  }
-  [[nodiscard]] Shape ellipsoid(const JsonValue& value) const {
-    value.expect_keys({"type", "half_axes"});
-    return made<Ellipsoid>(value, value.at("half_axes").vector());
   }
   [[nodiscard]] Shape height_field(const JsonValue& value) const {
     value.expect_keys({"type", "columns", "rows", "spacing", "heights"});
@@ -176,29 +166,25 @@ class ShapeReader {
   int depth_;
 };
 
+Json parameter_json(double number) { return number; }
+Json parameter_json(const Vec3& v) { return json_of(v); }
+
 /// Writes a shape, and the shapes in it.
 class ShapeWriter {
  public:
   explicit ShapeWriter(const MeshWriting& write_mesh) : write_mesh_(write_mesh) {}
 
-  Json operator()(const Point& s) const { return {{"type", "point"}, {"position", json_of(s.position())}}; }
-  Json operator()(const Segment& s) const {
-    return {{"type", "segment"}, {"start", json_of(s.start())}, {"end", json_of(s.end())}};
+  template <DescribedShape S>
+  Json operator()(const S& shape) const {
+    Json json = {{"type", S::name}};
+    const auto write = [&](const auto& parameter) {
+      json[parameter.name] = parameter_json((shape.*parameter.value)());
+    };
+    std::apply([&](const auto&... parameters) { (write(parameters), ...); }, S::parameters);
+    return json;
   }
   Json operator()(const Triangle& t) const {
     return {{"type", "triangle"}, {"vertices", Json::array({json_of(t[0]), json_of(t[1]), json_of(t[2])})}};
-  }
-  Json operator()(const HalfSpace& s) const {
-    return {{"type", "half-space"}, {"point", json_of(s.point())}, {"normal", json_of(s.normal())}};
-  }
-  Json operator()(const Sphere& s) const {
-    return {{"type", "sphere"}, {"radius", s.radius()}, {"centre", json_of(s.centre())}};
-  }
-  Json operator()(const Box& s) const {
-    return {{"type", "box"}, {"half_extents", json_of(s.half_extents())}, {"centre", json_of(s.centre())}};
-  }
-  Json operator()(const Capsule& s) const {
-    return {{"type", "capsule"}, {"start", json_of(s.start())}, {"end", json_of(s.end())}, {"radius", s.radius()}};
   }
   Json operator()(const ConvexHull& hull) const {
     Json points = Json::array();
@@ -208,13 +194,6 @@ class ShapeWriter {
   Json operator()(const Rounded& s) const {
     return {{"type", "rounded"}, {"core", std::visit(*this, s.core())}, {"radius", s.radius()}};
   }
-  Json operator()(const Cylinder& s) const {
-    return {{"type", "cylinder"}, {"radius", s.radius()}, {"half_height", s.half_height()}};
-  }
-  Json operator()(const Cone& s) const {
-    return {{"type", "cone"}, {"radius", s.radius()}, {"half_height", s.half_height()}};
-  }
-  Json operator()(const Ellipsoid& s) const { return {{"type", "ellipsoid"}, {"half_axes", json_of(s.half_axes())}}; }
   Json operator()(const HeightField& field) const {
     Json heights = Json::array();
     for (Index row = 0; row < field.rows(); ++row)
@@ -264,7 +243,7 @@ ScaledPose pose_of(const JsonValue& value) {
     return {pose, pose.linear, 1};
   }
   value.expect_keys({"translation", "rotation", "scale"});
-  const Vec3 translation = vector_or_zero(value, "translation");
+  const Vec3 translation = value.has("translation") ? value.at("translation").vector() : Vec3{};
   const Mat3 rotation = value.has("rotation") ? rotation_of(value.at("rotation")) : Mat3{};
   if (!value.has("scale")) return {toccata::pose_of(translation, rotation, {1, 1, 1}), rotation, 1};
   const JsonValue scale = value.at("scale");
@@ -285,10 +264,10 @@ Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 Json json_of(const Shape& shape, const MeshWriting& write_mesh) { return std::visit(ShapeWriter(write_mesh), shape); }
 
 std::string type_of(const Shape& shape) {
-  constexpr std::array<const char*, std::variant_size_v<Shape>> names = {
-      "point",   "segment",  "triangle", "half-space", "sphere",       "box",  "capsule", "convex-hull",
-      "rounded", "cylinder", "cone",     "ellipsoid",  "height-field", "mesh", "compound"};
-  return names[shape.index()];
+  if (std::holds_alternative<Rounded>(shape)) return "rounded";
+  std::string type(name_of(shape));
+  std::ranges::replace(type, ' ', '-');
+  return type;
 }
 
 }  // namespace toccata::io

@@ -2,7 +2,7 @@
 
 #include "methods/cost/cost_plan.hpp"
 #include "methods/cost/cost_walk.hpp"
-#include "toccata/bounds/hull_bound.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 
 namespace toccata {
 namespace {

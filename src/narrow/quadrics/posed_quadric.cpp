@@ -26,27 +26,20 @@ double reach_of(const Vec3& half, const Pose& pose) {
 
 }  // namespace
 
-PosedQuadric::PosedQuadric(Kind kind, const Vec3& half, const Pose& pose, std::string_view who)
+PosedQuadric::PosedQuadric(Kind kind, const Vec3& half, const Pose& pose, std::string_view name)
     : kind_(kind), half_(half), pose_(pose) {
-  if (!is_surely_rigid(pose.linear) || !is_surely_finite(pose.offset)) {
-    require_finite(pose, who);
-    require_regular(pose, who);
+  const auto who = [name] { return fmt::format("the {}", name); };
+  if ((!is_surely_rigid(pose.linear) || !is_surely_finite(pose.offset)) &&
+      (!is_finite(pose) || is_singular(pose.linear))) {
+    require_finite(pose, who());
+    require_regular(pose, who());
   }
   if (!std::isfinite(reach_of(half, pose)))
     throw Error(
         fmt::format("{}: it reaches beyond the finite numbers under the pose ({}); use smaller numbers or a "
                     "smaller scale",
-                    who, fmt::join(pose.numbers(), ", ")));
+                    who(), fmt::join(pose.numbers(), ", ")));
 }
-
-PosedQuadric::PosedQuadric(const Cylinder& shape, const Pose& pose)
-    : PosedQuadric(Kind::cylinder, {shape.radius(), shape.radius(), shape.half_height()}, pose, "the cylinder") {}
-
-PosedQuadric::PosedQuadric(const Cone& shape, const Pose& pose)
-    : PosedQuadric(Kind::cone, {shape.radius(), shape.radius(), shape.half_height()}, pose, "the cone") {}
-
-PosedQuadric::PosedQuadric(const Ellipsoid& shape, const Pose& pose)
-    : PosedQuadric(Kind::ellipsoid, shape.half_axes(), pose, "the ellipsoid") {}
 
 PosedQuadric PosedQuadric::moved(const Vec3& by) const {
   PosedQuadric result = *this;

@@ -256,8 +256,6 @@ CheckReport make_check_report(std::span<const SceneInstance> models, const Check
   return report;
 }
 
-namespace io {
-constinit const QuestionKind check_kind = question_kind<CheckKind>();
-}  // namespace io
+constinit const io::QuestionKind CheckQuestion::kind = io::question_kind<CheckKind>();
 
 }  // namespace toccata

@@ -155,8 +155,6 @@ PosesReport with_face_pairs(PosesReport report, std::span<const SceneInstance> m
   return report;
 }
 
-namespace io {
-constinit const QuestionKind check_poses_kind = question_kind<CheckPosesKind>();
-}  // namespace io
+constinit const io::QuestionKind CheckPosesQuestion::kind = io::question_kind<CheckPosesKind>();
 
 }  // namespace toccata

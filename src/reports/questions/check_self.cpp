@@ -137,8 +137,6 @@ std::size_t self_intersecting_count(const SelfReport& report) {
                                                 [](const ReportedSelf& object) { return object.triangle_pairs > 0; }));
 }
 
-namespace io {
-constinit const QuestionKind self_kind = question_kind<SelfKind>();
-}  // namespace io
+constinit const io::QuestionKind SelfQuestion::kind = io::question_kind<SelfKind>();
 
 }  // namespace toccata

@@ -131,8 +131,6 @@ struct CostKind {
 
 }  // namespace
 
-namespace io {
-constinit const QuestionKind cost_kind = question_kind<CostKind>();
-}  // namespace io
+constinit const io::QuestionKind CostQuestion::kind = io::question_kind<CostKind>();
 
 }  // namespace toccata

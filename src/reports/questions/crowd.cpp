@@ -365,9 +365,7 @@ WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Prog
   return recording;
 }
 
-namespace io {
-constinit const QuestionKind crowd_kind = question_kind<CrowdKind>();
-constinit const QuestionKind crowd_world_kind = question_kind<CrowdWorldKind>();
-}  // namespace io
+constinit const io::QuestionKind CrowdQuestion::kind = io::question_kind<CrowdKind>();
+constinit const io::QuestionKind CrowdWorldQuestion::kind = io::question_kind<CrowdWorldKind>();
 
 }  // namespace toccata

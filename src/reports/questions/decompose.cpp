@@ -105,8 +105,6 @@ Scene parts_scene(const DecomposeReport& report, const std::string& unit) {
   return scene;
 }
 
-namespace io {
-constinit const QuestionKind decompose_kind = question_kind<DecomposeKind>();
-}  // namespace io
+constinit const io::QuestionKind DecomposeQuestion::kind = io::question_kind<DecomposeKind>();
 
 }  // namespace toccata

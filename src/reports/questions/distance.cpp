@@ -177,9 +177,7 @@ std::size_t intersecting_count(const DistancePosesReport& report) {
       std::count_if(report.distances.begin(), report.distances.end(), [](const Distance& d) { return d.upper == 0; }));
 }
 
-namespace io {
-constinit const QuestionKind distance_kind = question_kind<DistanceKind>();
-constinit const QuestionKind distance_poses_kind = question_kind<DistancePosesKind>();
-}  // namespace io
+constinit const io::QuestionKind DistanceQuestion::kind = io::question_kind<DistanceKind>();
+constinit const io::QuestionKind DistancePosesQuestion::kind = io::question_kind<DistancePosesKind>();
 
 }  // namespace toccata

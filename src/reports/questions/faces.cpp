@@ -169,8 +169,6 @@ struct FacesKind {
 
 }  // namespace
 
-namespace io {
-constinit const QuestionKind faces_kind = question_kind<FacesKind>();
-}  // namespace io
+constinit const io::QuestionKind FacesQuestion::kind = io::question_kind<FacesKind>();
 
 }  // namespace toccata

@@ -77,8 +77,6 @@ RebalanceReport rebalance_report(const Scene& scene) {
           named_inner_nodes(as_is), named_inner_nodes(cured), as_is.unbounded.size()};
 }
 
-namespace io {
-constinit const QuestionKind hierarchy_kind = question_kind<HierarchyKind>();
-}  // namespace io
+constinit const io::QuestionKind HierarchyQuestion::kind = io::question_kind<HierarchyKind>();
 
 }  // namespace toccata

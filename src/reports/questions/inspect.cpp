@@ -278,8 +278,6 @@ std::string name_of(MeshFaultKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-namespace io {
-constinit const QuestionKind inspect_kind = question_kind<InspectKind>();
-}  // namespace io
+constinit const io::QuestionKind InspectQuestion::kind = io::question_kind<InspectKind>();
 
 }  // namespace toccata

@@ -133,8 +133,6 @@ SceneObject sum_object(const MinkowskiReport& report) {
   return object;
 }
 
-namespace io {
-constinit const QuestionKind minkowski_kind = question_kind<MinkowskiKind>();
-}  // namespace io
+constinit const io::QuestionKind MinkowskiQuestion::kind = io::question_kind<MinkowskiKind>();
 
 }  // namespace toccata

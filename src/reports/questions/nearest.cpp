@@ -204,8 +204,6 @@ struct NearestKind {
 
 }  // namespace
 
-namespace io {
-constinit const QuestionKind nearest_kind = question_kind<NearestKind>();
-}  // namespace io
+constinit const io::QuestionKind NearestQuestion::kind = io::question_kind<NearestKind>();
 
 }  // namespace toccata

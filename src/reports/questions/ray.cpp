@@ -144,8 +144,6 @@ struct RayKind {
 
 }  // namespace
 
-namespace io {
-constinit const QuestionKind ray_kind = question_kind<RayKind>();
-}  // namespace io
+constinit const io::QuestionKind RayQuestion::kind = io::question_kind<RayKind>();
 
 }  // namespace toccata

@@ -21,7 +21,7 @@ struct LineWithin {
 /// height; and a line, seen from its middle.
 template <class Number>
 struct RoundAndLine {
-  PosedQuadric::Kind kind = PosedQuadric::Kind::ellipsoid;
+  PosedQuadric::Kind kind{};
   std::array<VectorOf<Number>, 3> axis{};
   VectorOf<Number> from{};
   VectorOf<Number> along{};

@@ -171,7 +171,7 @@ bool are_met_between_middles(const PosedQuadric& a, const PosedQuadric& b) {
 bool is_plain(const PosedQuadric& shape) {
   const Vec3& half = shape.half();
   const double least = std::min({half.x, half.y, half.z}), most = std::max({half.x, half.y, half.z});
-  return shape.kind() == PosedQuadric::Kind::ellipsoid && is_moderate(least) && is_moderate(most) &&
+  return shape.kind() == PosedQuadric::kind_of<Ellipsoid> && is_moderate(least) && is_moderate(most) &&
          most <= most_slim * least && is_surely_rigid(shape.pose().linear);
 }
 

@@ -9,12 +9,14 @@
 #include "narrow/quadrics/casts/ray_stretch.hpp"
 #include "narrow/quadrics/exact_place.hpp"
 #include "narrow/quadrics/kinds/kind_parts.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 
 /// u₁² + u₂² ≤ ((1 − u₃) / 2)² and |u₃| ≤ 1 along the half axes: the tip is up. What each member is for stands at the
 /// concept QuadricKind.
 struct ConeKind {
+  using Shape = Cone;
   static constexpr Index generators = 2;
   static constexpr std::size_t columns = 2;
   static constexpr bool has_tip = true;

@@ -7,11 +7,13 @@
 #include "narrow/quadrics/casts/ray_stretch.hpp"
 #include "narrow/quadrics/exact_place.hpp"
 #include "narrow/quadrics/kinds/kind_parts.hpp"
+#include "toccata/shapes/primitives.hpp"
 
 namespace toccata {
 
 /// |u| ≤ 1 along the half axes. What each member is for stands at the concept QuadricKind.
 struct EllipsoidKind {
+  using Shape = Ellipsoid;
   static constexpr Index generators = 1;
   static constexpr std::size_t columns = 3;
   static constexpr bool has_tip = false;

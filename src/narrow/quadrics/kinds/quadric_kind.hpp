@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 
 #include "narrow/quadrics/kinds/cone.hpp"
 #include "narrow/quadrics/kinds/cylinder.hpp"
@@ -10,7 +11,8 @@
 // What is known of each kind of quadric lies in a file of its own here, and everything else asks for it.
 namespace toccata {
 
-/// Coordinates u are along the half axes, from the middle; d, volume and row are those of UnitPlace.
+/// What is told of the kind of a `Shape`. Coordinates u are along the half axes, from the middle; d, volume and row are
+/// those of UnitPlace.
 ///
 /// As the hull of generators (PlainBody):
 ///  - generators, columns: how many there are, and of how many dimensions the ball that each is an image of;
@@ -69,18 +71,32 @@ concept AxialKind = QuadricKind<Kind> && requires(const typename Kind::Section& 
   { section.farthest(x, x) } -> std::same_as<AxialFoot>;
 };
 
-/// Calls `use` with the kind: the one place that chooses between them.
-template <class Use>
+template <class Kind>
+concept BallKind = QuadricKind<Kind> && Kind::generators == 1 && Kind::columns == 3;
+
+/// What the proofs of distances know (distance/fast_proof.cpp): what is round about its axis, and the image of a ball.
+template <class Kind>
+concept ProvedKind = AxialKind<Kind> || BallKind<Kind>;
+
+template <ProvedKind... Kinds>
+using KindList = TypeList<Kinds...>;
+
+/// In the order of QuadricShapes: of each its kind.
+using QuadricKinds = KindList<CylinderKind, ConeKind, EllipsoidKind>;
+
+template <class... Kinds>
+using ShapesOf = TypeList<typename Kinds::Shape...>;
+static_assert(std::same_as<QuadricKinds::put_into<ShapesOf>, QuadricShapes>);
+
+/// Calls `use` with the kind: the one place that chooses between them. As quick as a switch with the last as default.
+template <std::size_t place = 0, class Use>
 decltype(auto) with_kind(PosedQuadric::Kind kind, const Use& use) {
-  switch (kind) {
-    case PosedQuadric::Kind::cylinder:
-      return use(CylinderKind{});
-    case PosedQuadric::Kind::cone:
-      return use(ConeKind{});
-    case PosedQuadric::Kind::ellipsoid:
-      break;
+  if constexpr (place + 1 == QuadricKinds::size) {
+    return use(QuadricKinds::At<place>{});
+  } else {
+    if (kind == static_cast<PosedQuadric::Kind>(place)) return use(QuadricKinds::At<place>{});
+    return with_kind<place + 1>(kind, use);
   }
-  return use(EllipsoidKind{});
 }
 
 }  // namespace toccata
