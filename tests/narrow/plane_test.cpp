@@ -11,8 +11,6 @@
 namespace toccata {
 namespace {
 
-using oracle::Rational;
-
 const Plane floor_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
 
 TEST(Plane, CounterClockwisePointsSeenFromAboveHaveTheirNormalUp) {
@@ -57,33 +55,35 @@ TEST(Plane, LineIsCutBeyondItsPointsToo) {
 }
 
 struct ExactVector {
-  std::array<Rational, 3> at;
+  std::array<oracle::Rational, 3> at;
 };
 
 ExactVector minus(const Vec3& p, const Vec3& q) {
   ExactVector result;
-  for (int i = 0; i < 3; ++i) result.at[static_cast<std::size_t>(i)] = Rational(p[i]) - Rational(q[i]);
+  for (int i = 0; i < 3; ++i) result.at[static_cast<std::size_t>(i)] = oracle::Rational(p[i]) - oracle::Rational(q[i]);
   return result;
 }
 
 /// (u × v) · w
-Rational volume(const ExactVector& u, const ExactVector& v, const ExactVector& w) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return Rational(u.at[i] * v.at[j] - u.at[j] * v.at[i]); };
+oracle::Rational volume(const ExactVector& u, const ExactVector& v, const ExactVector& w) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return oracle::Rational(u.at[i] * v.at[j] - u.at[j] * v.at[i]);
+  };
   return minor(1, 2) * w.at[0] + minor(2, 0) * w.at[1] + minor(0, 1) * w.at[2];
 }
 
-int sign(const Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; }
+int sign(const oracle::Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; }
 
 /// The rounded point is the double nearest to the exact one: no neighbouring double is nearer.
-bool is_nearest(double rounded, const Rational& exact) {
-  const auto distance = [&](double x) { return Rational(abs(Rational(x) - exact)); };
+bool is_nearest(double rounded, const oracle::Rational& exact) {
+  const auto distance = [&](double x) { return oracle::Rational(abs(oracle::Rational(x) - exact)); };
   return distance(rounded) <= distance(std::nextafter(rounded, HUGE_VAL)) &&
          distance(rounded) <= distance(std::nextafter(rounded, -HUGE_VAL));
 }
 
 void expect_like_rationals(const Plane& plane, const Vec3& p, const Vec3& q) {
   const ExactVector u = minus(plane.b(), plane.a()), v = minus(plane.c(), plane.a());
-  const Rational from = volume(u, v, minus(p, plane.a())), to = volume(u, v, minus(q, plane.a()));
+  const oracle::Rational from = volume(u, v, minus(p, plane.a())), to = volume(u, v, minus(q, plane.a()));
   EXPECT_EQ(static_cast<int>(side(plane, p)), sign(from));
   const PlaneCut cut = cut_segment(plane, p, q);
   const bool meets = sign(from) * sign(to) <= 0;
@@ -91,7 +91,8 @@ void expect_like_rationals(const Plane& plane, const Vec3& p, const Vec3& q) {
   EXPECT_EQ(cut.kind, whole ? PlaneCutKind::whole : meets ? PlaneCutKind::point : PlaneCutKind::none);
   if (sign(from) * sign(to) >= 0) return;
   for (int i = 0; i < 3; ++i) {
-    const Rational exact = Rational(p[i]) + from / (from - to) * (Rational(q[i]) - Rational(p[i]));
+    const oracle::Rational exact =
+        oracle::Rational(p[i]) + from / (from - to) * (oracle::Rational(q[i]) - oracle::Rational(p[i]));
     EXPECT_TRUE(is_nearest(cut.point[i], exact)) << cut.point[i];
   }
 }
