@@ -8,9 +8,9 @@ namespace toccata {
 // Without expression templates, so that `auto` holds a number and not a reference to temporaries.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
-/// A fraction of integers of any size, in lowest terms, with a positive denominator. A class around Boost's number whose
-/// functions are compiled once, in rational.cpp: wherever they are inlined they cost more time of the compiler than
-/// anything else in the library.
+/// A fraction of integers of any size, in lowest terms, with a positive denominator. A class around Boost's number
+/// whose functions are compiled once, in rational.cpp: wherever they are inlined they cost more time of the compiler
+/// than anything else in the library.
 class Rational {
  public:
   Rational() : Rational(0) {}
@@ -44,7 +44,8 @@ class Rational {
   friend Integer denominator(const Rational& value);
 
  private:
-  using Number = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+  using Number =
+      boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
   explicit Rational(Number number);
 
