@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/set_relation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
 
