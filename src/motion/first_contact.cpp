@@ -1,13 +1,12 @@
 #include "toccata/motion/first_contact.hpp"
 
+#include "motion/certain_contact.hpp"
 #include "motion/moving_polygon.hpp"
-#include "motion/volume_filter.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-/// An infinite or NaN coordinate makes the sum so; a sum of finite ones that overflows is looked at again.
 template <std::size_t Count>
 void check_finite(const MovingPolygon<Count>& polygon) {
   for (const MovingCorner& c : polygon)
@@ -19,10 +18,7 @@ void check_finite(const MovingPolygon<Count>& polygon) {
 template <std::size_t Count>
 FirstContact first_contact_of(const MovingPolygon<Count>& polygon) {
   check_finite(polygon);
-  const RoundedPolygon<Count> corners = rounded(polygon);
-  for (int axis = 0; axis < 3; ++axis)
-    if (is_apart_along(corners, axis)) return {};
-  if (bernstein_volume(corners[0], corners[1], corners[2]).is_certainly_not_zero()) return {};
+  if (const std::optional<FirstContact> answer = certain_first_contact(polygon)) return *answer;
   return first_contact_by_integers(polygon);
 }
 

@@ -101,15 +101,22 @@ IntegerPolynomial derivative(const IntegerPolynomial& a) {
   return result;
 }
 
-/// Times a power of b's leading coefficient, so that all stays whole.
+/// That of a times the leading coefficient of b to the power 1 + (degree of a − degree of b), so that all stays whole.
 IntegerPolynomial remainder(IntegerPolynomial a, const IntegerPolynomial& b) {
-  while (a.size_ >= b.size_) {
-    const std::size_t shift = a.size_ - b.size_;
-    const WideInteger leading = a.leading();
+  for (std::size_t steps = a.size_ < b.size_ ? 0 : a.size_ - b.size_ + 1; steps > 0; --steps) {
+    const bool is_reduced = a.size_ < b.size_;
+    const std::size_t shift = is_reduced ? 0 : a.size_ - b.size_;
+    const WideInteger leading = is_reduced ? WideInteger(0) : a.leading();
     for (std::size_t i = 0; i < a.size_; ++i) a.coefficients_[i] *= b.leading();
+    if (is_reduced) continue;
     for (std::size_t i = 0; i < b.size_; ++i) a.coefficients_[i + shift] -= leading * b.coefficients_[i];
     a.trim();
   }
+  return a;
+}
+
+IntegerPolynomial divided(IntegerPolynomial a, const WideInteger& divisor) {
+  for (std::size_t i = 0; i < a.size_; ++i) a.coefficients_[i] /= divisor;
   return a;
 }
 
@@ -137,12 +144,19 @@ IntegerPolynomial primitive(IntegerPolynomial a) {
   return a;
 }
 
+/// By subresultants: every remainder is divided by a number that certainly divides it (W. S. Brown, J. F. Traub, "On
+/// Euclid's algorithm and the theory of subresultants", 1971).
 IntegerPolynomial common_divisor(const IntegerPolynomial& a, const IntegerPolynomial& b) {
-  IntegerPolynomial large = a, small = b;
+  const bool is_ordered = a.size() >= b.size();
+  IntegerPolynomial large = is_ordered ? a : b, small = is_ordered ? b : a;
+  WideInteger leading = 1, factor = 1;
   while (!small.is_zero()) {
-    const IntegerPolynomial rest = primitive(remainder(large, small));
+    const auto drop = static_cast<unsigned>(large.size() - small.size());
+    const IntegerPolynomial rest = divided(remainder(large, small), leading * pow(factor, drop));
     large = small;
     small = rest;
+    leading = large.leading();
+    if (drop > 0) factor = pow(leading, drop) / pow(factor, drop - 1);
   }
   return large;
 }

@@ -29,6 +29,7 @@ class IntegerPolynomial {
   friend IntegerPolynomial operator*(const IntegerPolynomial& a, const IntegerPolynomial& b);
   friend IntegerPolynomial derivative(const IntegerPolynomial& a);
   friend IntegerPolynomial remainder(IntegerPolynomial a, const IntegerPolynomial& b);
+  friend IntegerPolynomial divided(IntegerPolynomial a, const WideInteger& divisor);
   friend IntegerPolynomial quotient(IntegerPolynomial a, const IntegerPolynomial& b);
   friend IntegerPolynomial primitive(IntegerPolynomial a);
 
@@ -39,7 +40,7 @@ class IntegerPolynomial {
   std::size_t size_ = 0;
 };
 
-/// A polynomial of greatest degree that divides both, up to a factor; `b` is not zero.
+/// A polynomial of greatest degree that divides both, up to a factor; neither is zero.
 [[nodiscard]] IntegerPolynomial common_divisor(const IntegerPolynomial& a, const IntegerPolynomial& b);
 
 /// The same roots, each once, up to a factor; not of zero.
