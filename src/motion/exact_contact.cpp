@@ -68,8 +68,9 @@ class PolynomialPolygon {
  private:
   /// Twice the area of the origin and an edge, times the length of the normal: once the origin lies in the plane, it is
   /// inside while none of them is negative.
-  [[nodiscard]] IntegerPolynomial side(std::size_t i) const {
-    return dot(cross(corners_[i], corners_[(i + 1) % corners_.size()]), normal_);
+  [[nodiscard]] const IntegerPolynomial& side(std::size_t i) const {
+    if (!sides_[i]) sides_[i] = dot(cross(corners_[i], corners_[(i + 1) % corners_.size()]), normal_);
+    return *sides_[i];
   }
   [[nodiscard]] bool contains_origin_at(PolynomialRoot& t) const;
   [[nodiscard]] bool segment_contains_origin_at(PolynomialRoot& t) const;
@@ -79,6 +80,7 @@ class PolynomialPolygon {
   std::vector<PolynomialVector> corners_;
   PolynomialVector normal_;
   IntegerPolynomial volume_;
+  mutable std::array<std::optional<IntegerPolynomial>, 4> sides_;  ///< computed when first needed
 };
 
 /// For corners that all lie in one line.
@@ -94,8 +96,8 @@ bool PolynomialPolygon::segment_contains_origin_at(PolynomialRoot& t) const {
   return !are_all_on_one_side;
 }
 
+/// For a time at which the origin lies in the polygon's plane.
 bool PolynomialPolygon::contains_origin_at(PolynomialRoot& t) const {
-  if (sign_at(volume_, t) != Sign::zero) return false;
   if (is_zero_at(normal_, t)) return segment_contains_origin_at(t);
   for (std::size_t i = 0; i < corners_.size(); ++i)
     if (sign_at(side(i), t) == Sign::negative) return false;
@@ -118,7 +120,7 @@ void PolynomialPolygon::add_products(std::vector<IntegerPolynomial>& found) cons
   }
 }
 
-/// A first contact that is not at 0 is a root of one of these.
+/// A first contact that is not at 0 is a root of one of these, and at their roots the origin lies in the plane.
 std::vector<IntegerPolynomial> PolynomialPolygon::polynomials_of_candidates() const {
   if (!volume_.is_zero()) return {volume_};
   std::vector<IntegerPolynomial> found;
@@ -138,12 +140,11 @@ std::vector<IntegerPolynomial> PolynomialPolygon::polynomials_of_candidates() co
 
 std::optional<ContactCell> PolynomialPolygon::first_contact() {
   PolynomialRoot start{nullptr, {}, true, Sign::zero};
-  if (contains_origin_at(start)) return ContactCell{};
+  if (sign_at(volume_, start) == Sign::zero && contains_origin_at(start)) return ContactCell{};
   std::optional<ContactCell> first;
-  for (const IntegerPolynomial& candidate : polynomials_of_candidates()) {
+  for (IntegerPolynomial& candidate : polynomials_of_candidates()) {
     if (candidate.is_zero()) continue;
-    const IntegerPolynomial simple = square_free(candidate);
-    for (PolynomialRoot& root : roots_in_unit_interval(simple)) {
+    for (PolynomialRoot& root : roots_in_unit_interval(candidate)) {
       const ContactCell cell = contact_cell(root);
       if (first && !(cell < *first)) break;
       if (!contains_origin_at(root)) continue;

@@ -1,6 +1,7 @@
 #include "motion/integer_polynomial.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace toccata {
 namespace {
@@ -46,15 +47,15 @@ SignChanges sign_changes(const IntegerPolynomial& a, const DyadicCell& cell) {
   return changes;
 }
 
-/// The roots in [start, end) of a cell.
-void isolate(const IntegerPolynomial& a, const DyadicCell& cell, std::vector<PolynomialRoot>& found) {
+/// The roots in [start, end) of a cell. Stops where two may lie together in a cell of the deepest level, and says so;
+/// what has no multiple root needs no limit.
+bool isolate(const IntegerPolynomial& a, const DyadicCell& cell, unsigned deepest, std::vector<PolynomialRoot>& found) {
   if (sign_at_start(a, cell) == Sign::zero) found.push_back({&a, cell, true, Sign::zero});
   const SignChanges changes = sign_changes(a, cell);
   if (changes.count == 1) found.push_back({&a, cell, false, changes.first});
-  if (changes.count < 2) return;
-  isolate(a, cell.first_half(), found);
-  const DyadicCell half = cell.second_half();
-  isolate(a, half, found);
+  if (changes.count < 2) return true;
+  if (cell.level == deepest) return false;
+  return isolate(a, cell.first_half(), deepest, found) && isolate(a, cell.second_half(), deepest, found);
 }
 
 }  // namespace
@@ -184,11 +185,17 @@ void PolynomialRoot::narrow() {
   cell = middle == Sign::zero || middle == before ? half : cell.first_half();
 }
 
-std::vector<PolynomialRoot> roots_in_unit_interval(const IntegerPolynomial& square_free) {
+std::vector<PolynomialRoot> roots_in_unit_interval(IntegerPolynomial& polynomial) {
+  // Few simple roots lie nearer to each other.
+  constexpr unsigned deepest_at_first = 12;
   std::vector<PolynomialRoot> found;
-  isolate(square_free, {}, found);
+  if (!isolate(polynomial, {}, deepest_at_first, found)) {
+    found.clear();
+    polynomial = square_free(polynomial);
+    isolate(polynomial, {}, std::numeric_limits<unsigned>::max(), found);
+  }
   const DyadicCell after_all{1, 0};
-  if (sign_at_start(square_free, after_all) == Sign::zero) found.push_back({&square_free, after_all, true, Sign::zero});
+  if (sign_at_start(polynomial, after_all) == Sign::zero) found.push_back({&polynomial, after_all, true, Sign::zero});
   return found;
 }
 
@@ -202,7 +209,8 @@ Sign sign_at(const IntegerPolynomial& a, PolynomialRoot& root) {
     const SignChanges changes = sign_changes(a, root.cell);
     if (changes.count == 0) return changes.first;
     if (!is_common_possible || root.cell.level < suspicious_level) continue;
-    // Roots of the divisor are simple, and at most this one lies in the cell: then the changes are odd.
+    // In the cell the polynomial has this root alone, which is simple, and so may the divisor: then its changes are
+    // odd.
     const IntegerPolynomial divisor = common_divisor(*root.polynomial, a);
     if (divisor.size() > 1 && sign_changes(divisor, root.cell).count % 2 == 1) return Sign::zero;
     is_common_possible = false;

@@ -59,7 +59,7 @@ struct DyadicCell {
 
 /// A real number: a cell's start, or the only root of a polynomial inside the cell.
 struct PolynomialRoot {
-  const IntegerPolynomial* polynomial = nullptr;  ///< square-free; of a cell's start none is needed
+  const IntegerPolynomial* polynomial = nullptr;  ///< changes its sign at the root; of a cell's start none is needed
   DyadicCell cell;
   bool is_start = false;
   Sign before = Sign::zero;  ///< of the polynomial, between the cell's start and the root
@@ -68,8 +68,9 @@ struct PolynomialRoot {
   void narrow();
 };
 
-/// The roots of a square-free polynomial in [0, 1], ascending. They refer to it.
-[[nodiscard]] std::vector<PolynomialRoot> roots_in_unit_interval(const IntegerPolynomial& square_free);
+/// The roots of a polynomial in [0, 1], ascending. They refer to it, which is made square-free where it has roots that
+/// lie too near to each other.
+[[nodiscard]] std::vector<PolynomialRoot> roots_in_unit_interval(IntegerPolynomial& polynomial);
 
 /// The exact sign of a polynomial at a root, whose cell it may narrow.
 [[nodiscard]] Sign sign_at(const IntegerPolynomial& a, PolynomialRoot& root);
