@@ -1,6 +1,7 @@
 #include "motion/certain_contact.hpp"
 
 #include "math/bounded_double.hpp"
+#include "motion/moment.hpp"
 #include "motion/separating_direction.hpp"
 #include "motion/volume_filter.hpp"
 
@@ -24,6 +25,12 @@ struct BernsteinCubic {
     if (is_negative(0) && is_positive(3)) return is_negative(1) || is_positive(2);
     return false;
   }
+  /// All but one have the same certain sign. If that one, at an end, is zero, then the end is the only root.
+  [[nodiscard]] bool has_all_signs_but(std::size_t i) const {
+    int sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += k == i ? 0 : is_positive(k) - is_negative(k);
+    return sum == 3 || sum == -3;
+  }
 };
 
 // A coefficient is at most P in magnitude, but for its error, and the error is at least 15.8εP (volume_filter.hpp). To
@@ -33,6 +40,31 @@ constexpr double error_growth = 1.25;
 
 BernsteinCubic cubic_of(const BernsteinVolume& v) {
   return {{v.start, v.near_start / 3, v.near_end / 3, v.end}, error_growth * v.error};
+}
+
+/// The same by numbers of twice the length, for what stays nearly in one plane. The coefficients are rounded to
+/// doubles; the error allows for that, and for the halving of coefficients of this size as above.
+template <std::size_t Count>
+BernsteinCubic precise_cubic(const MovingPolygon<Count>& polygon) {
+  std::array<BoundedVector, 3> start, end;
+  for (std::size_t i = 0; i < 3; ++i) {
+    start[i] = bounded_difference(polygon[i].head->start, polygon[i].tail->start);
+    end[i] = bounded_difference(polygon[i].head->end, polygon[i].tail->end);
+  }
+  const BoundedVector first = cross(start[0], start[1]), last = cross(end[0], end[1]);
+  const BoundedVector mixed = cross(end[0], start[1]) + cross(start[0], end[1]);
+  const std::array<BoundedNumber, 4> b{dot(first, start[2]), (dot(mixed, start[2]) + dot(first, end[2])) / exactly(3),
+                                       (dot(last, start[2]) + dot(mixed, end[2])) / exactly(3), dot(last, end[2])};
+  BernsteinCubic cubic;
+  double off = 0, size = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    cubic.b[i] = middle(b[i]);
+    // A NaN must not be lost, as it would be by std::max.
+    off += distance_from_high(b[i]);
+    size += std::fabs(cubic.b[i]);
+  }
+  cubic.error = off + 0x1p-49 * size;
+  return cubic;
 }
 
 struct CubicHalves {
@@ -112,29 +144,35 @@ BoundedDoubleVector within_cell(const RoundedCorner& c, double t) {
 }
 
 template <class Number>
-std::array<Number, 3> difference(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+std::array<Number, 3> number_difference(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
   return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
 }
 
 template <class Number>
-Number dot_product(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+Number number_dot(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
   return (u[0] * v[0] + u[1] * v[1]) + u[2] * v[2];
 }
 
 template <class Number>
-std::array<Number, 3> cross_product(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
+std::array<Number, 3> number_cross(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
 enum class Found { nothing, contact, doubt };
 
+/// Where a root is: in the interior of the cell that starts here, or perhaps exactly here.
+struct RootPlace {
+  double start = 0;
+  bool is_in_cell = false;
+};
+
 /// Whether a polygon, in whose plane the origin lies, contains it.
 template <class Number, std::size_t Count>
-Found inside(const std::array<std::array<Number, 3>, Count>& q) {
-  const std::array<Number, 3> normal = cross_product(difference(q[1], q[0]), difference(q[2], q[0]));
+Found side_of_origin(const std::array<std::array<Number, 3>, Count>& q) {
+  const std::array<Number, 3> normal = number_cross(number_difference(q[1], q[0]), number_difference(q[2], q[0]));
   bool are_all_certain = true;
   for (std::size_t i = 0; i < Count; ++i) {
-    const Number side = dot_product(cross_product(q[i], q[(i + 1) % Count]), normal);
+    const Number side = number_dot(number_cross(q[i], q[(i + 1) % Count]), normal);
     if (side.is_negative()) return Found::nothing;
     are_all_certain = are_all_certain && side.is_positive();
   }
@@ -149,7 +187,7 @@ class CertainContact {
       : polygon_(polygon), corners_(corners), magnitude_(greatest_magnitudes(corners)) {}
 
   [[nodiscard]] Found search(const BernsteinCubic& cubic, const TimePart& part);
-  [[nodiscard]] FirstContact contact() const { return {true, contact_, contact_ + 0x1p-40}; }
+  [[nodiscard]] FirstContact contact() const { return contact_; }
 
  private:
   static constexpr int greatest_depth = 4;
@@ -158,7 +196,8 @@ class CertainContact {
 
   [[nodiscard]] PolygonSpan<Count> span_of(const TimePart& part) const;
   [[nodiscard]] Found look_at_root(const BernsteinCubic& cubic, const TimePart& part);
-  [[nodiscard]] std::optional<double> cell_of_root(double guess, bool falls) const;
+  [[nodiscard]] Found look_at_moment(double t);
+  [[nodiscard]] std::optional<RootPlace> place_of_root(double guess, bool falls) const;
   [[nodiscard]] BoundedNumber volume_at(const BoundedNumber& t) const;
   [[nodiscard]] Sign volume_sign(const BoundedNumber& t) const;
   [[nodiscard]] Found inside_at_root(double cell, double guess, double slope) const;
@@ -167,7 +206,7 @@ class CertainContact {
   const MovingPolygon<Count>& polygon_;
   const RoundedPolygon<Count>& corners_;
   Vec3 magnitude_;
-  double contact_ = 0;  ///< the start of its cell
+  FirstContact contact_;  ///< what was found
 };
 
 template <std::size_t Count>
@@ -187,6 +226,10 @@ Found CertainContact<Count>::search(const BernsteinCubic& cubic, const TimePart&
   if (cubic.has_no_root()) return Found::nothing;
   if (has_separating_direction(span_of(part), part.depth == 0 ? steps_of_whole : steps_of_part)) return Found::nothing;
   if (cubic.has_one_root()) return look_at_root(cubic, part);
+  for (const double end : {0.0, 1.0}) {
+    if (!cubic.has_all_signs_but(end == 0 ? 0 : 3)) continue;
+    if (const Found found = look_at_moment(part.at(end)); found != Found::doubt) return found;
+  }
   if (part.depth == greatest_depth) return Found::doubt;
   const auto [first, second] = halves_of(cubic);
   const Found early = search(first, {2 * part.index, part.depth + 1});
@@ -196,22 +239,32 @@ Found CertainContact<Count>::search(const BernsteinCubic& cubic, const TimePart&
 template <std::size_t Count>
 Found CertainContact<Count>::look_at_root(const BernsteinCubic& cubic, const TimePart& part) {
   const double fraction = approximate_root(cubic.b), guess = part.at(fraction);
-  const std::optional<double> cell = cell_of_root(guess, cubic.b[0] > 0);
-  if (!cell) return Found::doubt;
-  contact_ = *cell;
-  return inside_at_root(*cell, guess, std::ldexp(slope_at(cubic.b, fraction), part.depth));
+  const std::optional<RootPlace> place = place_of_root(guess, cubic.b[0] > 0);
+  if (!place) return Found::doubt;
+  if (!place->is_in_cell) return look_at_moment(place->start);
+  contact_ = {true, place->start, place->start + 0x1p-40};
+  return inside_at_root(place->start, guess, std::ldexp(slope_at(cubic.b, fraction), part.depth));
 }
 
-/// The start of the cell in whose interior the root certainly lies.
+/// For a time that is the only root of a part of the time, if it is one.
 template <std::size_t Count>
-std::optional<double> CertainContact<Count>::cell_of_root(double guess, bool falls) const {
+Found CertainContact<Count>::look_at_moment(double t) {
+  const std::optional<Moment<Count>> moment = moment_at(polygon_, t);
+  if (!moment || moment->volume_sign() != Sign::zero) return Found::doubt;
+  contact_ = {true, t, t};
+  return moment->is_contact() ? Found::contact : Found::nothing;
+}
+
+template <std::size_t Count>
+std::optional<RootPlace> CertainContact<Count>::place_of_root(double guess, bool falls) const {
   const Sign before = falls ? Sign::positive : Sign::negative;
   double cell = std::ldexp(std::floor(std::ldexp(guess, contact_level)), -static_cast<int>(contact_level));
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const Sign at_start = volume_sign(exactly(cell)), at_end = volume_sign(exactly(cell + 0x1p-40));
-    if (at_start == Sign::zero || at_end == Sign::zero) return {};
-    if (at_start == before && at_end != before) return cell;
-    cell += at_start == before ? 0x1p-40 : -0x1p-40;
+    const double next = cell + 0x1p-40;
+    const Sign at_start = volume_sign(exactly(cell)), at_end = volume_sign(exactly(next));
+    if (at_start == Sign::zero || at_end == Sign::zero) return RootPlace{at_start == Sign::zero ? cell : next, false};
+    if (at_start == before && at_end != before) return RootPlace{cell, true};
+    cell = at_start == before ? next : cell - 0x1p-40;
   }
   return {};
 }
@@ -233,7 +286,7 @@ template <std::size_t Count>
 Found CertainContact<Count>::inside_at_root(double cell, double guess, double slope) const {
   std::array<BoundedDoubleVector, Count> q;
   for (std::size_t i = 0; i < Count; ++i) q[i] = within_cell(corners_[i], cell);
-  const Found found = inside(q);
+  const Found found = side_of_origin(q);
   return found == Found::doubt ? inside_near_root(guess, slope) : found;
 }
 
@@ -248,7 +301,7 @@ Found CertainContact<Count>::inside_near_root(double guess, double slope) const 
   std::array<BoundedVector, Count> q;
   // The times before and after are themselves rounded by less than a radius.
   for (std::size_t i = 0; i < Count; ++i) q[i] = at_time(polygon_[i], {root, radius});
-  return inside(q);
+  return side_of_origin(q);
 }
 
 template <std::size_t Count>
@@ -259,7 +312,8 @@ std::optional<FirstContact> certain_contact_of(const MovingPolygon<Count>& polyg
   const BernsteinVolume volume = bernstein_volume(corners[0], corners[1], corners[2]);
   if (volume.is_certainly_not_zero()) return FirstContact{};
   CertainContact<Count> contact(polygon, corners);
-  const Found found = contact.search(cubic_of(volume), {});
+  Found found = contact.search(cubic_of(volume), {});
+  if (found == Found::doubt) found = contact.search(precise_cubic(polygon), {});
   if (found == Found::doubt) return {};
   return found == Found::contact ? contact.contact() : FirstContact{};
 }
