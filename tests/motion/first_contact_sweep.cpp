@@ -77,10 +77,10 @@ std::vector<std::string> family_names() {
 const bool known = register_sweep({.name = "first-contact",
                                    .families = family_names(),
                                    .goal = 100'000,
-                                   .slice = 300,
+                                   .slice = 200,
                                    .run = compare,
                                    .shard = 1000,
-                                   .thin_slice = 30});
+                                   .thin_slice = 20});
 
 }  // namespace
 }  // namespace toccata::test
