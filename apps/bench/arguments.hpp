@@ -193,6 +193,12 @@ struct SumsArguments {
   bool json = false;
 };
 
+struct MotionArguments {
+  std::string data;  ///< a folder with ccd
+  int rounds = 5;
+  bool json = false;
+};
+
 struct WalkerArguments {
   std::string mesh_a = "gen:torus-knot";
   std::string mesh_b = "gen:noise-sphere?subdivisions=5";
@@ -221,6 +227,7 @@ int run_parts(const PartsArguments& arguments);
 int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
+int run_motion(const MotionArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 
 }  // namespace toccata::bench

@@ -36,6 +36,7 @@ struct Options {
   PartitionsArguments partitions;
   ProcessArguments process;
   SumsArguments sums;
+  MotionArguments motion;
   WalkerArguments walker;
 };
 
@@ -380,6 +381,15 @@ void add_sums(CLI::App& app, SumsArguments& arguments) {
   sums->footer("Example:\n  ./toccata bench sums --task point --count 20000 --peer cgal");
 }
 
+void add_motion(CLI::App& app, MotionArguments& arguments) {
+  CLI::App* motion =
+      app.add_subcommand("motion", "when moving features first meet: the public questions, whose answers are known");
+  motion->add_option("--data", arguments.data, "the folder that has ccd")->envname("TOCCATA_DATA");
+  add_number(*motion, "--rounds", arguments.rounds, "how often each query is timed; the fastest counts");
+  add_json(*motion, arguments.json);
+  motion->footer("Example:\n  ./toccata bench motion");
+}
+
 void add_walker(CLI::App& app, WalkerArguments& arguments) {
   CLI::App* walker = app.add_subcommand("walker", "the generic walkers of trees beside loops written by hand");
   add_mesh_file(*walker, "--mesh-a", arguments.mesh_a)->capture_default_str();
@@ -418,6 +428,7 @@ int main_of(int argc, char** argv) {
   add_partitions(app, options.partitions);
   add_process(app, options.process);
   add_sums(app, options.sums);
+  add_motion(app, options.motion);
   add_walker(app, options.walker);
   try {
     app.parse(argc, argv);
@@ -444,6 +455,7 @@ int main_of(int argc, char** argv) {
     return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
                                               : run_partitions(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
+  if (app.got_subcommand("motion")) return run_motion(options.motion);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

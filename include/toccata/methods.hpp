@@ -29,7 +29,6 @@
 #include "toccata/narrow/posed_shapes.hpp"
 #include "toccata/narrow/primitives.hpp"
 #include "toccata/narrow/quadrics.hpp"
-#include "toccata/narrow/set_relation.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 #include "toccata/partitions/cell_tracker.hpp"
 #include "toccata/partitions/grid_cells.hpp"

@@ -4,6 +4,7 @@
 usage: check_benchmarks.py TOCCATA_BENCH
 """
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -22,6 +23,10 @@ CONVEX_RESULT = {
 }
 CONVEX_RATIO = {
     "library": str, "variant": str, "task": str, "median": float, "mean": float, "p99": float, "best": bool,
+}
+MOTION_RESULT = {
+    "task": str, "scene": str, "queries": int, "hits": int, "missed": int, "false_alarms": int, "median_ns": float,
+    "mean_ns": float, "p99_ns": float, "worst_ns": float,
 }
 RATIO = {
     "library": str, "variant": str, "task": str, "threads": int, "median": float, "mean": float, "p99": float,
@@ -292,6 +297,18 @@ def check_sums(peers):
             assert row["median_us"] > 0 and row["disagreements"] == 0, row
 
 
+def check_motion():
+    """None of the public questions is missed, and none is a false alarm."""
+    if not os.environ.get("TOCCATA_DATA"):
+        print("check_motion is skipped: TOCCATA_DATA is not set")
+        return
+    rows = report("motion", "--rounds", "1")["results"]
+    check_shape(rows, MOTION_RESULT)
+    assert {row["task"] for row in rows} == {"vertex-face", "edge-edge"}
+    for row in rows:
+        assert row["missed"] == 0 and row["false_alarms"] == 0, f"wrong answers: {row}"
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -319,6 +336,7 @@ def main():
     check_casts(peers)
     check_cells()
     check_sums(peers)
+    check_motion()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

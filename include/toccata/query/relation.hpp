@@ -1,6 +1,6 @@
 #pragma once
 
-#include "toccata/narrow/set_relation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
 

@@ -9,7 +9,7 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/methods/cost.hpp"
 #include "toccata/methods/minkowski.hpp"
-#include "toccata/narrow/set_relation.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/check_all.hpp"

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
-#include "toccata/narrow/set_relation.hpp"
 
 namespace toccata {
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/moving_polygon.hpp"
+
+namespace toccata {
+
+/// What doubles, and numbers of twice their length, are certain of: the answer, or nothing.
+[[nodiscard]] std::optional<FirstContact> certain_first_contact(const MovingPolygon<3>& polygon);
+[[nodiscard]] std::optional<FirstContact> certain_first_contact(const MovingPolygon<4>& polygon);
+
+}  // namespace toccata

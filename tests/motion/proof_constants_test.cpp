@@ -1,0 +1,39 @@
+// Witnesses: with a constant that a proof rests on made a few times too small, these doubles give a false statement
+// (docs/design/proof-constants.md).
+#include <gtest/gtest.h>
+
+#include "motion/separating_direction.hpp"
+#include "motion/volume_filter.hpp"
+#include "oracle/rational.hpp"
+
+namespace toccata {
+namespace {
+
+using oracle::exact;
+using oracle::Rational;
+
+// The points of the filter of orient3d, at rest.
+TEST(ProofConstants, TheVolumeOfAMovingPolygonCoversItsRoundings) {
+  const Vec3 a{0x1.1834dd2dcdd16p-1, 0x1.affa6a4b79488p-3, -0x1.04086ee60e364p-2},
+      b{0x1.92804f4d6d5ep-4, 0x1.fe7897ca9b1bep-1, -0x1.4682aa1b5aa58p-3},
+      c{0x1.1d90bc8aa451p-4, 0x1.89643db1297a8p-3, -0x1.288064c1ddeep-1},
+      d{0x1.e55071cbb63b9p-1, -0x1.ea830e9b174a1p-2, -0x1.5491609d83afbp-2};
+  const RoundedCorner p{b - a, b - a}, q{c - a, c - a}, r{d - a, d - a};
+  const BernsteinVolume volume = bernstein_volume(p, q, r);
+  const Rational truth = oracle::orientation(exact(a), exact(b), exact(c), exact(d));
+  EXPECT_LE(abs(exact(volume.start) - truth), exact(volume.error));
+  EXPECT_LE(abs(exact(volume.near_start) - 3 * truth), 3 * exact(volume.error));
+}
+
+// A difference and two sums, each of which loses half a unit.
+TEST(ProofConstants, ADotProductWithACornerCoversItsRoundings) {
+  const double half_unit = 0x1p-53, tail = -0x1.ffffffffffffep-54;
+  const Vec3 corner{1 - tail, half_unit, half_unit}, direction{1, 1, 1};
+  const RoundedPolygon<3> corners{{{corner, corner}, {corner, corner}, {corner, corner}}};
+  const PolygonSpan<3> span{corners, greatest_magnitudes(corners)};
+  const Rational truth = (exact(1) - exact(tail)) + exact(half_unit) + exact(half_unit);
+  EXPECT_LE(abs(exact(dot(direction, corner)) - truth), exact(span.slack(direction)));
+}
+
+}  // namespace
+}  // namespace toccata
