@@ -26,7 +26,7 @@ template <class Pair>
 double nanoseconds_of(const Pair& pair, int repetitions) {
   std::size_t hits = 0;
   const double seconds = seconds_of([&] {
-    for (int i = 0; i < repetitions; ++i) hits += first_contact(pair).hit;
+    for (int i = 0; i < repetitions; ++i) hits += time_of_impact(pair).hit;
   });
   if (hits != 0 && hits != static_cast<std::size_t>(repetitions))
     throw Error("motion: an answer has changed between two runs");
@@ -48,7 +48,7 @@ void measure(const std::vector<test::MotionQuery<Pair>>& queries, const std::str
              MotionResults& results) {
   for (const test::MotionQuery<Pair>& query : queries) {
     const double time = least_nanoseconds(query.pair, rounds);
-    const bool is_hit = first_contact(query.pair).hit;
+    const bool is_hit = time_of_impact(query.pair).hit;
     for (const std::string& scene : {query.name.substr(0, query.name.find(' ')), std::string("all scenes")}) {
       MotionResult& result = results[{kind, scene}];
       result.nanoseconds.push_back(time);

@@ -18,7 +18,7 @@
 #include "toccata/math/mat3.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
-#include "toccata/motion/first_contact.hpp"
+#include "toccata/motion/time_of_impact.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/contacts.hpp"

@@ -47,15 +47,20 @@ SignChanges sign_changes(const IntegerPolynomial& a, const DyadicCell& cell) {
   return changes;
 }
 
-/// The roots in [start, end) of a cell. Stops where two may lie together in a cell of the deepest level, and says so;
+void add_start_if_root(const IntegerPolynomial& a, const DyadicCell& cell, std::vector<PolynomialRoot>& found) {
+  if (sign_at_start(a, cell) == Sign::zero) found.push_back({&a, cell, true, Sign::zero});
+}
+
+/// The roots in the interior of a cell. Stops where two may lie together in a cell of the deepest level, and says so;
 /// what has no multiple root needs no limit.
 bool isolate(const IntegerPolynomial& a, const DyadicCell& cell, unsigned deepest, std::vector<PolynomialRoot>& found) {
-  if (sign_at_start(a, cell) == Sign::zero) found.push_back({&a, cell, true, Sign::zero});
   const SignChanges changes = sign_changes(a, cell);
   if (changes.count == 1) found.push_back({&a, cell, false, changes.first});
   if (changes.count < 2) return true;
   if (cell.level == deepest) return false;
-  return isolate(a, cell.first_half(), deepest, found) && isolate(a, cell.second_half(), deepest, found);
+  if (!isolate(a, cell.first_half(), deepest, found)) return false;
+  add_start_if_root(a, cell.second_half(), found);
+  return isolate(a, cell.second_half(), deepest, found);
 }
 
 }  // namespace
@@ -188,14 +193,16 @@ void PolynomialRoot::narrow() {
 std::vector<PolynomialRoot> roots_in_unit_interval(IntegerPolynomial& polynomial) {
   // Few simple roots lie nearer to each other.
   constexpr unsigned deepest_at_first = 12;
+  const DyadicCell all{}, after_all{1, 0};
   std::vector<PolynomialRoot> found;
-  if (!isolate(polynomial, {}, deepest_at_first, found)) {
+  add_start_if_root(polynomial, all, found);
+  if (!isolate(polynomial, all, deepest_at_first, found)) {
     found.clear();
     polynomial = square_free(polynomial);
-    isolate(polynomial, {}, std::numeric_limits<unsigned>::max(), found);
+    add_start_if_root(polynomial, all, found);
+    isolate(polynomial, all, std::numeric_limits<unsigned>::max(), found);
   }
-  const DyadicCell after_all{1, 0};
-  if (sign_at_start(polynomial, after_all) == Sign::zero) found.push_back({&polynomial, after_all, true, Sign::zero});
+  add_start_if_root(polynomial, after_all, found);
   return found;
 }
 

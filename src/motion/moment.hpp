@@ -18,8 +18,17 @@ struct Moment {
   [[nodiscard]] bool is_contact() const;
 };
 
+template <>
+bool Moment<3>::is_contact() const;
+template <>
+bool Moment<4>::is_contact() const;
+
 /// Nothing where a position at the time, which lies in [0, 1], is not certainly a double.
 template <std::size_t Count>
 [[nodiscard]] std::optional<Moment<Count>> moment_at(const MovingPolygon<Count>& polygon, double time);
+template <>
+std::optional<Moment<3>> moment_at(const MovingPolygon<3>& polygon, double time);
+template <>
+std::optional<Moment<4>> moment_at(const MovingPolygon<4>& polygon, double time);
 
 }  // namespace toccata

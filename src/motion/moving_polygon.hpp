@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "toccata/motion/first_contact.hpp"
+#include "toccata/motion/time_of_impact.hpp"
 
 // Both questions are one. The differences face − vertex are a triangle, those of two edges a parallelogram, and the two
 // features meet when this polygon contains the origin. Its corners move linearly, as differences of what moves
@@ -30,10 +30,11 @@ inline MovingPolygon<4> differences(const EdgeEdge& pair) {
   return {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
 }
 
-/// Contacts are told by cells of this length.
+/// Times are told by cells of this length.
 inline constexpr unsigned contact_level = 40;
+inline constexpr double cell_length = 0x1p-40;
 
 /// The last stage: by signs of polynomials with integers. For all finite doubles, and slow.
-[[nodiscard]] FirstContact first_contact_by_integers(std::span<const MovingCorner> polygon);
+[[nodiscard]] TimeOfImpact time_of_impact_by_integers(std::span<const MovingCorner> polygon);
 
 }  // namespace toccata

@@ -10,8 +10,8 @@ namespace toccata {
 // difference, a product and a sum give three factors 1 + δ with |δ| ≤ ε = 2^-53, and underflow takes 2η, η = 2^-1075.
 // The dot product with a direction adds a product and two sums, and 3η. So with m the greatest magnitude of each
 // coordinate at the start and the end it is off by at most ((1 + ε)^6 − 1) Σ|d_c|m_c + (3 + 2Σ|d_c|)η, which is less
-// than 6.1ε Σ|d_c|m_c + 5.1η(Σ|d_c| + 1). `slack` is computed with four roundings, from magnitudes grown by τ =
-// `filter::floor`, and exceeds 15ε (Σ|d_c|(m_c + τ) + τ). Overflow makes it infinite or NaN.
+// than 6.1ε Σ|d_c|m_c + 5.1η(Σ|d_c| + 1). `slack` is computed with four roundings, from magnitudes of at
+// least τ = `filter::floor`, and 15ε max(m_c, τ) ≥ 7.5ε (m_c + τ). Overflow makes it infinite or NaN.
 inline constexpr double direction_bound = 0x1p-49;
 
 /// The corners of a polygon at both ends of a part of its time, and the greatest magnitudes over all of it.

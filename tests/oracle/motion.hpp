@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "oracle/polynomials.hpp"
-#include "toccata/motion/first_contact.hpp"
+#include "toccata/motion/time_of_impact.hpp"
 
 namespace toccata::oracle {
 

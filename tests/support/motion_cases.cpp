@@ -169,7 +169,7 @@ MovingPoints extreme(Random& random) {
       const double x = any_double(random), y = any_double(random);
       return Vec3{x, y, any_double(random)};
     });
-  constexpr std::array exponents{-1074, -1060, -700, -400, -350, 300, 350, 500, 900, 1000};
+  constexpr std::array exponents{-1074, -1060, -700, -400, -350, 300, 339, 340, 341, 342, 350, 500, 900, 1000};
   const int exponent = exponents[random.below(exponents.size())];
   return changed(of_any_kind(random), [&](const Vec3& p) {
     const auto bounded = [&](double a) { return std::clamp(std::ldexp(a, exponent), -0x1.fp1023, 0x1.fp1023); };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "toccata/core/random.hpp"
-#include "toccata/motion/first_contact.hpp"
+#include "toccata/motion/time_of_impact.hpp"
 
 namespace toccata::test {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/rational.hpp"
-#include "toccata/motion/first_contact.hpp"
+#include "toccata/motion/time_of_impact.hpp"
 
 namespace toccata::test {
 

@@ -8,11 +8,11 @@ namespace toccata::test {
 namespace {
 
 template <class Pair>
-std::optional<std::string> wrong(const Pair& pair, const FirstContact& answer) {
+std::optional<std::string> wrong(const Pair& pair, const TimeOfImpact& answer) {
   const auto truth = oracle::contact_time(pair);
   if (truth && !answer.hit) return "a contact is missed";
   if (!truth && answer.hit) return "a contact that is none";
-  if (!truth) return answer == FirstContact{} ? std::nullopt : std::optional<std::string>("a time without a contact");
+  if (!truth) return answer == TimeOfImpact{} ? std::nullopt : std::optional<std::string>("a time without a contact");
   const int above = oracle::compared(*truth, oracle::exact(answer.lower));
   const int below = -oracle::compared(*truth, oracle::exact(answer.upper));
   if (above < 0 || below < 0) return fmt::format("the time is not in [{:a}, {:a}]", answer.lower, answer.upper);
@@ -31,10 +31,10 @@ std::string told(const MovingPoint& p) {
 
 }  // namespace
 
-std::optional<std::string> wrong_answer(const VertexFace& pair, const FirstContact& answer) {
+std::optional<std::string> wrong_answer(const VertexFace& pair, const TimeOfImpact& answer) {
   return wrong(pair, answer);
 }
-std::optional<std::string> wrong_answer(const EdgeEdge& pair, const FirstContact& answer) {
+std::optional<std::string> wrong_answer(const EdgeEdge& pair, const TimeOfImpact& answer) {
   return wrong(pair, answer);
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 #include "narrow/quadrics/plain_body.hpp"
 
 namespace toccata {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 #include "narrow/quadrics/plain_body.hpp"
 
 namespace toccata {

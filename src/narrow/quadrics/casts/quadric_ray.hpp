@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {

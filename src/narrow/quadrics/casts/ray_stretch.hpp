@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 
 namespace toccata {
 

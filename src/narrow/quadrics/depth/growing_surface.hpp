@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "narrow/convex/facet_slots.hpp"
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 #include "toccata/math/vec3.hpp"
 
 namespace toccata {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "narrow/quadrics/number_vector.hpp"
+#include "math/number_vector.hpp"
 
 namespace toccata {
 

@@ -28,9 +28,9 @@ ContactCell contact_cell(PolynomialRoot& root) {
   return {index, !root.is_start || root.cell.index != (index << finer)};
 }
 
-FirstContact told(const ContactCell& cell) {
+TimeOfImpact told(const ContactCell& cell) {
   const double lower = std::ldexp(cell.index.convert_to<double>(), -static_cast<int>(contact_level));
-  return {true, lower, cell.is_inside ? lower + 0x1p-40 : lower};
+  return {true, lower, cell.is_inside ? lower + cell_length : lower};
 }
 
 /// The corners as polynomials in the time, over a common power of two.
@@ -157,9 +157,9 @@ std::optional<ContactCell> PolynomialPolygon::first_contact() {
 
 }  // namespace
 
-FirstContact first_contact_by_integers(std::span<const MovingCorner> polygon) {
+TimeOfImpact time_of_impact_by_integers(std::span<const MovingCorner> polygon) {
   const std::optional<ContactCell> cell = PolynomialPolygon(corners_of(polygon)).first_contact();
-  return cell ? told(*cell) : FirstContact{};
+  return cell ? told(*cell) : TimeOfImpact{};
 }
 
 }  // namespace toccata

@@ -1,6 +1,6 @@
-#include "motion/certain_contact.hpp"
+#include "motion/certain_impact.hpp"
 
-#include "math/bounded_double.hpp"
+#include "math/number_vector.hpp"
 #include "motion/moment.hpp"
 #include "motion/separating_direction.hpp"
 #include "motion/volume_filter.hpp"
@@ -38,8 +38,13 @@ struct BernsteinCubic {
 // either.
 constexpr double error_growth = 1.25;
 
+/// An infinite error makes all signs uncertain. It is that of a cubic, or of a NaN, whose coefficients or means may
+/// overflow: one of infinite size has a sign, but its means have not.
+double error_within_range(double error, double size) { return size < 0x1p900 ? error : HUGE_VAL; }
+
+/// The error is 2^-50 of twice what bounds the coefficients, so one below 2^900 leaves room for three times as much.
 BernsteinCubic cubic_of(const BernsteinVolume& v) {
-  return {{v.start, v.near_start / 3, v.near_end / 3, v.end}, error_growth * v.error};
+  return {{v.start, v.near_start / 3, v.near_end / 3, v.end}, error_within_range(error_growth * v.error, v.error)};
 }
 
 /// The same by numbers of twice the length, for what stays nearly in one plane. The coefficients are rounded to
@@ -63,7 +68,7 @@ BernsteinCubic precise_cubic(const MovingPolygon<Count>& polygon) {
     off += distance_from_high(b[i]);
     size += std::fabs(cubic.b[i]);
   }
-  cubic.error = off + 0x1p-49 * size;
+  cubic.error = error_within_range(off + 0x1p-49 * size, size);
   return cubic;
 }
 
@@ -129,50 +134,34 @@ BoundedVector at_time(const MovingCorner& c, const BoundedNumber& t) {
   return start + t * (end - start);
 }
 
-using BoundedDoubleVector = std::array<BoundedDouble, 3>;
-
-/// A corner at any time of the cell [t, t + 2^-40].
-BoundedDoubleVector within_cell(const RoundedCorner& c, double t) {
-  BoundedDoubleVector result;
+/// A corner at any time of the cell [t, t + cell_length].
+VectorOf<BoundedDouble> within_cell(const RoundedCorner& c, double t) {
+  VectorOf<BoundedDouble> result;
   for (int axis = 0; axis < 3; ++axis) {
     const double start = c.start[axis], end = c.end[axis], way = end - start;
     // Two roundings of differences, one of a product, two of sums: five times 2^-53 of either end, and |way| 2^-40.
     const double rounding = 0x1p-50 * (std::fabs(start) + std::fabs(end)) + filter::floor;
-    result[static_cast<std::size_t>(axis)] = {start + t * way, rounding + 0x1p-40 * std::fabs(way)};
+    result[static_cast<std::size_t>(axis)] = {start + t * way, rounding + cell_length * std::fabs(way)};
   }
   return result;
 }
 
-template <class Number>
-std::array<Number, 3> number_difference(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
-  return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-}
-
-template <class Number>
-Number number_dot(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
-  return (u[0] * v[0] + u[1] * v[1]) + u[2] * v[2];
-}
-
-template <class Number>
-std::array<Number, 3> number_cross(const std::array<Number, 3>& u, const std::array<Number, 3>& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 enum class Found { nothing, contact, doubt };
 
-/// Where a root is: in the interior of the cell that starts here, or perhaps exactly here.
+/// Where the only root of a part of the time is: in the interior of the cell that starts here, or perhaps exactly here.
 struct RootPlace {
   double start = 0;
   bool is_in_cell = false;
+  Sign before = Sign::zero;  ///< of the cubic, before the root
 };
 
 /// Whether a polygon, in whose plane the origin lies, contains it.
 template <class Number, std::size_t Count>
-Found side_of_origin(const std::array<std::array<Number, 3>, Count>& q) {
-  const std::array<Number, 3> normal = number_cross(number_difference(q[1], q[0]), number_difference(q[2], q[0]));
+Found side_of_origin(const std::array<VectorOf<Number>, Count>& q) {
+  const VectorOf<Number> normal = outer(difference(q[1], q[0]), difference(q[2], q[0]));
   bool are_all_certain = true;
   for (std::size_t i = 0; i < Count; ++i) {
-    const Number side = number_dot(number_cross(q[i], q[(i + 1) % Count]), normal);
+    const Number side = inner(outer(q[i], q[(i + 1) % Count]), normal);
     if (side.is_negative()) return Found::nothing;
     are_all_certain = are_all_certain && side.is_positive();
   }
@@ -187,7 +176,7 @@ class CertainContact {
       : polygon_(polygon), corners_(corners), magnitude_(greatest_magnitudes(corners)) {}
 
   [[nodiscard]] Found search(const BernsteinCubic& cubic, const TimePart& part);
-  [[nodiscard]] FirstContact contact() const { return contact_; }
+  [[nodiscard]] TimeOfImpact contact() const { return contact_; }
 
  private:
   static constexpr int greatest_depth = 4;
@@ -200,13 +189,13 @@ class CertainContact {
   [[nodiscard]] std::optional<RootPlace> place_of_root(double guess, bool falls) const;
   [[nodiscard]] BoundedNumber volume_at(const BoundedNumber& t) const;
   [[nodiscard]] Sign volume_sign(const BoundedNumber& t) const;
-  [[nodiscard]] Found inside_at_root(double cell, double guess, double slope) const;
-  [[nodiscard]] Found inside_near_root(double guess, double slope) const;
+  [[nodiscard]] Found inside_at_root(const RootPlace& cell, double guess, double slope) const;
+  [[nodiscard]] Found inside_near_root(const RootPlace& cell, double guess, double slope) const;
 
   const MovingPolygon<Count>& polygon_;
   const RoundedPolygon<Count>& corners_;
   Vec3 magnitude_;
-  FirstContact contact_;  ///< what was found
+  TimeOfImpact contact_;  ///< what was found
 };
 
 template <std::size_t Count>
@@ -242,8 +231,8 @@ Found CertainContact<Count>::look_at_root(const BernsteinCubic& cubic, const Tim
   const std::optional<RootPlace> place = place_of_root(guess, cubic.b[0] > 0);
   if (!place) return Found::doubt;
   if (!place->is_in_cell) return look_at_moment(place->start);
-  contact_ = {true, place->start, place->start + 0x1p-40};
-  return inside_at_root(place->start, guess, std::ldexp(slope_at(cubic.b, fraction), part.depth));
+  contact_ = {true, place->start, place->start + cell_length};
+  return inside_at_root(*place, guess, std::ldexp(slope_at(cubic.b, fraction), part.depth));
 }
 
 /// For a time that is the only root of a part of the time, if it is one.
@@ -255,16 +244,23 @@ Found CertainContact<Count>::look_at_moment(double t) {
   return moment->is_contact() ? Found::contact : Found::nothing;
 }
 
+/// A cell is looked at to its end only where the root is not before its start, so that no time after the part is.
 template <std::size_t Count>
 std::optional<RootPlace> CertainContact<Count>::place_of_root(double guess, bool falls) const {
   const Sign before = falls ? Sign::positive : Sign::negative;
   double cell = std::ldexp(std::floor(std::ldexp(guess, contact_level)), -static_cast<int>(contact_level));
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const double next = cell + 0x1p-40;
-    const Sign at_start = volume_sign(exactly(cell)), at_end = volume_sign(exactly(next));
-    if (at_start == Sign::zero || at_end == Sign::zero) return RootPlace{at_start == Sign::zero ? cell : next, false};
-    if (at_start == before && at_end != before) return RootPlace{cell, true};
-    cell = at_start == before ? next : cell - 0x1p-40;
+    const Sign at_start = volume_sign(exactly(cell));
+    if (at_start == Sign::zero) return RootPlace{cell, false, before};
+    if (at_start != before) {
+      cell -= cell_length;
+      continue;
+    }
+    const double next = cell + cell_length;
+    const Sign at_end = volume_sign(exactly(next));
+    if (at_end == Sign::zero) return RootPlace{next, false, before};
+    if (at_end != before) return RootPlace{cell, true, before};
+    cell = next;
   }
   return {};
 }
@@ -283,21 +279,25 @@ Sign CertainContact<Count>::volume_sign(const BoundedNumber& t) const {
 
 /// By numbers in doubles, which allow for the whole cell, and else by longer ones nearer to the root.
 template <std::size_t Count>
-Found CertainContact<Count>::inside_at_root(double cell, double guess, double slope) const {
-  std::array<BoundedDoubleVector, Count> q;
-  for (std::size_t i = 0; i < Count; ++i) q[i] = within_cell(corners_[i], cell);
+Found CertainContact<Count>::inside_at_root(const RootPlace& cell, double guess, double slope) const {
+  std::array<VectorOf<BoundedDouble>, Count> q;
+  for (std::size_t i = 0; i < Count; ++i) q[i] = within_cell(corners_[i], cell.start);
   const Found found = side_of_origin(q);
-  return found == Found::doubt ? inside_near_root(guess, slope) : found;
+  return found == Found::doubt ? inside_near_root(cell, guess, slope) : found;
 }
 
-/// One step of Newton's in numbers of twice the length leads to an interval of 2^-87 with the root.
+/// One step of Newton's in numbers of twice the length leads to an interval of 2^-87, in which the cell's root is when
+/// it lies in the cell and the cubic changes its sign there as it does at the root.
 template <std::size_t Count>
-Found CertainContact<Count>::inside_near_root(double guess, double slope) const {
+Found CertainContact<Count>::inside_near_root(const RootPlace& cell, double guess, double slope) const {
   constexpr double radius = 0x1p-88;
   const DoubleWord root = double_word(two_sum(guess, -volume_at(exactly(guess)).value.high / slope));
   const Sign before = volume_sign({root + DoubleWord{-radius, 0}, 0}),
              after = volume_sign({root + DoubleWord{radius, 0}, 0});
-  if (before == Sign::zero || after == Sign::zero || before == after) return Found::doubt;
+  // The margin is more than the radius and the rounding of the sum; the difference is exact where it is small.
+  const double into_cell = (root.high - cell.start) + root.low;
+  if (!(into_cell > 0x1p-84 && into_cell < cell_length - 0x1p-84)) return Found::doubt;
+  if (before != cell.before || after == Sign::zero || after == before) return Found::doubt;
   std::array<BoundedVector, Count> q;
   // The times before and after are themselves rounded by less than a radius.
   for (std::size_t i = 0; i < Count; ++i) q[i] = at_time(polygon_[i], {root, radius});
@@ -305,25 +305,25 @@ Found CertainContact<Count>::inside_near_root(double guess, double slope) const 
 }
 
 template <std::size_t Count>
-std::optional<FirstContact> certain_contact_of(const MovingPolygon<Count>& polygon) {
+std::optional<TimeOfImpact> certain_contact_of(const MovingPolygon<Count>& polygon) {
   const RoundedPolygon<Count> corners = rounded(polygon);
   for (int axis = 0; axis < 3; ++axis)
-    if (is_apart_along(corners, axis)) return FirstContact{};
+    if (is_apart_along(corners, axis)) return TimeOfImpact{};
   const BernsteinVolume volume = bernstein_volume(corners[0], corners[1], corners[2]);
-  if (volume.is_certainly_not_zero()) return FirstContact{};
+  if (volume.is_certainly_not_zero()) return TimeOfImpact{};
   CertainContact<Count> contact(polygon, corners);
   Found found = contact.search(cubic_of(volume), {});
   if (found == Found::doubt) found = contact.search(precise_cubic(polygon), {});
   if (found == Found::doubt) return {};
-  return found == Found::contact ? contact.contact() : FirstContact{};
+  return found == Found::contact ? contact.contact() : TimeOfImpact{};
 }
 
 }  // namespace
 
-std::optional<FirstContact> certain_first_contact(const MovingPolygon<3>& polygon) {
+std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<3>& polygon) {
   return certain_contact_of(polygon);
 }
-std::optional<FirstContact> certain_first_contact(const MovingPolygon<4>& polygon) {
+std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<4>& polygon) {
   return certain_contact_of(polygon);
 }
 

@@ -21,35 +21,35 @@ std::optional<MovingPoints> doubled(MovingPoints points) {
 }
 
 /// The same question in another order, where the features are a vertex and a face.
-std::optional<std::string> changed_answer(const VertexFace& pair, const FirstContact& answer) {
+std::optional<std::string> changed_answer(const VertexFace& pair, const TimeOfImpact& answer) {
   const auto& [v, f] = pair;
-  if (first_contact(VertexFace{v, {f[1], f[2], f[0]}}) != answer) return "the corners turned";
-  if (first_contact(VertexFace{v, {f[1], f[0], f[2]}}) != answer) return "two corners exchanged";
+  if (time_of_impact(VertexFace{v, {f[1], f[2], f[0]}}) != answer) return "the corners turned";
+  if (time_of_impact(VertexFace{v, {f[1], f[0], f[2]}}) != answer) return "two corners exchanged";
   const VertexFace backwards{reversed(v), {reversed(f[0]), reversed(f[1]), reversed(f[2])}};
-  if (first_contact(backwards).hit != answer.hit) return "the time reversed";
+  if (time_of_impact(backwards).hit != answer.hit) return "the time reversed";
   return std::nullopt;
 }
 
-std::optional<std::string> changed_answer(const EdgeEdge& pair, const FirstContact& answer) {
+std::optional<std::string> changed_answer(const EdgeEdge& pair, const TimeOfImpact& answer) {
   const auto& [a, b] = pair;
-  if (first_contact(EdgeEdge{b, a}) != answer) return "the edges exchanged";
-  if (first_contact(EdgeEdge{{a[1], a[0]}, b}) != answer) return "the ends of A exchanged";
-  if (first_contact(EdgeEdge{a, {b[1], b[0]}}) != answer) return "the ends of B exchanged";
+  if (time_of_impact(EdgeEdge{b, a}) != answer) return "the edges exchanged";
+  if (time_of_impact(EdgeEdge{{a[1], a[0]}, b}) != answer) return "the ends of A exchanged";
+  if (time_of_impact(EdgeEdge{a, {b[1], b[0]}}) != answer) return "the ends of B exchanged";
   const EdgeEdge backwards{{reversed(a[0]), reversed(a[1])}, {reversed(b[0]), reversed(b[1])}};
-  if (first_contact(backwards).hit != answer.hit) return "the time reversed";
+  if (time_of_impact(backwards).hit != answer.hit) return "the time reversed";
   return std::nullopt;
 }
 
 template <class Pair>
 std::optional<std::string> wrong_with(const MovingPoints& points, Pair (*pair_of)(const MovingPoints&)) {
   const Pair pair = pair_of(points);
-  const FirstContact answer = first_contact(pair);
+  const TimeOfImpact answer = time_of_impact(pair);
   if (auto wrong = wrong_answer(pair, answer)) return *wrong + ": " + told(pair);
   if (auto changed = changed_answer(pair, answer)) return *changed + " changes the answer: " + told(pair);
   // The last stage alone: what the others decide it decides too.
-  if (first_contact_by_integers(differences(pair)) != answer) return "the integers differ: " + told(pair);
+  if (time_of_impact_by_integers(differences(pair)) != answer) return "the integers differ: " + told(pair);
   const auto large = doubled(points);
-  if (large && first_contact(pair_of(*large)) != answer) return "doubling changes the answer: " + told(pair);
+  if (large && time_of_impact(pair_of(*large)) != answer) return "doubling changes the answer: " + told(pair);
   return std::nullopt;
 }
 
@@ -74,7 +74,7 @@ std::vector<std::string> family_names() {
   return names;
 }
 
-const bool known = register_sweep({.name = "first-contact",
+const bool known = register_sweep({.name = "time-of-impact",
                                    .families = family_names(),
                                    .goal = 100'000,
                                    .slice = 200,
