@@ -55,7 +55,7 @@ std::optional<std::string> wrong_with(const MovingPoints& points, Pair (*pair_of
 
 SweepResult compare(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   SweepResult result;
-  for (const MotionFamily& f : motion_families()) {
+  for (const MotionFamily& f : feature_families()) {
     if (f.name != family) continue;
     Random random(seed);
     for (; result.cases < cases; ++result.cases) {
@@ -70,7 +70,7 @@ SweepResult compare(const std::string& family, std::uint64_t seed, std::uint64_t
 
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
-  for (const MotionFamily& family : motion_families()) names.push_back(family.name);
+  for (const MotionFamily& family : feature_families()) names.push_back(family.name);
   return names;
 }
 

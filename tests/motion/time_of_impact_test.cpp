@@ -160,7 +160,7 @@ TEST(TimeOfImpact, ManyAreAnsweredAsOneByOneOnAnyNumberOfThreads) {
   std::vector<VertexFace> pairs;
   std::vector<EdgeEdge> edges;
   Random random(7);
-  for (const MotionFamily& family : motion_families()) {
+  for (const MotionFamily& family : feature_families()) {
     for (int i = 0; i < 20; ++i) {
       const MovingPoints points = family.draw(random);
       pairs.push_back(vertex_face(points));

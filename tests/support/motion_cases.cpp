@@ -179,7 +179,7 @@ MovingPoints extreme(Random& random) {
 
 }  // namespace
 
-const std::vector<MotionFamily>& motion_families() {
+const std::vector<MotionFamily>& feature_families() {
   static const std::vector<MotionFamily> families{{"uniform", uniform},       {"grid", on_small_grid},
                                                   {"planted", planted},       {"beside-planted", beside_planted},
                                                   {"sliding", sliding},       {"one-line", in_one_line},

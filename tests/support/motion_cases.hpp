@@ -18,7 +18,7 @@ struct MotionFamily {
   MovingPoints (*draw)(Random&);
 };
 
-const std::vector<MotionFamily>& motion_families();
+const std::vector<MotionFamily>& feature_families();
 
 VertexFace vertex_face(const MovingPoints& points);
 EdgeEdge edge_edge(const MovingPoints& points);
