@@ -12,7 +12,7 @@
 #include "bounds/posed_bounds.hpp"
 #include "bounds/upper_sum.hpp"
 #include "oracle/rational.hpp"
-#include "toccata/bounds/ellipsoid_bound.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
 
