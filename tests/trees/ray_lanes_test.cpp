@@ -31,7 +31,7 @@ Vec3 some_point(Random& random, double size) {
   return {x, y, random.between(-size, size)};
 }
 
-Vec3 as_floats(const Vec3& v) {
+Vec3 rounded_to_floats(const Vec3& v) {
   return {double{static_cast<float>(v.x)}, double{static_cast<float>(v.y)}, double{static_cast<float>(v.z)}};
 }
 
@@ -98,9 +98,9 @@ void set_ray(LanesCase& c, const Vec3& aim, double off, double lean, Random& ran
   Vec3 from = some_point(random, 1);
   if (random.below(4) == 0) from = aim + some_point(random, 1e-3);
   if (random.below(5) == 0) from = {aim.x, aim.y, -1};
-  from = within_units(as_floats(from));
+  from = within_units(rounded_to_floats(from));
   const double lengths[] = {0.5, 1, 1 + 1e-7, 1.01, 1.3, 1.5, 2, 3};
-  const Vec3 motion = as_floats(lengths[random.below(8)] * (aim - from));
+  const Vec3 motion = rounded_to_floats(lengths[random.below(8)] * (aim - from));
   const double most = greatest_of(motion);
   c.ray.pad = static_cast<float>(off + lean * most + 0x1p-20);
   c.ray.lean = static_cast<float>(lean);
@@ -120,7 +120,7 @@ LanesCase some_case(Random& random) {
   std::array<Vec3, 3> aimed_at;
   for (std::size_t lane = 0; lane < WideBlock::width; ++lane) {
     aimed_at = some_corners(random, size);
-    for (Vec3& corner : aimed_at) corner = as_floats(within_units(corner));
+    for (Vec3& corner : aimed_at) corner = rounded_to_floats(within_units(corner));
     set_triangle(c, lane, aimed_at, off, random);
   }
   c.block.count = WideBlock::width;
