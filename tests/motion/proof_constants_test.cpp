@@ -10,7 +10,6 @@ namespace toccata {
 namespace {
 
 using oracle::exact;
-using oracle::Rational;
 
 // The points of the filter of orient3d, at rest.
 TEST(ProofConstants, TheVolumeOfAMovingPolygonCoversItsRoundings) {
@@ -20,7 +19,7 @@ TEST(ProofConstants, TheVolumeOfAMovingPolygonCoversItsRoundings) {
       d{0x1.e55071cbb63b9p-1, -0x1.ea830e9b174a1p-2, -0x1.5491609d83afbp-2};
   const RoundedCorner p{b - a, b - a}, q{c - a, c - a}, r{d - a, d - a};
   const BernsteinVolume volume = bernstein_volume(p, q, r);
-  const Rational truth = oracle::orientation(exact(a), exact(b), exact(c), exact(d));
+  const oracle::Rational truth = oracle::orientation(exact(a), exact(b), exact(c), exact(d));
   EXPECT_LE(abs(exact(volume.start) - truth), exact(volume.error));
   EXPECT_LE(abs(exact(volume.near_start) - 3 * truth), 3 * exact(volume.error));
 }
@@ -31,7 +30,7 @@ TEST(ProofConstants, ADotProductWithACornerCoversItsRoundings) {
   const Vec3 corner{1 - tail, half_unit, half_unit}, direction{1, 1, 1};
   const RoundedPolygon<3> corners{{{corner, corner}, {corner, corner}, {corner, corner}}};
   const PolygonSpan<3> span{corners, greatest_magnitudes(corners)};
-  const Rational truth = (exact(1) - exact(tail)) + exact(half_unit) + exact(half_unit);
+  const oracle::Rational truth = (exact(1) - exact(tail)) + exact(half_unit) + exact(half_unit);
   EXPECT_LE(abs(exact(dot(direction, corner)) - truth), exact(span.slack(direction)));
 }
 
