@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "math/vec3_measures.hpp"
 #include "math/number_vector.hpp"
+#include "math/vec3_measures.hpp"
 
 namespace toccata {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "narrow/convex/facet_slots.hpp"
 #include "math/number_vector.hpp"
+#include "narrow/convex/facet_slots.hpp"
 #include "toccata/math/vec3.hpp"
 
 namespace toccata {
