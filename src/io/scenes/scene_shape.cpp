@@ -33,6 +33,7 @@ Mat3 rotation_of(const JsonValue& value) {
 /// The value of a parameter of a shape, as its constructor takes it.
 template <class S>
 double read_parameter(const JsonValue& shape, const ShapeParameter<S, double>& parameter) {
+  if (parameter.when_left_out == WhenLeftOut::zero && !shape.has(parameter.name)) return 0;
   return shape.at(parameter.name).number();
 }
 template <class S>
