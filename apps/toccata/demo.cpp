@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
 #include "arguments.hpp"
-#include "check_table.hpp"
 #include "demo_readme.hpp"
+#include "demo_text.hpp"
 #include "file_text.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
@@ -18,7 +17,6 @@
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
-#include "toccata/query/check_all.hpp"
 #include "toccata/reports/scene_question.hpp"
 #include "words.hpp"
 
@@ -31,43 +29,18 @@ struct DemoArguments {
   int threads = 0;
 };
 
-using Clock = std::chrono::steady_clock;
-
-CheckReport report_of(const std::vector<SceneInstance>& models, const DemoArguments& arguments) {
-  CheckOptions options;
-  options.threads = arguments.threads;
-  return make_check_report(models, check_all(models, options));
-}
-
 std::string demo_json(const DemoArguments& arguments) {
   std::vector<NamedReport> reports;
   for (const NamedScene& named : demo_scenes()) {
     const Scene scene = demo_scene(named.name);
     const std::vector<SceneInstance> models = scene_models(scene, arguments.threads);
-    reports.push_back({named.name, report_json(scene, models, report_of(models, arguments))});
+    reports.push_back({named.name, report_json(scene, models, demo_report(models, arguments.threads))});
   }
   return joined_reports_json(reports);
 }
 
-std::string demo_text(const DemoArguments& arguments) {
-  const Clock::time_point start = Clock::now();
-  std::string text;
-  for (const NamedScene& named : demo_scenes()) {
-    const Scene scene = demo_scene(named.name);
-    const CheckReport report = report_of(scene_models(scene, arguments.threads), arguments);
-    text += fmt::format("{}: {}\n{}\n", named.name, named.description, check_table(scene, report));
-  }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return text +
-         fmt::format(
-             "{0} made, built and checked in {1:.2f} s. Every answer is exact: no tolerance, no hull in place of a "
-             "shape.\nTo play with them as files:\n  {2} demo --write scenes\n  {2} check scenes/a.obj scenes/b.stl "
-             "--faces\n",
-             counted(demo_scenes().size(), "scene"), seconds, called_as());
-}
-
 int show_scenes(const DemoArguments& arguments) {
-  print_answer(arguments.format == Format::json ? demo_json(arguments) : demo_text(arguments));
+  print_answer(arguments.format == Format::json ? demo_json(arguments) : demo_text(arguments.threads));
   return 0;
 }
 

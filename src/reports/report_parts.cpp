@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <string_view>
 #include <utility>
 
 #include "io/formats/utf8.hpp"
@@ -14,13 +14,6 @@
 
 namespace toccata::io {
 namespace {
-
-ReportedIntersection reported_intersection(const SceneInstance& a, const SceneInstance& b, const Contact& contact) {
-  const IntersectionPoints found =
-      intersection_points(contact.intersection, world_triangle(a.model, a.pose, contact.triangle_a),
-                          world_triangle(b.model, b.pose, contact.triangle_b));
-  return {contact.intersection.kind, {found.points.begin(), found.points.begin() + found.count}};
-}
 
 Json json_of_feature(const ConvexFeature& feature) {
   constexpr std::array<const char*, 3> names = {"vertex", "edge", "face"};
@@ -42,26 +35,6 @@ Json json_of(const SceneObject& object, const SceneInstance& posed) {
           {"solid", taken_as_solid(posed.model, object.solid)},
           {"group", object.group},
           {"pose", object.pose.numbers()}};
-}
-
-std::vector<ReportedFacePair> reported_face_pairs(const SceneInstance& a, const SceneInstance& b,
-                                                  const std::vector<Contact>& contacts) {
-  std::map<std::pair<Index, Index>, ReportedFacePair> pairs;
-  for (const Contact& contact : contacts) {
-    ReportedFacePair& pair = pairs[{contact.face_a, contact.face_b}];
-    pair.face_a = contact.face_a;
-    pair.face_b = contact.face_b;
-    pair.crossing = pair.crossing || contact.intersection.crossing;
-    if (contact.intersection.kind == IntersectionKind::none) continue;  // one of the two is not made of triangles
-    // The triangles that a larger face was cut into often meet the other in the same point or edge.
-    ReportedIntersection intersection = reported_intersection(a, b, contact);
-    if (std::find(pair.intersections.begin(), pair.intersections.end(), intersection) == pair.intersections.end())
-      pair.intersections.push_back(std::move(intersection));
-  }
-  std::vector<ReportedFacePair> result;
-  result.reserve(pairs.size());
-  for (auto& [faces, pair] : pairs) result.push_back(std::move(pair));
-  return result;
 }
 
 Json json_of(const ReportedFacePair& pair) {
@@ -183,3 +156,17 @@ std::string csv_field(const std::string& text) {
 }
 
 }  // namespace toccata::io
+
+namespace toccata {
+
+std::string joined_reports_json(std::span<const NamedReport> reports) {
+  std::string text = "{";
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    std::string_view json = reports[i].json;
+    if (json.ends_with('\n')) json.remove_suffix(1);
+    text += (i == 0 ? "\n" : ",\n") + io::line_of(io::as_utf8(reports[i].name)) + ": " + std::string(json);
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace toccata

@@ -9,6 +9,7 @@
 
 #include "io/formats/json.hpp"
 #include "io/scenes/scene_shape.hpp"
+#include "reports/face_pairs.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
 
@@ -21,10 +22,6 @@ namespace toccata::io {
 
 /// An object as it was checked.
 [[nodiscard]] Json json_of(const SceneObject& object, const SceneInstance& posed);
-
-/// The contacts by faces of the files, ascending.
-[[nodiscard]] std::vector<ReportedFacePair> reported_face_pairs(const SceneInstance& a, const SceneInstance& b,
-                                                                const std::vector<Contact>& contacts);
 
 [[nodiscard]] Json json_of(const ReportedFacePair& pair);
 

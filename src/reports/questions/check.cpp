@@ -219,43 +219,6 @@ struct CheckKind {
 
 }  // namespace
 
-bool counts_as_contact(const Relation& relation, Touching touching) {
-  if (relation.kind == RelationKind::apart) return false;
-  return relation.kind != RelationKind::touching || touching == Touching::count || relation.side_unresolved ||
-         relation.status != Status::exact;
-}
-
-CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
-                              const ReportOptions& options) {
-  const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
-  if (asks_clearance && options.touching == Touching::ignore)
-    throw Error("pairs that touch are nearer than any clearance, so they cannot be ignored where one is asked for");
-  CheckReport report;
-  report.candidate_pairs = answer.candidate_pairs;
-  report.has_faces = options.faces;
-  report.has_penetration = options.penetration;
-  if (asks_clearance) report.clearance = options.clearance.value_or(0);
-  report.pair_clearances = options.pair_clearances;
-  for (const PairAnswer& pair : answer.pairs) {
-    const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-    if (!is_near && !counts_as_contact(pair.relation, options.touching)) {
-      ++report.ignored_touching;
-      continue;
-    }
-    ReportedPair& reported = report.pairs.emplace_back();
-    reported.a = pair.a;
-    reported.b = pair.b;
-    reported.relation = pair.relation;
-    if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
-    reported.penetration = pair.penetration;
-    reported.manifold = pair.manifold;
-    reported.manifolds = pair.manifolds;
-    reported.regions = pair.regions;
-    reported.distance = pair.distance;
-  }
-  return report;
-}
-
 constinit const io::QuestionKind CheckQuestion::kind = io::question_kind<CheckKind>();
 
 }  // namespace toccata

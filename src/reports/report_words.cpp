@@ -1,7 +1,3 @@
-#include <string_view>
-
-#include "io/formats/utf8.hpp"
-#include "reports/report_parts.hpp"
 #include "toccata/reports/report.hpp"
 
 namespace toccata {
@@ -58,16 +54,6 @@ std::string name_of(Status status) {
       return "not_converged";
   }
   return {};
-}
-
-std::string joined_reports_json(std::span<const NamedReport> reports) {
-  std::string text = "{";
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    std::string_view json = reports[i].json;
-    if (json.ends_with('\n')) json.remove_suffix(1);
-    text += (i == 0 ? "\n" : ",\n") + io::line_of(io::as_utf8(reports[i].name)) + ": " + std::string(json);
-  }
-  return text + "\n}\n";
 }
 
 std::string verb_of(const Relation& relation) {
