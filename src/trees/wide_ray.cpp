@@ -132,7 +132,7 @@ constexpr std::size_t rays_abreast = 12;
 void run_rays(const WideBvh& tree, const LeafTriangles* leaves, std::span<const WideRay> rays, VisitCandidates visit) {
   if (rays.size() == 1) {
     RayWalk walk;
-    walk.start(tree, tree, leaves, rays[0], 0, visit);
+    walk.start(tree, tree, leaves, rays[0], std::size_t{0}, visit);
     walk.run();
     return walk.search().end();
   }

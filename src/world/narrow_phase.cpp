@@ -10,8 +10,10 @@
 #include "query/contacts/part_contacts.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/motion/sweep.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/pairs.hpp"
 
 namespace toccata {
 namespace {
@@ -69,10 +71,37 @@ BodyNearness nearness_of(const Body& a, const Body& b, double margin, Workspace&
   return margin > 0 ? BodyNearness::near : BodyNearness::apart;
 }
 
+/// Where it stands, or how it goes.
+RigidMotion motion_of(Index index, std::span<const Body> bodies, const BodiesOnTheWay& on_the_way) {
+  const auto found = on_the_way.find(index);
+  return found == on_the_way.end() ? RigidMotion(bodies[index].pose) : found->second.motion;
+}
+
+/// Two half-spaces, which meet wherever they are or never, are not asked about.
+bool has_first_contact(const Body& a, const Body& b) {
+  return pair_cell(ShapeQuestion::cast_shape, kind_of(a.model.shape()), kind_of(b.model.shape())).state ==
+         PairState::defined;
+}
+
+void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
+                       Workspace& workspace) {
+  const auto [first, second] = pair.pair;
+  const Body &a = bodies[first], &b = bodies[second];
+  if ((!on_the_way.contains(first) && !on_the_way.contains(second)) || !has_first_contact(a, b)) return;
+  const ShapeHit hit =
+      sweep(a.model, motion_of(first, bodies, on_the_way), b.model, motion_of(second, bodies, on_the_way),
+            {.solid_a = a.solid, .solid_b = b.solid}, cleared(workspace));
+  if (!hit.hit) return;
+  PairDetails details = pair.details ? *pair.details : PairDetails{};
+  details.first_contact = hit;
+  pair.details = std::make_shared<const PairDetails>(std::move(details));
+  if (pair.nearness == BodyNearness::apart) pair.nearness = BodyNearness::passed;
+}
+
 }  // namespace
 
-void NarrowPhase::decide(std::span<const Body> bodies, std::span<const UndecidedPair> undecided,
-                         std::span<DecidedPair> pairs) {
+void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way,
+                         std::span<const UndecidedPair> undecided, std::span<DecidedPair> pairs) {
   const Chunks rows{undecided.size(), row_length(undecided.size(), options_.threads)};
   parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
     workspaces_.with([&](Workspace& workspace) {
@@ -81,6 +110,7 @@ void NarrowPhase::decide(std::span<const Body> bodies, std::span<const Undecided
         if (i + ahead < some.size()) fetch(bodies[pairs[some[i + ahead].number].pair.second]);
         DecidedPair& pair = pairs[some[i].number];
         decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i].margin, pair, workspace);
+        if (!on_the_way.empty()) add_first_contact(bodies, on_the_way, pair, workspace);
       }
     });
   });

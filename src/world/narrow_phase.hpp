@@ -7,10 +7,16 @@
 #include "query/workspace_pool.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
+#include "world/bodies_on_the_way.hpp"
 
 namespace toccata {
 
-enum class BodyNearness : std::uint8_t { apart, near, contact };
+enum class BodyNearness : std::uint8_t {
+  apart,
+  near,
+  contact,
+  passed,  ///< they have met on the way, and are neither near nor in contact now
+};
 
 /// Two bodies whose boxes overlap, and what was found out about them.
 struct DecidedPair {
@@ -34,7 +40,8 @@ class NarrowPhase {
   ~NarrowPhase() = default;
 
   /// Fills in pairs[undecided.number] for each of them. Bodies are by index.
-  void decide(std::span<const Body> bodies, std::span<const UndecidedPair> undecided, std::span<DecidedPair> pairs);
+  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<const UndecidedPair> undecided,
+              std::span<DecidedPair> pairs);
 
  private:
   void decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const;

@@ -21,6 +21,10 @@ void World::remove(std::span<const BodyId> ids) { state_->remove(ids); }
 void World::remove(BodyId id) { state_->remove({&id, 1}); }
 void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) { state_->move(ids, poses); }
 void World::move(BodyId id, const Pose& pose) { state_->move({&id, 1}, {&pose, 1}); }
+void World::move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions) {
+  state_->move_along(ids, motions);
+}
+void World::move_along(BodyId id, const RigidMotion& motion) { state_->move_along({&id, 1}, {&motion, 1}); }
 void World::replace(std::span<const BodyId> ids, std::span<const Body> bodies) { state_->replace(ids, bodies); }
 void World::replace(BodyId id, const Body& body) { state_->replace({&id, 1}, {&body, 1}); }
 void World::set_rules(std::span<const PairRule> rules) { state_->set_rules(rules); }

@@ -14,6 +14,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "world/body_box.hpp"
+#include "world/swept_box.hpp"
 
 namespace toccata {
 namespace {
@@ -96,11 +97,17 @@ double World::State::reach(Index index, double margin) const {
   return std::max(own, half_rounded_up(slots_[index].rule_margin));
 }
 
+const Aabb& World::State::box_on_the_way(Index index) const {
+  const auto found = on_the_way_.find(index);
+  return found == on_the_way_.end() ? boxes_[index] : found->second.box;
+}
+
 void World::State::place(std::span<const Index> indices) {
   reached_boxes_.clear();
   for (const Index index : indices) {
     const double by = reach(index, slots_[index].margin);
-    reached_boxes_.push_back(by > 0 ? offset_outward(boxes_[index], by) : boxes_[index]);
+    const Aabb& box = box_on_the_way(index);
+    reached_boxes_.push_back(by > 0 ? offset_outward(box, by) : box);
   }
   phase_.move(indices, reached_boxes_);
 }
@@ -117,6 +124,7 @@ void World::State::put(Index index, Body&& body, const Aabb& box) {
   slot.type = body.type;
   slot.is_used = true;
   boxes_[index] = box;
+  on_the_way_.erase(index);
   bodies_[index] = std::move(body);
   mark_changed(index);
 }
@@ -171,6 +179,7 @@ void World::State::remove(std::span<const BodyId> ids) {
     slots_[index].has_changed = has_changed;
     bodies_[index] = Body{Point{}};
     boxes_[index] = {};
+    on_the_way_.erase(index);
     mark_changed(index);
   }
   std::erase_if(partners, [&](Index partner) { return !is_used(partner); });
@@ -195,9 +204,36 @@ void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses
     boxes_[indices[i]] = new_boxes_[i];
   });
   for (std::size_t i = 0; i < ids.size(); ++i)
-    if (differs_[i] != 0) mark_changed(indices[i]);
+    if (on_the_way_.erase(indices[i]) != 0 || differs_[i] != 0) mark_changed(indices[i]);
   place(indices);
   revision_ = next_revision();
+}
+
+void World::State::move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions) {
+  require_as_many(ids.size(), motions.size(), "motions");
+  const std::vector<Index> indices = required(ids);
+  std::vector<Pose> ends;
+  for (const RigidMotion& motion : motions) ends.push_back(motion.at(1));
+  make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
+    return swept_box(bodies_[indices[i]], motions[i], [&] { return name_of_body(indices[i]); });
+  });
+  std::vector<Aabb> swept = new_boxes_;
+  move(ids, ends);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    on_the_way_.insert_or_assign(indices[i], BodyOnTheWay{motions[i], swept[i]});
+    mark_changed(indices[i]);
+  }
+  place(indices);
+}
+
+void World::State::arrive() {
+  std::vector<Index> indices;
+  for (const auto& [index, body] : on_the_way_) indices.push_back(index);
+  if (indices.empty()) return;
+  on_the_way_.clear();
+  // What met on the way and is apart again is no pair at the next step.
+  for (const Index index : indices) mark_changed(index);
+  place(indices);
 }
 
 void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bodies) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toccata/world/world.hpp"
+#include "world/bodies_on_the_way.hpp"
 #include "world/narrow_phase.hpp"
 #include "world/pair_rules.hpp"
 
@@ -21,6 +22,7 @@ class World::State {
   std::vector<BodyId> add(std::span<const Body> bodies);
   void remove(std::span<const BodyId> ids);
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  void move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions);
   void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
   void set_rules(std::span<const PairRule> rules);
   const WorldStep& step();
@@ -64,6 +66,10 @@ class World::State {
   [[nodiscard]] std::vector<Index> required(std::span<const BodyId> ids) const;
   /// How far around its own box another body's may be for the two to be a pair.
   [[nodiscard]] double reach(Index index, double margin) const;
+  /// Where it is, or was on its way.
+  [[nodiscard]] const Aabb& box_on_the_way(Index index) const;
+  /// The bodies that went along a motion have arrived.
+  void arrive();
   /// Tells the broad phase where the bodies are, as far as they reach.
   void place(std::span<const Index> indices);
   void put(Index index, Body&& body, const Aabb& box);
@@ -84,6 +90,7 @@ class World::State {
   std::vector<Body> bodies_;
   std::vector<Slot> slots_;
   std::vector<Aabb> boxes_;
+  BodiesOnTheWay on_the_way_;   ///< until the next step
   std::vector<Index> changed_;  ///< since the last step
   PairRules rules_;
   BroadPhase phase_;

@@ -41,7 +41,7 @@ std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& un
     const std::optional<double> margin = margin_of(pair);
     if (!margin) continue;
     // Other pairs of the two may have larger margins.
-    const Aabb &a = boxes_[pair.first], &b = boxes_[pair.second];
+    const Aabb &a = box_on_the_way(pair.first), &b = box_on_the_way(pair.second);
     if (!overlap(a, b) && (*margin == 0 || !overlap(offset_outward(a, *margin), b))) continue;
     while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
     const bool is_known = known != decided_.end() && known->pair == pair && !slots_[pair.first].has_changed &&
@@ -80,10 +80,11 @@ const WorldStep& World::State::step() {
   phase_.update();
   std::vector<UndecidedPair> undecided;
   std::vector<DecidedPair> found = candidates(undecided);
-  narrow_.decide(bodies_, undecided, found);
+  narrow_.decide(bodies_, on_the_way_, undecided, found);
   decided_ = std::move(found);
   for (const Index index : changed_) slots_[index].has_changed = false;
   changed_.clear();
+  arrive();
   last_.candidates = decided_.size();
   last_.asked = undecided.size();
   tell(reports());

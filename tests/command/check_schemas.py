@@ -74,6 +74,16 @@ def rays(folder):
     yield asked(folder, "ray", "scenes/a.obj", "--from", "0", "0", "9", "--to", "0", "0", "-9")
 
 
+def sweeps(folder):
+    """What is met on the way, of shapes and of meshes, through two poses and many."""
+    (folder / "motion.txt").write_text("0 0 0 0\n3 translation=0,0,5\n4 translation=0,0,5 axis=0,0,1 degrees=90\n")
+    yield asked(folder, "sweep", "round.json", "--to", "9 0 0")
+    met = asked(folder, "sweep", "gen:icosphere", "gen:box", "--from", "0 0 9", "--to", "euler=xyz:0,90,0")
+    assert met["meeting"] == 1, met
+    yield met
+    yield asked(folder, "sweep", "gen:box", "gen:torus", "--motion", "motion.txt", "--stop-before", "0.125")
+
+
 def faces(folder):
     """What lies in a box and in a ball, and in one where there is nothing."""
     yield asked(folder, "faces", "shapes.json", "scenes/a.obj", "--box", "-1", "-1", "-1", "1", "1", "1")
@@ -197,6 +207,7 @@ EVERY_REPORT = {
     "distance": distances,
     "cost": costs,
     "ray": rays,
+    "sweep": sweeps,
     "faces": faces,
     "nearest": nearest_points,
     "inspect": inspections,

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/pair_query.hpp"
 
@@ -24,5 +27,17 @@ namespace toccata {
 /// in the world. Numbers are the doubles nearest to the text, finite, and separated by blanks or commas; # starts a
 /// comment. Throws Error naming the file and the line, also for a ray without length and a file without a ray.
 [[nodiscard]] std::vector<RayQuery> read_rays(const std::string& path);
+
+/// A pose as people write it (docs/reference/motion-file.md): 12 numbers, R row by row and then t; 3 numbers, a
+/// translation; or words with numbers: `translation=X,Y,Z` and one rotation, `axis=X,Y,Z degrees=D`,
+/// `quaternion=X,Y,Z,W` or `euler=ORDER:A,B,C` in degrees. The order is three letters: `xyz` turns about the fixed axes
+/// x, y and z, one after the other, `XYZ` about the axes as they have been turned. The shape turns first and is
+/// translated then. Throws Error that tells the text and what is wrong with it.
+[[nodiscard]] Pose pose_from_text(std::string_view text);
+
+/// Reads a motion file (docs/reference/motion-file.md): a line per key, its time and then its pose, as `pose_from_text`
+/// takes it; # starts a comment. The times ascend and are scaled so that the first is 0 and the last 1. Throws Error
+/// naming the file and the line, also for a file of fewer than two keys.
+[[nodiscard]] std::vector<MotionKey> read_motion(const std::string& path);
 
 }  // namespace toccata

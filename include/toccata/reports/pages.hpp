@@ -137,11 +137,12 @@ class WorldRecording {
     std::vector<Place> placed;  ///< bodies that are new or have another pose than when they were last seen
     std::vector<Index> gone;    ///< that were there at the frame before
     std::vector<Pair> pairs;    ///< begin, persist and end
+    std::string label{};        ///< as the page calls it; empty: by its number
   };
 
   /// The bodies as they are and what the last step found: to be called after a step, before anything moves. Throws
   /// Error, and has changed nothing, when that is more than a page may hold.
-  void add(const World& world);
+  void add(const World& world, const std::string& label = {});
 
   [[nodiscard]] std::span<const Body> objects() const { return objects_; }  ///< as they were first seen
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
@@ -166,6 +167,10 @@ class WorldRecording {
 /// The bodies of `crowd --world` once more (run_crowd_world), with relations, contact points and depths, kept step by
 /// step; the first is that before anything moves. Throws Error as WorldRecording and run_crowd_world do.
 [[nodiscard]] WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
+
+/// What a sweep found (SweepReport), moment by moment: the bodies on their way and how far apart those that move and
+/// those that stand are, at even times and at the times of the first contacts. Throws Error as WorldRecording does.
+[[nodiscard]] WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report);
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
 /// each frame as they begin, persist and end, with contact points and distances where the World tells

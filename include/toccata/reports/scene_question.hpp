@@ -11,6 +11,7 @@
 
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/type_list.hpp"
+#include "toccata/motion/sweep.hpp"
 #include "toccata/reports/crowd_report.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -94,6 +95,34 @@ struct CostQuestion {
   CostOptions options{};           ///< `progress` plays no part: AskOptions has one
 };
 
+/// Whether something that moves meets what stands, and when first: `sweep`.
+struct SweepQuestion {
+  static const io::QuestionKind kind;
+  std::size_t moving_objects = 1;  ///< the first so many move, as one body; the others stand
+  std::vector<MotionKey> keys;     ///< of the body, at least two; each object's own pose comes before them
+  bool screw = false;              ///< from each key to the next about one axis and along it, instead of straight on
+  Vec3 centre{};                   ///< in the body's frame, what goes straight on while the body turns about it
+  double stop_before = 0;          ///< in world units
+};
+
+/// How two objects meet, of which A moves.
+struct ReportedSweep {
+  Index a = 0;  ///< the object's place in the scene
+  Index b = 0;
+  ShapeHit hit;
+};
+
+struct SweepReport {
+  SweepQuestion question;
+  std::vector<ReportedSweep> pairs;  ///< those that meet first come first, by (upper, a, b); then those that do not
+};
+
+/// How many of the pairs meet.
+[[nodiscard]] std::size_t meeting_count(const SweepReport& report);
+
+/// How an object of a scene moves whose pose is `pose`, when it is part of the body that moves.
+[[nodiscard]] RigidMotion motion_of(const SweepQuestion& question, const Pose& pose);
+
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
 };
@@ -135,7 +164,7 @@ using SceneQuestions =
              QuestionAndReport<CostQuestion, CostReport>, QuestionAndReport<CrowdQuestion, CrowdReport>,
              QuestionAndReport<DecomposeQuestion, DecomposeReport>,
              QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
-             QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>>;
+             QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>>;
 
 template <class... Listed>
 using QuestionVariant = std::variant<typename Listed::Question...>;
@@ -164,7 +193,7 @@ struct AskOptions {
                               const AskOptions& options = {});
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
-/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world".
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.

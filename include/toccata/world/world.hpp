@@ -11,6 +11,8 @@
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/motion/rigid_motion.hpp"
+#include "toccata/query/casts.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
@@ -36,6 +38,9 @@ struct WorldOptions {
 
 /// What was asked for in WorldOptions, of one pair; each as the question of that name answers it for (a, b).
 struct PairDetails {
+  /// Of two bodies that have met on the way, one of which went along a motion (World::move_along): as `sweep` tells it
+  /// of a and b, where the other body stands or goes along a motion too.
+  std::optional<ShapeHit> first_contact{};
   std::optional<Relation> relation{};
   std::optional<Distance> distance{};
   std::vector<Contact> contacts{};
@@ -47,8 +52,9 @@ struct PairDetails {
 struct PairReport {
   BodyId a;  ///< a.index < b.index
   BodyId b;
-  bool in_contact = false;                       ///< they have a point in common; else they are only near
-  std::shared_ptr<const PairDetails> details{};  ///< none where nothing was asked for
+  /// They have a point in common; else they are only near, or have met on the way and are apart again.
+  bool in_contact = false;
+  std::shared_ptr<const PairDetails> details{};  ///< none where nothing was asked for and nothing met on the way
 };
 
 /// What a step found. Each list is ascending by (a, b).
@@ -107,6 +113,13 @@ class World {
   /// `add` does, for an id of no body here, and where the spans differ in length.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   void move(BodyId id, const Pose& pose);
+
+  /// Lets body ids[i] go along motions[i], from where that begins to where it ends, in the time of the next step. The
+  /// body is at its end now; but the step also finds every pair that meets on the way, if only for a moment, and tells
+  /// when first (PairDetails::first_contact): nothing tunnels. A body that is moved, replaced or removed before the
+  /// step has gone nowhere. Throws Error as `move` does, and as RigidMotion::at; the step throws what `sweep` throws.
+  void move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions);
+  void move_along(BodyId id, const RigidMotion& motion);
 
   /// Makes body ids[i] into bodies[i], all of it: another shape, other margins or groups. Ids, rules, and pairs that
   /// are still pairs stay. Throws Error as `move` does.

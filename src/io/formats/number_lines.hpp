@@ -4,14 +4,16 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 #include "io/formats/text_cursor.hpp"
 
 namespace toccata::io {
 
-/// Calls `read` at the start of every line of a text file that has numbers in it; commas count as blanks, # starts a
-/// comment. Throws Error as `read` does.
-void for_each_line_of_numbers(const std::filesystem::path& path, const std::function<void(TextCursor&)>& read);
+/// Calls `read` at the start of every line of a text file that has words in it; commas and what else is among the
+/// `blanks` count as blanks, # starts a comment. Throws Error as `read` does.
+void for_each_line_of_numbers(const std::filesystem::path& path, const std::function<void(TextCursor&)>& read,
+                              std::string_view blanks = ",");
 
 /// The numbers left on the cursor's line: the first `most` of them, and how many there were.
 template <std::size_t Most>

@@ -26,6 +26,8 @@ std::string scene_glb(const Scene& scene, std::span<const SceneInstance> models,
     return recording_glb(record_crowd(crowd->question), options);
   if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
     return recording_glb(record_crowd_world(crowd->question), options);
+  if (const auto* sweep = std::get_if<SweepReport>(&answer))
+    return recording_glb(record_sweep(models, *sweep), options);
   const bool is_about_rest = options.hierarchy || options.partition || options.voronoi || options.voronoi_walk;
   if (is_about_rest && !io::queries_of(answer).empty())
     throw Error(

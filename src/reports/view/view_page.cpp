@@ -104,6 +104,7 @@ std::string view_page(const Scene& scene, std::span<const SceneInstance> models,
   if (const auto* crowd = std::get_if<CrowdReport>(&answer)) return crowd_page(record_crowd(crowd->question), options);
   if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
     return world_page(record_crowd_world(crowd->question), options);
+  if (const auto* sweep = std::get_if<SweepReport>(&answer)) return world_page(record_sweep(models, *sweep), options);
   const io::DrawnScene drawn = io::drawn_scene(scene, models, answer);
   return page_of(drawn.scene, drawn.models, answer, options, warnings);
 }

@@ -129,7 +129,7 @@ Json time_of(const WorldRecording& recording) {
     const RecordedFrame& frame = recording.frames()[i];
     const std::size_t begin = count_of(frame, Change::begin), persist = count_of(frame, Change::persist);
     moments.push_back(
-        {{"label", fmt::format("step {}", i)},
+        {{"label", frame.label.empty() ? fmt::format("step {}", i) : frame.label},
          {"note", fmt::format("{}, {} begin, {} persist; {} end", io::counted(begin + persist, "pair", "pairs"), begin,
                               persist, count_of(frame, Change::end))}});
   }

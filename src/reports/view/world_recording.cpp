@@ -55,8 +55,9 @@ void WorldRecording::add_pairs(std::span<const PairReport> pairs, Change change,
   }
 }
 
-void WorldRecording::add(const World& world) {
+void WorldRecording::add(const World& world, const std::string& label) {
   Next next;
+  next.frame.label = label;
   add_bodies(world, next);
   const WorldStep& step = world.last_step();
   add_pairs(step.begin, Change::begin, next);

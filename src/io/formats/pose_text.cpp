@@ -1,0 +1,159 @@
+#include "io/formats/pose_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "io/formats/file_error.hpp"
+#include "io/formats/number.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/io/query_files.hpp"
+
+namespace toccata {
+namespace io {
+namespace {
+
+constexpr const char* ways_to_write_a_pose =
+    "write 12 numbers, R row by row and then t; 3, a translation; or words such as translation=1,0,0 axis=0,0,1 "
+    "degrees=90";
+
+std::optional<double> number_of(std::string_view word) {
+  const ParsedNumber parsed = parse_number(word.data(), word.data() + word.size());
+  if (parsed.fault != NumberFault::none || parsed.end != word.data() + word.size()) return std::nullopt;
+  return parsed.value;
+}
+
+/// Three letters, all small or all capital, no two neighbours alike.
+bool is_order(std::string_view word) {
+  const auto all_of = [&](std::string_view letters) {
+    return word.find_first_not_of(letters) == std::string_view::npos;
+  };
+  return word.size() == 3 && (all_of("xyz") || all_of("XYZ")) && word[0] != word[1] && word[1] != word[2];
+}
+
+Mat3 rotation_of_euler(std::string_view order, const std::array<double, 3>& degrees) {
+  const bool about_fixed_axes = order[0] >= 'x';
+  Mat3 rotation;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char axis = order[i];
+    const Mat3 turn = rotation_about({axis == 'x' || axis == 'X' ? 1.0 : 0.0, axis == 'y' || axis == 'Y' ? 1.0 : 0.0,
+                                      axis == 'z' || axis == 'Z' ? 1.0 : 0.0},
+                                     degrees[i]);
+    rotation = about_fixed_axes ? turn * rotation : rotation * turn;
+  }
+  return rotation;
+}
+
+/// Reads a pose word by word.
+class PoseWords {
+ public:
+  PoseWords(const std::vector<std::string_view>& words, const FailPose& fail) : words_(words), fail_(fail) {}
+
+  Pose read() {
+    while (place_ < words_.size()) read_part(words_[place_++]);
+    if (axis_.has_value() != degrees_.has_value())
+      fail_(axis_ ? "the axis has no degrees" : "the degrees have no axis", "write axis=X,Y,Z degrees=D");
+    if (axis_) turn_by(rotation_about(*axis_, *degrees_));
+    return {rotation_.value_or(Mat3{}), translation_.value_or(Vec3{})};
+  }
+
+ private:
+  void read_part(std::string_view name) {
+    if (name == "translation") {
+      keep(translation_, name, vector());
+    } else if (name == "axis") {
+      keep(axis_, name, vector());
+      if (*axis_ == Vec3{}) fail_("the axis 0, 0, 0 has no direction", "write a direction of any length");
+    } else if (name == "degrees") {
+      keep(degrees_, name, numbers<1>()[0]);
+    } else if (name == "quaternion") {
+      const auto [x, y, z, w] = numbers<4>();
+      if (x == 0 && y == 0 && z == 0 && w == 0) fail_("the quaternion is zero", "write x, y, z and then w");
+      turn_by(rotation_of({x, y, z, w}));
+    } else if (name == "euler") {
+      const std::string_view order = place_ < words_.size() ? words_[place_++] : std::string_view();
+      if (!is_order(order))
+        fail_(in_quotes(order) + " is no order of three axes",
+              "write euler=xyz:A,B,C, or XYZ for axes that turn along");
+      turn_by(rotation_of_euler(order, numbers<3>()));
+    } else {
+      fail_(in_quotes(name) + " is not known in a pose", ways_to_write_a_pose);
+    }
+  }
+
+  template <class T>
+  void keep(std::optional<T>& part, std::string_view name, const T& value) {
+    if (part) fail_("there are two of " + in_quotes(name), "leave one out");
+    part = value;
+  }
+
+  void turn_by(const Mat3& rotation) {
+    if (rotation_) fail_("the pose has two rotations", "leave one out");
+    rotation_ = rotation;
+  }
+
+  template <std::size_t Count>
+  std::array<double, Count> numbers() {
+    const std::string_view name = words_[place_ - 1];
+    std::array<double, Count> found{};
+    for (double& number : found) {
+      const std::optional<double> next = place_ < words_.size() ? number_of(words_[place_++]) : std::nullopt;
+      if (!next) fail_("after " + in_quotes(name) + " not so many numbers follow", "write " + std::to_string(Count));
+      number = *next;
+    }
+    return found;
+  }
+
+  Vec3 vector() {
+    const auto [x, y, z] = numbers<3>();
+    return {x, y, z};
+  }
+
+  const std::vector<std::string_view>& words_;
+  const FailPose& fail_;
+  std::size_t place_ = 0;
+  std::optional<Vec3> translation_, axis_;
+  std::optional<double> degrees_;
+  std::optional<Mat3> rotation_;
+};
+
+Pose pose_of_numbers(const std::vector<std::string_view>& words, const FailPose& fail) {
+  std::array<double, 12> numbers{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::optional<double> number = number_of(words[i]);
+    if (!number) fail(in_quotes(words[i]) + " is no number", ways_to_write_a_pose);
+    if (i < numbers.size()) numbers[i] = *number;
+  }
+  if (words.size() == 3) return Pose::translation(numbers[0], numbers[1], numbers[2]);
+  if (words.size() != 12) fail("a pose of " + std::to_string(words.size()) + " numbers", ways_to_write_a_pose);
+  return Pose::from_numbers(numbers);
+}
+
+}  // namespace
+
+Pose pose_of_words(const std::vector<std::string_view>& words, const FailPose& fail) {
+  if (words.empty()) fail("there is no pose", ways_to_write_a_pose);
+  if (number_of(words[0])) return pose_of_numbers(words, fail);
+  return PoseWords(words, fail).read();
+}
+
+}  // namespace io
+
+Pose pose_from_text(std::string_view text) {
+  std::vector<std::string_view> words;
+  const auto is_blank = [](char c) {
+    return c == ' ' || c == '\t' || io::blanks_in_poses.find(c) != std::string_view::npos;
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t first = i;
+    while (i < text.size() && !is_blank(text[i])) ++i;
+    if (i > first) words.push_back(text.substr(first, i - first));
+    while (i < text.size() && is_blank(text[i])) ++i;
+  }
+  return io::pose_of_words(words, [&](const std::string& what, const std::string& advice) {
+    throw Error("the pose " + io::in_quotes(text) + ": " + what + "; " + advice);
+  });
+}
+
+}  // namespace toccata

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "math/constants.hpp"
+#include "toccata/reports/pages.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr int even_moments = 60;
+constexpr std::size_t most_measured_pairs = 1000;  ///< of more, only those that meet are shown
+constexpr std::uint64_t in_motion = 1, at_rest = 2;
+
+/// Times that a page shows, ascending: even ones, and those at which a pair first meets.
+struct Moment {
+  double time = 0;
+  bool is_contact = false;
+};
+
+std::vector<Moment> moments_of(const SweepReport& report) {
+  std::vector<Moment> moments;
+  for (const ReportedSweep& pair : report.pairs)
+    if (pair.hit.hit) moments.push_back({pair.hit.upper, true});
+  for (int i = 0; i <= even_moments; ++i) moments.push_back({static_cast<double>(i) / even_moments, false});
+  std::stable_sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
+  const auto end =
+      std::unique(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time == b.time; });
+  moments.erase(end, moments.end());
+  return moments;
+}
+
+/// Those that move are compared with those that stand.
+Body body_of(const SceneInstance& model, bool moves, bool is_measured) {
+  Body body{.model = model.model, .pose = model.pose};
+  body.solid = model.solid;
+  body.name = model.name;
+  body.group = moves ? in_motion : at_rest;
+  body.mask = moves ? at_rest : in_motion;
+  body.margin = is_measured ? infinity : 0;
+  return body;
+}
+
+}  // namespace
+
+WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report) {
+  const SweepQuestion& question = report.question;
+  World world({.relation = true, .distance = true});
+  const bool is_measured = report.pairs.size() <= most_measured_pairs;
+  std::vector<BodyId> moving;
+  std::vector<RigidMotion> motions;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const bool moves = i < question.moving_objects;
+    const BodyId id = world.add(body_of(models[i], moves, is_measured));
+    if (!moves) continue;
+    motions.push_back(motion_of(question, models[i].pose));
+    moving.push_back(id);
+  }
+  WorldRecording recording;
+  for (const Moment& moment : moments_of(report)) {
+    for (std::size_t i = 0; i < moving.size(); ++i) world.move(moving[i], motions[i].at(moment.time));
+    world.step();
+    recording.add(world, fmt::format("{:.6g}{}", moment.time, moment.is_contact ? ": first contact" : ""));
+  }
+  return recording;
+}
+
+}  // namespace toccata

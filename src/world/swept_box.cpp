@@ -1,0 +1,62 @@
+#include "world/swept_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "motion/moving_part.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "world/body_box.hpp"
+
+namespace toccata {
+namespace {
+
+/// Between two of the moments at which it is looked at a body turns so far at most, in radians: a point then leaves the
+/// chord between its places by a 64th of its distance from the axis.
+constexpr double greatest_turn = 0.35;
+constexpr double most_moments = 64;
+constexpr double moments_of_function = 16;  ///< of which no more than the speed is known
+
+/// How far points of it may be from where they are posed, and from the chord of their places at two moments that are
+/// `step` apart: with s = bending · step² / 8, or speed · step / 2 beyond the velocity that all have in common
+/// (|f(t) − f(t₀)| ≤ s' |t − t₀|, from both ends). 2⁻³⁰ more covers the roundings.
+double farthest_off(const PointBounds& bounds, double step) {
+  const double off_chord = std::min(0.125 * bounds.bending * step * step, 0.5 * bounds.speed * step);
+  return (off_chord + 2 * bounds.pad) * (1 + 0x1p-30);
+}
+
+double moments_in(const PartMotion& motion, double duration) {
+  if (std::isinf(motion.alike.bending)) return moments_of_function;
+  return std::clamp(std::ceil(motion.rate * duration / greatest_turn), 1.0, most_moments);
+}
+
+std::vector<Stretch> stretches_of(const RigidMotion& motion) {
+  std::vector<Stretch> stretches;
+  for (const RigidMotion::Piece& piece : motion.pieces()) stretches.push_back({piece.begin, piece.end});
+  if (stretches.empty()) stretches.push_back({0, 1});
+  return stretches;
+}
+
+}  // namespace
+
+Aabb swept_box(const Body& body, const RigidMotion& motion, FunctionRef<std::string()> who) {
+  Aabb box;
+  double off = 0;
+  for (const Stretch& stretch : stretches_of(motion)) {
+    const double duration = stretch.end - stretch.begin;
+    double moments = 1;
+    const std::vector<MovingPart> parts = moving_parts(body.model, motion, body.solid, "a body");
+    for (const MovingPart& part : parts) moments = std::max(moments, moments_in(part.motion(stretch), duration));
+    for (const MovingPart& part : parts) {
+      const PartMotion moved = part.motion(stretch);
+      off = std::max(off, farthest_off(moved.bounds(moved.reach), duration / moments * (1 + 0x1p-40)));
+    }
+    for (double i = 0; i <= moments; ++i) {
+      const double time = i < moments ? stretch.begin + duration * (i / moments) : stretch.end;
+      box = merge(box, body_box(body, motion.at(time), who));
+    }
+  }
+  return off > 0 ? offset_outward(box, off) : box;
+}
+
+}  // namespace toccata

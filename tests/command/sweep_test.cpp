@@ -1,0 +1,128 @@
+// Something that moves and turns, past what stands, as a person or a script asks about it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+constexpr const char* key_scene = R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "key", "shape": {"type": "box", "half_extents": [0.1, 1, 0.1]}}]})";
+constexpr const char* others_scene = R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "wall", "shape": {"type": "box", "half_extents": [1, 0.5, 1]}, "pose": {"translation": [0, 2, 0]}},
+  {"name": "pin", "shape": {"type": "sphere", "radius": 0.25, "centre": [0.8, 0, 0]}}]})";
+
+class SweepCommand : public testing::Test {
+ protected:
+  SweepCommand() {
+    folder.write("key.json", key_scene);
+    folder.write("others.json", others_scene);
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(SweepCommand, ToldFirstIsWhatIsMetFirst) {
+  const auto run =
+      run_command({"sweep", "key.json", "others.json", "--to", "axis=0,0,1 degrees=-90", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const Json report = Json::parse(run.out);
+  EXPECT_EQ(report["schema"], "toccata/sweep/1");
+  EXPECT_EQ(report["meeting"], 1);
+  ASSERT_EQ(report["pairs"].size(), 2U);
+  const Json& met = report["pairs"][0];
+  EXPECT_EQ(met["b"], "pin");
+  EXPECT_TRUE(met["hit"]);
+  // The key's side is at 0.1 + 0.25 from the ball's centre: at an angle of acos(0.35 / 0.8) from it, of a quarter turn.
+  const double exact = std::acos(0.35 / 0.8) / (std::numbers::pi / 2);
+  EXPECT_LE(met["lower"].get<double>(), exact + 1e-12);
+  EXPECT_GE(met["upper"].get<double>(), exact - 1e-12);
+  EXPECT_NEAR(met["upper"].get<double>(), exact, 1e-9);
+  EXPECT_FALSE(report["pairs"][1]["hit"]);
+}
+
+TEST_F(SweepCommand, FreeIsExitCodeZero) {
+  const auto run = run_command({"sweep", "key.json", "others.json", "--to", "0 0 -9"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("0 of 2 pairs meet on the way, decided exactly."), std::string::npos) << run.out;
+}
+
+TEST_F(SweepCommand, WhatIsApartAtBothEndsMayMeetInBetween) {
+  const auto run = run_command({"sweep", "gen:box", "gen:icosphere", "--from", "9 0 0", "--to", "-9 0 0", "--json"});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const Json met = Json::parse(run.out)["pairs"][0];
+  EXPECT_EQ(met["status"], "exact");
+  EXPECT_NEAR(met["upper"].get<double>() * 18, 9 - 0.5 - 1, 0.1);
+}
+
+TEST_F(SweepCommand, AMotionFileGoesRoundACorner) {
+  folder.write("around.txt", "0 0 0 0\n1 0 0 3\n2 4 0 3\n");
+  folder.write("straight.txt", "0 0 0 0\n2 4 0 0\n");
+  const auto around = run_command({"sweep", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0", "1", "0", "0", "0",
+                                   "1", "2", "0", "0", "--motion", "around.txt"},
+                                  folder.path());
+  EXPECT_EQ(around.exit_code, 0) << around.out << around.err;
+  const auto straight = run_command({"sweep", "gen:box", "gen:box", "--pose-b", "1", "0", "0", "0", "1", "0", "0", "0",
+                                     "1", "2", "0", "0", "--motion", "straight.txt"},
+                                    folder.path());
+  EXPECT_EQ(straight.exit_code, 1) << straight.err;
+}
+
+TEST_F(SweepCommand, AScrewGoesThroughItsThread) {
+  const auto run = run_command(
+      {"sweep", "key.json", "others.json", "--to", "translation=0,0,-9 axis=0,0,1 degrees=90", "--screw", "--csv"},
+      folder.path());
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.out.substr(0, run.out.find('\n')),
+            "a,b,hit,status,lower,upper,x,y,z,normal_x,normal_y,normal_z,face_a,face_b");
+}
+
+TEST_F(SweepCommand, ACaseIsAskedAgain) {
+  const auto saved =
+      run_command({"sweep", "key.json", "others.json", "--to", "axis=0,0,1 degrees=-90", "--save-case", "case.json"},
+                  folder.path());
+  EXPECT_EQ(saved.exit_code, 1) << saved.err;
+  const auto again = run_command({"replay", "case.json"}, folder.path());
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+}
+
+TEST_F(SweepCommand, APageAndAnAnimationAreWritten) {
+  const auto run = run_command(
+      {"sweep", "key.json", "others.json", "--to", "axis=0,0,1 degrees=-90", "--html", "s.html", "--glb", "s.glb"},
+      folder.path());
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(test::text_of(folder.path() / "s.html").find("first contact"), std::string::npos);
+  EXPECT_EQ(test::text_of(folder.path() / "s.glb").substr(0, 4), "glTF");
+}
+
+TEST_F(SweepCommand, ErrorsSayWhatToDo) {
+  const auto error_of = [&](const std::vector<std::string>& words) {
+    const auto run = run_command(words, folder.path());
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json"}).find("no motion is given"), std::string::npos);
+  EXPECT_NE(error_of({"sweep", "key.json", "--to", "1 0 0"}).find("name another file"), std::string::npos);
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--to", "1 0"}).find("--to: the pose '1 0'"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of({"sweep", "key.json", "others.json", "--to", "1 0 0", "--stop-before", "-1"}).find("--stop-before"),
+      std::string::npos);
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--to", "2 0 0 0 1 0 0 0 1 0 0 0"}).find("turn"),
+            std::string::npos);
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--motion", "none.txt"}).find("none.txt"), std::string::npos);
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--motion", "x", "--to", "1 0 0"}).find("--motion"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace toccata
