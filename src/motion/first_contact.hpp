@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/point_bounds.hpp"
+#include "toccata/core/status.hpp"
+#include "toccata/math/vec3.hpp"
+
+namespace toccata {
+
+/// Two convex sets that move, as the search for their first contact sees them.
+class MovingPair {
+ public:
+  /// Of length 1, from the first to the second: along it they seem to be farthest apart at the time. Zero where they
+  /// seem to meet. A guess.
+  [[nodiscard]] virtual Vec3 direction(double time) = 0;
+
+  /// So far they are certainly apart along the direction then; negative where they are not, and NaN where nothing is
+  /// certain.
+  [[nodiscard]] virtual double separation(double time, const Vec3& direction) = 0;
+
+  /// They certainly have a point in common then. False says nothing.
+  [[nodiscard]] virtual bool surely_meet(double time) = 0;
+
+ protected:
+  ~MovingPair() = default;
+};
+
+/// They do not meet before `lower`. Exact: they have met by `upper`; undecided: at `lower`, which `upper` is then, they
+/// are nearer than rounding tells.
+struct FirstContact {
+  double lower = 0;
+  double upper = 0;
+  Vec3 normal{};  ///< from the second to the first
+  Status status = Status::exact;
+};
+
+/// Nothing where they are proved not to meet in the stretch.
+///
+/// Advances from separation to separation: a direction that parts the two at one time parts them up to another when
+/// what it leaves between them at both is more than the points' bending can take away in between (least_between). The
+/// gap that is left may so be crossed in steps that go with its root, and not with itself as in conservative
+/// advancement (B. V. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996), and towards a contact
+/// every step leaves a 64th of the gap.
+[[nodiscard]] std::optional<FirstContact> first_contact(MovingPair& pair, const Stretch& stretch,
+                                                        const GapBounds& bounds);
+
+}  // namespace toccata

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "motion/point_bounds.hpp"
+#include "query/posed_shape.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/motion/rigid_motion.hpp"
+
+namespace toccata {
+
+/// How a part moves within a stretch: all its points with one velocity, and beyond that about an axis through a centre,
+/// which goes along, or about the centre however it will.
+struct PartMotion {
+  Pose pose;            ///< of the part, when the move began
+  Vec3 centre;          ///< in the world, at that time
+  Vec3 axis{};          ///< of length 1; zero: any
+  double rate = 0;      ///< radians per unit of time
+  PointBounds alike;    ///< of the points on the axis
+  double reach = 0;     ///< no point of the part is farther from the axis
+  double rounding = 0;  ///< more than a reach may be off that is computed from a point of the part
+
+  /// How far a world point, as it is under `pose`, is from the axis, but for rounding.
+  [[nodiscard]] double reach_of(const Vec3& point) const {
+    const Vec3 from = point - centre;
+    return length(axis == Vec3{} ? from : from - dot(from, axis) * axis);
+  }
+
+  /// Of points that are no farther from the axis.
+  [[nodiscard]] PointBounds bounds(double within) const {
+    PointBounds bounds = alike;
+    bounds.speed += rate * within;
+    bounds.bending += rate * rate * within;
+    return bounds;
+  }
+};
+
+/// A shape of a model that moves, which is no compound: the model itself, or a part of it.
+class MovingPart {
+ public:
+  /// `chain`: the poses of the compounds that it is in and its own, from the outermost.
+  MovingPart(const Model& shape, std::vector<Pose> chain, const RigidMotion& motion, Solid solid, std::string_view who);
+
+  /// Where its elements and faces begin to be counted.
+  Index first_element = 0;
+  Index first_face = 0;
+
+  [[nodiscard]] const Model& shape() const { return *shape_; }
+  [[nodiscard]] ShapeKind kind() const { return kind_of(shape_->shape()); }
+  [[nodiscard]] bool is_half_space() const { return kind() == ShapeKind::half_space; }
+
+  /// Throws Error when the motion is told by a function and has moved faster than its bound since it was last asked.
+  [[nodiscard]] Pose pose_at(double time) const;
+  [[nodiscard]] PosedShape at(double time) const { return pose_shape(*shape_, pose_at(time), solid_, who_); }
+
+  [[nodiscard]] PartMotion motion(const Stretch& stretch) const;
+
+  /// By how much a direction of it may be off, posed in doubles.
+  [[nodiscard]] double pose_error(const Stretch& stretch) const;
+
+  /// In its own frame; of a half-space around its point.
+  [[nodiscard]] const Aabb& local_box() const { return box_; }
+
+ private:
+  struct Sample {
+    double time;
+    Pose pose;
+  };
+
+  [[nodiscard]] const RigidMotion::Piece* piece(const Stretch& stretch) const;
+  [[nodiscard]] Pose through_chain(Pose pose) const;
+  [[nodiscard]] double size(const Pose& start) const;
+  [[nodiscard]] double farthest_reach(const PartMotion& motion) const;
+  void require_bound(const Sample& before, const Sample& now) const;
+
+  const Model* shape_;
+  std::vector<Pose> chain_;
+  const RigidMotion* motion_;
+  Solid solid_;
+  std::string_view who_;
+  Aabb box_;
+  mutable std::optional<Sample> last_;  ///< of a function
+};
+
+/// All shapes of a model. They refer to the model and to the motion.
+[[nodiscard]] std::vector<MovingPart> moving_parts(const Model& model, const RigidMotion& motion, Solid solid,
+                                                   std::string_view who);
+
+/// Of every two points, one of each. Of a half-space: of how high points of the other are above it.
+[[nodiscard]] GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const Stretch& stretch);
+
+}  // namespace toccata

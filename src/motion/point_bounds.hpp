@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/constants.hpp"
+#include "toccata/math/vec3.hpp"
+
+namespace toccata {
+
+/// A stretch of time in which no motion changes its piece.
+struct Stretch {
+  double begin = 0;
+  double end = 1;
+};
+
+/// How the points of a body may move in a stretch, and how far doubles pose them from where they are.
+struct PointBounds {
+  Vec3 velocity{};     ///< what all have in common, per unit of time
+  double speed = 0;    ///< no point is faster beyond that
+  double bending = 0;  ///< no second derivative of a point's place is longer; infinite where nothing is known
+  double pad = 0;
+};
+
+/// The same of the gap of two points, one of each body, along a direction that rests (or, where one is a half-space, is
+/// its normal).
+struct GapBounds {
+  double speed = 0;
+  double bending = 0;
+  double pad = 0;
+};
+
+[[nodiscard]] inline GapBounds gap_bounds(const PointBounds& a, const PointBounds& b) {
+  return {length(a.velocity - b.velocity) + a.speed + b.speed, a.bending + b.bending, a.pad + b.pad};
+}
+
+/// A bound of the least value, within a time `step`, of a function f with f(0) = start, f(step) = end, |f′| ≤ speed and
+/// |f″| ≤ bending.
+///
+/// By the speed: f(t) is at least max(start − speed · t, end − speed · (step − t)), whose least value is
+/// (start + end − speed · step) / 2. By the bending: f lies above the parabola through both ends with the second
+/// derivative `bending`, for their difference is concave. With bow = bending · step² / 2 its vertex lies between the
+/// ends when |end − start| < bow, at the height (start + end) / 2 − bow / 4 − (end − start)² / (4 bow); else it is
+/// monotone. Both bounds are taken 2⁻³⁰ larger than they are and the result lessened by 8 u of what it was computed
+/// from, which covers the roundings, at most six of relative size u.
+[[nodiscard]] inline double least_between(double start, double end, double step, const GapBounds& bounds) {
+  const double rise = std::fabs(end - start), ends = std::min(start, end);
+  const double way = bounds.speed * step * (1 + 0x1p-30), bow = 0.5 * bounds.bending * step * step * (1 + 0x1p-30);
+  if (rise >= bow || rise >= way) return ends;
+  const double middle = 0.5 * (start + end);
+  const double by_speed = middle - 0.5 * way;
+  const double by_bending = bow < infinity ? middle - 0.25 * bow - 0.25 * rise * (rise / bow) : -infinity;
+  const double rounded = 8 * unit_roundoff * (std::fabs(start) + std::fabs(end) + std::min(way, bow));
+  return std::max(by_speed, by_bending) - rounded;
+}
+
+}  // namespace toccata

@@ -1,0 +1,243 @@
+#include "toccata/motion/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "support/error_message.hpp"
+#include "support/rigid_cases.hpp"
+#include "toccata/generate/meshes.hpp"
+#include "toccata/query/overlap.hpp"
+
+namespace toccata::test {
+namespace {
+
+constexpr double quarter = 0.25;
+
+/// About the z axis through the origin.
+RigidMotion turned_about_z(const Pose& start, double turns) { return {start, {.turns = turns}}; }
+
+bool have_common_time(const ShapeHit& x, const ShapeHit& y, double more = 0) {
+  return x.lower <= y.upper + more && y.lower <= x.upper + more;
+}
+
+TEST(RigidSweep, ARodThatTurnsMeetsAPegWhenItsSideIsThere) {
+  const double reach = std::hypot(0.6, 0.6), thickness = 0.02 + 0.05;
+  const ShapeHit hit =
+      sweep(Box({1, 0.02, 0.02}), turned_about_z({}, quarter), Sphere(0.05), Pose::translation(0.6, 0.6, 0));
+  const double right_angle = std::acos(-1.0) / 2;
+  const double expected = (right_angle / 2 - std::asin(thickness / reach)) / right_angle;
+  ASSERT_TRUE(hit.hit);
+  EXPECT_EQ(hit.status, Status::exact);
+  EXPECT_LE(hit.lower, expected + 1e-15);
+  EXPECT_GE(hit.upper, expected - 1e-15);
+  EXPECT_LT(hit.upper - hit.lower, 1e-11);
+  const double angle = expected * right_angle;
+  EXPECT_LT(length(hit.normal - Vec3{std::sin(angle), -std::cos(angle), 0}), 1e-6);
+}
+
+TEST(RigidSweep, WhatHasTurnedAllTheWayRoundHasMetWhatStoodInItsWay) {
+  const Model rod = Box({1, 0.02, 0.02}), peg = Sphere(0.05);
+  for (const double turns : {1.0, -1.0, 5.0, 100.5}) {
+    EXPECT_TRUE(sweep(rod, turned_about_z({}, turns), peg, Pose::translation(0, 0.7, 0)).hit);
+    EXPECT_FALSE(sweep(rod, turned_about_z({}, turns), peg, Pose::translation(0, 1.06, 0)).hit);
+    EXPECT_FALSE(sweep(rod, turned_about_z({}, turns), peg, Pose::translation(0, 0.7, 0.071)).hit);
+  }
+}
+
+TEST(RigidSweep, WithoutATurnItIsTheCast) {
+  const Model a = Cylinder(0.3, 0.5), b = Model(torus_mesh({.radius = 1, .tube_radius = 0.3}));
+  const Pose start = Pose::translation(-3, 0.2, 0.1);
+  const ShapeHit hit = sweep(a, RigidMotion::straight(start, {6, 0, 0}), b, Pose{});
+  EXPECT_EQ(hit, cast_shape(a, {6, 0, 0}, b, {.pose_a = start}));
+  const ShapeHit both = sweep(a, RigidMotion::straight(start, {3, 0, 0}), b, RigidMotion::straight({}, {-3, 0, 0}));
+  EXPECT_EQ(both.lower, hit.lower);
+  EXPECT_LT(length(both.point - (hit.point + hit.upper * Vec3{-3, 0, 0})), 1e-15);
+}
+
+TEST(RigidSweep, WhatMeetsAtTheStartIsMetAtOnce) {
+  const Model box = Box({1, 1, 1}), ball = Sphere(0.125);
+  const RigidMotion away(Pose::translation(1.125, 0, 0), {.turns = 1, .translation = {5, 0, 0}});
+  const ShapeHit touching = sweep(ball, away, box, Pose{});
+  EXPECT_TRUE(touching.hit && touching.upper == 0 && touching.status == Status::exact);
+  const RigidMotion inside(Pose{}, {.turns = 1});
+  EXPECT_TRUE(sweep(ball, inside, Model(box_mesh({1, 1, 1})), Pose{}).hit);
+  EXPECT_FALSE(sweep(ball, inside, Model(box_mesh({1, 1, 1})), Pose{}, {.solid_b = Solid::none}).hit);
+}
+
+TEST(RigidSweep, WhatMovesTogetherNeverMeets) {
+  const RigidMove move{{1, 2, 3}, {1, 1, 0}, 3, {4, 5, 6}};
+  const Model a = Box({1, 1, 1}), b = Capsule({0, 0, -1}, {0, 0, 1}, 0.4);
+  EXPECT_FALSE(sweep(a, {Pose{}, move}, b, {Pose::translation(1.5, 0, 0), move}).hit);
+}
+
+TEST(RigidSweep, AMeshOfABoxIsMetAsTheBox) {
+  Random random(5);
+  for (int i = 0; i < 60; ++i) {
+    RigidCase pair = rigid_families()[0].draw(random);
+    const Vec3 half{random.between(0.2, 1), random.between(0.2, 1), random.between(0.2, 1)};
+    pair.b.shape = Box(half);
+    const ShapeHit of_box = swept(pair);
+    const ShapeHit of_mesh = sweep(Model(pair.a.shape), pair.a.motion(), Model(box_mesh(half)), pair.b.motion());
+    const ShapeHit exchanged = sweep(Model(box_mesh(half)), pair.b.motion(), Model(pair.a.shape), pair.a.motion());
+    EXPECT_EQ(of_box.hit, of_mesh.hit) << i;
+    EXPECT_EQ(of_box.hit, exchanged.hit) << i;
+    if (!of_box.hit || of_box.status != Status::exact || of_mesh.status != Status::exact) continue;
+    EXPECT_TRUE(have_common_time(of_box, of_mesh)) << i << " " << of_box.lower << " " << of_mesh.lower;
+    EXPECT_TRUE(have_common_time(of_box, exchanged)) << i;
+  }
+}
+
+/// Of all triangles of both, one by one.
+std::optional<ShapeHit> by_all_triangles(const TriangleMesh& a, const RigidMotion& motion_a, const TriangleMesh& b,
+                                         const RigidMotion& motion_b) {
+  const auto triangle = [](const TriangleMesh& mesh, Index i) {
+    const auto& corner = mesh.triangles()[i];
+    return Triangle{{mesh.vertices()[corner[0]], mesh.vertices()[corner[1]], mesh.vertices()[corner[2]]}};
+  };
+  std::optional<ShapeHit> first;
+  for (Index i = 0; i < a.triangle_count(); ++i)
+    for (Index j = 0; j < b.triangle_count(); ++j) {
+      const ShapeHit hit = sweep(triangle(a, i), motion_a, triangle(b, j), motion_b);
+      if (hit.hit && (!first || hit.upper < first->upper)) first = hit;
+    }
+  return first;
+}
+
+TEST(RigidSweep, TwoMeshesAreMetAsTheirTrianglesOneByOne) {
+  const TriangleMesh knot = torus_mesh({.radius = 1, .tube_radius = 0.35, .around = 8, .sides = 5});
+  const Model model(knot);
+  Random random(6);
+  int hits = 0;
+  for (int i = 0; i < 12; ++i) {
+    const RigidCase pair = rigid_families()[0].draw(random);
+    RigidMotion motion_a = pair.a.motion(), motion_b = pair.b.motion();
+    if (overlap(model, model, {.pose_a = pair.a.start, .pose_b = pair.b.start})) continue;
+    const ShapeHit hit = sweep(model, motion_a, model, motion_b);
+    const auto expected = by_all_triangles(knot, motion_a, knot, motion_b);
+    ASSERT_EQ(hit.hit, expected.has_value()) << i;
+    hits += hit.hit;
+    EXPECT_TRUE(!hit.hit || hit.status != Status::exact || have_common_time(hit, *expected)) << i;
+  }
+  EXPECT_GT(hits, 2);
+}
+
+/// Of each kind, about one unit large.
+std::vector<Shape> one_of_each() {
+  std::vector<Shape> shapes{Point{},
+                            Segment({-1, 0, 0}, {1, 0, 0}),
+                            Triangle{{Vec3{-1, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}},
+                            HalfSpace({0, 0, 0.5}, {0, 0, 1}),
+                            Sphere(0.7),
+                            Box({0.5, 0.6, 0.7}),
+                            Capsule({-0.5, 0, 0}, {0.5, 0, 0}, 0.3),
+                            ConvexHull(std::array{Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}),
+                            Rounded(Box({0.4, 0.4, 0.4}), 0.1),
+                            Cylinder(0.5, 0.5),
+                            Cone(0.5, 0.5),
+                            Ellipsoid({0.5, 0.6, 0.7}),
+                            std::make_shared<const TriangleMesh>(icosphere_mesh(0.7, 2)),
+                            HeightField(4, 4, 0.3, 0.3, std::vector<double>(16, 0.1))};
+  shapes.push_back(
+      Compound{{Sphere(0.3), Pose::translation(0.3, 0, 0)}, {Box({0.2, 0.2, 0.2}), Pose::translation(-0.3, 0, 0)}});
+  return shapes;
+}
+
+TEST(RigidSweep, EveryTwoKindsAreAnsweredBothWaysRound) {
+  const RigidMotion coming(Pose::translation(0, 0, 9), {{0, 0, 9}, {1, 2, 0.5}, 0.7, {0, 0, -9}});
+  for (const Shape& shape_a : one_of_each())
+    for (const Shape& shape_b : one_of_each()) {
+      const Model a(shape_a), b(shape_b);
+      const bool is_defined = kind_of(shape_a) != ShapeKind::half_space || kind_of(shape_b) != ShapeKind::half_space;
+      const std::string names = std::string(name_of(shape_a)) + " and " + std::string(name_of(shape_b));
+      if (!is_defined) {
+        EXPECT_NE(message_of([&] { (void)sweep(a, coming, b, Pose{}); }), "") << names;
+        continue;
+      }
+      const ShapeHit hit = sweep(a, coming, b, Pose{}), other = sweep(b, Pose{}, a, coming);
+      EXPECT_EQ(hit.hit, other.hit) << names;
+      // Surfaces may pass each other, and the height field lies beside the way of a part.
+      const bool may_pass = always_surface(kind_of(shape_a)) || always_surface(kind_of(shape_b));
+      EXPECT_TRUE(may_pass || hit.hit) << names;
+      const bool is_exact = hit.status == Status::exact && other.status == Status::exact;
+      EXPECT_TRUE(!is_exact || have_common_time(hit, other)) << names;
+      EXPECT_FALSE(hit.hit && overlap(a, b, {.pose_a = coming.at(std::max(0.0, hit.lower - 1e-9))}) && hit.lower > 0)
+          << names;
+    }
+}
+
+TEST(RigidSweep, AMotionToldByAFunctionIsAnsweredAsTheMoveThatItIs) {
+  const RigidMotion move(Pose{}, {.turns = 0.5, .translation = {0, 0, 0.3}});
+  const auto told = RigidMotion::of([&](double time) { return move.at(time); }, {.speed = 0.3, .turns = 0.5});
+  const Model rod = Box({1, 0.02, 0.02}), peg = Sphere(0.05);
+  const ShapeHit hit = sweep(rod, told, peg, Pose::translation(0.6, 0.6, 0.1)),
+                 expected = sweep(rod, move, peg, Pose::translation(0.6, 0.6, 0.1));
+  ASSERT_TRUE(hit.hit && expected.hit);
+  EXPECT_TRUE(have_common_time(hit, expected));
+  EXPECT_EQ(hit.status, Status::exact);
+  EXPECT_FALSE(sweep(rod, told, peg, Pose::translation(0.6, 0.6, 0.3)).hit);
+}
+
+TEST(RigidSweep, AFunctionThatIsFasterThanItsBoundIsAnError) {
+  const Model rod = Box({1, 0.02, 0.02}), peg = Sphere(0.05);
+  const auto turning = [](double time) { return Pose::rotation({0, 0, 1}, 180 * time); };
+  const auto sliding = [](double time) { return Pose::translation(0, 0, 2 * time); };
+  for (const auto& told : {RigidMotion::of(turning, {.turns = 0.4}), RigidMotion::of(sliding, {.speed = 1.9})}) {
+    const std::string message = message_of([&] { (void)sweep(rod, told, peg, Pose::translation(0.6, 0.6, 0.5)); });
+    EXPECT_NE(message.find("faster than its bound"), std::string::npos) << message;
+  }
+}
+
+TEST(RigidSweep, AMotionThroughPosesIsMetInWhicheverPieceItIs) {
+  const std::vector<MotionKey> keys{{0, Pose::translation(0, 0, 5)},
+                                    {0.5, {rotation_about({0, 1, 0}, 90), {5, 0, 5}}},
+                                    {1, {rotation_about({0, 1, 0}, 170), {5, 0, -5}}}};
+  const RigidMotion motion = RigidMotion::through(keys);
+  const Model rod = Box({1, 0.02, 0.02});
+  const ShapeHit hit = sweep(rod, motion, Sphere(0.5), Pose::translation(5, 0, 0));
+  ASSERT_TRUE(hit.hit);
+  EXPECT_GT(hit.lower, 0.5);
+  EXPECT_FALSE(sweep(rod, motion, Sphere(0.5), Pose::translation(0, 0, 0)).hit);
+}
+
+TEST(RigidSweep, ItStopsAsFarBeforeAsItIsTold) {
+  const Model ball = Sphere(0.5), box = Box({1, 1, 1});
+  const RigidMotion coming(Pose::translation(5, 0, 0), {.centre = {5, 0, 0}, .turns = 1, .translation = {-5, 0, 0}});
+  for (const double before : {0.25, 1.0}) {
+    const ShapeHit hit = sweep(ball, coming, box, Pose{}, {.stop_before = before});
+    ASSERT_TRUE(hit.hit);
+    EXPECT_EQ(hit.status, Status::exact);
+    EXPECT_LE(hit.lower, (3.5 - before) / 5 + 1e-15);
+    EXPECT_GE(hit.upper, (3.5 - before) / 5 - 1e-15);
+    EXPECT_LT(hit.upper - hit.lower, 1e-11);
+  }
+  EXPECT_EQ(sweep(ball, coming, box, Pose{}, {.stop_before = 4}).upper, 0);
+  EXPECT_FALSE(sweep(ball, {Pose::translation(5, 0, 0), {.turns = 1}}, box, Pose{}, {.stop_before = 2.9}).hit);
+}
+
+TEST(RigidSweep, ElementsAndFacesAreThoseThatMeet) {
+  const Compound pair{{Sphere(0.1), Pose::translation(0, 5, 0)}, {Model(box_mesh({1, 1, 1})).shape(), Pose{}}};
+  const RigidMotion coming(Pose::translation(5, 0.2, 0.1),
+                           {.centre = {5, 0, 0}, .axis = {1, 0, 0}, .turns = 0.1, .translation = {-5, 0, 0}});
+  const ShapeHit hit = sweep(Sphere(0.5), coming, Model(pair), Pose{});
+  ASSERT_TRUE(hit.hit);
+  EXPECT_GE(hit.element_b, 1U);
+  EXPECT_NEAR(hit.point.x, 1, 1e-12);
+  EXPECT_NEAR(hit.normal.x, 1, 1e-9);
+}
+
+TEST(RigidSweep, WhatIsAskedWronglyIsAnError) {
+  const Model box = Box({1, 1, 1});
+  EXPECT_THROW((void)sweep(box, Pose{}, box, Pose{}, {.stop_before = -1}), Error);
+  EXPECT_THROW((void)sweep(box, Pose{}, box, Pose{}, {.stop_before = std::nan("")}), Error);
+  EXPECT_THROW((void)sweep(box, Pose{}, Model(height_field_mesh({})), Pose{}, {.solid_b = Solid::all}), Error);
+  EXPECT_THROW((void)sweep(Sphere(1), scaled(Pose{}, 2), box, Pose{}), Error);
+}
+
+}  // namespace
+}  // namespace toccata::test
