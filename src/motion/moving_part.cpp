@@ -12,8 +12,6 @@
 namespace toccata {
 namespace {
 
-constexpr double radians_in_a_turn = 6.2831853071795865 * (1 + 0x1p-50);
-
 /// The box of a shape's own frame has to hold what poses that are allowed make of it: of a shape that has a radius,
 /// they may shrink its core by 2⁻¹¹, and leave the radius as it is.
 constexpr double deformation = 1 + 0x1p-9;

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "math/vec3_measures.hpp"
 #include "motion/move_between.hpp"
+#include "motion/point_bounds.hpp"
 #include "narrow/pose_checks.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/trigonometry.hpp"
@@ -94,6 +96,19 @@ RigidMotion RigidMotion::of(std::function<Pose(double)> pose_at, const MotionSpe
   RigidMotion motion;
   motion.pose_at_ = std::move(pose_at);
   motion.speed_ = bound;
+  return motion;
+}
+
+RigidMotion RigidMotion::carrying(const Pose& fixed) const {
+  require_finite(fixed, who);
+  RigidMotion motion = *this;
+  for (Piece& piece : motion.pieces_) piece.start = piece.start * fixed;
+  if (!pieces_.empty()) return motion;
+  motion.pose_at_ = [pose_at = pose_at_, fixed](double time) { return pose_at(time) * fixed; };
+  motion.speed_.centre = inverse(fixed) * speed_.centre;
+  // The centre is rounded, and so may be beside the point that is known: by less than 2⁻⁴⁰ of what it is made of.
+  motion.speed_.speed +=
+      0x1p-40 * radians_in_a_turn * speed_.turns * (sum_of_magnitudes(speed_.centre) + sum_of_magnitudes(fixed.offset));
   return motion;
 }
 

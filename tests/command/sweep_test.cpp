@@ -112,7 +112,7 @@ TEST_F(SweepCommand, ErrorsSayWhatToDo) {
   };
   EXPECT_NE(error_of({"sweep", "key.json", "others.json"}).find("no motion is given"), std::string::npos);
   EXPECT_NE(error_of({"sweep", "key.json", "--to", "1 0 0"}).find("name another file"), std::string::npos);
-  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--to", "1 0"}).find("--to: the pose '1 0'"),
+  EXPECT_NE(error_of({"sweep", "key.json", "others.json", "--to", "1 0"}).find("--to: the pose \"1 0\""),
             std::string::npos);
   EXPECT_NE(
       error_of({"sweep", "key.json", "others.json", "--to", "1 0 0", "--stop-before", "-1"}).find("--stop-before"),

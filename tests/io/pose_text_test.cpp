@@ -44,11 +44,11 @@ TEST(PoseText, SmallLettersTurnAboutFixedAxesAndCapitalsAboutTurnedOnes) {
 TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {
   EXPECT_EQ(
       error_of_pose("1 2"),
-      "the pose '1 2': a pose of 2 numbers; write 12 numbers, R row by row and then t; 3, a translation; or words "
+      "the pose \"1 2\": a pose of 2 numbers; write 12 numbers, R row by row and then t; 3, a translation; or words "
       "such as translation=1,0,0 axis=0,0,1 degrees=90");
   EXPECT_NE(error_of_pose("").find("there is no pose"), std::string::npos);
-  EXPECT_NE(error_of_pose("1 2 three").find("'three' is no number"), std::string::npos);
-  EXPECT_NE(error_of_pose("turn=1").find("'turn' is not known"), std::string::npos);
+  EXPECT_NE(error_of_pose("1 2 three").find("\"three\" is no number"), std::string::npos);
+  EXPECT_NE(error_of_pose("turn=1").find("\"turn\" is not known"), std::string::npos);
   EXPECT_NE(error_of_pose("axis=0,0,1").find("the axis has no degrees"), std::string::npos);
   EXPECT_NE(error_of_pose("degrees=1").find("the degrees have no axis"), std::string::npos);
   EXPECT_NE(error_of_pose("axis=0,0,0 degrees=1").find("no direction"), std::string::npos);
@@ -59,8 +59,8 @@ TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {
   EXPECT_NE(error_of_pose("euler=xxz:1,2,3").find("no order"), std::string::npos);
   EXPECT_NE(error_of_pose("euler=xyZ:1,2,3").find("no order"), std::string::npos);
   EXPECT_NE(error_of_pose("euler").find("no order"), std::string::npos);
-  EXPECT_NE(error_of_pose("nan 0 0").find("'nan' is not known"), std::string::npos);
-  EXPECT_NE(error_of_pose("1 0 1e999").find("'1e999' is no number"), std::string::npos);
+  EXPECT_NE(error_of_pose("nan 0 0").find("\"nan\" is not known"), std::string::npos);
+  EXPECT_NE(error_of_pose("1 0 1e999").find("\"1e999\" is no number"), std::string::npos);
 }
 
 class MotionFile : public testing::Test {

@@ -106,12 +106,12 @@ Crowd crowd_on_the_way(unsigned seed, std::size_t count) {
   };
   Crowd crowd;
   for (std::size_t i = 0; i < count; ++i) {
-    const Pose start{rotation_about({1, 0.5, between(-1, 1)}, between(0, 360)), vector(6)};
+    const Pose start{rotation_about({1, 0.5, between(-1, 1)}, between(0, 360)), vector(3)};
     const Model shape = i % 3 == 0   ? Model(Sphere(0.3))
                         : i % 3 == 1 ? Model(Box({0.3, 0.2, 0.4}))
                                      : Model(Capsule({-1, 0, 0}, {1, 0, 0}, 0.05));
     crowd.bodies.push_back({.model = shape, .pose = start});
-    crowd.motions.push_back(RigidMotion(start, {start.offset, {between(-1, 1), 1, 0.3}, between(-1, 1), vector(8)}));
+    crowd.motions.push_back(RigidMotion(start, {start.offset, {between(-1, 1), 1, 0.3}, between(-1, 1), vector(5)}));
   }
   return crowd;
 }

@@ -79,6 +79,10 @@ class RigidMotion {
   /// function is asked when a question is, from its thread, and has to return the same for the same time.
   [[nodiscard]] static RigidMotion of(std::function<Pose(double)> pose_at, const MotionSpeed& bound);
 
+  /// How something moves that is fixed to the shape: placed by a pose in its frame, which may scale it. Throws Error
+  /// when the pose is not finite, and of a motion that is told by a function when it is singular.
+  [[nodiscard]] RigidMotion carrying(const Pose& fixed) const;
+
   /// The pose at a time, rounded; at 0 it is the first pose. A vertex that it poses is off from where it is by no more
   /// than (1 + pieces before) · (128 + 64 |turns|) · 2⁻⁵³ · (size + |centre| + |translation|), which all answers
   /// allow for. Throws Error for a time outside of [0, 1], and when a pose that the function returned is not finite.
