@@ -76,6 +76,15 @@ template <class A, class B>
   return normalized(found.on_b - found.on_a);
 }
 
+/// The same of sets that overlap: along it they part in the shortest way.
+template <class A, class B>
+[[nodiscard]] Vec3 direction_of_depth(const A& a, const B& b) {
+  if constexpr (std::same_as<A, PosedHalfSpace>)
+    return -manifold(b, a).normal;
+  else
+    return manifold(a, b).normal;
+}
+
 [[nodiscard]] inline Distance distance_of(const PosedHalfSpace& a, const PosedPolytope& b) {
   return flipped(distance(b, a));
 }

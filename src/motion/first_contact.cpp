@@ -11,8 +11,8 @@ namespace {
 /// More than any pair was seen to need; what needs more is not converged.
 constexpr int most_steps = 1 << 16;
 
-/// How often the time after a contact is doubled to prove it: from 10⁻¹⁴ of the way of a size to 10⁻⁵ of it.
-constexpr int most_doublings = 30;
+/// How often the time after a contact is made four times as long to prove it: from 10⁻¹⁴ of the way to 10⁻⁵ of it.
+constexpr int most_proofs = 15;
 
 class Advance {
  public:
@@ -51,39 +51,50 @@ class Advance {
       const double to = std::min(time_ + step, end_), taken = to - time_;
       if (!(taken > 0) || bounds_.speed * taken * (1 + 0x1p-30) < separation_) return to;
       const double then = pair_.separation(to, direction_);
+      closing_ = (separation_ - then) / taken;
       if (least_between(separation_, then, taken * (1 + 0x1p-50), bounds_) > 0) return to;
-      step = shorter(taken, then);
+      step = shorter(taken);
     }
   }
 
-  /// No longer than eight times what would do if the gap stayed as it is.
+  /// No longer than twice what would do if the gap stayed as it is, and until shortly before it closes if it closes as
+  /// it did in the last step.
   [[nodiscard]] double first_step() const {
     const double by_speed = separation_ / bounds_.speed, by_bending = std::sqrt(8 * separation_ / bounds_.bending);
-    return std::min(8 * std::max(by_speed, by_bending), end_ - time_);
+    const double free = 2 * std::max(by_speed, by_bending);
+    const double closed = closing_ > 0 ? separation_ / closing_ * (63.0 / 64) : free;
+    return std::min({free, std::max(closed, by_speed), end_ - time_});
   }
 
-  /// Towards where the gap would close if it closed evenly, and halves at least: this ends where the speed alone tells.
-  [[nodiscard]] double shorter(double step, double then) const {
-    const double closing = separation_ - then;
-    const double until_closed = closing > 0 ? step * (separation_ / closing) * (63.0 / 64) : step;
-    return std::clamp(until_closed, step / 64, step / 2);
+  /// Towards where the gap would close if it closed evenly, and by a third at least: this ends where the speed alone
+  /// tells.
+  [[nodiscard]] double shorter(double step) const {
+    const double until_closed = closing_ > 0 ? separation_ / closing_ * (63.0 / 64) : step;
+    return std::clamp(until_closed, step / 64, step / 1.5);
   }
 
-  /// The time is where they come nearer than is certain: how soon after are they certainly met?
+  /// The time is where they come nearer than is certain: are they met then, or how soon after?
   [[nodiscard]] FirstContact contact(Status unproved) {
     FirstContact found{time_, time_, -direction_, unproved};
-    const double least = 0x1p-50 * std::max(time_, 0x1p-50);
+    const double least = std::max(0x1p-50 * time_, 0x1p-100);
     double later = bounds_.speed > 0 ? std::max(bounds_.pad / bounds_.speed, least) : least;
-    for (int i = 0; i < most_doublings; ++i, later *= 2) {
-      const double to = std::min(time_ + later, end_);
-      if (pair_.surely_meet(to)) {
+    double to = time_;
+    for (int i = 0; i <= most_proofs; ++i, later *= 4) {
+      if (surely_meet(to)) {
         found.upper = to;
         found.status = Status::exact;
         break;
       }
       if (to == end_) break;
+      to = std::min(time_ + later, end_);
     }
     return found;
+  }
+
+  /// Sets whose gap along some direction is not below −2 pads cannot be proved to meet, and this is known sooner.
+  [[nodiscard]] bool surely_meet(double time) {
+    const bool is_deep = direction_ == Vec3{} || !(pair_.separation(time, direction_) > -2 * bounds_.pad);
+    return is_deep && pair_.surely_meet(time);
   }
 
   MovingPair& pair_;
@@ -92,6 +103,7 @@ class Advance {
   double time_;
   Vec3 direction_{};
   double separation_ = 0;
+  double closing_ = 0;  ///< by how much in a unit of time, as last seen
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "math/vec3_measures.hpp"
+#include "math/world_vertex.hpp"
 #include "motion/convex_gap.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/pair_cull.hpp"
@@ -67,7 +68,7 @@ SweptThing::Extent SweptThing::extent(std::uint32_t at) const {
   const Vec3 half{block.extent[0][lane], block.extent[1][lane], block.extent[2][lane]};
   const Vec3 spread{dot(magnitudes(linear_[0]), half), dot(magnitudes(linear_[1]), half),
                     dot(magnitudes(linear_[2]), half)};
-  const double radius = plain_length(spread);
+  const double radius = length(spread);
   return {radius, (motion.reach_of(linear_ * centre + origin_) + radius) * (1 + 0x1p-40) + motion.rounding};
 }
 
@@ -134,6 +135,7 @@ void StretchView::add(const Posed& posed, const std::array<Vec3, 2>& direction_a
 StretchView::StretchView(const SweptThing& a, const SweptThing& b, const Stretch& stretch)
     : a_(a), b_(b), stretch_(stretch) {
   const Posed posed(a, b, stretch);
+  poses_ = posed.pose;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto shapes = posed.shapes(side);
     if (shapes[0] == nullptr || !std::holds_alternative<PosedHalfSpace>(*shapes[0])) continue;
@@ -152,21 +154,46 @@ StretchView::StretchView(const SweptThing& a, const SweptThing& b, const Stretch
 }
 
 HeightsAtEnds StretchView::heights(std::size_t direction, std::size_t side, std::uint32_t at) const {
+  if (at == SweptThing::whole) return directions_[direction].side[side].whole;
   const Along& along = directions_[direction].side[side];
-  const SweptThing& thing = side == 0 ? a_ : b_;
-  if (at == SweptThing::whole) return along.whole;
-  const WideBlock& block = thing.tree->blocks[at >> 3];
+  const WideBlock& boxes = (side == 0 ? a_ : b_).tree->blocks[at >> 3];
   const std::size_t lane = at & 7U;
-  const double x = block.centre[0][lane], y = block.centre[1][lane], z = block.centre[2][lane];
-  const double dx = block.extent[0][lane], dy = block.extent[1][lane], dz = block.extent[2][lane];
+  const Vec3 centre{boxes.centre[0][lane], boxes.centre[1][lane], boxes.centre[2][lane]};
+  const Vec3 extent{boxes.extent[0][lane], boxes.extent[1][lane], boxes.extent[2][lane]};
   HeightsAtEnds heights;
   for (std::size_t end = 0; end < 2; ++end) {
-    const Vec3& form = along.form[end];
-    const double middle = ((form.x * x + form.y * y) + form.z * z) + along.offset[end];
-    const double half = (std::fabs(form.x) * dx + std::fabs(form.y) * dy) + std::fabs(form.z) * dz;
+    const double middle = dot(along.form[end], centre) + along.offset[end];
+    const double half = dot(magnitudes(along.form[end]), extent);
     heights.at[end] = {middle - half, middle + half};
   }
   return heights;
+}
+
+BlockHeights StretchView::block_heights(std::size_t direction, std::size_t side, std::uint32_t block) const {
+  const Along& along = directions_[direction].side[side];
+  const WideBlock& boxes = (side == 0 ? a_ : b_).tree->blocks[block];
+  BlockHeights heights;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vec3 form = along.form[end], spread = magnitudes(form);
+    const double offset = along.offset[end];
+    for (std::size_t lane = 0; lane < WideBlock::width; ++lane) {
+      const double middle =
+          ((form.x * boxes.centre[0][lane] + form.y * boxes.centre[1][lane]) + form.z * boxes.centre[2][lane]) + offset;
+      const double half =
+          (spread.x * boxes.extent[0][lane] + spread.y * boxes.extent[1][lane]) + spread.z * boxes.extent[2][lane];
+      heights.low[end][lane] = middle - half;
+      heights.high[end][lane] = middle + half;
+    }
+  }
+  return heights;
+}
+
+Triangle StretchView::triangle(std::size_t side, std::size_t end, Index number) const {
+  const TriangleMesh& mesh = (side == 0 ? a_ : b_).part->shape().mesh();
+  const auto& corner = mesh.triangles()[number];
+  const Pose& pose = poses_[side][end];
+  const auto world = [&](std::size_t i) { return world_vertex(pose, mesh.vertices()[corner[i]]); };
+  return {{world(0), world(1), world(2)}};
 }
 
 StretchView::Heights StretchView::heights(std::size_t side, std::uint32_t at) const {

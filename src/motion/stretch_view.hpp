@@ -43,6 +43,13 @@ struct HeightsAtEnds {
   std::array<HeightRange, 2> at;
 };
 
+/// The same of all boxes of a block, at the beginning and at the end of the stretch.
+struct BlockHeights {
+  using Lanes = std::array<double, WideBlock::width>;
+  std::array<Lanes, 2> low;
+  std::array<Lanes, 2> high;
+};
+
 /// Two things in a stretch of time, seen along directions.
 class StretchView {
  public:
@@ -60,6 +67,10 @@ class StretchView {
   /// Of a box of a thing, the first or the second.
   [[nodiscard]] HeightsAtEnds heights(std::size_t direction, std::size_t side, std::uint32_t at) const;
   [[nodiscard]] Heights heights(std::size_t side, std::uint32_t at) const;
+  [[nodiscard]] BlockHeights block_heights(std::size_t direction, std::size_t side, std::uint32_t block) const;
+
+  /// Of a thing that is a mesh, a triangle in the world at one of the ends.
+  [[nodiscard]] Triangle triangle(std::size_t side, std::size_t end, Index number) const;
 
  private:
   /// Of a tree: a point q in its units is at the height form · q + offset.
@@ -82,6 +93,7 @@ class StretchView {
   const SweptThing& a_;
   const SweptThing& b_;
   Stretch stretch_;
+  std::array<std::array<Pose, 2>, 2> poses_;  ///< of either thing at the ends
   std::array<Direction, most_directions> directions_;
   std::size_t count_ = 0;
 };

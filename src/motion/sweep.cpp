@@ -86,6 +86,7 @@ class Sweep {
   }
 
   std::optional<ShapeHit> at_start() {
+    if (query_.stop_before < 0) return {};
     if (!within_distance(model_a_, model_b_, query_.stop_before, start_, workspace_)) return {};
     const Distance found = distance(model_a_, model_b_, start_, workspace_);
     const Vec3 normal = found.upper > 0 ? normalized(found.on_a - found.on_b) : Vec3{};
@@ -145,8 +146,8 @@ ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, cons
 
 ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                const SweepQuery& query, Workspace& workspace) {
-  if (!(query.stop_before >= 0) || std::isinf(query.stop_before))
-    throw Error(fmt::format("a sweep: stop_before is {}; it has to be a length of 0 or more", query.stop_before));
+  if (!std::isfinite(query.stop_before))
+    throw Error(fmt::format("a sweep: stop_before is {}; it has to be a finite length", query.stop_before));
   return Sweep(a, motion_a, b, motion_b, query, workspace).answer();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -220,6 +221,37 @@ TEST(RigidSweep, ItStopsAsFarBeforeAsItIsTold) {
   EXPECT_FALSE(sweep(ball, {Pose::translation(5, 0, 0), {.turns = 1}}, box, Pose{}, {.stop_before = 2.9}).hit);
 }
 
+/// Stands on the floor, whose top is at z = 0, as exactly as doubles are.
+RigidMotion walking(const Vec3& by) { return {Pose::translation(0, 0, 0.75), {.translation = by}}; }
+
+TEST(RigidSweep, WhatStandsOnAFloorMayWalkWhereItIsAllowedSomeDepth) {
+  const Model body = Capsule({0, 0, -0.25}, {0, 0, 0.25}, 0.5);
+  const Model box = Box({4, 4, 1}, {0, 0, -1});
+  const Model field(HeightField(9, 9, 1, 1, std::vector<double>(81, 0.0)));
+  for (const Model* floor : {&box, &field}) {
+    const Pose below = floor == &box ? Pose{} : Pose::translation(-4, -4, 0);
+    EXPECT_EQ(sweep(body, walking({3, 1, 0}), *floor, below).upper, 0);
+    EXPECT_TRUE(sweep(body, walking({3, 1, 0}), *floor, below).hit);
+    for (const Vec3& way : {Vec3{3, 1, 0}, Vec3{0, 0, 2}, Vec3{-3, 2, 1}, Vec3{9, 0, 0}})
+      EXPECT_FALSE(sweep(body, walking(way), *floor, below, {.stop_before = -1e-6}).hit);
+    const ShapeHit sunk = sweep(body, walking({0, 0, -1}), *floor, below, {.stop_before = -1e-6});
+    ASSERT_TRUE(sunk.hit);
+    EXPECT_LE(sunk.lower, 1e-6 + 1e-13);
+    EXPECT_GE(sunk.upper, 1e-6 - 1e-13);
+    EXPECT_NEAR(sunk.normal.z, 1, 1e-9);
+  }
+}
+
+TEST(RigidSweep, WhatWalksIsStoppedByAWall) {
+  const Model body = Capsule({0, 0, -0.25}, {0, 0, 0.25}, 0.5);
+  const Compound room{{Box({4, 4, 1}, {0, 0, -1}), Pose{}}, {Box({0.1, 4, 4}), Pose::translation(2, 0, 0)}};
+  const ShapeHit hit = sweep(body, walking({4, 0, 0}), Model(room), Pose{}, {.stop_before = -1e-6});
+  ASSERT_TRUE(hit.hit);
+  EXPECT_EQ(hit.element_b, 1U);
+  EXPECT_NEAR(hit.lower, (1.4 + 1e-6) / 4, 1e-9);
+  EXPECT_NEAR(hit.normal.x, -1, 1e-9);
+}
+
 TEST(RigidSweep, ElementsAndFacesAreThoseThatMeet) {
   const Compound pair{{Sphere(0.1), Pose::translation(0, 5, 0)}, {Model(box_mesh({1, 1, 1})).shape(), Pose{}}};
   const RigidMotion coming(Pose::translation(5, 0.2, 0.1),
@@ -233,7 +265,7 @@ TEST(RigidSweep, ElementsAndFacesAreThoseThatMeet) {
 
 TEST(RigidSweep, WhatIsAskedWronglyIsAnError) {
   const Model box = Box({1, 1, 1});
-  EXPECT_THROW((void)sweep(box, Pose{}, box, Pose{}, {.stop_before = -1}), Error);
+  EXPECT_THROW((void)sweep(box, Pose{}, box, Pose{}, {.stop_before = -std::numeric_limits<double>::infinity()}), Error);
   EXPECT_THROW((void)sweep(box, Pose{}, box, Pose{}, {.stop_before = std::nan("")}), Error);
   EXPECT_THROW((void)sweep(box, Pose{}, Model(height_field_mesh({})), Pose{}, {.solid_b = Solid::all}), Error);
   EXPECT_THROW((void)sweep(Sphere(1), scaled(Pose{}, 2), box, Pose{}), Error);

@@ -11,7 +11,11 @@ namespace toccata {
 struct SweepQuery {
   Solid solid_a = Solid::automatic;
   Solid solid_b = Solid::automatic;
-  double stop_before = 0;  ///< how near they may come, in world units; coming as near as that is what is looked for
+  /// How near they may come, in world units: what is looked for is when they come as near as that. Negative: how deep
+  /// two elements may be in each other, as what stands on a floor and walks. What is looked for is then when the
+  /// shortest way to part two elements is longer; of meshes these are triangles, so that one within another counts when
+  /// it comes to the surface. 0: the first common point.
+  double stop_before = 0;
 };
 
 /// The first meeting of two models that move and turn; the times are those of the motions, from 0 to 1. Free is proved:
