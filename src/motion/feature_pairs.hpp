@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "motion/edge_and_face.hpp"
 #include "motion/feature_boxes.hpp"
 #include "motion/mesh_topology.hpp"
 #include "motion/moving_polygon.hpp"
@@ -40,11 +41,7 @@ struct BoxedTriangle {
   [[nodiscard]] MovingPoint way(std::size_t i) const { return {mesh.start()[corner[i]], mesh.end()[corner[i]]}; }
   [[nodiscard]] const Vec3& start(std::size_t i) const { return mesh.start()[corner[i]]; }
   [[nodiscard]] Triangle face_at_start() const { return {{start(0), start(1), start(2)}}; }
-  /// As a triangle without area.
-  [[nodiscard]] Triangle edge_at_start(std::size_t i) const {
-    const std::size_t j = next(i);
-    return {{start(i), start(j), start(j)}};
-  }
+  [[nodiscard]] bool owns_any() const { return (features.own_vertices | features.own_edges) != 0; }
   [[nodiscard]] MeshFeature vertex(std::size_t i) const { return {FeatureKind::vertex, corner[i]}; }
   [[nodiscard]] MeshFeature edge(std::size_t i) const { return {FeatureKind::edge, features.edge[i]}; }
   [[nodiscard]] MeshFeature face() const { return {FeatureKind::face, number}; }
@@ -90,6 +87,7 @@ class FeaturePairs {
   bool see(std::span<const ItemPair> pairs) {
     for (const auto& [first, second] : pairs) {
       const BoxedTriangle a(question_.a, first), b(question_.b, second);
+      if (!a.owns_any() && !b.owns_any()) continue;
       if (!see(a, b, common_corners(a, b), common_corners(b, a))) return false;
     }
     return true;
@@ -169,8 +167,8 @@ class FeaturePairs {
     const FloatBox face_box = of_face.face_box_at_start();
     return each_own(of_edges.features.own_edges, [&](std::size_t i) {
       if (common.has_end_of_edge(i) || are_apart(of_edges.edge_box_at_start(i), face_box)) return true;
-      // The face first: both ends on one side of its plane is what tells most pairs.
-      if (!overlap(of_face.face_at_start(), of_edges.edge_at_start(i))) return true;
+      const Vec3 &from = of_edges.start(i), &to = of_edges.start(BoxedTriangle::next(i));
+      if (!segment_meets_triangle(from, to, of_face.face_at_start())) return true;
       return in_order<turned>(of_edges.edge(i), of_face.face(),
                               [&](const auto& a, const auto& b) { return sink_.see_pierced(a, b); });
     });
