@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "support/mesh_soups.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata::test {
 namespace {
@@ -151,19 +152,10 @@ DeformingCase random_deforming_case(const std::string& family, Random& random) {
 }
 
 TriangleMesh square_sheet_mesh(int cells) {
-  std::vector<Vec3> vertices;
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 0; i <= cells; ++i) vertices.push_back({i / double(cells), j / double(cells), 0});
-  TriangleCorners triangles;
-  const auto row = static_cast<Index>(cells + 1);
-  for (Index j = 0; j + 1 < row; ++j) {
-    for (Index i = 0; i + 1 < row; ++i) {
-      const Index corner = row * j + i;
-      triangles.push_back({corner, corner + 1, corner + row + 1});
-      triangles.push_back({corner, corner + row + 1, corner + row});
-    }
-  }
-  return {std::move(vertices), std::move(triangles)};
+  const TriangleMesh sheet = height_field_mesh({.cells_x = cells, .cells_y = cells, .cell = 1.0 / cells, .height = 0});
+  std::vector<Vec3> vertices = copied_vertices(sheet.vertices());
+  for (Vec3& v : vertices) v += Vec3{0.5, 0.5, 0};
+  return sheet.with_vertices(std::move(vertices));
 }
 
 }  // namespace toccata::test

@@ -24,8 +24,7 @@ const std::vector<std::string>& deforming_families();
 
 DeformingCase random_deforming_case(const std::string& family, Random& random);
 
-/// A sheet of cells × cells squares, each two triangles, in the plane z = 0 from 0 to 1; vertex (i, j) is number
-/// (cells + 1) · j + i.
+/// A sheet of cells × cells squares, each two triangles, in the plane z = 0 from 0 to 1.
 TriangleMesh square_sheet_mesh(int cells);
 
 }  // namespace toccata::test
