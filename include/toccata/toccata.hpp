@@ -18,6 +18,7 @@
 #include "toccata/math/mat3.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/math/vec3.hpp"
+#include "toccata/motion/deforming_mesh.hpp"
 #include "toccata/motion/rigid_motion.hpp"
 #include "toccata/motion/sweep.hpp"
 #include "toccata/motion/time_of_impact.hpp"

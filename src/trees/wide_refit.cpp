@@ -17,6 +17,7 @@
 #include "trees/float_box.hpp"
 #include "trees/wide_boxes.hpp"
 #include "trees/wide_frame.hpp"
+#include "trees/wide_refit.hpp"
 
 namespace toccata {
 namespace {
@@ -27,6 +28,10 @@ constexpr std::size_t vertices_per_task = 16384;
 constexpr std::size_t blocks_per_task = 2048;
 
 using FloatPoints = std::unique_ptr<Float4[]>;
+
+/// Where the vertices are: once, or at the start and at the end of their ways.
+template <std::size_t count>
+using Frames = std::array<std::span<const Vec3>, count>;
 
 /// Grows with points; two coordinates at a time.
 struct GrowingBox {
@@ -47,14 +52,15 @@ struct GrowingBox {
 };
 
 /// Around the corners of all triangles; vertices that none uses do not matter.
-Aabb box_around(const TriangleMesh& mesh, int threads) {
-  const Chunks chunks{mesh.triangle_count(), triangles_per_task};
+template <std::size_t count>
+Aabb box_around(std::span<const std::array<Index, 3>> triangles, const Frames<count>& frames, int threads) {
+  const Chunks chunks{triangles.size(), triangles_per_task};
   std::vector<Aabb> around(chunks.size());
-  const auto vertices = mesh.vertices();
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     GrowingBox part;
-    for (const auto& corners : chunks.of(mesh.triangles(), chunk))
-      for (const Index corner : corners) part.add(vertices[corner]);
+    for (const auto& corners : chunks.of(triangles, chunk))
+      for (const Index corner : corners)
+        for (const auto& vertices : frames) part.add(vertices[corner]);
     around[chunk] = part.box();
   });
   Aabb all;
@@ -67,15 +73,22 @@ float to_frame(const WideFrame& frame, double x, double origin) {
   return static_cast<float>((x - origin) * frame.inverse);
 }
 
-/// What no triangle uses may lie outside the frame and is made anything.
-FloatPoints points_of(const WideFrame& frame, std::span<const Vec3> vertices, int threads) {
-  FloatPoints points = std::make_unique_for_overwrite<Float4[]>(vertices.size());
-  const Chunks chunks{vertices.size(), vertices_per_task};
+Float4 to_frame(const WideFrame& frame, const Vec3& v) {
+  return Float4{to_frame(frame, v.x, frame.origin.x), to_frame(frame, v.y, frame.origin.y),
+                to_frame(frame, v.z, frame.origin.z), 0};
+}
+
+/// Vertex by vertex, where it is in each frame. What no triangle uses may lie outside the tree's box and is made
+/// anything.
+template <std::size_t count>
+FloatPoints points_of(const WideFrame& frame, const Frames<count>& frames, int threads) {
+  const std::size_t vertex_count = frames[0].size();
+  FloatPoints points = std::make_unique_for_overwrite<Float4[]>(count * vertex_count);
+  const Chunks chunks{vertex_count, vertices_per_task};
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-    Float4* point = points.get() + chunks.first(chunk);
-    for (const Vec3& v : chunks.of(vertices, chunk))
-      *point++ = Float4{to_frame(frame, v.x, frame.origin.x), to_frame(frame, v.y, frame.origin.y),
-                        to_frame(frame, v.z, frame.origin.z), 0};
+    const std::size_t first = chunks.first(chunk), last = std::min(first + chunks.piece, vertex_count);
+    for (std::size_t v = first; v < last; ++v)
+      for (std::size_t k = 0; k < count; ++k) points[count * v + k] = to_frame(frame, frames[k][v]);
   });
   return points;
 }
@@ -92,7 +105,8 @@ FloatBox box_around(Float4 a, Float4 b, Float4 c) {
   return {-next_up(-least(least(a, b), c)), next_up(greatest(greatest(a, b), c))};
 }
 
-/// The triangles of a mesh in a tree's order, with their corners as floats.
+/// The triangles of a mesh in a tree's order, with their corners as floats in each frame.
+template <std::size_t frame_count>
 struct ItemTriangles {
   std::span<const Index> items;
   std::span<const std::array<Index, 3>> triangles;
@@ -103,7 +117,12 @@ struct ItemTriangles {
   }
   [[nodiscard]] FloatBox box(const WideBlock& block, std::size_t lane) const {
     const auto& [a, b, c] = corners(block, lane);
-    return box_around(point[a], point[b], point[c]);
+    const auto in_frame = [&](std::size_t k) {
+      return box_around(point[frame_count * a + k], point[frame_count * b + k], point[frame_count * c + k]);
+    };
+    FloatBox all = in_frame(0);
+    for (std::size_t k = 1; k < frame_count; ++k) all.add(in_frame(k));
+    return all;
   }
 
   // Triangles and corners lie anywhere in memory: these have them brought while others are worked on.
@@ -114,12 +133,13 @@ struct ItemTriangles {
   void fetch_points(const WideBlock& block) const {
     for (std::size_t lane = 0; lane < block.count; ++lane)
       if (block.is_item(lane))
-        for (const Index corner : corners(block, lane)) __builtin_prefetch(point + corner);
+        for (const Index corner : corners(block, lane)) __builtin_prefetch(point + frame_count * corner);
   }
 };
 
 /// The boxes of the lanes that hold single triangles; gives the box around these.
-FloatBox put_items(WideBlock& block, const ItemTriangles& triangles) {
+template <std::size_t frame_count>
+FloatBox put_items(WideBlock& block, const ItemTriangles<frame_count>& triangles) {
   std::array<FloatBox, WideBlock::width> boxes{};
   FloatBox all = FloatBox::empty();
   for (std::size_t lane = 0; lane < block.count; ++lane)
@@ -131,7 +151,8 @@ FloatBox put_items(WideBlock& block, const ItemTriangles& triangles) {
   return all;
 }
 
-void put_items(std::span<WideBlock> blocks, const ItemTriangles& triangles, FloatBox* around) {
+template <std::size_t frame_count>
+void put_items(std::span<WideBlock> blocks, const ItemTriangles<frame_count>& triangles, FloatBox* around) {
   constexpr std::size_t ahead = 8;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (i + 2 * ahead < blocks.size()) triangles.fetch_corners(blocks[i + 2 * ahead]);
@@ -187,26 +208,37 @@ void move_to(WideBvh& tree, const WideFrame& frame) {
   tree.unit = frame.unit;
 }
 
-}  // namespace
-
-Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads) {
-  if (tree.items.size() != mesh.triangle_count())
+template <std::size_t count>
+Refit refit_to(WideBvh& tree, std::span<const std::array<Index, 3>> triangles, const Frames<count>& frames,
+               int threads) {
+  if (tree.items.size() != triangles.size())
     throw Error("a tree over " + std::to_string(tree.items.size()) + " triangles is to be refitted to a mesh of " +
-                std::to_string(mesh.triangle_count()) + ": build one for that mesh");
+                std::to_string(triangles.size()) + ": build one for that mesh");
   if (tree.built_size < 0) tree.built_size = mean_half_area(tree.blocks);
-  tree.box = box_around(mesh, threads);
+  tree.box = box_around(triangles, frames, threads);
   const WideFrame frame = frame_around(tree.box);
   move_to(tree, frame);
-  const FloatPoints points = points_of(frame, mesh.vertices(), threads);
+  const FloatPoints points = points_of(frame, frames, threads);
   std::vector<FloatBox> around(tree.blocks.size());
-  const ItemTriangles triangles{tree.items, mesh.triangles(), points.get()};
+  const ItemTriangles<count> items{tree.items, triangles, points.get()};
   const Chunks chunks{tree.blocks.size(), blocks_per_task};
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-    put_items(chunks.of(std::span(tree.blocks), chunk), triangles, around.data() + chunks.first(chunk));
+    put_items(chunks.of(std::span(tree.blocks), chunk), items, around.data() + chunks.first(chunk));
   });
   put_blocks(tree.blocks, around);
   const double size = mean_half_area(tree.blocks);
   return {lane_count(tree.blocks), size == tree.built_size ? 1 : size / tree.built_size};
+}
+
+}  // namespace
+
+Refit refit(WideBvh& tree, const TriangleMesh& mesh, int threads) {
+  return refit_to<1>(tree, mesh.triangles(), {mesh.vertices()}, threads);
+}
+
+Refit refit_to_ways(WideBvh& tree, std::span<const std::array<Index, 3>> triangles, std::span<const Vec3> start,
+                    std::span<const Vec3> end, int threads) {
+  return refit_to<2>(tree, triangles, {start, end}, threads);
 }
 
 }  // namespace toccata

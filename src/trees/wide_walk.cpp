@@ -368,10 +368,10 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
   if (!f.ended) hand_on(walk, f, visitor, 1);
 }
 
-/// The lanes of every block with each other, and what is below them.
-void run_all_self(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+/// The lanes of each of these blocks with each other, and what is below them.
+void run_all_self(const WideWalk& walk, WideFrontier& f, BlockRange range, WideVisitor& visitor) {
   const std::vector<WideBlock>& blocks = walk.tree(0).blocks;
-  for (std::uint32_t block = 0; block < blocks.size() && !f.ended; ++block) {
+  for (std::uint32_t block = range.first; block < range.last && !f.ended; ++block) {
     FrontierEnds ends = room_for(f, WideBlock::width);
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
       step<any_count>(WalkEntry(WalkSides(walk), block << 1, (block << 3) + lane), 0xFFU << (lane + 1) & 0xFFU, ends);
@@ -435,10 +435,15 @@ void WideWalk::run(WideFrontier& frontier, WideVisitor& visitor) const {
 }
 
 void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, WideVisitor& visitor) const {
+  run_self(frontier, first_batch, {0, static_cast<std::uint32_t>(tree(0).blocks.size())}, visitor);
+}
+
+void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, BlockRange blocks,
+                        WideVisitor& visitor) const {
   start(frontier, first_batch);
   frontier.size = 0;
   frontier.within_one = true;
-  HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, visitor);
+  HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, blocks, visitor);
 }
 
 }  // namespace toccata

@@ -71,6 +71,12 @@ struct WideFrontier {
   void grow_like(const WideFrontier& other);
 };
 
+/// The blocks first, first + 1, … before `last` of a tree.
+struct BlockRange {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+
 /// A walk over pairs of boxes of two trees, or of one with itself (I. Wald et al.; block-wise, so that the processor
 /// works on many pairs at once). Same pairs, same order and same counts for every SIMD level.
 class WideWalk {
@@ -91,6 +97,10 @@ class WideWalk {
 
   /// Both trees being one: visits each unordered pair of different items whose boxes meet once.
   void run_self(WideFrontier& frontier, std::size_t first_batch, WideVisitor& visitor) const;
+
+  /// The part of it that begins in these blocks, where two items first have different lanes: ranges that together are
+  /// all blocks visit each pair once.
+  void run_self(WideFrontier& frontier, std::size_t first_batch, BlockRange blocks, WideVisitor& visitor) const;
 
   [[nodiscard]] const WideBvh& tree(std::size_t side) const { return *trees_[side]; }
   [[nodiscard]] const WideAxes& axes(std::size_t side) const { return *axes_[side]; }

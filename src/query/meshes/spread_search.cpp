@@ -1,43 +1,16 @@
 #include "query/meshes/spread_search.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <utility>
 
 #include "query/meshes/mesh_walk.hpp"
 #include "query/meshes/pair_visitors.hpp"
 #include "toccata/core/parallel.hpp"
+#include "trees/shared_entries.hpp"
 
 namespace toccata {
 namespace {
-
-// A search that is spread over threads begins breadth first with so many entries, of which each thread takes some
-// whenever it is free: few enough that the beginning costs little, and many enough that all end together.
-constexpr std::size_t entries_per_thread = 128;
-constexpr std::size_t at_once = 4;
-
-/// The entries of a frontier, shared out to whoever comes.
-class SharedEntries {
- public:
-  explicit SharedEntries(const WideFrontier& from) : from_(from) {}
-
-  /// The next entries, as those of a frontier that has none left; says whether there were any.
-  bool take(WideFrontier& to) {
-    const std::size_t first = next_.fetch_add(at_once, std::memory_order_relaxed);
-    if (first >= from_.size) return false;
-    to.size = std::min(at_once, from_.size - first);
-    for (auto [all, own] : {std::pair(&from_.blocks, &to.blocks), std::pair(&from_.boxes, &to.boxes)}) {
-      if (own->size() < at_once) own->resize(at_once);
-      std::copy_n(all->begin() + static_cast<std::ptrdiff_t>(first), to.size, own->begin());
-    }
-    return true;
-  }
-
- private:
-  const WideFrontier& from_;
-  std::atomic<std::size_t> next_ = 0;
-};
 
 void run_part(const PosedMesh& a, const PosedMesh& b, const MeshWalk& walk, SharedEntries& entries, SearchPart& part) {
   Collector<OfTwoMeshes> collect(a, b, part);
@@ -75,7 +48,7 @@ void find_on_threads(const PosedMesh& a, const PosedMesh& b, SearchScratch& scra
   const MeshWalk walk(a, b);
   const auto parts = static_cast<std::size_t>(thread_count(threads));
   walk->start(scratch.main.frontier, WideWalk::largest_batch);
-  walk->spread(scratch.main.frontier, entries_per_thread * parts, collect);
+  walk->spread(scratch.main.frontier, SharedEntries::wanted_per_thread * parts, collect);
   prepare_parts(scratch, parts);
   SharedEntries entries(scratch.main.frontier);
   parallel_for(parts, threads, [&](std::size_t i) { run_part(a, b, walk, entries, *scratch.others[i]); });

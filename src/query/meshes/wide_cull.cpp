@@ -115,6 +115,21 @@ WideCull wide_cull(const PairCull& cull, const PosedMesh& a, const PosedMesh& b)
   return {of_a.axes(size_b / size_a), of_b.axes(size_a / size_b)};
 }
 
+WideCull wide_cull_in_one_frame(const WideBvh& a, const WideBvh& b, double reach) {
+  AxesMaker of_a, of_b;
+  for (int axis = 0; axis < 3; ++axis) {
+    // The offset is rounded once, for which AxesMaker allows.
+    Form form;
+    form.own[axis] = a.unit;
+    form.other[axis] = b.unit;
+    form.offset = b.origin[axis] - a.origin[axis];
+    form.pad = reach;
+    of_a.add(form);
+    of_b.add(seen_from_other(form));
+  }
+  return {of_a.axes(b.unit / a.unit), of_b.axes(a.unit / b.unit)};
+}
+
 void add_axis(const RegionDirection& direction, const WideBvh& tree, WideProbe& probe) {
   const double middle = 0.5 * direction.region.low + 0.5 * direction.region.high;
   const double half = 0.5 * direction.region.high - 0.5 * direction.region.low;

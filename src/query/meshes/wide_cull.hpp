@@ -10,6 +10,10 @@ namespace toccata {
 /// `cull` and all that is rounded here are in those of the result (docs/design/fast-core.md).
 [[nodiscard]] WideCull wide_cull(const PairCull& cull, const PosedMesh& a, const PosedMesh& b);
 
+/// The axes of one frame in which both trees are: boxes that are no farther than `reach` from each other along each of
+/// them are kept.
+[[nodiscard]] WideCull wide_cull_in_one_frame(const WideBvh& a, const WideBvh& b, double reach);
+
 /// A world direction along which the mesh and the region are compared: for a local point x, its world point along the
 /// direction is on_mesh · x + offset, up to `pad`.
 struct RegionDirection {

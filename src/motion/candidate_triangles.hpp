@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "toccata/core/function_ref.hpp"
+#include "toccata/trees/walk.hpp"
+#include "toccata/trees/wide_bvh.hpp"
+
+namespace toccata {
+
+/// Called with candidate pairs from several threads at once, each with a number of its own below their count; says
+/// whether more is wanted.
+using SeeCandidates = FunctionRef<bool(std::size_t thread, std::span<const ItemPair>)>;
+
+/// Shows every pair (item of a, item of b) of two trees in one frame whose boxes are no farther than `reach` apart
+/// along each axis, and perhaps others that are hardly farther: each once, in any order.
+void visit_candidates(const WideBvh& a, const WideBvh& b, double reach, int threads, SeeCandidates see);
+
+/// The same of two different items of one tree, the lesser first.
+void visit_candidates(const WideBvh& tree, double reach, int threads, SeeCandidates see);
+
+}  // namespace toccata

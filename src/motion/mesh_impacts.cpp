@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/approach.hpp"
+#include "motion/candidate_triangles.hpp"
+#include "motion/feature_pairs.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+bool comes_before(const MeshImpact& a, const MeshImpact& b) {
+  return std::tie(a.time.lower, a.time.upper, a.a, a.b) < std::tie(b.time.lower, b.time.upper, b.a, b.b);
+}
+
+/// The meshes of a question.
+struct FeatureQuestion {
+  const DeformingMesh& a;
+  const DeformingMesh& b;
+  bool is_within_one = false;
+  const ImpactOptions& options;
+};
+
+enum class Wanted { any, first, all };
+
+/// What one thread has found.
+class ImpactSink {
+ public:
+  ImpactSink(Wanted wanted, double separation) : wanted_(wanted), separation_(separation) {}
+
+  template <std::size_t Count>
+  bool see(const MeshFeature& a, const MeshFeature& b, const MovingPolygon<Count>& polygon) {
+    const Approach contact =
+        separation_ > 0 ? time_of_approach(polygon, separation_) : Approach{time_of_finite(polygon), Status::exact};
+    return !contact.time.hit || add({a, b, contact.time, contact.status});
+  }
+  bool see_pierced(const MeshFeature& a, const MeshFeature& b) { return add({a, b, {true, 0, 0}, Status::exact}); }
+
+  [[nodiscard]] std::vector<MeshImpact>& found() { return found_; }
+
+ private:
+  bool add(const MeshImpact& impact) {
+    if (wanted_ != Wanted::first || found_.empty())
+      found_.push_back(impact);
+    else if (comes_before(impact, found_[0]))
+      found_[0] = impact;
+    return wanted_ != Wanted::any;
+  }
+
+  Wanted wanted_;
+  double separation_;
+  std::vector<MeshImpact> found_;
+};
+
+/// Fractions of the ways of the vertices, each the least of its features'.
+class StepSink {
+ public:
+  explicit StepSink(const FeatureQuestion& question)
+      : question_(question), of_a_(question.a.start().size(), 1), of_b_(question.b.start().size(), 1) {}
+
+  template <std::size_t Count>
+  bool see(const MeshFeature& a, const MeshFeature& b, const MovingPolygon<Count>& polygon) {
+    const double fraction = independent_fraction(polygon, question_.options.separation);
+    if (fraction < 1) limit(a, b, fraction);
+    return true;
+  }
+  bool see_pierced(const MeshFeature& a, const MeshFeature& b) {
+    limit(a, b, 0);
+    return true;
+  }
+
+  /// The lesser of each two.
+  void merge(const StepSink& other) {
+    const auto lesser = [](double x, double y) { return std::min(x, y); };
+    std::transform(of_a_.begin(), of_a_.end(), other.of_a_.begin(), of_a_.begin(), lesser);
+    std::transform(of_b_.begin(), of_b_.end(), other.of_b_.begin(), of_b_.begin(), lesser);
+  }
+  [[nodiscard]] FreeSteps steps() && { return {std::move(of_a_), std::move(of_b_)}; }
+
+ private:
+  void limit(const MeshFeature& a, const MeshFeature& b, double fraction) {
+    limit(question_.a, a, fraction, of_a_);
+    limit(question_.b, b, fraction, question_.is_within_one ? of_a_ : of_b_);
+  }
+  static void limit(const DeformingMesh& mesh, const MeshFeature& feature, double fraction,
+                    std::vector<double>& steps) {
+    const auto at = [&](Index vertex) { steps[vertex] = std::min(steps[vertex], fraction); };
+    if (feature.kind == FeatureKind::vertex) return at(feature.number);
+    if (feature.kind == FeatureKind::face) {
+      for (const Index vertex : mesh.triangles()[feature.number]) at(vertex);
+      return;
+    }
+    at(mesh.edges()[feature.number].first);
+    at(mesh.edges()[feature.number].second);
+  }
+
+  const FeatureQuestion& question_;
+  std::vector<double> of_a_;
+  std::vector<double> of_b_;
+};
+
+void check_options(const ImpactOptions& options) {
+  if (!(options.separation >= 0) || !std::isfinite(options.separation))
+    throw Error(
+        fmt::format("a separation of {} was asked for: give a finite number that is not negative", options.separation));
+}
+
+/// Shows a sink for each thread the pairs of features that it is to look at.
+template <FeatureSink Sink>
+void search(const FeatureQuestion& question, std::vector<Sink>& sinks) {
+  const auto& [a, b, is_within_one, options] = question;
+  const WideFrame frame = frame_around(merge(a.tree().box, b.tree().box));
+  const auto boxes_of = [&](const DeformingMesh& mesh) {
+    return vertex_boxes(mesh, frame, options.separation, options.threads);
+  };
+  const std::vector<VertexBoxes> boxes_a = boxes_of(a),
+                                 boxes_b = is_within_one ? std::vector<VertexBoxes>() : boxes_of(b);
+  const typename FeaturePairs<Sink>::Question asked{
+      {a, boxes_a}, {b, is_within_one ? boxes_a : boxes_b}, is_within_one, !options.starts_free};
+  const auto see = [&](std::size_t thread, std::span<const ItemPair> pairs) {
+    return FeaturePairs<Sink>(asked, sinks[thread]).see(pairs);
+  };
+  if (is_within_one)
+    visit_candidates(a.tree(), options.separation, options.threads, see);
+  else
+    visit_candidates(a.tree(), b.tree(), options.separation, options.threads, see);
+}
+
+std::string told(const DeformingMesh& mesh, const MeshFeature& feature) {
+  if (feature.kind == FeatureKind::vertex) return fmt::format("vertex {}", feature.number);
+  if (feature.kind == FeatureKind::face) return fmt::format("triangle {}", feature.number);
+  const IndexPair ends = mesh.edges()[feature.number];
+  return fmt::format("edge {}–{}", ends.first, ends.second);
+}
+
+void check_promise(const FeatureQuestion& question, std::span<const MeshImpact> found) {
+  if (!question.options.starts_free || found.empty() || found[0].time.upper > 0) return;
+  throw Error(fmt::format("the start was promised to be free, and {} and {} meet there: leave out starts_free",
+                          told(question.a, found[0].a), told(question.b, found[0].b)));
+}
+
+/// Ascending.
+std::vector<MeshImpact> impacts_of(const FeatureQuestion& question, Wanted wanted) {
+  check_options(question.options);
+  std::vector<ImpactSink> sinks(static_cast<std::size_t>(thread_count(question.options.threads)),
+                                ImpactSink(wanted, question.options.separation));
+  search(question, sinks);
+  std::vector<MeshImpact> all;
+  for (ImpactSink& sink : sinks) all.insert(all.end(), sink.found().begin(), sink.found().end());
+  std::sort(all.begin(), all.end(), comes_before);
+  if (wanted != Wanted::any) check_promise(question, all);
+  return all;
+}
+
+std::optional<MeshImpact> first_of(const FeatureQuestion& question) {
+  const std::vector<MeshImpact> found = impacts_of(question, Wanted::first);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+/// A time that is told exactly is itself one of contact, so the step ends a cell before it.
+FreeStep free_step_of(const FeatureQuestion& question) {
+  const std::optional<MeshImpact> first = first_of(question);
+  if (!first) return {};
+  const TimeOfImpact& time = first->time;
+  return {time.lower < time.upper ? time.lower : std::max(0.0, time.lower - cell_length), first};
+}
+
+FreeSteps free_steps_of(const FeatureQuestion& question) {
+  check_options(question.options);
+  std::vector<StepSink> sinks(static_cast<std::size_t>(thread_count(question.options.threads)), StepSink(question));
+  search(question, sinks);
+  for (std::size_t i = 1; i < sinks.size(); ++i) sinks[0].merge(sinks[i]);
+  return std::move(sinks[0]).steps();
+}
+
+}  // namespace
+
+bool meets(const DeformingMesh& mesh, const ImpactOptions& options) {
+  return !impacts_of({mesh, mesh, true, options}, Wanted::any).empty();
+}
+bool meets(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
+  return !impacts_of({a, b, false, options}, Wanted::any).empty();
+}
+
+std::optional<MeshImpact> first_impact(const DeformingMesh& mesh, const ImpactOptions& options) {
+  return first_of({mesh, mesh, true, options});
+}
+std::optional<MeshImpact> first_impact(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
+  return first_of({a, b, false, options});
+}
+
+std::vector<MeshImpact> impacts(const DeformingMesh& mesh, const ImpactOptions& options) {
+  return impacts_of({mesh, mesh, true, options}, Wanted::all);
+}
+std::vector<MeshImpact> impacts(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
+  return impacts_of({a, b, false, options}, Wanted::all);
+}
+
+FreeStep free_step(const DeformingMesh& mesh, const ImpactOptions& options) {
+  return free_step_of({mesh, mesh, true, options});
+}
+FreeStep free_step(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
+  return free_step_of({a, b, false, options});
+}
+
+std::vector<double> free_steps(const DeformingMesh& mesh, const ImpactOptions& options) {
+  return free_steps_of({mesh, mesh, true, options}).of_a;
+}
+FreeSteps free_steps(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
+  return free_steps_of({a, b, false, options});
+}
+
+}  // namespace toccata

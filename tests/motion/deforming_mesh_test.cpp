@@ -1,0 +1,223 @@
+#include "toccata/motion/deforming_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "motion/approach.hpp"
+#include "support/deforming_cases.hpp"
+#include "support/deforming_judge.hpp"
+#include "support/error_message.hpp"
+#include "support/simd_levels.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/query/self_contacts.hpp"
+
+namespace toccata::test {
+namespace {
+
+std::vector<Vec3> starts_of(const TriangleMesh& mesh) { return {mesh.vertices().begin(), mesh.vertices().end()}; }
+
+/// The triangle (0, 0, 0), (4, 0, 0), (0, 4, 0), which rests.
+DeformingMesh floor_triangle() { return DeformingMesh(TriangleMesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}})); }
+
+/// A triangle whose corner 0, above (1, 1), falls from height 1 to the height given; its others stay above.
+DeformingMesh falling_triangle(double to) {
+  return {TriangleMesh({{1, 1, 1}, {1, 2, 4}, {2, 1, 4}}, {{0, 1, 2}}), {{1, 1, to}, {1, 2, 4}, {2, 1, 4}}};
+}
+
+const MeshFeature corner{FeatureKind::vertex, 0}, first_face{FeatureKind::face, 0};
+
+TEST(DeformingMesh, TwoMeshesMeetWhereACornerFallsOntoAFace) {
+  const DeformingMesh falling = falling_triangle(-1), floor = floor_triangle();
+  EXPECT_TRUE(meets(falling, floor));
+  const std::optional<MeshImpact> first = first_impact(falling, floor);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(*first, (MeshImpact{corner, first_face, {true, 0.5, 0.5}}));
+  EXPECT_EQ(*first_impact(floor, falling), (MeshImpact{first_face, corner, {true, 0.5, 0.5}}));
+  EXPECT_FALSE(meets(falling_triangle(0x1p-1074), floor));
+  EXPECT_TRUE(meets(falling_triangle(0), floor));
+}
+
+TEST(DeformingMesh, TheFreeStepEndsACellBeforeATimeThatIsToldExactly) {
+  const FreeStep step = free_step(falling_triangle(-1), floor_triangle());
+  EXPECT_EQ(step.fraction, 0.5 - 0x1p-40);
+  ASSERT_TRUE(step.limited_by);
+  EXPECT_EQ(step.limited_by->a, corner);
+  EXPECT_EQ(free_step(falling_triangle(0.5), floor_triangle()).fraction, 1);
+  EXPECT_FALSE(free_step(falling_triangle(0.5), floor_triangle()).limited_by);
+}
+
+TEST(DeformingMesh, AnEdgeThatPiercesAFaceAtTheStartIsTold) {
+  const TriangleMesh piercing({{1, 1, 1}, {1, 1, -1}, {9, 9, 1}}, {{0, 1, 2}});
+  const DeformingMesh through(piercing), floor = floor_triangle();
+  const std::vector<MeshImpact> found = impacts(through, floor);
+  ASSERT_FALSE(found.empty());
+  for (const MeshImpact& impact : found) EXPECT_EQ(impact.time, (TimeOfImpact{true, 0, 0}));
+  EXPECT_EQ(found[0].a, (MeshFeature{FeatureKind::edge, 0}));
+  EXPECT_EQ(found[0].b, first_face);
+  EXPECT_EQ(free_step(through, floor).fraction, 0);
+  EXPECT_EQ(free_step(through, floor).limited_by->time.upper, 0);
+  EXPECT_EQ(free_steps(through, floor).of_a[0], 0);
+}
+
+TEST(DeformingMesh, ASheetThatFoldsOntoItselfMeetsItselfAndNeighboursDoNotCount) {
+  const TriangleMesh sheet = square_sheet_mesh(4);
+  DeformingMesh folding(sheet);
+  EXPECT_FALSE(meets(folding));
+  std::vector<Vec3> end = starts_of(sheet);
+  for (Vec3& v : end)
+    if (v.x > 0.5) v.z = 1;
+  static_cast<void>(folding.move_to(end));
+  EXPECT_FALSE(meets(folding));
+  std::vector<Vec3> over = end;
+  for (Vec3& v : over)
+    if (v.x > 0.5) v = {1 - v.x, v.y, -0.25};
+  static_cast<void>(folding.advance(over));
+  EXPECT_TRUE(meets(folding));
+  EXPECT_FALSE(wrong_impacts(DeformingPair(folding), impacts(folding), FeatureJudge::oracle));
+}
+
+/// Of every family: exactly the pairs that the oracle finds, and their times.
+TEST(DeformingMesh, EveryPairOfFeaturesIsToldAsTheOracleTellsIt) {
+  for (const std::string& family : deforming_families()) {
+    Random random(11);
+    for (int i = 0; i < 2; ++i) {
+      const DeformingMesh mesh = random_deforming_case(family, random).made();
+      const auto wrong = wrong_impacts(DeformingPair(mesh), impacts(mesh), FeatureJudge::oracle);
+      EXPECT_FALSE(wrong) << family << ' ' << i << ": " << *wrong;
+      const DeformingMesh other = random_deforming_case(family, random).made();
+      const auto wrong_of_two = wrong_impacts({mesh, other}, impacts(mesh, other), FeatureJudge::oracle);
+      EXPECT_FALSE(wrong_of_two) << family << ' ' << i << ": " << *wrong_of_two;
+    }
+  }
+}
+
+/// A sheet with a wave in it, which is pressed together until its folds meet.
+DeformingMesh pressed_sheet(int cells) {
+  const TriangleMesh flat = square_sheet_mesh(cells);
+  std::vector<Vec3> start = starts_of(flat), end = start;
+  Random random(3);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const double x = start[i].x, wave = std::sin(20 * x);
+    start[i].z = 0.1 * wave;
+    end[i] = {0.08 * x + 0.02 * wave * std::cos(20 * x), start[i].y + 0.001 * random.between(-1, 1), 0.1 * wave};
+  }
+  return {flat.with_vertices(std::move(start)), std::move(end)};
+}
+
+TEST(DeformingMesh, TheTreeLosesNoPairOfALargerMesh) {
+  const DeformingMesh mesh = pressed_sheet(16);
+  const std::vector<MeshImpact> found = impacts(mesh);
+  EXPECT_GT(found.size(), 100U);
+  const auto wrong = wrong_impacts(DeformingPair(mesh), found, FeatureJudge::library);
+  EXPECT_FALSE(wrong) << *wrong;
+}
+
+TEST(DeformingMesh, AnswersHaveTheSameBitsOnAnyNumberOfThreadsAndAtEverySimdLevel) {
+  const DeformingMesh mesh = pressed_sheet(24), floor(TriangleMesh({{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}));
+  const ImpactOptions near{.separation = 0.001};
+  const auto alone = impacts(mesh), with_floor = impacts(mesh, floor), apart = impacts(mesh, near);
+  const auto steps = free_steps(mesh, near);
+  at_every_simd_level([&](SimdLevel) {
+    for (const int threads : {1, 3}) {
+      EXPECT_EQ(impacts(mesh, {.threads = threads}), alone);
+      EXPECT_EQ(impacts(mesh, floor, {.threads = threads}), with_floor);
+      EXPECT_EQ(impacts(mesh, {.separation = 0.001, .threads = threads}), apart);
+      EXPECT_EQ(free_steps(mesh, {.separation = 0.001, .threads = threads}), steps);
+      EXPECT_EQ(first_impact(mesh, {.threads = threads}), alone.front());
+    }
+  });
+}
+
+TEST(DeformingMesh, RefittedOrBuiltAnewTheAnswersAreTheSame) {
+  const DeformingMesh built = pressed_sheet(12);
+  DeformingMesh stepped(square_sheet_mesh(12).with_vertices({built.start().begin(), built.start().end()}));
+  EXPECT_LT(stepped.move_to({built.start().begin(), built.start().end()}).growth, 1.01);
+  EXPECT_GT(stepped.move_to({built.end().begin(), built.end().end()}).volumes_updated, 0U);
+  EXPECT_EQ(impacts(stepped), impacts(built));
+  std::vector<Vec3> after(built.end().begin(), built.end().end());
+  for (Vec3& v : after) v.x = -v.x;
+  static_cast<void>(stepped.advance(after));
+  const DeformingMesh anew(square_sheet_mesh(12).with_vertices({built.end().begin(), built.end().end()}), after);
+  EXPECT_EQ(impacts(stepped), impacts(anew));
+}
+
+TEST(DeformingMesh, BadInputIsAnErrorThatNamesIt) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const TriangleMesh sheet = square_sheet_mesh(1);
+  DeformingMesh mesh(sheet);
+  const auto with = [&](std::vector<Vec3> end) { return message_of([&] { static_cast<void>(mesh.move_to(end)); }); };
+  EXPECT_NE(with({{0, 0, 0}}).find("a mesh of 4 vertices is to move to 1 positions"), std::string::npos);
+  std::vector<Vec3> end = starts_of(sheet);
+  end[2].y = none;
+  EXPECT_NE(with(end).find("vertex 2"), std::string::npos);
+  EXPECT_TRUE(std::equal(mesh.end().begin(), mesh.end().end(), sheet.vertices().begin()));
+  for (const double separation : {-1.0, none, HUGE_VAL}) {
+    const std::string message = message_of([&] { static_cast<void>(impacts(mesh, {.separation = separation})); });
+    EXPECT_NE(message.find("separation"), std::string::npos);
+  }
+}
+
+TEST(DeformingMesh, APromiseOfAFreeStartThatIsBrokenNamesTheFeatures) {
+  const DeformingMesh touching(TriangleMesh({{1, 1, 0}, {1, 2, 4}, {2, 1, 4}}, {{0, 1, 2}})), floor = floor_triangle();
+  const std::string message = message_of([&] { static_cast<void>(free_step(touching, floor, {.starts_free = true})); });
+  EXPECT_NE(message.find("vertex 0 and triangle 0"), std::string::npos) << message;
+  EXPECT_EQ(free_step(falling_triangle(0.5), floor, {.starts_free = true}).fraction, 1);
+}
+
+TEST(DeformingMesh, ASeparationIsReachedBeforeTheContact) {
+  const DeformingMesh falling = falling_triangle(-1), floor = floor_triangle();
+  const std::optional<MeshImpact> first = first_impact(falling, floor, {.separation = 0.25});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->status, Status::exact);
+  EXPECT_LE(first->time.lower, 0.375);
+  EXPECT_GE(first->time.upper, 0.375);
+  EXPECT_LE(first->time.upper - first->time.lower, 0x1p-30);
+  EXPECT_FALSE(meets(falling_triangle(0.25 + 1e-9), floor, {.separation = 0.25}));
+  // What lies within rounding of the separation counts as reached.
+  EXPECT_TRUE(meets(falling_triangle(0.25), floor, {.separation = 0.25}));
+  EXPECT_EQ(first_impact(falling, floor, {.separation = 2})->time, (TimeOfImpact{true, 0, 0}));
+}
+
+/// Each vertex goes its own part of its way, as much as it may, and nothing meets.
+void expect_independent_steps_are_free(const DeformingMesh& mesh, double separation, Random& random) {
+  const std::vector<double> steps = free_steps(mesh, {.separation = separation});
+  for (const int how : {0, 1, 2}) {
+    std::vector<Vec3> end(mesh.end().begin(), mesh.end().end());
+    for (std::size_t v = 0; v < end.size(); ++v) {
+      const double part = how == 0 ? 1 : how == 1 ? random.unit() : static_cast<double>(random.below(2));
+      end[v] = mesh.start()[v] + part * steps[v] * (end[v] - mesh.start()[v]);
+    }
+    DeformingMesh stepped = mesh;
+    static_cast<void>(stepped.move_to(end));
+    // Slightly less, because the positions above are rounded.
+    const double wanted = separation * (1 - 1e-9);
+    const auto found = first_impact(stepped, {.separation = wanted});
+    EXPECT_TRUE(!found || found->time.upper == 0) << found->time.lower;
+  }
+}
+
+TEST(DeformingMesh, VerticesThatStopWhereTheyMayOneByOneMeetNothing) {
+  Random random(5);
+  for (const char* family : {"soup", "grid", "fold", "planted"})
+    for (int i = 0; i < 40; ++i)
+      for (const double separation : {0.0, 0.01})
+        expect_independent_steps_are_free(random_deforming_case(family, random).made(), separation, random);
+  expect_independent_steps_are_free(pressed_sheet(24), 0, random);
+}
+
+TEST(DeformingMesh, VerticesThatNothingIsNearGoAllTheirWay) {
+  const FreeSteps steps = free_steps(falling_triangle(-1), floor_triangle());
+  EXPECT_GT(steps.of_a[0], 0.49);
+  EXPECT_LT(steps.of_a[0], 0.5);
+  EXPECT_EQ(steps.of_b.size(), 3U);
+  DeformingMesh sheet(square_sheet_mesh(8));
+  std::vector<Vec3> end(sheet.end().begin(), sheet.end().end());
+  for (Vec3& v : end) v += Vec3{5, 5, 5};
+  static_cast<void>(sheet.move_to(end));
+  EXPECT_EQ(free_step(sheet).fraction, 1);
+}
+
+}  // namespace
+}  // namespace toccata::test
