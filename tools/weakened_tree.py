@@ -103,7 +103,7 @@ def differing(text, weaker):
             part, weaker_part = a[f:len(a) - l], b[f:len(b) - l]
             before = next((t for t in reversed(a[:f]) if not t.isspace()), "")
             after = next((t for t in a[len(a) - l:] if not t.isspace()), "")
-            if before in ("::", ".", "->") or (binds_tighter(before, after) and (has_sum(part) or has_sum(weaker_part))):
+            if before in ("::", ".", "->") or after in ("::", ".", "->", "(", "[") or (binds_tighter(before, after) and (has_sum(part) or has_sum(weaker_part))):
                 continue
             if is_expression(part) and is_expression(weaker_part):
                 start = len("".join(a[:f]))

@@ -6,10 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "methods/voronoi/region_parts.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/penetration.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/methods/minkowski.hpp"
+#include "toccata/methods/sphere_ways.hpp"
 #include "toccata/methods/voronoi.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 
@@ -125,6 +127,46 @@ TEST(ProofConstants, APointAlmostAsFarFromADifferenceAsItsRadiusIsDecidedExactly
   const ConvexHull hull = hull_of(b);
   expect_side(PosedPolytope(rounded), PosedPolytope(hull), point,
               side_by_oracle(oracle::rounded(oracle::hull_set(a), radius), oracle::hull_set(b), point));
+}
+
+// The sphere is farther from the plane than its radius by a few roundings of the corners' coordinates.
+TEST(ProofConstants, ASphereBesideThePlaneOfATriangleIsDecidedExactly) {
+  const Vec3 centre{-0x1.9a40ce684b7bbp-2, -0x1.d4ec0437fd7f4p-1, -0x1.300184b1d9133p-2};
+  const Triangle triangle(
+      std::array<Vec3, 3>{Vec3{0x1.dbeb90e4f226p-3, 0x1.945c5e9ca4088p-1, -0x1.6e08e343224bcp-3},
+                          Vec3{-0x1.e9f215209c3ep-2, -0x1.e4a12b4609839p-1, -0x1.91778c686b34cp-1},
+                          Vec3{-0x1.1107fd3526ec4p-2, -0x1.fc051b9aa29b3p-1, 0x1.c2a795618790ep-1}});
+  const double radius = 0x1.cdd9340625647p-14;
+  const auto normal = oracle::cross(exact(triangle[1]) - exact(triangle[0]), exact(triangle[2]) - exact(triangle[0]));
+  const oracle::Rational height = oracle::dot(normal, exact(centre) - exact(triangle[0]));
+  ASSERT_GT(height * height, exact(radius) * exact(radius) * oracle::dot(normal, normal));
+  EXPECT_TRUE(plane_rejects(PosedSphere(Sphere(radius), {{}, centre}), triangle));
+}
+
+/// Whether x √square is at most y.
+bool is_at_most_by_root(const oracle::Rational& x, const oracle::Rational& square, const oracle::Rational& y) {
+  if (x <= 0 && y >= 0) return true;
+  if (x > 0 && y < 0) return false;
+  return x > 0 ? x * x * square <= y * y : x * x * square >= y * y;
+}
+
+// The edges are so nearly parallel that rounding turns their cross product by 2.5 · 2^-53 over the sine.
+TEST(ProofConstants, TheNormalOfASliverIsAsFarOffAsItsErrorSays) {
+  const std::array<Vec3, 3> corner{Vec3{-0x1.4be46af005444p-2, -0x1.9c8d739d7aebcp-2, -0x1.edf2775f02a4cp-2},
+                                   Vec3{0x1.8a9a4bd9ed03p-2, 0x1.3f8fb1c6bc1ap-1, -0x1.57fc5f943f9fcp-3},
+                                   Vec3{0x1.628d5943e9499p-6, 0x1.925354fdaa9f3p-4, -0x1.4d8ad9e6189d5p-2}};
+  const VoronoiRegions regions{Triangle(corner)};
+  const RegionParts::Side& side = regions.parts().sides.front();
+  auto normal = oracle::cross(exact(corner[1]) - exact(corner[0]), exact(corner[2]) - exact(corner[0]));
+  if (oracle::dot(normal, exact(side.normal)) < 0) normal = -normal;
+  const oracle::Rational square = oracle::dot(normal, normal), error = exact(side.error);
+  const auto near = [&](double seen, const oracle::Rational& true_one) {
+    return is_at_most_by_root(exact(seen) - error, square, true_one) &&
+           is_at_most_by_root(-exact(seen) - error, square, -true_one);
+  };
+  EXPECT_TRUE(near(side.normal.x, normal.x));
+  EXPECT_TRUE(near(side.normal.y, normal.y));
+  EXPECT_TRUE(near(side.normal.z, normal.z));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "narrow/convex/core_distance.hpp"
@@ -12,13 +13,17 @@
 #include "narrow/convex/gjk.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
+#include "narrow/pose_checks.hpp"
 #include "narrow/primitives/nearness.hpp"
 #include "narrow/triangles/point_triangles.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
+#include "narrow/triangles/solid_angle.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
+#include "oracle/winding.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/box_box.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -303,6 +308,39 @@ TEST(ProofConstants, AWalkAlongEdgesFindsTheVertexThatSeemsLowest) {
     walk.begin_at(start);
     EXPECT_EQ(walk.least(direction), lowest);
   }
+}
+
+// The largest row sum of |RᵀR − I| is more than 2^-10 by less than a rounding, and seems to be less.
+TEST(ProofConstants, APoseThatDeformsByARoundingMoreThanItMayDeforms) {
+  const Mat3 linear{{Vec3{0x1.00140452223a1p+0, -0x1.0b03729ec3bb1p-13, 0x1.e73b15f7310c2p-13},
+                     Vec3{-0x1.36bb22f713b44p-14, 0x1.0004ddfaf64d8p+0, 0x1.f35d977193dcp-17},
+                     Vec3{-0x1.1e67898403682p-14, 0x1.83555e3b7cc7ep-13, 0x1.ffe5375e2bdc1p-1}}};
+  const auto product = [&](int i, int j) { return oracle::dot(exact(linear.column(i)), exact(linear.column(j))); };
+  ASSERT_GT(abs(oracle::Rational(product(0, 0) - 1)) + abs(product(0, 1)) + abs(product(0, 2)), exact(0x1p-10));
+  EXPECT_TRUE(deforms(linear));
+}
+
+// |RᵀR − I| of what flattens a box is 1 at least, and here no more.
+TEST(ProofConstants, APoseThatFlattensABoxIsRefused) {
+  const Mat3 flat{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 0}}};
+  EXPECT_THROW(PosedBox(Box({1, 1, 1}), {flat, {0, 0, 0}}), Error);
+}
+
+TEST(ProofConstants, ADepthPartsAlongADirectionThatIsALittleShort) {
+  const DifferenceBody body(PosedPolytope(Point{{0, 0, 0}}), PosedPolytope(Point{{1, 0, 0}}));
+  const double depth = 1.5;
+  const oracle::Rational length_of_direction = 1 - exact(0x1p-50);
+  EXPECT_GE(exact(body.upper_in_world(body.scaled_length(depth))) * length_of_direction, exact(depth));
+}
+
+// The point lies beside an edge, so that the volume of the three directions is all but lost.
+TEST(ProofConstants, ASolidAngleSeenFromBesideAnEdgeIsAsFarOffAsItsBoundSays) {
+  const Vec3 point{0x1.3d23adf53744bp-1, 0x1.77084d488d30bp-3, -0x1.5fc6d989dbf89p-3};
+  const Triangle triangle(std::array<Vec3, 3>{Vec3{-0x1.7ecd08213d6cp-6, 0x1.8760a72d3ea32p-1, 0x1.bcaf3626b05d6p-1},
+                                              Vec3{0x1.f157c6a4a9774p-1, -0x1.19720308c1f04p-3, -0x1.7cea5aedb0591p-1},
+                                              Vec3{0x1.7b07d1c170d54p-1, 0x1.160fb79792e2cp-1, 0x1.99f6d0783b4acp-2}});
+  const SolidAngle angle = solid_angle(point, triangle);
+  EXPECT_NEAR(angle.value, oracle::winding_number(point, std::span(&triangle, 1)), angle.bound);
 }
 
 }  // namespace
