@@ -199,6 +199,13 @@ struct MotionArguments {
   bool json = false;
 };
 
+struct DeformingArguments {
+  std::size_t most = 100000;  ///< triangles of the largest cloth
+  std::vector<int> threads{1};
+  int rounds = 5;
+  bool json = false;
+};
+
 struct WalkerArguments {
   std::string mesh_a = "gen:torus-knot";
   std::string mesh_b = "gen:noise-sphere?subdivisions=5";
@@ -228,6 +235,7 @@ int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
 int run_motion(const MotionArguments& arguments);
+int run_deforming(const DeformingArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 
 }  // namespace toccata::bench

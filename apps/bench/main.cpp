@@ -37,6 +37,7 @@ struct Options {
   ProcessArguments process;
   SumsArguments sums;
   MotionArguments motion;
+  DeformingArguments deforming;
   WalkerArguments walker;
 };
 
@@ -390,6 +391,19 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
   motion->footer("Example:\n  ./toccata bench motion");
 }
 
+void add_deforming(CLI::App& app, DeformingArguments& arguments) {
+  CLI::App* deforming =
+      app.add_subcommand("deforming", "one step of a folded cloth against itself, of a thousand triangles and more");
+  add_number(*deforming, "--most", arguments.most, "triangles of the largest cloth");
+  deforming->add_option("--threads", arguments.threads, "use so many, one after another")
+      ->delimiter(',')
+      ->check(positive())
+      ->capture_default_str();
+  add_number(*deforming, "--rounds", arguments.rounds, "how often each is timed; the fastest counts");
+  add_json(*deforming, arguments.json);
+  deforming->footer("Example:\n  ./toccata bench deforming --threads 1,2");
+}
+
 void add_walker(CLI::App& app, WalkerArguments& arguments) {
   CLI::App* walker = app.add_subcommand("walker", "the generic walkers of trees beside loops written by hand");
   add_mesh_file(*walker, "--mesh-a", arguments.mesh_a)->capture_default_str();
@@ -429,6 +443,7 @@ int main_of(int argc, char** argv) {
   add_process(app, options.process);
   add_sums(app, options.sums);
   add_motion(app, options.motion);
+  add_deforming(app, options.deforming);
   add_walker(app, options.walker);
   try {
     app.parse(argc, argv);
@@ -456,6 +471,7 @@ int main_of(int argc, char** argv) {
                                               : run_partitions(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
   if (app.got_subcommand("motion")) return run_motion(options.motion);
+  if (app.got_subcommand("deforming")) return run_deforming(options.deforming);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);
 }

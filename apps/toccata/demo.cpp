@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "demo_cloth.hpp"
 #include "demo_readme.hpp"
 #include "demo_text.hpp"
 #include "file_text.hpp"
@@ -24,7 +25,9 @@ namespace toccata::command {
 namespace {
 
 struct DemoArguments {
+  std::string scene;         ///< empty: all that do not move
   std::string write_folder;  ///< empty: run the demo
+  int steps = 1000;          ///< of what moves
   Format format = Format::table;
   int threads = 0;
 };
@@ -98,7 +101,14 @@ int write_scenes(const std::filesystem::path& folder) {
   return 0;
 }
 
+int show_cloth(const DemoArguments& arguments) {
+  const ClothAnswer answer = fallen_cloth({.steps = arguments.steps, .threads = arguments.threads});
+  print_answer(arguments.format == Format::json ? answer.json : answer.text);
+  return answer.is_clean ? 0 : 1;
+}
+
 int run_demo(const DemoArguments& arguments) {
+  if (arguments.scene == "cloth") return show_cloth(arguments);
   return arguments.write_folder.empty() ? show_scenes(arguments) : write_scenes(arguments.write_folder);
 }
 
@@ -107,11 +117,14 @@ int run_demo(const DemoArguments& arguments) {
 Subcommand add_demo(CLI::App& app) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
+  demo->add_option("scene", arguments->scene, "cloth: a cloth that falls, step by step; else all scenes at rest")
+      ->check(CLI::IsMember({"cloth"}));
+  demo->add_option("--steps", arguments->steps, "of the cloth")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   add_text(*demo, "--write", arguments->write_folder, "write the scenes as files to play with, into this folder",
            "a folder must be named");
   add_threads(*demo, arguments->threads, "answer");
   add_json(*demo, arguments->format, "write the answers as JSON");
-  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes"));
+  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes\n  {0} demo cloth"));
   return {demo, [arguments] { return run_demo(*arguments); }};
 }
 

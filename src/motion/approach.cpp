@@ -22,28 +22,29 @@ constexpr int most_looks = 1 << 14;
 // An end is looked for in up to so many cells after the first that is not free.
 constexpr int cells_to_the_end = 1 << 10;
 
-bool comes_first(const MovingPoint* a, const MovingPoint* b) {
+bool point_comes_first(const MovingPoint* a, const MovingPoint* b) {
   if (a->start != b->start) return lexicographically_less(a->start, b->start);
   return lexicographically_less(a->end, b->end);
 }
 
-void put_in_order(const MovingPoint*& a, const MovingPoint*& b) {
-  if (comes_first(b, a)) std::swap(a, b);
+void put_points_in_order(const MovingPoint*& a, const MovingPoint*& b) {
+  if (point_comes_first(b, a)) std::swap(a, b);
 }
 
 /// The same for every order of corners, of ends and of edges.
-MovingPolygon<3> in_canonical_order(MovingPolygon<3> polygon) {
-  put_in_order(polygon[0].head, polygon[1].head);
-  put_in_order(polygon[1].head, polygon[2].head);
-  put_in_order(polygon[0].head, polygon[1].head);
+MovingPolygon<3> with_points_in_order(MovingPolygon<3> polygon) {
+  put_points_in_order(polygon[0].head, polygon[1].head);
+  put_points_in_order(polygon[1].head, polygon[2].head);
+  put_points_in_order(polygon[0].head, polygon[1].head);
   return polygon;
 }
 
-MovingPolygon<4> in_canonical_order(const MovingPolygon<4>& polygon) {
+MovingPolygon<4> with_points_in_order(const MovingPolygon<4>& polygon) {
   std::array a{polygon[0].head, polygon[1].head}, b{polygon[0].tail, polygon[2].tail};
-  put_in_order(a[0], a[1]);
-  put_in_order(b[0], b[1]);
-  const bool is_b_first = comes_first(b[0], a[0]) || (!comes_first(a[0], b[0]) && comes_first(b[1], a[1]));
+  put_points_in_order(a[0], a[1]);
+  put_points_in_order(b[0], b[1]);
+  const bool is_b_first =
+      point_comes_first(b[0], a[0]) || (!point_comes_first(a[0], b[0]) && point_comes_first(b[1], a[1]));
   if (is_b_first) std::swap(a, b);
   return {{{a[0], b[0]}, {a[1], b[0]}, {a[1], b[1]}, {a[0], b[1]}}};
 }
@@ -114,7 +115,7 @@ Approach ApproachSearch<Count>::search() const {
 
 template <std::size_t Count>
 Approach approach_of(const MovingPolygon<Count>& polygon, double separation) {
-  return ApproachSearch<Count>(ScaledPolygon<Count>(in_canonical_order(polygon), separation)).search();
+  return ApproachSearch<Count>(ScaledPolygon<Count>(with_points_in_order(polygon), separation)).search();
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace toccata {
 namespace {
 
-constexpr std::size_t vertices_at_once = 4096;
+constexpr std::size_t vertices_boxed_at_once = 4096;
 
 /// By half the separation on every side, and no less.
 Aabb grown_by_half(Aabb box, double separation) {
@@ -27,7 +27,7 @@ Aabb grown_by_half(Aabb box, double separation) {
 std::vector<VertexBoxes> vertex_boxes(const DeformingMesh& mesh, const WideFrame& frame, double separation,
                                       int threads) {
   std::vector<VertexBoxes> boxes(mesh.start().size());
-  const Chunks chunks{boxes.size(), vertices_at_once};
+  const Chunks chunks{boxes.size(), vertices_boxed_at_once};
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     const std::size_t first = chunks.first(chunk), last = std::min(first + chunks.piece, boxes.size());
     for (std::size_t v = first; v < last; ++v) {

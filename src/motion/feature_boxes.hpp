@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "toccata/core/parallel.hpp"
@@ -25,7 +27,7 @@ inline FloatBox around(const FloatBox& a, const FloatBox& b) {
 }
 
 /// The closed boxes have no point in common.
-inline bool are_apart(const FloatBox& a, const FloatBox& b) {
+inline bool boxes_are_apart(const FloatBox& a, const FloatBox& b) {
   using Long2 [[gnu::vector_size(16)]] = std::int64_t;
   const Int4 beyond = (a.lower > b.upper) | (b.lower > a.upper);
   const Long2 halves = std::bit_cast<Long2>(beyond);

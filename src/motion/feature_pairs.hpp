@@ -123,7 +123,7 @@ class FeaturePairs {
     if (of_vertices.features.own_vertices == 0) return true;
     const FloatBox face_box = of_face.face_box();
     return each_own(of_vertices.features.own_vertices, [&](std::size_t i) {
-      return common.has(i) || are_apart(of_vertices.box[i]->way, face_box) ||
+      return common.has(i) || boxes_are_apart(of_vertices.box[i]->way, face_box) ||
              see_vertex_and_face<turned>(of_vertices, i, of_face);
     });
   }
@@ -141,7 +141,7 @@ class FeaturePairs {
     return each_own(a.features.own_edges, [&](std::size_t i) {
       const FloatBox box = a.edge_box(i);
       return each_own(b.features.own_edges, [&](std::size_t j) {
-        return are_apart(box, b.edge_box(j)) || share_an_end(a, i, b, j) || see_two_edges(a, i, b, j);
+        return boxes_are_apart(box, b.edge_box(j)) || share_an_end(a, i, b, j) || see_two_edges(a, i, b, j);
       });
     });
   }
@@ -166,7 +166,7 @@ class FeaturePairs {
     if (of_edges.features.own_edges == 0) return true;
     const FloatBox face_box = of_face.face_box_at_start();
     return each_own(of_edges.features.own_edges, [&](std::size_t i) {
-      if (common.has_end_of_edge(i) || are_apart(of_edges.edge_box_at_start(i), face_box)) return true;
+      if (common.has_end_of_edge(i) || boxes_are_apart(of_edges.edge_box_at_start(i), face_box)) return true;
       const Vec3 &from = of_edges.start(i), &to = of_edges.start(BoxedTriangle::next(i));
       if (!segment_meets_triangle(from, to, of_face.face_at_start())) return true;
       return in_order<turned>(of_edges.edge(i), of_face.face(),

@@ -15,7 +15,7 @@
 namespace toccata {
 namespace {
 
-bool comes_before(const MeshImpact& a, const MeshImpact& b) {
+bool impact_comes_before(const MeshImpact& a, const MeshImpact& b) {
   return std::tie(a.time.lower, a.time.upper, a.a, a.b) < std::tie(b.time.lower, b.time.upper, b.a, b.b);
 }
 
@@ -27,12 +27,12 @@ struct FeatureQuestion {
   const ImpactOptions& options;
 };
 
-enum class Wanted { any, first, all };
+enum class WantedImpacts { any, first, all };
 
 /// What one thread has found.
 class ImpactSink {
  public:
-  ImpactSink(Wanted wanted, double separation) : wanted_(wanted), separation_(separation) {}
+  ImpactSink(WantedImpacts wanted, double separation) : wanted_(wanted), separation_(separation) {}
 
   template <std::size_t Count>
   bool see(const MeshFeature& a, const MeshFeature& b, const MovingPolygon<Count>& polygon) {
@@ -46,14 +46,14 @@ class ImpactSink {
 
  private:
   bool add(const MeshImpact& impact) {
-    if (wanted_ != Wanted::first || found_.empty())
+    if (wanted_ != WantedImpacts::first || found_.empty())
       found_.push_back(impact);
-    else if (comes_before(impact, found_[0]))
+    else if (impact_comes_before(impact, found_[0]))
       found_[0] = impact;
-    return wanted_ != Wanted::any;
+    return wanted_ != WantedImpacts::any;
   }
 
-  Wanted wanted_;
+  WantedImpacts wanted_;
   double separation_;
   std::vector<MeshImpact> found_;
 };
@@ -105,7 +105,7 @@ class StepSink {
   std::vector<double> of_b_;
 };
 
-void check_options(const ImpactOptions& options) {
+void check_impact_options(const ImpactOptions& options) {
   if (!(options.separation >= 0) || !std::isfinite(options.separation))
     throw Error(
         fmt::format("a separation of {} was asked for: give a finite number that is not negative", options.separation));
@@ -113,7 +113,7 @@ void check_options(const ImpactOptions& options) {
 
 /// Shows a sink for each thread the pairs of features that it is to look at.
 template <FeatureSink Sink>
-void search(const FeatureQuestion& question, std::vector<Sink>& sinks) {
+void search_features(const FeatureQuestion& question, std::vector<Sink>& sinks) {
   const auto& [a, b, is_within_one, options] = question;
   const WideFrame frame = frame_around(merge(a.tree().box, b.tree().box));
   const auto boxes_of = [&](const DeformingMesh& mesh) {
@@ -132,49 +132,51 @@ void search(const FeatureQuestion& question, std::vector<Sink>& sinks) {
     visit_candidates(a.tree(), b.tree(), options.separation, options.threads, see);
 }
 
-std::string told(const DeformingMesh& mesh, const MeshFeature& feature) {
+std::string feature_told(const DeformingMesh& mesh, const MeshFeature& feature) {
   if (feature.kind == FeatureKind::vertex) return fmt::format("vertex {}", feature.number);
   if (feature.kind == FeatureKind::face) return fmt::format("triangle {}", feature.number);
   const IndexPair ends = mesh.edges()[feature.number];
   return fmt::format("edge {}–{}", ends.first, ends.second);
 }
 
+/// What starts within a separation need not be in contact.
 void check_promise(const FeatureQuestion& question, std::span<const MeshImpact> found) {
-  if (!question.options.starts_free || found.empty() || found[0].time.upper > 0) return;
+  const bool is_promised = question.options.starts_free && question.options.separation == 0;
+  if (!is_promised || found.empty() || found[0].time.upper > 0) return;
   throw Error(fmt::format("the start was promised to be free, and {} and {} meet there: leave out starts_free",
-                          told(question.a, found[0].a), told(question.b, found[0].b)));
+                          feature_told(question.a, found[0].a), feature_told(question.b, found[0].b)));
 }
 
 /// Ascending.
-std::vector<MeshImpact> impacts_of(const FeatureQuestion& question, Wanted wanted) {
-  check_options(question.options);
+std::vector<MeshImpact> impacts_of(const FeatureQuestion& question, WantedImpacts wanted) {
+  check_impact_options(question.options);
   std::vector<ImpactSink> sinks(static_cast<std::size_t>(thread_count(question.options.threads)),
                                 ImpactSink(wanted, question.options.separation));
-  search(question, sinks);
+  search_features(question, sinks);
   std::vector<MeshImpact> all;
   for (ImpactSink& sink : sinks) all.insert(all.end(), sink.found().begin(), sink.found().end());
-  std::sort(all.begin(), all.end(), comes_before);
-  if (wanted != Wanted::any) check_promise(question, all);
+  std::sort(all.begin(), all.end(), impact_comes_before);
+  if (wanted != WantedImpacts::any) check_promise(question, all);
   return all;
 }
 
-std::optional<MeshImpact> first_of(const FeatureQuestion& question) {
-  const std::vector<MeshImpact> found = impacts_of(question, Wanted::first);
+std::optional<MeshImpact> first_impact_of(const FeatureQuestion& question) {
+  const std::vector<MeshImpact> found = impacts_of(question, WantedImpacts::first);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 /// A time that is told exactly is itself one of contact, so the step ends a cell before it.
 FreeStep free_step_of(const FeatureQuestion& question) {
-  const std::optional<MeshImpact> first = first_of(question);
+  const std::optional<MeshImpact> first = first_impact_of(question);
   if (!first) return {};
   const TimeOfImpact& time = first->time;
   return {time.lower < time.upper ? time.lower : std::max(0.0, time.lower - cell_length), first};
 }
 
 FreeSteps free_steps_of(const FeatureQuestion& question) {
-  check_options(question.options);
+  check_impact_options(question.options);
   std::vector<StepSink> sinks(static_cast<std::size_t>(thread_count(question.options.threads)), StepSink(question));
-  search(question, sinks);
+  search_features(question, sinks);
   for (std::size_t i = 1; i < sinks.size(); ++i) sinks[0].merge(sinks[i]);
   return std::move(sinks[0]).steps();
 }
@@ -182,24 +184,24 @@ FreeSteps free_steps_of(const FeatureQuestion& question) {
 }  // namespace
 
 bool meets(const DeformingMesh& mesh, const ImpactOptions& options) {
-  return !impacts_of({mesh, mesh, true, options}, Wanted::any).empty();
+  return !impacts_of({mesh, mesh, true, options}, WantedImpacts::any).empty();
 }
 bool meets(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
-  return !impacts_of({a, b, false, options}, Wanted::any).empty();
+  return !impacts_of({a, b, false, options}, WantedImpacts::any).empty();
 }
 
 std::optional<MeshImpact> first_impact(const DeformingMesh& mesh, const ImpactOptions& options) {
-  return first_of({mesh, mesh, true, options});
+  return first_impact_of({mesh, mesh, true, options});
 }
 std::optional<MeshImpact> first_impact(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
-  return first_of({a, b, false, options});
+  return first_impact_of({a, b, false, options});
 }
 
 std::vector<MeshImpact> impacts(const DeformingMesh& mesh, const ImpactOptions& options) {
-  return impacts_of({mesh, mesh, true, options}, Wanted::all);
+  return impacts_of({mesh, mesh, true, options}, WantedImpacts::all);
 }
 std::vector<MeshImpact> impacts(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options) {
-  return impacts_of({a, b, false, options}, Wanted::all);
+  return impacts_of({a, b, false, options}, WantedImpacts::all);
 }
 
 FreeStep free_step(const DeformingMesh& mesh, const ImpactOptions& options) {

@@ -9,15 +9,15 @@ namespace toccata {
 namespace {
 
 /// Edge i of a triangle, at place 3 · triangle + i.
-struct TriangleEdge {
+struct PlacedEdge {
   IndexPair ends;
   std::size_t place;
-  friend constexpr auto operator<=>(const TriangleEdge&, const TriangleEdge&) = default;
+  friend constexpr auto operator<=>(const PlacedEdge&, const PlacedEdge&) = default;
 };
 
 /// By their ends, and of one edge that of the first triangle first.
-std::vector<TriangleEdge> sorted_edges(std::span<const std::array<Index, 3>> triangles) {
-  std::vector<TriangleEdge> all;
+std::vector<PlacedEdge> sorted_triangle_edges(std::span<const std::array<Index, 3>> triangles) {
+  std::vector<PlacedEdge> all;
   all.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -29,7 +29,7 @@ std::vector<TriangleEdge> sorted_edges(std::span<const std::array<Index, 3>> tri
   return all;
 }
 
-std::size_t vertex_count(std::span<const std::array<Index, 3>> triangles) {
+std::size_t count_of_vertices(std::span<const std::array<Index, 3>> triangles) {
   Index greatest = 0;
   for (const auto& corners : triangles) greatest = std::max({greatest, corners[0], corners[1], corners[2]});
   return std::size_t{greatest} + 1;
@@ -82,11 +82,11 @@ class Answering {
 MeshTopology::MeshTopology(std::span<const std::array<Index, 3>> triangles_of_mesh)
     : triangles(triangles_of_mesh.begin(), triangles_of_mesh.end()) {
   for (const auto& corners : triangles) of_triangle.push_back({corners});
-  for (const auto& [ends, place] : sorted_edges(triangles)) {
+  for (const auto& [ends, place] : sorted_triangle_edges(triangles)) {
     if (edges.empty() || edges.back() != ends) edges.push_back(ends);
     of_triangle[place / 3].edge[place % 3] = static_cast<Index>(edges.size() - 1);
   }
-  Answering(of_triangle, vertex_count(triangles), edges.size()).share_out();
+  Answering(of_triangle, count_of_vertices(triangles), edges.size()).share_out();
 }
 
 }  // namespace toccata

@@ -14,7 +14,7 @@ struct NearestOfPolygon {
   Vec3 direction;  ///< towards it, nearly
 };
 
-inline NearestOfPolygon nearest_on_segment(const Vec3& a, const Vec3& b) {
+inline NearestOfPolygon nearest_of_polygon_edge(const Vec3& a, const Vec3& b) {
   const Vec3 way = b - a;
   const double fraction = -dot(a, way) / dot(way, way);
   // A NaN, of a segment without length, is no fraction.
@@ -23,7 +23,7 @@ inline NearestOfPolygon nearest_on_segment(const Vec3& a, const Vec3& b) {
   return {point, point};
 }
 
-inline NearestOfPolygon nearer(const NearestOfPolygon& a, const NearestOfPolygon& b) {
+inline NearestOfPolygon nearer_of_polygon(const NearestOfPolygon& a, const NearestOfPolygon& b) {
   return dot(b.point, b.point) < dot(a.point, a.point) ? b : a;
 }
 
@@ -36,12 +36,14 @@ inline NearestOfPolygon nearest_of_polygon(const std::array<Vec3, 3>& q) {
   const double sum = of_a + of_b + of_c;
   if (of_a >= 0 && of_b >= 0 && of_c >= 0 && sum > 0)
     return {(of_a * a + of_b * b + of_c * c) / sum, dot(normal, a) < 0 ? -normal : normal};
-  return nearer(nearer(nearest_on_segment(a, b), nearest_on_segment(b, c)), nearest_on_segment(c, a));
+  return nearer_of_polygon(nearer_of_polygon(nearest_of_polygon_edge(a, b), nearest_of_polygon_edge(b, c)),
+                           nearest_of_polygon_edge(c, a));
 }
 
 /// A parallelogram is two triangles.
 inline NearestOfPolygon nearest_of_polygon(const std::array<Vec3, 4>& q) {
-  return nearer(nearest_of_polygon(std::array{q[0], q[1], q[2]}), nearest_of_polygon(std::array{q[0], q[2], q[3]}));
+  return nearer_of_polygon(nearest_of_polygon(std::array{q[0], q[1], q[2]}),
+                           nearest_of_polygon(std::array{q[0], q[2], q[3]}));
 }
 
 }  // namespace toccata

@@ -26,7 +26,7 @@ void check_finite(const Pair& pair, const std::string& which = "") {
 }
 
 template <std::size_t Count>
-TimeOfImpact time_of(const MovingPolygon<Count>& polygon) {
+TimeOfImpact time_of_polygon(const MovingPolygon<Count>& polygon) {
   if (const std::optional<TimeOfImpact> answer = certain_time_of_impact(polygon)) return *answer;
   return time_of_impact_by_integers(polygon);
 }
@@ -47,8 +47,8 @@ TimeOfImpact answer_of(const Pair& pair) {
 
 }  // namespace
 
-TimeOfImpact time_of_finite(const MovingPolygon<3>& polygon) { return time_of(polygon); }
-TimeOfImpact time_of_finite(const MovingPolygon<4>& polygon) { return time_of(polygon); }
+TimeOfImpact time_of_finite(const MovingPolygon<3>& polygon) { return time_of_polygon(polygon); }
+TimeOfImpact time_of_finite(const MovingPolygon<4>& polygon) { return time_of_polygon(polygon); }
 
 TimeOfImpact time_of_impact(const VertexFace& pair) { return answer_of(pair); }
 TimeOfImpact time_of_impact(const EdgeEdge& pair) { return answer_of(pair); }

@@ -309,6 +309,15 @@ def check_motion():
         assert row["missed"] == 0 and row["false_alarms"] == 0, f"wrong answers: {row}"
 
 
+def check_deforming():
+    """One step of a cloth is told alike on any number of threads."""
+    made = report("deforming", "--most", "3200", "--threads", "1,2", "--rounds", "1")
+    assert {(r["triangles"], r["threads"]) for r in made["results"]} == {(1058, 1), (3200, 1), (1058, 2), (3200, 2)}, made["results"]
+    for row in made["results"]:
+        assert row["same"] and row["impacts"] > 0 and row["step_ms"] > 0, row
+    assert {row["threads"] for row in made["growth"]} == {1, 2}
+
+
 def check_walker():
     """The generic walkers answer as loops written by hand, with at most a tenth more instructions."""
     made = report("walker", "--rounds", "1")
@@ -337,6 +346,7 @@ def main():
     check_cells()
     check_sums(peers)
     check_motion()
+    check_deforming()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))

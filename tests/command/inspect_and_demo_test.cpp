@@ -96,6 +96,18 @@ TEST(Demo, WritesFilesThatCheckAsItSays) {
   }
 }
 
+/// A thin slice: it has reached the ball after some forty steps.
+TEST(Demo, NoFrameOfTheClothMeetsAnything) {
+  const auto result = run_command({"demo", "cloth", "--steps", "60", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["steps"], 60);
+  EXPECT_EQ(json["frames_that_meet"], 0);
+  EXPECT_GT(json["near_pairs"], 0);
+  EXPECT_EQ(run_command({"demo", "cloth", "--steps", "0"}).exit_code, 2);
+  EXPECT_EQ(run_command({"demo", "silk"}).exit_code, 2);
+}
+
 TEST(Demo, LeavesAFolderNamedPartialAlone) {
   const TemporaryFolder folder;
   folder.write("scenes.partial/mine.txt", "precious");

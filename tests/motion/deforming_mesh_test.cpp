@@ -164,6 +164,7 @@ TEST(DeformingMesh, APromiseOfAFreeStartThatIsBrokenNamesTheFeatures) {
   const std::string message = message_of([&] { static_cast<void>(free_step(touching, floor, {.starts_free = true})); });
   EXPECT_NE(message.find("vertex 0 and triangle 0"), std::string::npos) << message;
   EXPECT_EQ(free_step(falling_triangle(0.5), floor, {.starts_free = true}).fraction, 1);
+  EXPECT_TRUE(first_impact(touching, floor, {.separation = 0.5, .starts_free = true}));
 }
 
 TEST(DeformingMesh, ASeparationIsReachedBeforeTheContact) {
@@ -205,6 +206,14 @@ TEST(DeformingMesh, VerticesThatStopWhereTheyMayOneByOneMeetNothing) {
       for (const double separation : {0.0, 0.01})
         expect_independent_steps_are_free(random_deforming_case(family, random).made(), separation, random);
   expect_independent_steps_are_free(pressed_sheet(24), 0, random);
+}
+
+TEST(DeformingMesh, VerticesThatSlideAlongSomethingAreNotStopped) {
+  const TriangleMesh low({{1, 1, 0.01}, {1, 1.5, 0.01}, {1.5, 1, 0.01}}, {{0, 1, 2}});
+  const DeformingMesh sliding(low, {{3, 0.5, 0.01}, {3, 1, 0.02}, {3.5, 0.5, 0.01}});
+  for (const double part : free_steps(sliding, floor_triangle()).of_a) EXPECT_EQ(part, 1);
+  for (const double part : free_steps(sliding, floor_triangle(), {.separation = 0.0099}).of_a) EXPECT_EQ(part, 1);
+  for (const double part : free_steps(sliding, floor_triangle(), {.separation = 0.0101}).of_a) EXPECT_EQ(part, 0);
 }
 
 TEST(DeformingMesh, VerticesThatNothingIsNearGoAllTheirWay) {

@@ -94,8 +94,8 @@ struct ImpactOptions {
 };
 
 // All are exact without a separation, and the same on any number of threads. They throw Error for a separation that is
-// negative or not finite. Those that tell times throw it, too, when a start that was promised to be free is not, as far
-// as that was looked at, and name the two features.
+// negative or not finite. Those that tell times, asked without one, throw it, too, when a start that was promised to be
+// free is not, as far as that was looked at, and name the two features.
 
 /// Whether any two features meet.
 [[nodiscard]] bool meets(const DeformingMesh& mesh, const ImpactOptions& options = {});
