@@ -20,7 +20,6 @@
 #include "toccata/math/vec3.hpp"
 #include "toccata/motion/deforming_mesh.hpp"
 #include "toccata/motion/rigid_motion.hpp"
-#include "toccata/motion/sweep.hpp"
 #include "toccata/motion/time_of_impact.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/casts.hpp"

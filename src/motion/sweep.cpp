@@ -1,4 +1,4 @@
-#include "toccata/motion/sweep.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 
 #include <algorithm>
 #include <optional>

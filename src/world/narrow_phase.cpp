@@ -10,7 +10,7 @@
 #include "query/contacts/part_contacts.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
-#include "toccata/motion/sweep.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/pairs.hpp"

@@ -6,7 +6,7 @@
 
 #include "oracle/rigid_motion.hpp"
 #include "toccata/core/random.hpp"
-#include "toccata/motion/sweep.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 
 namespace toccata::test {
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "toccata/motion/sweep.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/toccata.hpp"
 
 namespace toccata {

@@ -11,7 +11,7 @@
 
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/type_list.hpp"
-#include "toccata/motion/sweep.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/reports/crowd_report.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
