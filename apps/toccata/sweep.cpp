@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "arguments.hpp"
@@ -28,8 +30,22 @@ struct SweepArguments : PosedArguments {
   double stop_before = 0;
 };
 
+/// Between two poses the shorter way is taken, which is not what a turn of more than half a circle says.
+void require_shorter_way(const char* option, const std::string& text) {
+  const std::size_t place = text.find("degrees");
+  if (place == std::string::npos) return;
+  const std::size_t number = text.find_first_not_of("= :,\t", place + std::string("degrees").size());
+  const double degrees = number == std::string::npos ? 0 : std::strtod(text.c_str() + number, nullptr);
+  if (!(std::abs(degrees) > 180)) return;
+  throw Error(fmt::format(
+      "{}: a turn of {} degrees is more than half a circle, and from one pose to the next the shorter way is "
+      "taken; write poses between into a file for --motion",
+      option, degrees));
+}
+
 /// The pose that an option tells.
 Pose pose_of_option(const char* option, const std::string& text) {
+  require_shorter_way(option, text);
   try {
     return pose_from_text(text);
   } catch (const Error& error) {
@@ -50,11 +66,15 @@ std::vector<MotionKey> keys_asked(const SweepArguments& arguments) {
 std::size_t moving_count(const LoadedScene& loaded) {
   if (loaded.scene.objects.size() < 2)
     throw Error("a sweep is of one object past another: name another file or a scene with more");
+  if (loaded.first_object.size() > 3)
+    throw Error(fmt::format("a sweep is of one file past another; here are {}", loaded.first_object.size() - 1));
   return loaded.first_object.size() > 2 ? loaded.first_object[1] : 1;
 }
 
 int run_sweep(const SweepArguments& arguments) {
-  const bool asks_itself = !arguments.to.empty() || !arguments.motion.empty() || changes_objects(arguments);
+  const bool asks_itself = !arguments.from.empty() || !arguments.to.empty() || !arguments.motion.empty() ||
+                           arguments.screw || !arguments.centre_words.empty() || arguments.stop_before != 0 ||
+                           changes_objects(arguments);
   if (const auto code = answered_case(arguments, {"sweep", asks_itself, false, true})) return *code;
   SweepQuestion question;
   question.keys = keys_asked(arguments);
@@ -99,10 +119,13 @@ Subcommand add_sweep(CLI::App& app) {
   const auto arguments = std::make_shared<SweepArguments>();
   CLI::App* sweep = app.add_subcommand("sweep", "whether something that moves and turns meets what stands, and when");
   add_input(*sweep, arguments->input, "two files (everything in the first moves) or one (its first object moves)");
-  CLI::Option* from = add_text(*sweep, "--from", arguments->from, "where it starts (default: where its file says)",
-                               "a pose must be given");
+  add_pose_pair(*sweep, *arguments);
+  CLI::Option* from =
+      add_text(*sweep, "--from", arguments->from, "where it starts, on top of the pose in its file (default: at that)",
+               "a pose must be given");
   CLI::Option* to = add_text(*sweep, "--to", arguments->to,
-                             "where it ends, 'translation=1,0,0 axis=0,0,1 degrees=90', 12 numbers, or 3 "
+                             "where it ends, the same way; it turns the shorter way: 'translation=1,0,0 axis=0,0,1 "
+                             "degrees=90', 12 numbers, or 3 "
                              "(docs/reference/motion-file.md)",
                              "a pose must be given");
   for (CLI::Option* pose : {from, to}) pose->type_name("POSE");

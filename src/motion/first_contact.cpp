@@ -46,9 +46,12 @@ class Advance {
 
   /// A time up to which the direction keeps the two apart.
   double reach() {
-    double step = first_step();
+    double step = first_step(), last = infinity;
     for (;;) {
       const double to = std::min(time_ + step, end_), taken = to - time_;
+      // A shorter step that is rounded to the same time will not become shorter.
+      if (!(to < last)) return time_;
+      last = to;
       if (!(taken > 0) || bounds_.speed * taken * (1 + 0x1p-30) < separation_) return to;
       const double then = pair_.separation(to, direction_);
       closing_ = (separation_ - then) / taken;

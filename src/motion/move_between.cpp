@@ -12,7 +12,7 @@
 namespace toccata {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double radians_in_half_a_turn = 3.14159265358979323846;
 
 /// Of length 1 but for rounding, and w is not negative (S. W. Shepperd, "Quaternion from rotation matrix", 1978: from
 /// the greatest of the four, so nothing cancels).
@@ -42,7 +42,7 @@ double turns_of(double s, double c) {
   double turns = 0.25 * (s / (s + c));
   for (int step = 0; step < 4; ++step) {
     const SineCosine at = sine_cosine_of_turns(turns);
-    turns += (s * at.cosine - c * at.sine) / (2 * pi);
+    turns += (s * at.cosine - c * at.sine) / (2 * radians_in_half_a_turn);
   }
   return turns;
 }

@@ -35,6 +35,8 @@ RigidMove move_between(const Pose& start, const Pose& end, const Vec3& centre) {
 /// that lies across the axis, (I − R)(c − start) = d.
 RigidMove screw_between(const Pose& start, const Pose& end) {
   RigidMove move = move_between(start, end, {});
+  // A turn that is but rounding has no axis that means anything.
+  if (std::fabs(move.turns) < 0x1p-48) move.turns = 0;
   if (move.turns == 0) return move;
   const Vec3 along = dot(move.axis, move.translation) * move.axis, across = move.translation - along;
   const SineCosine half = sine_cosine_of_turns(0.5 * move.turns);

@@ -147,7 +147,8 @@ StretchView::StretchView(const SweptThing& a, const SweptThing& b, const Stretch
   const SweptThing &first = a.tree != nullptr ? a : b, &second = b.tree != nullptr ? b : a;
   const PosedMesh mesh_a(first.part->shape(), first.part->pose_at(middle)),
       mesh_b(second.part->shape(), second.part->pose_at(middle));
-  for (const CullDirection& d : PairCull(mesh_a, mesh_b).directions()) {
+  const PairCull cull(mesh_a, mesh_b);
+  for (const CullDirection& d : cull.directions()) {
     const Vec3 unit = normalized(d.world);
     add(posed, {unit, unit});
   }

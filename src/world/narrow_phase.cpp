@@ -83,21 +83,6 @@ bool has_first_contact(const Body& a, const Body& b) {
          PairState::defined;
 }
 
-void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
-                       Workspace& workspace) {
-  const auto [first, second] = pair.pair;
-  const Body &a = bodies[first], &b = bodies[second];
-  if ((!on_the_way.contains(first) && !on_the_way.contains(second)) || !has_first_contact(a, b)) return;
-  const ShapeHit hit =
-      sweep(a.model, motion_of(first, bodies, on_the_way), b.model, motion_of(second, bodies, on_the_way),
-            {.solid_a = a.solid, .solid_b = b.solid}, cleared(workspace));
-  if (!hit.hit) return;
-  PairDetails details = pair.details ? *pair.details : PairDetails{};
-  details.first_contact = hit;
-  pair.details = std::make_shared<const PairDetails>(std::move(details));
-  if (pair.nearness == BodyNearness::apart) pair.nearness = BodyNearness::passed;
-}
-
 }  // namespace
 
 void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way,
@@ -123,6 +108,21 @@ void NarrowPhase::decide(const Body& a, const Body& b, double margin, DecidedPai
   if (is_asked && pair.nearness != BodyNearness::apart)
     pair.details = std::make_shared<const PairDetails>(
         details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace)));
+}
+
+void NarrowPhase::add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
+                                    Workspace& workspace) const {
+  const auto [first, second] = pair.pair;
+  const Body &a = bodies[first], &b = bodies[second];
+  if ((!on_the_way.contains(first) && !on_the_way.contains(second)) || !has_first_contact(a, b)) return;
+  const ShapeHit hit =
+      sweep(a.model, motion_of(first, bodies, on_the_way), b.model, motion_of(second, bodies, on_the_way),
+            {.solid_a = a.solid, .solid_b = b.solid}, cleared(workspace));
+  if (!hit.hit) return;
+  PairDetails details = pair.details ? *pair.details : details_of(a, b, false, cleared(workspace));
+  details.first_contact = hit;
+  pair.details = std::make_shared<const PairDetails>(std::move(details));
+  if (pair.nearness == BodyNearness::apart) pair.nearness = BodyNearness::passed;
 }
 
 PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const {

@@ -45,6 +45,9 @@ class NarrowPhase {
 
  private:
   void decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const;
+  /// Of two bodies of which one at least has been on its way.
+  void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
+                         Workspace& workspace) const;
   [[nodiscard]] PairDetails details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const;
 
   const WorldOptions options_;

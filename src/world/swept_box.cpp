@@ -30,6 +30,17 @@ double moments_in(const PartMotion& motion, double duration) {
   return std::clamp(std::ceil(motion.rate * duration / greatest_turn), 1.0, most_moments);
 }
 
+/// The moments at which the body is looked at, from the begin of the stretch to its end.
+std::vector<double> times_in(const Stretch& stretch, const std::vector<MovingPart>& parts) {
+  const double duration = stretch.end - stretch.begin;
+  double moments = 1;
+  for (const MovingPart& part : parts) moments = std::max(moments, moments_in(part.motion(stretch), duration));
+  std::vector<double> times{stretch.begin};
+  for (double i = 1; i < moments; ++i) times.push_back(std::min(stretch.begin + duration * (i / moments), stretch.end));
+  times.push_back(stretch.end);
+  return times;
+}
+
 std::vector<Stretch> stretches_of(const RigidMotion& motion) {
   std::vector<Stretch> stretches;
   for (const RigidMotion::Piece& piece : motion.pieces()) stretches.push_back({piece.begin, piece.end});
@@ -42,19 +53,18 @@ std::vector<Stretch> stretches_of(const RigidMotion& motion) {
 Aabb swept_box(const Body& body, const RigidMotion& motion, FunctionRef<std::string()> who) {
   Aabb box;
   double off = 0;
+  const std::string name = who();
+  const std::vector<MovingPart> parts = moving_parts(body.model, motion, body.solid, name);
   for (const Stretch& stretch : stretches_of(motion)) {
-    const double duration = stretch.end - stretch.begin;
-    double moments = 1;
-    const std::vector<MovingPart> parts = moving_parts(body.model, motion, body.solid, "a body");
-    for (const MovingPart& part : parts) moments = std::max(moments, moments_in(part.motion(stretch), duration));
+    const std::vector<double> times = times_in(stretch, parts);
+    double longest = 0;
+    for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
     for (const MovingPart& part : parts) {
       const PartMotion moved = part.motion(stretch);
-      off = std::max(off, farthest_off(moved.bounds(moved.reach), duration / moments * (1 + 0x1p-40)));
+      off = std::max(off, farthest_off(moved.bounds(moved.reach), longest));
+      for (const double time : times) static_cast<void>(part.pose_at(time));  // is the bound of a function kept?
     }
-    for (double i = 0; i <= moments; ++i) {
-      const double time = i < moments ? stretch.begin + duration * (i / moments) : stretch.end;
-      box = merge(box, body_box(body, motion.at(time), who));
-    }
+    for (const double time : times) box = merge(box, body_box(body, motion.at(time), who));
   }
   return off > 0 ? offset_outward(box, off) : box;
 }

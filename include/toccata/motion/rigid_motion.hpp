@@ -79,7 +79,7 @@ class RigidMotion {
   /// Any motion: where the shape is, told by a function of the time, and a bound on how fast it moves. At the times at
   /// which the function is asked the shape is where its pose puts it, and in between its points move as the bound
   /// allows; what is answered is true of all such motions. Throws Error when a bound is negative or not finite. The
-  /// function is asked when a question is, from its thread, and has to return the same for the same time.
+  /// function is asked when a question is, from any of its threads, and has to return the same for the same time.
   [[nodiscard]] static RigidMotion of(std::function<Pose(double)> pose_at, const MotionSpeed& bound);
 
   /// How something moves that is fixed to the shape: placed by a pose in its frame, which may scale it. Throws Error

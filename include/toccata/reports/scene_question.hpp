@@ -100,9 +100,9 @@ struct SweepQuestion {
   static const io::QuestionKind kind;
   std::size_t moving_objects = 1;  ///< the first so many move, as one body; the others stand
   std::vector<MotionKey> keys;     ///< of the body, at least two; each object's own pose comes before them
-  bool screw = false;              ///< from each key to the next about one axis and along it, instead of straight on
-  Vec3 centre{};                   ///< in the body's frame, what goes straight on while the body turns about it
-  double stop_before = 0;          ///< in world units
+  bool screw = false;      ///< from the one key to the other about one axis and along it, instead of straight on
+  Vec3 centre{};           ///< in the body's frame, what goes straight on while the body turns about it
+  double stop_before = 0;  ///< in world units
 };
 
 /// How two objects meet, of which A moves.

@@ -143,7 +143,7 @@ Pose pose_of_words(const std::vector<std::string_view>& words, const FailPose& f
 Pose pose_from_text(std::string_view text) {
   std::vector<std::string_view> words;
   const auto is_blank = [](char c) {
-    return c == ' ' || c == '\t' || io::blanks_in_poses.find(c) != std::string_view::npos;
+    return c == ' ' || (c >= '\t' && c <= '\r') || io::blanks_in_poses.find(c) != std::string_view::npos;
   };
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t first = i;

@@ -42,26 +42,39 @@ Body body_of(const SceneInstance& model, bool moves, bool is_measured) {
   return body;
 }
 
+/// Pairs of one group, which are not asked about.
+std::vector<IndexPair> apart_by_group(std::span<const SceneInstance> models, std::size_t moving) {
+  std::vector<IndexPair> pairs;
+  for (Index a = 0; a < moving; ++a)
+    for (auto b = static_cast<Index>(moving); b < models.size(); ++b)
+      if (!models[a].group.empty() && models[a].group == models[b].group) pairs.push_back({a, b});
+  return pairs;
+}
+
 }  // namespace
 
 WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report) {
   const SweepQuestion& question = report.question;
   World world({.relation = true, .distance = true});
   const bool is_measured = report.pairs.size() <= most_measured_pairs;
-  std::vector<BodyId> moving;
+  std::vector<BodyId> bodies, moving;
   std::vector<RigidMotion> motions;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const bool moves = i < question.moving_objects;
     const BodyId id = world.add(body_of(models[i], moves, is_measured));
+    bodies.push_back(id);
     if (!moves) continue;
     motions.push_back(motion_of(question, models[i].pose));
     moving.push_back(id);
   }
+  for (const auto& [a, b] : apart_by_group(models, question.moving_objects))
+    world.set_rule({.a = bodies[a], .b = bodies[b], .excluded = true});
+  const char* const what = question.stop_before == 0 ? ": first contact" : ": as near as asked";
   WorldRecording recording;
   for (const Moment& moment : moments_of(report)) {
     for (std::size_t i = 0; i < moving.size(); ++i) world.move(moving[i], motions[i].at(moment.time));
     world.step();
-    recording.add(world, fmt::format("{:.6g}{}", moment.time, moment.is_contact ? ": first contact" : ""));
+    recording.add(world, fmt::format("{:.6g}{}", moment.time, moment.is_contact ? what : ""));
   }
   return recording;
 }
