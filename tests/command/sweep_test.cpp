@@ -103,6 +103,26 @@ TEST_F(SweepCommand, APageAndAnAnimationAreWritten) {
   EXPECT_EQ(test::text_of(folder.path() / "s.glb").substr(0, 4), "glTF");
 }
 
+TEST_F(SweepCommand, ATurnOfMoreThanHalfACircleIsNotTakenTheOtherWay) {
+  for (const char* to : {"axis=0,0,1 degrees=360", "axis=0,0,1 degrees=-270"}) {
+    const auto run = run_command({"sweep", "key.json", "others.json", "--to", to}, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << to;
+    EXPECT_NE(run.err.find("more than half a circle"), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(SweepCommand, WhatIsOfOneGroupIsNotAPairOnThePageEither) {
+  folder.write("group.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "m1", "group": "g", "shape": {"type": "sphere", "radius": 1}},
+    {"name": "m2", "group": "g", "shape": {"type": "sphere", "radius": 1}, "pose": {"translation": [4, 0, 0]}},
+    {"name": "m3", "shape": {"type": "sphere", "radius": 1}, "pose": {"translation": [0, 9, 0]}}]})");
+  const auto run = run_command({"sweep", "group.json", "--to", "8 0 0", "--html", "g.html"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("0 of 1 pair meet"), std::string::npos) << run.out;
+  EXPECT_NE(test::text_of(folder.path() / "g.html").find("1 pair,"), std::string::npos);
+  EXPECT_EQ(test::text_of(folder.path() / "g.html").find("2 pairs,"), std::string::npos);
+}
+
 TEST_F(SweepCommand, ErrorsSayWhatToDo) {
   const auto error_of = [&](const std::vector<std::string>& words) {
     const auto run = run_command(words, folder.path());

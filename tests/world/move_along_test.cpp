@@ -82,6 +82,39 @@ TEST(MoveAlong, WhatIsInContactAtTheEndIsToldBothWays) {
   EXPECT_NEAR(step.begin[0].details->first_contact->upper, 8.0 / 9, 1e-12);
 }
 
+TEST(MoveAlong, ATurnWithinTheLastDoublesOfTheTimeIsSeen) {
+  World world;
+  const BodyId ball = world.add(Sphere(0.1, {10, 0, 0}), Pose{});
+  world.add(Sphere(0.1, {0, 10, 0}), Pose{}, BodyType::static_body);
+  for (const double last : {1e-3, 1e-12, 0x1p-53}) {
+    const std::vector<MotionKey> keys{{0, Pose{}}, {1 - last, Pose{}}, {1, Pose::rotation({0, 0, 1}, 170)}};
+    world.move_along(ball, RigidMotion::through(keys));
+    const auto hit = only_first_contact(world.step());
+    ASSERT_TRUE(hit) << last;
+    EXPECT_GE(hit->lower, 1 - last);
+  }
+}
+
+TEST(MoveAlong, AFunctionThatIsFasterThanItsBoundIsAnError) {
+  World world;
+  const BodyId ball = world.add(Sphere(0.1), Pose{});
+  const auto fast = [](double time) { return Pose::translation(10 * time, 0, 0); };
+  EXPECT_THROW(world.move_along(ball, RigidMotion::of(fast, {.speed = 1})), Error);
+  EXPECT_THROW((void)sweep(Sphere(0.1), RigidMotion::of(fast, {.speed = 1}), Sphere(1, {90, 0, 0}), Pose{}), Error);
+  EXPECT_NO_THROW(world.move_along(ball, RigidMotion::of(fast, {.speed = 10})));
+}
+
+TEST(MoveAlong, WhatHasPassedIsToldAsItIsNow) {
+  World world({.relation = true, .distance = true});
+  world.add(Box({0.01, 5, 5}), Pose{}, BodyType::static_body);
+  const BodyId bullet = world.add(Sphere(0.1), far_left);
+  world.move_along(bullet, RigidMotion::straight(far_left, {20, 0, 0}));
+  const WorldStep& step = world.step();
+  ASSERT_EQ(step.begin.size(), 1U);
+  EXPECT_EQ(step.begin[0].details->relation->kind, RelationKind::apart);
+  EXPECT_NEAR(step.begin[0].details->distance->upper, 9.89, 1e-9);
+}
+
 TEST(MoveAlong, ErrorsChangeNothing) {
   World world;
   const BodyId ball = world.add(Sphere(1), far_left);
@@ -118,7 +151,7 @@ Crowd crowd_on_the_way(unsigned seed, std::size_t count) {
 
 TEST(MoveAlong, EveryPairThatMeetsOnTheWayIsToldAndNoOther) {
   for (const unsigned seed : {1U, 2U, 3U}) {
-    const Crowd crowd = crowd_on_the_way(seed, 24);
+    const Crowd crowd = crowd_on_the_way(seed, 40);
     World world;
     const std::vector<BodyId> ids = world.add(crowd.bodies);
     world.move_along(ids, crowd.motions);
