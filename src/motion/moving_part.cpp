@@ -14,7 +14,7 @@ namespace {
 
 /// The box of a shape's own frame has to hold what poses that are allowed make of it: of a shape that has a radius,
 /// they may shrink its core by 2⁻¹¹, and leave the radius as it is.
-constexpr double deformation = 1 + 0x1p-9;
+constexpr double allowed_deformation = 1 + 0x1p-9;
 
 Aabb local_box_of(const Model& shape) {
   if (shape.has_mesh()) return shape.bounds();
@@ -131,7 +131,7 @@ const RigidMotion::Piece* MovingPart::piece(const Stretch& stretch) const {
 double MovingPart::farthest_reach(const PartMotion& motion) const {
   double reach = 0;
   for (int i = 0; i < 8; ++i) reach = std::max(reach, motion.reach_of(transform(motion.pose, corner(box_, i))));
-  return reach * deformation + motion.rounding;
+  return reach * allowed_deformation + motion.rounding;
 }
 
 /// Of all numbers that are added up for a world coordinate of a point of it.
