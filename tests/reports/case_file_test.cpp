@@ -171,6 +171,10 @@ SceneQuestion question(Random& random, const Scene& of) {
     case 3:
       return DistanceQuestion{random.below(of.objects.size())};
     case 4:
+      if (yes) {
+        const Pose end{rotation_about({1, 2, 3}, 50), 2.0 * vector(random, false)};
+        return SweepQuestion{.keys = {{0, Pose{}}, {1, end}}, .screw = random.below(2) == 0, .stop_before = 0.125};
+      }
       return DistancePosesQuestion{queries(random, of)};
     case 5: {
       RayQuestion rays;
