@@ -16,7 +16,7 @@ constexpr int most_proofs = 15;
 
 class Advance {
  public:
-  Advance(MovingPair& pair, const Stretch& stretch, const GapBounds& bounds)
+  Advance(MovingPair& pair, const TimeStretch& stretch, const GapBounds& bounds)
       : pair_(pair), end_(stretch.end), bounds_(bounds), time_(stretch.begin) {}
 
   std::optional<FirstContact> run() {
@@ -111,7 +111,7 @@ class Advance {
 
 }  // namespace
 
-std::optional<FirstContact> first_contact(MovingPair& pair, const Stretch& stretch, const GapBounds& bounds) {
+std::optional<FirstContact> first_contact(MovingPair& pair, const TimeStretch& stretch, const GapBounds& bounds) {
   return Advance(pair, stretch, bounds).run();
 }
 

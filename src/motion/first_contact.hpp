@@ -42,7 +42,7 @@ struct FirstContact {
 /// gap that is left may so be crossed in steps that go with its root, and not with itself as in conservative
 /// advancement (B. V. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996), and towards a contact
 /// every step leaves a 64th of the gap.
-[[nodiscard]] std::optional<FirstContact> first_contact(MovingPair& pair, const Stretch& stretch,
+[[nodiscard]] std::optional<FirstContact> first_contact(MovingPair& pair, const TimeStretch& stretch,
                                                         const GapBounds& bounds);
 
 }  // namespace toccata

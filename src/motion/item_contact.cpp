@@ -51,7 +51,7 @@ auto with_item_types(const MovingPart& a, const MovingPart& b, const Use& use) {
 }  // namespace
 
 std::optional<FirstContact> item_contact(const MovingPart& a, Index item_a, const MovingPart& b, Index item_b,
-                                         const Stretch& stretch, const GapBounds& bounds, double stop_before) {
+                                         const TimeStretch& stretch, const GapBounds& bounds, double stop_before) {
   return with_item_types(a, b, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
     const auto a_at = [&](double time) { return posed_item<A>(a, item_a, time); };
     const auto b_at = [&](double time) { return posed_item<B>(b, item_b, time); };

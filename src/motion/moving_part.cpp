@@ -71,7 +71,7 @@ double farthest_from(const Vec3& point, const Aabb& box) {
 /// With the normal n and the point q of the half-space and a point b of the other, the height is n · (b − q), and
 /// |n′| ≤ rate, |n″| ≤ rate². With d = b − q, at most `far` long: |height′| ≤ rate · far + |d′|, and |height″| ≤
 /// rate² · far + 2 rate · |d′| + |d″|. What is known of the speed alone has no second derivative.
-GapBounds half_space_bounds(const MovingPart& half_space, const MovingPart& other, const Stretch& stretch) {
+GapBounds half_space_bounds(const MovingPart& half_space, const MovingPart& other, const TimeStretch& stretch) {
   const PartMotion own = half_space.motion(stretch), others = other.motion(stretch);
   GapBounds bounds = gap_bounds(own.bounds(own.reach), others.bounds(others.reach));
   const Vec3 at = transform(half_space.pose_at(stretch.begin), half_space.local_box().lower);
@@ -121,7 +121,7 @@ void MovingPart::require_bound(const Sample& before, const Sample& now) const {
                             bound.turns));
 }
 
-const RigidMotion::Piece* MovingPart::piece(const Stretch& stretch) const {
+const RigidMotion::Piece* MovingPart::piece(const TimeStretch& stretch) const {
   for (const RigidMotion::Piece& p : motion_->pieces())
     if (stretch.begin < p.end) return &p;
   return nullptr;
@@ -147,7 +147,7 @@ double MovingPart::size(const Pose& start) const {
 /// roundings. The products of the matrices, of the parts' poses and of a vertex are off by less than 44 u of the sizes
 /// each. Where a piece begins, the one before has ended, as far off. A function is taken at its word, but for the
 /// rounding of vertices.
-double MovingPart::pose_error(const Stretch& stretch) const {
+double MovingPart::pose_error(const TimeStretch& stretch) const {
   const auto composed = static_cast<double>(1 + chain_.size());
   const auto* p = piece(stretch);
   if (p == nullptr) return 16 * unit_roundoff * composed;
@@ -155,7 +155,7 @@ double MovingPart::pose_error(const Stretch& stretch) const {
   return pieces * composed * (128 + 64 * std::fabs(p->move.turns)) * unit_roundoff;
 }
 
-PartMotion MovingPart::motion(const Stretch& stretch) const {
+PartMotion MovingPart::motion(const TimeStretch& stretch) const {
   PartMotion motion;
   double sizes = 0;
   if (const auto* p = piece(stretch)) {
@@ -187,7 +187,7 @@ std::vector<MovingPart> moving_parts(const Model& model, const RigidMotion& moti
   return parts;
 }
 
-GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const Stretch& stretch) {
+GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch) {
   if (a.is_half_space()) return half_space_bounds(a, b, stretch);
   if (b.is_half_space()) return half_space_bounds(b, a, stretch);
   const PartMotion of_a = a.motion(stretch), of_b = b.motion(stretch);

@@ -55,10 +55,10 @@ class MovingPart {
   [[nodiscard]] Pose pose_at(double time) const;
   [[nodiscard]] PosedShape at(double time) const { return pose_shape(*shape_, pose_at(time), solid_, who_); }
 
-  [[nodiscard]] PartMotion motion(const Stretch& stretch) const;
+  [[nodiscard]] PartMotion motion(const TimeStretch& stretch) const;
 
   /// By how much a direction of it may be off, posed in doubles.
-  [[nodiscard]] double pose_error(const Stretch& stretch) const;
+  [[nodiscard]] double pose_error(const TimeStretch& stretch) const;
 
   /// In its own frame; of a half-space around its point.
   [[nodiscard]] const Aabb& local_box() const { return box_; }
@@ -69,7 +69,7 @@ class MovingPart {
     Pose pose;
   };
 
-  [[nodiscard]] const RigidMotion::Piece* piece(const Stretch& stretch) const;
+  [[nodiscard]] const RigidMotion::Piece* piece(const TimeStretch& stretch) const;
   [[nodiscard]] Pose through_chain(Pose pose) const;
   [[nodiscard]] double size(const Pose& start) const;
   [[nodiscard]] double farthest_reach(const PartMotion& motion) const;
@@ -89,6 +89,6 @@ class MovingPart {
                                                    std::string_view who);
 
 /// Of every two points, one of each. Of a half-space: of how high points of the other are above it.
-[[nodiscard]] GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const Stretch& stretch);
+[[nodiscard]] GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch);
 
 }  // namespace toccata

@@ -11,7 +11,7 @@ namespace toccata {
 inline constexpr double radians_in_a_turn = 6.2831853071795865 * (1 + 0x1p-50);  ///< and a little more
 
 /// A stretch of time in which no motion changes its piece.
-struct Stretch {
+struct TimeStretch {
   double begin = 0;
   double end = 1;
 };

@@ -37,7 +37,7 @@ double size_of(const HeightRange& range) {
 
 }  // namespace
 
-SweptThing::SweptThing(const MovingPart& moving, const Stretch& stretch)
+SweptThing::SweptThing(const MovingPart& moving, const TimeStretch& stretch)
     : part(&moving),
       tree(moving.shape().has_mesh() ? &moving.shape().wide_bvh() : nullptr),
       motion(moving.motion(stretch)) {
@@ -73,7 +73,7 @@ SweptThing::Extent SweptThing::extent(std::uint32_t at) const {
 }
 
 struct StretchView::Posed {
-  Posed(const SweptThing& thing_a, const SweptThing& thing_b, const Stretch& stretch)
+  Posed(const SweptThing& thing_a, const SweptThing& thing_b, const TimeStretch& stretch)
       : pose{pose_of(thing_a, stretch), pose_of(thing_b, stretch)} {
     for (std::size_t end = 0; end < 2; ++end) {
       const double time = end == 0 ? stretch.begin : stretch.end;
@@ -82,7 +82,7 @@ struct StretchView::Posed {
     }
   }
 
-  static std::array<Pose, 2> pose_of(const SweptThing& thing, const Stretch& stretch) {
+  static std::array<Pose, 2> pose_of(const SweptThing& thing, const TimeStretch& stretch) {
     return {thing.part->pose_at(stretch.begin), thing.part->pose_at(stretch.end)};
   }
 
@@ -132,7 +132,7 @@ void StretchView::add(const Posed& posed, const std::array<Vec3, 2>& direction_a
   if (std::isfinite(d.pad)) ++count_;
 }
 
-StretchView::StretchView(const SweptThing& a, const SweptThing& b, const Stretch& stretch)
+StretchView::StretchView(const SweptThing& a, const SweptThing& b, const TimeStretch& stretch)
     : a_(a), b_(b), stretch_(stretch) {
   const Posed posed(a, b, stretch);
   poses_ = posed.pose;

@@ -12,7 +12,7 @@ namespace toccata {
 
 /// One of two things whose boxes are compared: a mesh with its tree, or a convex shape, which is one item.
 struct SweptThing {
-  SweptThing(const MovingPart& moving, const Stretch& stretch);
+  SweptThing(const MovingPart& moving, const TimeStretch& stretch);
 
   /// A box of the tree, block · 8 + lane, or all of it.
   static constexpr std::uint32_t whole = 0xFFFFFFFF;
@@ -53,13 +53,13 @@ struct BlockHeights {
 /// Two things in a stretch of time, seen along directions.
 class StretchView {
  public:
-  StretchView(const SweptThing& a, const SweptThing& b, const Stretch& stretch);
+  StretchView(const SweptThing& a, const SweptThing& b, const TimeStretch& stretch);
 
   static constexpr std::size_t most_directions = 13;
   using Heights = std::array<HeightsAtEnds, most_directions>;
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  [[nodiscard]] const Stretch& stretch() const { return stretch_; }
+  [[nodiscard]] const TimeStretch& stretch() const { return stretch_; }
 
   /// More than all that is rounded can change a difference of heights by.
   [[nodiscard]] double pad(std::size_t direction) const { return directions_[direction].pad; }
@@ -92,7 +92,7 @@ class StretchView {
 
   const SweptThing& a_;
   const SweptThing& b_;
-  Stretch stretch_;
+  TimeStretch stretch_;
   std::array<std::array<Pose, 2>, 2> poses_;  ///< of either thing at the ends
   std::array<Direction, most_directions> directions_;
   std::size_t count_ = 0;

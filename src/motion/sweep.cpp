@@ -95,12 +95,12 @@ class Sweep {
   }
 
   /// A function that is faster than its bound from one end to the other is found out, whatever else is looked at.
-  static void require_bounds(const std::vector<MovingPart>& parts, const Stretch& stretch) {
+  static void require_bounds(const std::vector<MovingPart>& parts, const TimeStretch& stretch) {
     for (const MovingPart& part : parts)
       for (const double time : {stretch.begin, stretch.end}) static_cast<void>(part.pose_at(time));
   }
 
-  std::optional<ShapeHit> within(const Stretch& stretch) {
+  std::optional<ShapeHit> within(const TimeStretch& stretch) {
     std::optional<ShapeHit> first;
     const auto parts_a = moving_parts(model_a_, motion_a_, query_.solid_a, "model a");
     const auto parts_b = moving_parts(model_b_, motion_b_, query_.solid_b, "model b");
@@ -112,7 +112,7 @@ class Sweep {
     return first;
   }
 
-  std::optional<ShapeHit> of_parts(const MovingPart& a, const MovingPart& b, const Stretch& stretch, double limit) {
+  std::optional<ShapeHit> of_parts(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch, double limit) {
     if (a.shape().has_mesh() || b.shape().has_mesh())
       return tree_sweep(a, b, stretch, query_.stop_before, limit, workspace_.scratch().counts);
     const auto found = item_contact(a, 0, b, 0, stretch, gap_bounds(a, b, stretch), query_.stop_before);

@@ -36,7 +36,7 @@ HeightRange range_of(const Triangle& triangle, const Vec3& up) {
 
 class TreeSweep {
  public:
-  TreeSweep(const MovingPart& a, const MovingPart& b, const Stretch& stretch, double stop_before, double limit,
+  TreeSweep(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch, double stop_before, double limit,
             WalkCounts& counts)
       : things_{SweptThing(a, stretch), SweptThing(b, stretch)},
         all_(gap_bounds(a, b, stretch)),
@@ -82,7 +82,7 @@ class TreeSweep {
     return items;
   }
 
-  void search(const Stretch& stretch, const std::vector<BoxNumbers>& pairs, int halvings) {
+  void search(const TimeStretch& stretch, const std::vector<BoxNumbers>& pairs, int halvings) {
     const StretchView view(things_[0], things_[1], stretch);
     const double length = stretch.end - stretch.begin, middle = stretch.begin + 0.5 * length;
     // What is open when a contact is found is looked at anew in the shorter stretch before it.
@@ -126,7 +126,7 @@ class TreeSweep {
 
   /// Farther than half of what the two are large; of items it does not matter. (Measured: from a quarter to all of it
   /// the time is the same within a fifth.)
-  [[nodiscard]] bool travels_far(const BoxNumbers& pair, const Stretch& stretch) const {
+  [[nodiscard]] bool travels_far(const BoxNumbers& pair, const TimeStretch& stretch) const {
     if (is_item(pair)) return false;
     const auto a = things_[0].extent(pair[0]), b = things_[1].extent(pair[1]);
     return bounds_of(a.reach, b.reach).speed * (stretch.end - stretch.begin) > 0.5 * (a.radius + b.radius);
@@ -194,7 +194,7 @@ class TreeSweep {
 
   void look_at(const StretchView& view, const ItemPair& items) {
     ++counts_.items;
-    const Stretch& stretch = view.stretch();
+    const TimeStretch& stretch = view.stretch();
     if (!(stretch.begin <= limit_) || are_parted_triangles(view, items)) return;
     const auto contact = contact_of(items, {stretch.begin, std::min(stretch.end, limit_)});
     if (!contact) return;
@@ -224,7 +224,7 @@ class TreeSweep {
     return bounds_of(reach_of(0, items.first), reach_of(1, items.second));
   }
 
-  [[nodiscard]] std::optional<FirstContact> contact_of(const ItemPair& items, const Stretch& stretch) const {
+  [[nodiscard]] std::optional<FirstContact> contact_of(const ItemPair& items, const TimeStretch& stretch) const {
     const MovingPart &a = *things_[0].part, &b = *things_[1].part;
     return item_contact(a, items.first, b, items.second, stretch, item_bounds(items), stop_before_);
   }
@@ -244,7 +244,7 @@ class TreeSweep {
   GapBounds all_;    ///< of all points of both
   GapBounds alike_;  ///< of points on the axes
   bool has_half_space_;
-  Stretch stretch_;
+  TimeStretch stretch_;
   double stop_before_;
   double limit_;
   WalkCounts& counts_;
@@ -253,8 +253,8 @@ class TreeSweep {
 
 }  // namespace
 
-std::optional<ShapeHit> tree_sweep(const MovingPart& a, const MovingPart& b, const Stretch& stretch, double stop_before,
-                                   double limit, WalkCounts& counts) {
+std::optional<ShapeHit> tree_sweep(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch,
+                                   double stop_before, double limit, WalkCounts& counts) {
   return TreeSweep(a, b, stretch, stop_before, limit, counts).answer();
 }
 

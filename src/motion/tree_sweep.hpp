@@ -17,7 +17,7 @@ namespace toccata {
 /// continuous collision detection of polygonal models", 2009, bounds the motion of each node so); pairs that travel
 /// farther in it than they are large are left for its two halves, the earlier of which comes first, and are so halved
 /// until they are decided; others are opened, down to single items, whose first contact is item_contact.hpp.
-[[nodiscard]] std::optional<ShapeHit> tree_sweep(const MovingPart& a, const MovingPart& b, const Stretch& stretch,
+[[nodiscard]] std::optional<ShapeHit> tree_sweep(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch,
                                                  double stop_before, double limit, WalkCounts& counts);
 
 }  // namespace toccata

@@ -31,7 +31,7 @@ double moments_in(const PartMotion& motion, double duration) {
 }
 
 /// The moments at which the body is looked at, from the begin of the stretch to its end.
-std::vector<double> times_in(const Stretch& stretch, const std::vector<MovingPart>& parts) {
+std::vector<double> times_in(const TimeStretch& stretch, const std::vector<MovingPart>& parts) {
   const double duration = stretch.end - stretch.begin;
   double moments = 1;
   for (const MovingPart& part : parts) moments = std::max(moments, moments_in(part.motion(stretch), duration));
@@ -41,8 +41,8 @@ std::vector<double> times_in(const Stretch& stretch, const std::vector<MovingPar
   return times;
 }
 
-std::vector<Stretch> stretches_of(const RigidMotion& motion) {
-  std::vector<Stretch> stretches;
+std::vector<TimeStretch> stretches_of(const RigidMotion& motion) {
+  std::vector<TimeStretch> stretches;
   for (const RigidMotion::Piece& piece : motion.pieces()) stretches.push_back({piece.begin, piece.end});
   if (stretches.empty()) stretches.push_back({0, 1});
   return stretches;
@@ -55,7 +55,7 @@ Aabb swept_box(const Body& body, const RigidMotion& motion, FunctionRef<std::str
   double off = 0;
   const std::string name = who();
   const std::vector<MovingPart> parts = moving_parts(body.model, motion, body.solid, name);
-  for (const Stretch& stretch : stretches_of(motion)) {
+  for (const TimeStretch& stretch : stretches_of(motion)) {
     const std::vector<double> times = times_in(stretch, parts);
     double longest = 0;
     for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
