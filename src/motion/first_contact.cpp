@@ -14,9 +14,9 @@ constexpr int most_steps = 1 << 16;
 /// How often the time after a contact is made four times as long to prove it: from 10⁻¹⁴ of the way to 10⁻⁵ of it.
 constexpr int most_proofs = 15;
 
-class Advance {
+class ContactAdvance {
  public:
-  Advance(MovingPair& pair, const TimeStretch& stretch, const GapBounds& bounds)
+  ContactAdvance(MovingPair& pair, const TimeStretch& stretch, const GapBounds& bounds)
       : pair_(pair), end_(stretch.end), bounds_(bounds), time_(stretch.begin) {}
 
   std::optional<FirstContact> run() {
@@ -112,7 +112,7 @@ class Advance {
 }  // namespace
 
 std::optional<FirstContact> first_contact(MovingPair& pair, const TimeStretch& stretch, const GapBounds& bounds) {
-  return Advance(pair, stretch, bounds).run();
+  return ContactAdvance(pair, stretch, bounds).run();
 }
 
 }  // namespace toccata

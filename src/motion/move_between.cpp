@@ -47,14 +47,14 @@ double turns_of(double s, double c) {
   return turns;
 }
 
-double largest_number(const Mat3& m) {
+double greatest_entry(const Mat3& m) {
   return std::max({largest_magnitude(m[0]), largest_magnitude(m[1]), largest_magnitude(m[2])});
 }
 
 void require_turned(const Mat3& turned, const Mat3& wanted) {
   double off = 0;
   for (int i = 0; i < 3; ++i) off = std::max(off, largest_magnitude(turned[i] - wanted[i]));
-  const double size = largest_number(wanted);
+  const double size = greatest_entry(wanted);
   if (!(off <= 0x1p-10 * size))
     throw Error(
         fmt::format("a motion: no turn leads from the pose at the start to that at the end: their 3×3 parts differ by "

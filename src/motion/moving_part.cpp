@@ -36,7 +36,7 @@ Vec3 magnitudes_in(const Pose& pose, const Vec3& v) {
   return result;
 }
 
-Vec3 largest_of(const Aabb& box) {
+Vec3 greatest_magnitudes_in(const Aabb& box) {
   const Vec3 low = magnitudes(box.lower), high = magnitudes(box.upper);
   return {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
 }
@@ -136,7 +136,7 @@ double MovingPart::farthest_reach(const PartMotion& motion) const {
 
 /// Of all numbers that are added up for a world coordinate of a point of it.
 double MovingPart::size(const Pose& start) const {
-  Vec3 largest = largest_of(box_);
+  Vec3 largest = greatest_magnitudes_in(box_);
   for (std::size_t i = chain_.size(); i-- > 0;) largest = magnitudes_in(chain_[i], largest);
   return sum_of_magnitudes(magnitudes_in(start, largest));
 }

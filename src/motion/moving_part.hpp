@@ -18,7 +18,7 @@ struct PartMotion {
   Vec3 centre;          ///< in the world, at that time
   Vec3 axis{};          ///< of length 1; zero: any
   double rate = 0;      ///< radians per unit of time
-  PointBounds alike;    ///< of the points on the axis
+  MotionBounds alike;   ///< of the points on the axis
   double reach = 0;     ///< no point of the part is farther from the axis
   double rounding = 0;  ///< more than a reach may be off that is computed from a point of the part
 
@@ -29,8 +29,8 @@ struct PartMotion {
   }
 
   /// Of points that are no farther from the axis.
-  [[nodiscard]] PointBounds bounds(double within) const {
-    PointBounds bounds = alike;
+  [[nodiscard]] MotionBounds bounds(double within) const {
+    MotionBounds bounds = alike;
     bounds.speed += rate * within;
     bounds.bending += rate * rate * within;
     return bounds;

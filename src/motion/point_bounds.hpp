@@ -17,7 +17,7 @@ struct TimeStretch {
 };
 
 /// How the points of a body may move in a stretch, and how far doubles pose them from where they are.
-struct PointBounds {
+struct MotionBounds {
   Vec3 velocity{};     ///< what all have in common, per unit of time
   double speed = 0;    ///< no point is faster beyond that
   double bending = 0;  ///< no second derivative of a point's place is longer; infinite where nothing is known
@@ -32,7 +32,7 @@ struct GapBounds {
   double pad = 0;
 };
 
-[[nodiscard]] inline GapBounds gap_bounds(const PointBounds& a, const PointBounds& b) {
+[[nodiscard]] inline GapBounds gap_bounds(const MotionBounds& a, const MotionBounds& b) {
   return {length(a.velocity - b.velocity) + a.speed + b.speed, a.bending + b.bending, a.pad + b.pad};
 }
 

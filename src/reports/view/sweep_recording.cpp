@@ -14,19 +14,20 @@ constexpr std::size_t most_measured_pairs = 1000;  ///< of more, only those that
 constexpr std::uint64_t in_motion = 1, at_rest = 2;
 
 /// Times that a page shows, ascending: even ones, and those at which a pair first meets.
-struct Moment {
+struct ShownMoment {
   double time = 0;
   bool is_contact = false;
 };
 
-std::vector<Moment> moments_of(const SweepReport& report) {
-  std::vector<Moment> moments;
+std::vector<ShownMoment> moments_of(const SweepReport& report) {
+  std::vector<ShownMoment> moments;
   for (const ReportedSweep& pair : report.pairs)
     if (pair.hit.hit) moments.push_back({pair.hit.upper, true});
   for (int i = 0; i <= even_moments; ++i) moments.push_back({static_cast<double>(i) / even_moments, false});
-  std::stable_sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
-  const auto end =
-      std::unique(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time == b.time; });
+  std::stable_sort(moments.begin(), moments.end(),
+                   [](const ShownMoment& a, const ShownMoment& b) { return a.time < b.time; });
+  const auto end = std::unique(moments.begin(), moments.end(),
+                               [](const ShownMoment& a, const ShownMoment& b) { return a.time == b.time; });
   moments.erase(end, moments.end());
   return moments;
 }
@@ -71,7 +72,7 @@ WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepRe
     world.set_rule({.a = bodies[a], .b = bodies[b], .excluded = true});
   const char* const what = question.stop_before == 0 ? ": first contact" : ": as near as asked";
   WorldRecording recording;
-  for (const Moment& moment : moments_of(report)) {
+  for (const ShownMoment& moment : moments_of(report)) {
     for (std::size_t i = 0; i < moving.size(); ++i) world.move(moving[i], motions[i].at(moment.time));
     world.step();
     recording.add(world, fmt::format("{:.6g}{}", moment.time, moment.is_contact ? what : ""));
