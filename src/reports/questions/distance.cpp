@@ -32,8 +32,6 @@ std::string line_of(const DistancePosesReport& report, std::size_t i) {
   return io::line_of(line);
 }
 
-bool in_one_group(const SceneInstance& a, const SceneInstance& b) { return !a.group.empty() && a.group == b.group; }
-
 Distance distance_between(const SceneInstance& a, const SceneInstance& b, Workspace& workspace) {
   try {
     return distance(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
@@ -62,7 +60,7 @@ struct DistanceKind {
     parallel_for(first_end, asking.options.threads, [&](std::size_t i) {
       Workspace workspace;
       for (std::size_t j = two_sides ? first_end : i + 1; j < asking.models.size(); ++j)
-        if (!in_one_group(asking.models[i], asking.models[j]))
+        if (!io::in_one_group(asking.models[i], asking.models[j]))
           of_first[i].push_back({static_cast<Index>(i), static_cast<Index>(j),
                                  distance_between(asking.models[i], asking.models[j], workspace)});
     });

@@ -11,11 +11,6 @@
 namespace toccata::io {
 namespace {
 
-void append(std::vector<double>& numbers, const Pose& pose) {
-  const std::array<double, 12> twelve = pose.numbers();
-  numbers.insert(numbers.end(), twelve.begin(), twelve.end());
-}
-
 Json json_of_queries(const std::vector<PairQuery>& queries) {
   std::vector<double> numbers;
   for (const PairQuery& query : queries) {
@@ -23,12 +18,6 @@ Json json_of_queries(const std::vector<PairQuery>& queries) {
     append(numbers, query.pose_b);
   }
   return json_of_rows(numbers, 24);
-}
-
-Pose pose_at(const std::vector<double>& numbers, std::size_t first) {
-  std::array<double, 12> twelve{};
-  std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(first), 12, twelve.begin());
-  return Pose::from_numbers(twelve);
 }
 
 template <class Word>
@@ -43,6 +32,19 @@ Word one_of(const JsonValue& value, const std::map<std::string, Word>& words) {
 }  // namespace
 
 void append(std::vector<double>& numbers, const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
+
+void append(std::vector<double>& numbers, const Pose& pose) {
+  const std::array<double, 12> twelve = pose.numbers();
+  numbers.insert(numbers.end(), twelve.begin(), twelve.end());
+}
+
+Pose pose_at(const std::vector<double>& numbers, std::size_t first) {
+  std::array<double, 12> twelve{};
+  std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(first), 12, twelve.begin());
+  return Pose::from_numbers(twelve);
+}
+
+bool in_one_group(const SceneInstance& a, const SceneInstance& b) { return !a.group.empty() && a.group == b.group; }
 
 const char* touching_word(Touching touching) { return touching == Touching::ignore ? "ignore" : "count"; }
 

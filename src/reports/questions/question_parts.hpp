@@ -15,6 +15,12 @@
 namespace toccata::io {
 
 void append(std::vector<double>& numbers, const Vec3& v);
+void append(std::vector<double>& numbers, const Pose& pose);
+/// The pose whose twelve numbers begin there.
+[[nodiscard]] Pose pose_at(const std::vector<double>& numbers, std::size_t first);
+
+/// They are of one group, and so no pair.
+[[nodiscard]] bool in_one_group(const SceneInstance& a, const SceneInstance& b);
 [[nodiscard]] Vec3 vector_at(const std::vector<double>& numbers, std::size_t i);
 
 /// What the two objects are taken for is the same in all queries.

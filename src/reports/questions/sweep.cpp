@@ -22,8 +22,7 @@ io::Json json_of(const std::vector<MotionKey>& keys) {
   std::vector<double> numbers;
   for (const MotionKey& key : keys) {
     numbers.push_back(key.time);
-    const std::array<double, 12> twelve = key.pose.numbers();
-    numbers.insert(numbers.end(), twelve.begin(), twelve.end());
+    io::append(numbers, key.pose);
   }
   return io::json_of_rows(numbers, numbers_of_key);
 }
@@ -31,11 +30,8 @@ io::Json json_of(const std::vector<MotionKey>& keys) {
 std::vector<MotionKey> keys_of(const io::JsonValue& value) {
   const std::vector<double> numbers = io::rows_of_numbers(value, numbers_of_key, "key");
   std::vector<MotionKey> keys;
-  for (std::size_t i = 0; i < numbers.size(); i += numbers_of_key) {
-    std::array<double, 12> twelve{};
-    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(i + 1), 12, twelve.begin());
-    keys.push_back({numbers[i], Pose::from_numbers(twelve)});
-  }
+  for (std::size_t i = 0; i < numbers.size(); i += numbers_of_key)
+    keys.push_back({numbers[i], io::pose_at(numbers, i + 1)});
   return keys;
 }
 
@@ -50,15 +46,14 @@ std::vector<ReportedSweep> pairs_asked(std::span<const SceneInstance> models, st
   std::vector<ReportedSweep> pairs;
   for (std::size_t a = 0; a < moving; ++a)
     for (std::size_t b = moving; b < models.size(); ++b)
-      if (models[a].group.empty() || models[a].group != models[b].group)
-        pairs.push_back({static_cast<Index>(a), static_cast<Index>(b), {}});
+      if (!io::in_one_group(models[a], models[b])) pairs.push_back({static_cast<Index>(a), static_cast<Index>(b), {}});
   return pairs;
 }
 
-ShapeHit swept(const SceneInstance& a, const SceneInstance& b, const SweepQuestion& question) {
+ShapeHit swept(const SceneInstance& a, const RigidMotion& motion, const SceneInstance& b, double stop_before) {
   try {
-    return sweep(a.model, motion_of(question, a.pose), b.model, b.pose,
-                 {.solid_a = a.solid, .solid_b = b.solid, .stop_before = question.stop_before});
+    return sweep(a.model, motion, b.model, b.pose,
+                 {.solid_a = a.solid, .solid_b = b.solid, .stop_before = stop_before});
   } catch (const Error& error) {
     throw Error(fmt::format("'{}' (a) and '{}' (b): {}", a.name, b.name, error.what()));
   }
@@ -125,9 +120,12 @@ struct SweepKind {
       throw Error(fmt::format("{} of {} objects move: at least one has to, and one has to stand",
                               question.moving_objects, asking.models.size()));
     SweepReport report{question, pairs_asked(asking.models, question.moving_objects)};
+    std::vector<RigidMotion> motions;
+    for (std::size_t a = 0; a < question.moving_objects; ++a)
+      motions.push_back(motion_of(question, asking.models[a].pose));
     parallel_for(report.pairs.size(), asking.options.threads, [&](std::size_t i) {
       ReportedSweep& pair = report.pairs[i];
-      pair.hit = swept(asking.models[pair.a], asking.models[pair.b], question);
+      pair.hit = swept(asking.models[pair.a], motions[pair.a], asking.models[pair.b], question.stop_before);
     });
     std::sort(report.pairs.begin(), report.pairs.end(), meets_sooner);
     return report;

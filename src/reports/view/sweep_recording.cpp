@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/constants.hpp"
+#include "reports/questions/question_parts.hpp"
 #include "toccata/reports/pages.hpp"
 
 namespace toccata {
@@ -48,7 +49,7 @@ std::vector<IndexPair> apart_by_group(std::span<const SceneInstance> models, std
   std::vector<IndexPair> pairs;
   for (Index a = 0; a < moving; ++a)
     for (auto b = static_cast<Index>(moving); b < models.size(); ++b)
-      if (!models[a].group.empty() && models[a].group == models[b].group) pairs.push_back({a, b});
+      if (io::in_one_group(models[a], models[b])) pairs.push_back({a, b});
   return pairs;
 }
 
