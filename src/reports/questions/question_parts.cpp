@@ -14,8 +14,8 @@ namespace {
 Json json_of_queries(const std::vector<PairQuery>& queries) {
   std::vector<double> numbers;
   for (const PairQuery& query : queries) {
-    append(numbers, query.pose_a);
-    append(numbers, query.pose_b);
+    io::append(numbers, query.pose_a);
+    io::append(numbers, query.pose_b);
   }
   return json_of_rows(numbers, 24);
 }
