@@ -104,7 +104,7 @@ class FeaturePairs {
     if (!question_.is_within_one) return CornerSet(0);
     const auto bit = [&](std::size_t i) -> unsigned {
       const Index v = of.corner[i];
-      return static_cast<unsigned>((v == with.corner[0]) | (v == with.corner[1]) | (v == with.corner[2])) << i;
+      return static_cast<unsigned>(v == with.corner[0] || v == with.corner[1] || v == with.corner[2]) << i;
     };
     return CornerSet(bit(0) | bit(1) | bit(2));
   }

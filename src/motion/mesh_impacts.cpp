@@ -116,7 +116,7 @@ template <FeatureSink Sink>
 void search_features(const FeatureQuestion& question, std::vector<Sink>& sinks) {
   const auto& [a, b, is_within_one, options] = question;
   const WideFrame frame = frame_around(merge(a.tree().box, b.tree().box));
-  const auto boxes_of = [&](const DeformingMesh& mesh) {
+  const auto boxes_of = [&, &options = options](const DeformingMesh& mesh) {
     return vertex_boxes(mesh, frame, options.separation, options.threads);
   };
   const std::vector<VertexBoxes> boxes_a = boxes_of(a),

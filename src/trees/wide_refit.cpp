@@ -116,9 +116,10 @@ struct ItemTriangles {
     return triangles[items[static_cast<std::size_t>(~block.child[lane])]];
   }
   [[nodiscard]] FloatBox box(const WideBlock& block, std::size_t lane) const {
-    const auto& [a, b, c] = corners(block, lane);
+    const std::array<Index, 3>& corner = corners(block, lane);
     const auto in_frame = [&](std::size_t k) {
-      return box_around(point[frame_count * a + k], point[frame_count * b + k], point[frame_count * c + k]);
+      return box_around(point[frame_count * corner[0] + k], point[frame_count * corner[1] + k],
+                        point[frame_count * corner[2] + k]);
     };
     FloatBox all = in_frame(0);
     for (std::size_t k = 1; k < frame_count; ++k) all.add(in_frame(k));

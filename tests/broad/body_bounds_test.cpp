@@ -87,7 +87,7 @@ TEST(BodyBounds, BallsAreComparedExactlyInEitherOrderOfWhateverSize) {
       const Vec3 centre = scale * half;
       const Ball one{-centre, radius}, other{centre, radius};
       const Ball smaller{centre, std::nextafter(radius, 0.0)}, larger{centre, std::nextafter(radius, HUGE_VAL)};
-      const auto expect = [&](const AnyBound& a, const AnyBound& b, bool meet) {
+      const auto expect = [&, &length = length](const AnyBound& a, const AnyBound& b, bool meet) {
         EXPECT_EQ(bounds_overlap(a, b), meet) << length << " times 2^" << exponent;
         EXPECT_EQ(bounds_overlap(b, a), meet) << length << " times 2^" << exponent;
       };

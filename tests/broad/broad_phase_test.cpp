@@ -62,7 +62,7 @@ TEST_P(EveryMethod, FindsThePairsOfBruteForceAmongMore) {
 
 TEST_P(EveryMethod, FindsThePairsOfCrowds) {
   for (const NamedScene& scene : crowd_scenes())
-    for (const std::size_t count : {400, 4'000}) {
+    for (const std::size_t count : {400U, 4'000U}) {
       SCOPED_TRACE(scene.name);
       Crowd crowd(scene.name, count, count);
       BroadPhase phase({GetParam(), 2});

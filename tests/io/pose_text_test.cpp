@@ -38,7 +38,7 @@ TEST(PoseText, SmallLettersTurnAboutFixedAxesAndCapitalsAboutTurnedOnes) {
   EXPECT_EQ(pose_from_text("euler=XYZ:90,90,90").linear, x * y * z);
   EXPECT_EQ(pose_from_text("euler=zxz:90,90,0").linear, x * z);
   // A point on x goes to y about z, and from there to z about x.
-  EXPECT_EQ(pose_from_text("euler=zxz:90,90,0") * Vec3(1, 0, 0), Vec3(0, 0, 1));
+  EXPECT_EQ((pose_from_text("euler=zxz:90,90,0") * Vec3{1, 0, 0}), (Vec3{0, 0, 1}));
 }
 
 TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {

@@ -47,7 +47,7 @@ class CgalSum {
   [[nodiscard]] bool is_solid() const {
     if (faces_.empty()) return false;
     const auto& [p, q, r] = faces_[0];
-    return std::ranges::any_of(mesh_.vertices(), [&](const auto vertex) {
+    return std::ranges::any_of(mesh_.vertices(), [&, &p = p, &q = q, &r = r](const auto vertex) {
       return CGAL::orientation(p, q, r, mesh_.point(vertex)) != CGAL::ZERO;
     });
   }

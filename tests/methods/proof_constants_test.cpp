@@ -38,7 +38,7 @@ TEST(ProofConstants, APointAlmostInAnEdgeFacePlaneIsSeenOnTheRightSide) {
   const bool is_ahead =
       oracle::dot(edge, edge) * oracle::dot(other, way) > oracle::dot(edge, other) * oracle::dot(edge, way);
   // Ahead of the plane into the face the point is that of a face, behind it of the edge.
-  const VoronoiRegions regions{Triangle(corners)};
+  const VoronoiRegions regions{Triangle{corners}};
   const auto holding = [&](ConvexFeature::Kind kind) {
     for (const ConvexFeature& feature : regions.features())
       if (feature.kind == kind && regions.contains(feature, point)) return true;
@@ -155,7 +155,7 @@ TEST(ProofConstants, TheNormalOfASliverIsAsFarOffAsItsErrorSays) {
   const std::array<Vec3, 3> corner{Vec3{-0x1.4be46af005444p-2, -0x1.9c8d739d7aebcp-2, -0x1.edf2775f02a4cp-2},
                                    Vec3{0x1.8a9a4bd9ed03p-2, 0x1.3f8fb1c6bc1ap-1, -0x1.57fc5f943f9fcp-3},
                                    Vec3{0x1.628d5943e9499p-6, 0x1.925354fdaa9f3p-4, -0x1.4d8ad9e6189d5p-2}};
-  const VoronoiRegions regions{Triangle(corner)};
+  const VoronoiRegions regions{Triangle{corner}};
   const RegionParts::Side& side = regions.parts().sides.front();
   auto normal = oracle::cross(exact(corner[1]) - exact(corner[0]), exact(corner[2]) - exact(corner[0]));
   if (oracle::dot(normal, exact(side.normal)) < 0) normal = -normal;

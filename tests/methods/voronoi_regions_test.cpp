@@ -47,7 +47,8 @@ std::optional<ConvexFeature> feature_by_brute_force(const VoronoiRegions& region
 }
 
 Vec3 grid_point(Random& random, int reach) {
-  const auto along = [&] { return static_cast<double>(static_cast<int>(random.below(2 * reach + 1)) - reach); };
+  const auto count = static_cast<std::uint64_t>(2 * reach + 1);
+  const auto along = [&] { return static_cast<double>(static_cast<int>(random.below(count)) - reach); };
   const double x = along(), y = along(), z = along();
   return {x, y, z};
 }

@@ -143,9 +143,9 @@ inline std::vector<Vec3> world_vertices(const PosedPolytope& shape) {
 /// How far apart along an axis, of whatever length; negative where they overlap.
 inline double gap_along(const Vec3& axis, std::span<const Vec3> a, std::span<const Vec3> b) {
   const auto along = [&](const Vec3& v) { return dot(axis, v); };
-  const auto [least_a, greatest_a] = std::ranges::minmax(a | std::views::transform(along));
-  const auto [least_b, greatest_b] = std::ranges::minmax(b | std::views::transform(along));
-  return std::max(least_a - greatest_b, least_b - greatest_a) / std::sqrt(dot(axis, axis));
+  const auto [least_a, greatest_a] = std::ranges::minmax(a, {}, along);
+  const auto [least_b, greatest_b] = std::ranges::minmax(b, {}, along);
+  return std::max(along(least_a) - along(greatest_b), along(least_b) - along(greatest_a)) / std::sqrt(dot(axis, axis));
 }
 
 /// The ways of edges, each once, and the normals of faces, in the world.

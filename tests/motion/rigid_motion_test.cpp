@@ -119,9 +119,9 @@ TEST(RigidMotion, WhatIsCarriedStaysWhereItIsFixed) {
       std::vector<MotionKey>{{0, Pose{}}, {0.5, Pose::rotation({0, 0, 1}, 90)}, {1, Pose::translation(1, 2, 3)}});
   const RigidMotion told = RigidMotion::of([&](double time) { return arm.at(time); }, {.speed = 8, .turns = 1});
   for (const double time : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const Vec3 expected = arm.at(time) * (fixed * Vec3(1, 1, 1));
-    EXPECT_LT(length(arm.carrying(fixed).at(time) * Vec3(1, 1, 1) - expected), 1e-13);
-    EXPECT_LT(length(told.carrying(fixed).at(time) * Vec3(1, 1, 1) - expected), 1e-13);
+    const Vec3 expected = arm.at(time) * (fixed * Vec3{1, 1, 1});
+    EXPECT_LT(length(arm.carrying(fixed).at(time) * Vec3{1, 1, 1} - expected), 1e-13);
+    EXPECT_LT(length(told.carrying(fixed).at(time) * Vec3{1, 1, 1} - expected), 1e-13);
   }
   EXPECT_LT(length(fixed * told.carrying(fixed).speed().centre), 1e-13);
   EXPECT_THROW((void)arm.carrying(Pose::translation(0.0 / 0.0, 0, 0)), Error);

@@ -140,9 +140,9 @@ TEST(ProofConstants, NearPointsOfThinCapsulesAreRounded) {
 TEST(ProofConstants, ARayAlmostThroughAnEdgeIsDecidedExactly) {
   const Vec3 origin{0x1.8886eb4003701p+1, -0x1.fdf107968a251p+1, -0x1.a32c57437430ap+1};
   const Vec3 motion{-0x1.bc3267c88e038p+2, 0x1.38832cf2fb2abp+3, 0x1.114ce9553f17ap+3};
-  const Triangle target(std::array<Vec3, 3>{Vec3{-0x1.02548d21074b8p-2, 0x1.80c48d3a00afap-1, 0x1.ef69434c058f2p-1},
+  const Triangle target{std::array<Vec3, 3>{Vec3{-0x1.02548d21074b8p-2, 0x1.80c48d3a00afap-1, 0x1.ef69434c058f2p-1},
                                             Vec3{-0x1.039f344408be8p-1, 0x1.3edae612b2ffcp-1, 0x1.a1660f45662cp-4},
-                                            Vec3{0x1.a1e6309168022p-1, -0x1.6f1800e6b63e8p-2, 0x1.1be53198ea946p-1}});
+                                            Vec3{0x1.a1e6309168022p-1, -0x1.6f1800e6b63e8p-2, 0x1.1be53198ea946p-1}}};
   const bool expected = oracle::time_of_hit(exact(origin), exact(motion), oracle::exact(target)).has_value();
   EXPECT_EQ(ray_time(PreparedRay(origin, motion), target).hit, expected);
 }
@@ -220,25 +220,25 @@ TEST(ProofConstants, ADifferenceOfCoordinatesThatIsNoDoubleIsRoundedBothWays) {
   EXPECT_GE(exact(more.upper), exact(0x1p54) + 1);
 }
 
-const Triangle far_triangle(std::array<Vec3, 3>{
-    Vec3{0x1.c130d83adb65dp+9, -0x1.7ecab650076a1p+9, 0x1.8845510278109p+9},
-    Vec3{0x1.c11717da8f3cap+9, -0x1.7e0d7416ac38p+9, 0x1.8871d2038c7dp+9},
-    Vec3{0x1.c1b21fd95da8dp+9, -0x1.7ed5fd1a83662p+9, 0x1.880affc787081p+9}});
+const Triangle far_triangle{
+    std::array<Vec3, 3>{Vec3{0x1.c130d83adb65dp+9, -0x1.7ecab650076a1p+9, 0x1.8845510278109p+9},
+                        Vec3{0x1.c11717da8f3cap+9, -0x1.7e0d7416ac38p+9, 0x1.8871d2038c7dp+9},
+                        Vec3{0x1.c1b21fd95da8dp+9, -0x1.7ed5fd1a83662p+9, 0x1.880affc787081p+9}}};
 
 // In one lane a pair whose gap seems greater than it is, in the others one whose gap seems less.
 TEST(ProofConstants, BoundsOfTheGapOfTwoTrianglesHoldIt) {
   using Pair = std::array<Triangle, 2>;
-  const Pair greater{far_triangle, Triangle(std::array<Vec3, 3>{
+  const Pair greater{far_triangle, Triangle{std::array<Vec3, 3>{
                                        Vec3{0x1.c1bba483d6182p+9, -0x1.7e15464ed4e3p+9, 0x1.8818b38477f1dp+9},
                                        Vec3{0x1.c1bacdc713999p+9, -0x1.7e14a67f72ecep+9, 0x1.881a5c623f0a8p+9},
-                                       Vec3{0x1.c1bbd5aefc12ap+9, -0x1.7e122c0f1b8d9p+9, 0x1.881bba9659a61p+9}})};
+                                       Vec3{0x1.c1bbd5aefc12ap+9, -0x1.7e122c0f1b8d9p+9, 0x1.881bba9659a61p+9}}}};
   const Pair less{
-      Triangle(std::array<Vec3, 3>{Vec3{0x1.c1562718d95cdp+9, -0x1.7e921c35bc052p+9, 0x1.87e4c9359f331p+9},
+      Triangle{std::array<Vec3, 3>{Vec3{0x1.c1562718d95cdp+9, -0x1.7e921c35bc052p+9, 0x1.87e4c9359f331p+9},
                                    Vec3{0x1.c145708dc720cp+9, -0x1.7e8f7f2caf8ddp+9, 0x1.87e1b63c17965p+9},
-                                   Vec3{0x1.c14e84488682fp+9, -0x1.7e93cc71bbc99p+9, 0x1.87e65b9c4c8acp+9}}),
-      Triangle(std::array<Vec3, 3>{Vec3{0x1.c0d7458fa12dep+9, -0x1.7e2de2369eb43p+9, 0x1.87c7c182a8f46p+9},
+                                   Vec3{0x1.c14e84488682fp+9, -0x1.7e93cc71bbc99p+9, 0x1.87e65b9c4c8acp+9}}},
+      Triangle{std::array<Vec3, 3>{Vec3{0x1.c0d7458fa12dep+9, -0x1.7e2de2369eb43p+9, 0x1.87c7c182a8f46p+9},
                                    Vec3{0x1.c0d75dc682f6ap+9, -0x1.7e2dca08dbd11p+9, 0x1.87c877282b183p+9},
-                                   Vec3{0x1.c0d771913da95p+9, -0x1.7e2de82de94c8p+9, 0x1.87c803ab5b13cp+9}})};
+                                   Vec3{0x1.c0d771913da95p+9, -0x1.7e2de82de94c8p+9, 0x1.87c803ab5b13cp+9}}}};
   TrianglePairBlock block{};
   for (std::size_t lane = 0; lane < TrianglePairBlock::lanes; ++lane) {
     const Pair& pair = lane == 0 ? greater : less;
@@ -336,9 +336,9 @@ TEST(ProofConstants, ADepthPartsAlongADirectionThatIsALittleShort) {
 // The point lies beside an edge, so that the volume of the three directions is all but lost.
 TEST(ProofConstants, ASolidAngleSeenFromBesideAnEdgeIsAsFarOffAsItsBoundSays) {
   const Vec3 point{0x1.3d23adf53744bp-1, 0x1.77084d488d30bp-3, -0x1.5fc6d989dbf89p-3};
-  const Triangle triangle(std::array<Vec3, 3>{Vec3{-0x1.7ecd08213d6cp-6, 0x1.8760a72d3ea32p-1, 0x1.bcaf3626b05d6p-1},
+  const Triangle triangle{std::array<Vec3, 3>{Vec3{-0x1.7ecd08213d6cp-6, 0x1.8760a72d3ea32p-1, 0x1.bcaf3626b05d6p-1},
                                               Vec3{0x1.f157c6a4a9774p-1, -0x1.19720308c1f04p-3, -0x1.7cea5aedb0591p-1},
-                                              Vec3{0x1.7b07d1c170d54p-1, 0x1.160fb79792e2cp-1, 0x1.99f6d0783b4acp-2}});
+                                              Vec3{0x1.7b07d1c170d54p-1, 0x1.160fb79792e2cp-1, 0x1.99f6d0783b4acp-2}}};
   const SolidAngle angle = solid_angle(point, triangle);
   EXPECT_NEAR(angle.value, oracle::winding_number(point, std::span(&triangle, 1)), angle.bound);
 }

@@ -35,7 +35,7 @@ std::vector<FinePoint> normals_at(const oracle::FineSet& set, const Vec3& point)
   const Fine volume = axis[0].x * dual[0].x + axis[0].y * dual[0].y + axis[0].z * dual[0].z;
   for (FinePoint& d : dual) d = {d.x / volume, d.y / volume, d.z / volume};
   const FinePoint from{Fine(point.x) - set.centre.x, Fine(point.y) - set.centre.y, Fine(point.z) - set.centre.z};
-  const auto coordinate = [&](int i) { return dual[i].x * from.x + dual[i].y * from.y + dual[i].z * from.z; };
+  const auto coordinate = [&](std::size_t i) { return dual[i].x * from.x + dual[i].y * from.y + dual[i].z * from.z; };
   const auto across = [&](const Fine& u, const Fine& v, const Fine& w) {
     return FinePoint{u * dual[0].x + v * dual[1].x + w * dual[2].x, u * dual[0].y + v * dual[1].y + w * dual[2].y,
                      u * dual[0].z + v * dual[1].z + w * dual[2].z};

@@ -113,7 +113,7 @@ TEST(QuadricProofConstants, WeightsThatAddUpToMoreThanOneMakeAPointOutside) {
   on_edge.generator = {0, 1, 2};
   on_edge.weight = {0, 0x1.4cb9d5bf753c4p-1, 0x1.668c548115879p-2};
   const FastDistance found = proved_interval(PosedQuadric(Cone(0x1p-3, 1), {{}, middle}),
-                                             PosedPolytope(Triangle(corner)), side_at(1), on_edge, outwards);
+                                             PosedPolytope(Triangle{corner}), side_at(1), on_edge, outwards);
   const auto edge = exact(corner[2]) - exact(corner[1]);
   const auto across = oracle::cross(exact(middle) + exact(Vec3{0, 0, 1}) - exact(corner[1]), edge);
   EXPECT_GE(square_of(exact(found.upper)) * oracle::dot(edge, edge), oracle::dot(across, across));

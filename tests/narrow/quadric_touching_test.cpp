@@ -110,8 +110,8 @@ std::vector<Toucher> all_touchers() {
                  [](int axis, double sign) { return ends_of_corners(corners, 0, axis, sign); }});
   const std::array<Vec3, 3> flat{Vec3{-1, -1, 0}, Vec3{3, -1, 0}, Vec3{0, 2, 0}},
       steep{Vec3{}, Vec3{2, 1, 1}, Vec3{-1, 2, 3}};
-  all.push_back(convex("triangle", Triangle(flat), {flat.begin(), flat.end()}, 0, false));
-  all.push_back(convex("steep triangle", Triangle(steep), {steep.begin(), steep.end()}, 0, false));
+  all.push_back(convex("triangle", Triangle{flat}, {flat.begin(), flat.end()}, 0, false));
+  all.push_back(convex("steep triangle", Triangle{steep}, {steep.begin(), steep.end()}, 0, false));
   all.push_back(convex("segment", Segment({-1, 0, 0}, {2, 0, 0}), {{-1, 0, 0}, {2, 0, 0}}, 0, false));
   all.push_back(convex("steep segment", Segment({-1, 1, 0}, {2, 0, 1}), {{-1, 1, 0}, {2, 0, 1}}, 0, false));
   all.push_back(convex("point", Point({1, 2, 3}), {{1, 2, 3}}, 0, false));

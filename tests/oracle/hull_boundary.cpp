@@ -99,7 +99,7 @@ Directions directions_of(const std::vector<RationalPoint>& points) {
       const auto [from, to] = edge_of(face, i);
       if (!(from < to)) continue;  // each edge is seen from two faces, in opposite directions
       // What parts two triangles of one facet is no edge.
-      const auto holds_twin = [&](const BoundaryTriangle& other) {
+      const auto holds_twin = [&, &from = from, &to = to](const BoundaryTriangle& other) {
         for (std::size_t j = 0; j < 3; ++j)
           if (edge_of(other, j) == Edge{to, from}) return true;
         return false;

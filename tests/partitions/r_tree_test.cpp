@@ -12,7 +12,7 @@ namespace {
 
 TEST(RTree, FindsWhatBruteForceFindsThroughALife) {
   for (const std::string_view family : test::box_families)
-    for (const std::uint64_t seed : {1, 2})
+    for (const std::uint64_t seed : {1U, 2U})
       EXPECT_EQ(test::complaint_about_r_tree_life(family, seed, 400), "") << family << ", seed " << seed;
 }
 

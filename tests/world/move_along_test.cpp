@@ -135,7 +135,7 @@ Crowd crowd_on_the_way(unsigned seed, std::size_t count) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
   };
   const auto vector = [&](double size) {
-    return Vec3(between(-size, size), between(-size, size), between(-size, size));
+    return Vec3{between(-size, size), between(-size, size), between(-size, size)};
   };
   Crowd crowd;
   for (std::size_t i = 0; i < count; ++i) {
