@@ -16,6 +16,7 @@
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/query_files.hpp"
+#include "toccata/io/scene_file.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
@@ -25,6 +26,7 @@ namespace {
 struct SweepArguments : PosedArguments {
   std::string from, to;  ///< poses as they are written
   std::string motion;    ///< a file of many; empty: from the one to the other
+  std::string node;      ///< of that file, where it is a glTF file; empty: the one that moves
   bool screw = false;
   std::vector<std::string> centre_words;
   double stop_before = 0;
@@ -53,13 +55,23 @@ Pose pose_of_option(const char* option, const std::string& text) {
   }
 }
 
-std::vector<MotionKey> keys_asked(const SweepArguments& arguments) {
-  if (!arguments.motion.empty()) return read_motion(arguments.motion);
+/// Of a glTF file, which is in metres, in the unit of the scene where it has one.
+FileMotion motion_of_file(const SweepArguments& arguments, const Scene& scene) {
+  FileMotion motion = read_motion(arguments.motion, arguments.node);
+  if (!motion.is_in_metres || scene.unit == "unit") return motion;
+  const double factor = arguments.input.scale / metres_per_unit(scene.unit);
+  motion.centre = factor * motion.centre;
+  for (MotionKey& key : motion.keys) key.pose.offset = factor * key.pose.offset;
+  return motion;
+}
+
+FileMotion motion_asked(const SweepArguments& arguments, const Scene& scene) {
+  if (!arguments.motion.empty()) return motion_of_file(arguments, scene);
   if (arguments.to.empty())
     throw Error(
         "no motion is given: say where the first file goes with --to POSE, or name a file of poses with --motion");
   const Pose from = arguments.from.empty() ? Pose{} : pose_of_option("--from", arguments.from);
-  return {{0, from}, {1, pose_of_option("--to", arguments.to)}};
+  return {{{0, from}, {1, pose_of_option("--to", arguments.to)}}, {}};
 }
 
 /// The objects of the first of two files; of one file, its first object.
@@ -76,13 +88,14 @@ int run_sweep(const SweepArguments& arguments) {
                            arguments.screw || !arguments.centre_words.empty() || arguments.stop_before != 0 ||
                            changes_objects(arguments);
   if (const auto code = answered_case(arguments, {"sweep", asks_itself, false, true})) return *code;
-  SweepQuestion question;
-  question.keys = keys_asked(arguments);
-  question.screw = arguments.screw;
-  if (!arguments.centre_words.empty()) question.centre = parse_point(arguments.centre_words, "--centre");
-  question.stop_before = arguments.stop_before;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
+  const FileMotion motion = motion_asked(arguments, input.loaded.scene);
+  SweepQuestion question;
+  question.keys = motion.keys;
+  question.screw = arguments.screw;
+  question.centre = arguments.centre_words.empty() ? motion.centre : parse_point(arguments.centre_words, "--centre");
+  question.stop_before = arguments.stop_before;
   question.moving_objects = moving_count(input.loaded);
   return exit_code_of(answer_to(question, input, arguments, "sweeping"));
 }
@@ -129,9 +142,13 @@ Subcommand add_sweep(CLI::App& app) {
                              "(docs/reference/motion-file.md)",
                              "a pose must be given");
   for (CLI::Option* pose : {from, to}) pose->type_name("POSE");
-  add_file(*sweep, "--motion", arguments->motion, "many poses: a file with a time and a pose a line")
-      ->excludes(from)
-      ->excludes(to);
+  CLI::Option* motion = add_file(*sweep, "--motion", arguments->motion,
+                                 "many poses: a file with a time and a pose a line, or a glTF file with an animation")
+                            ->excludes(from)
+                            ->excludes(to);
+  add_text(*sweep, "--node", arguments->node, "which node's animation of the glTF file it is, where several move",
+           "a name must be given")
+      ->needs(motion);
   CLI::Option* centre = add_point(*sweep, "--centre", arguments->centre_words,
                                   "the point of it that goes straight on while it turns (default: its origin)");
   sweep->add_flag("--screw", arguments->screw, "turn about one axis and move along it, instead of straight on")

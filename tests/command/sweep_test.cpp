@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "support/base64.hpp"
 #include "support/command.hpp"
 
 namespace toccata {
@@ -47,6 +48,40 @@ TEST_F(SweepCommand, ToldFirstIsWhatIsMetFirst) {
   EXPECT_GE(met["upper"].get<double>(), exact - 1e-12);
   EXPECT_NEAR(met["upper"].get<double>(), exact, 1e-9);
   EXPECT_FALSE(report["pairs"][1]["hit"]);
+}
+
+/// A node "hook" that an animation takes 5 m up, and a node "lamp" that rests unless `lamp_moves`.
+std::string animated(const std::string& lamp_moves) {
+  const float numbers[] = {0, 2, 0, 0, 0, 0, 0, 5};
+  const std::string bytes(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  return R"({"asset": {"version": "2.0"}, "nodes": [{"name": "hook"}, {"name": "lamp"}], "animations": [{
+    "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}})" +
+         lamp_moves + R"(],
+    "samplers": [{"input": 0, "output": 1}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                  {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 32}],
+    "buffers": [{"byteLength": 32, "uri": "data:;base64,)" +
+         test::base64(bytes) + "\"}]}";
+}
+
+TEST_F(SweepCommand, AnAnimationOfAGltfFileIsAMotion) {
+  folder.write("up.gltf", animated(""));
+  folder.write("both.gltf", animated(R"(, {"sampler": 0, "target": {"node": 1, "path": "translation"}})"));
+  // In metres: a box of 2 mm, of which the scene tells the unit, 1 m below a ball of 1 m.
+  folder.write("box.json", R"({"format": "toccata-scene", "version": 1, "unit": "mm", "objects": [
+    {"name": "box", "shape": {"type": "box", "half_extents": [1, 1, 1]}}]})");
+  folder.write("ball.json", R"({"format": "toccata-scene", "version": 1, "unit": "mm", "objects": [
+    {"name": "ball", "shape": {"type": "sphere", "radius": 500}, "pose": {"translation": [0, 0, 1501]}}]})");
+  const auto run = run_command({"sweep", "box.json", "ball.json", "--motion", "up.gltf", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NEAR(Json::parse(run.out)["pairs"][0]["upper"].get<double>(), 0.2, 1e-12);
+  const auto several = run_command({"sweep", "box.json", "ball.json", "--motion", "both.gltf"}, folder.path());
+  EXPECT_EQ(several.exit_code, 2);
+  EXPECT_NE(several.err.find("name one of 'hook', 'lamp'"), std::string::npos) << several.err;
+  const auto named =
+      run_command({"sweep", "box.json", "ball.json", "--motion", "both.gltf", "--node", "lamp"}, folder.path());
+  EXPECT_EQ(named.exit_code, 1) << named.err;
 }
 
 TEST_F(SweepCommand, FreeIsExitCodeZero) {

@@ -6,6 +6,7 @@
 
 #include "io/scenes/scene_parts.hpp"
 #include "io/text_file.hpp"
+#include "support/base64.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/math/pose.hpp"
@@ -18,18 +19,6 @@ std::string with(std::string text, const std::string& from, const std::string& t
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string base64(const std::string& bytes) {
-  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  unsigned bits = 0;
-  int held = 0;
-  for (const char c : bytes + std::string((3 - bytes.size() % 3) % 3, '\0')) {
-    bits = bits << 8 | static_cast<unsigned char>(c);
-    for (held += 8; held >= 6;) result += digits[bits >> (held -= 6) & 63];
-  }
-  return result;
 }
 
 template <class Value>
@@ -52,7 +41,7 @@ const std::string file = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": 
                 {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
   "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 16}],
   "buffers": [{"byteLength": 64, "uri": "data:application/octet-stream;base64,)" +
-                         base64(square) + R"("}]})";
+                         test::base64(square) + R"("}]})";
 
 Scene parse(const std::string& text) { return io::parse_gltf({text, "a.gltf", "no/such/folder"}); }
 

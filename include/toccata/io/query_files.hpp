@@ -35,9 +35,19 @@ namespace toccata {
 /// translated then. Throws Error that tells the text and what is wrong with it.
 [[nodiscard]] Pose pose_from_text(std::string_view text);
 
+/// A motion that a file tells, as `RigidMotion::through` takes it.
+struct FileMotion {
+  std::vector<MotionKey> keys;
+  Vec3 centre{};              ///< what goes straight on from key to key; the origin, but of a glTF file
+  bool is_in_metres = false;  ///< whether the file says so: a glTF file does
+};
+
 /// Reads a motion file (docs/reference/motion-file.md): a line per key, its time and then its pose, as `pose_from_text`
-/// takes it; # starts a comment. The times ascend and are scaled so that the first is 0 and the last 1. Throws Error
-/// naming the file and the line, also for a file of fewer than two keys.
-[[nodiscard]] std::vector<MotionKey> read_motion(const std::string& path);
+/// takes it; # starts a comment. Of a glTF or GLB file it is how an animation moves the node of that name, or the only
+/// one that moves where none is given: the poses, in metres, are those that lead from where things are in the file to
+/// where they are then. The times ascend and are scaled so that the first is 0 and the last 1. Throws Error naming the
+/// file and the line or the element, for a file of fewer than two keys, for a node that is named of a text, and for an
+/// animation that is no rigid motion: of scales, weights or two nodes above each other, in steps, or on splines.
+[[nodiscard]] FileMotion read_motion(const std::string& path, const std::string& node = "");
 
 }  // namespace toccata

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/formats/gltf_data.hpp"
+#include "io/formats/gltf_nodes.hpp"
 #include "io/formats/json_value.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
@@ -20,25 +21,6 @@ namespace toccata::io {
 namespace {
 
 constexpr std::size_t largest_index = std::numeric_limits<Index>::max();
-
-/// Extensions that a file may require without changing any shape, by the start of their names.
-constexpr std::string_view harmless_extensions[] = {"KHR_materials_",      "KHR_texture_",          "EXT_texture_",
-                                                    "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_xmp",
-                                                    "KHR_technique"};
-
-void check_header(const JsonValue& top) {
-  const bool has_version = top.has("asset") && top.at("asset").has("version");
-  if (!has_version || !top.at("asset").at("version").is_string() ||
-      !top.at("asset").at("version").text().starts_with("2."))
-    top.fail("this is not glTF 2", "export it as glTF 2.0");
-  for (const JsonValue& required : top.elements("extensionsRequired")) {
-    const std::string name = required.text();
-    if (std::none_of(std::begin(harmless_extensions), std::end(harmless_extensions),
-                     [&](std::string_view start) { return name.starts_with(start); }))
-      required.fail(fmt::format("the file needs the extension {}, which Toccata does not read", name),
-                    "export it without (compression off)");
-  }
-}
 
 enum class Mode : std::size_t { triangles = 4, strip = 5, fan = 6 };
 
@@ -73,10 +55,7 @@ class MeshReader {
   }
 
   [[nodiscard]] std::size_t accessor(const JsonValue& reference) const {
-    const std::size_t index = reference.whole(largest_index);
-    if (index >= data_.accessor_count())
-      reference.fail(fmt::format("there is no accessor {}", index), "export the file again");
-    return index;
+    return index_of(reference, data_.accessor_count(), "accessor");
   }
 
   void add(const JsonValue& primitive) {
@@ -139,29 +118,6 @@ class MeshReader {
   std::map<std::size_t, Vertices> known_;
 };
 
-/// glTF writes matrices by columns.
-Pose pose_of_matrix(const JsonValue& matrix) {
-  const std::vector<double> m = matrix.numbers(16);
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-    matrix.fail("the last row of the matrix is not 0 0 0 1", "export the file without a perspective");
-  return Pose::from_numbers({m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10], m[12], m[13], m[14]});
-}
-
-Pose pose_of_node(const JsonValue& node) {
-  if (node.has("matrix")) return pose_of_matrix(node.at("matrix"));
-  Quaternion rotation;
-  if (node.has("rotation")) {
-    const std::vector<double> q = node.at("rotation").numbers(4);
-    rotation = {q[0], q[1], q[2], q[3]};
-  }
-  try {
-    return pose_of(node.has("translation") ? node.at("translation").vector() : Vec3{}, rotation_of(rotation),
-                   node.has("scale") ? node.at("scale").vector() : Vec3{1, 1, 1});
-  } catch (const Error& error) {
-    node.fail(error.what(), "correct the rotation");
-  }
-}
-
 class SceneReader {
  public:
   SceneReader(const JsonValue& top, GltfData& data)
@@ -195,9 +151,7 @@ class SceneReader {
   };
 
   [[nodiscard]] std::size_t node_index(const JsonValue& reference) const {
-    const std::size_t index = reference.whole(largest_index);
-    if (index >= nodes_.size()) reference.fail(fmt::format("there is no node {}", index), "export the file again");
-    return index;
+    return index_of(reference, nodes_.size(), "node");
   }
 
   /// Of the scene that the file shows first; of all nodes, when it has no scenes.
@@ -242,9 +196,7 @@ class SceneReader {
   }
 
   void add_object(const JsonValue& json, Index node) {
-    const std::size_t index = json.at("mesh").whole(largest_index);
-    if (index >= meshes_.size())
-      json.at("mesh").fail(fmt::format("there is no mesh {}", index), "export the file again");
+    const std::size_t index = index_of(json.at("mesh"), meshes_.size(), "mesh");
     if (!read_meshes_[index]) read_meshes_[index] = MeshReader(data_, meshes_[index]).read();
     if (*read_meshes_[index] == nullptr) return;
     SceneObject object;
@@ -273,7 +225,7 @@ Scene parse_gltf(const SceneBytes& source) {
   const GltfChunks chunks = split_glb(source);
   const nlohmann::json document = parse_json(chunks.text, source.file, RepeatedKeys::last_counts);
   const JsonValue top(document, source.file);
-  check_header(top);
+  check_gltf_header(top);
   GltfData data(top, source, chunks);
   Scene scene = SceneReader(top, data).read();
   for (SceneObject& object : scene.objects) object.source = source.file;

@@ -222,10 +222,14 @@ void GltfData::apply_sparse(const JsonValue& accessor, const Layout& layout, std
   }
 }
 
+std::vector<double> GltfData::numbers(std::size_t accessor, std::string_view type) {
+  const JsonValue told = accessors_[accessor].at("type");
+  if (told.text() != type) told.fail(fmt::format("this must be of type {}", type), "export the file again");
+  return read(accessor, type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4);
+}
+
 std::vector<Vec3> GltfData::vectors(std::size_t accessor) {
-  if (accessors_[accessor].at("type").text() != "VEC3")
-    accessors_[accessor].at("type").fail("positions must be of type VEC3", "export the file again");
-  const std::vector<double> values = read(accessor, 3);
+  const std::vector<double> values = numbers(accessor, "VEC3");
   std::vector<Vec3> result;
   result.reserve(values.size() / 3);
   for (std::size_t i = 0; i < values.size(); i += 3) result.push_back({values[i], values[i + 1], values[i + 2]});

@@ -27,8 +27,10 @@ class GltfData {
   /// `top`, and what `source` and `chunks` point to, must outlive this.
   GltfData(const JsonValue& top, const SceneBytes& source, const GltfChunks& chunks);
 
-  /// The elements of a VEC3 accessor. Floats are widened exactly; whole numbers (KHR_mesh_quantization) are taken as
-  /// they are, or divided by the greatest of their type when normalised.
+  /// The numbers of an accessor of a type, as "VEC4", element by element. Floats are widened exactly; whole numbers
+  /// (KHR_mesh_quantization) are taken as they are, or divided by the greatest of their type when normalised.
+  [[nodiscard]] std::vector<double> numbers(std::size_t accessor, std::string_view type);
+  /// The elements of a VEC3 accessor.
   [[nodiscard]] std::vector<Vec3> vectors(std::size_t accessor);
   /// The elements of a SCALAR accessor of unsigned whole numbers.
   [[nodiscard]] std::vector<Index> indices(std::size_t accessor);

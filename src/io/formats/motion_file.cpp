@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "io/formats/file_error.hpp"
+#include "io/formats/gltf_motion.hpp"
 #include "io/formats/number_lines.hpp"
 #include "io/formats/pose_text.hpp"
+#include "io/scenes/scene_parts.hpp"
 #include "math/constants.hpp"
 #include "toccata/io/query_files.hpp"
 
@@ -22,7 +24,10 @@ MotionKey key_of_line(io::TextCursor& cursor) {
 
 }  // namespace
 
-std::vector<MotionKey> read_motion(const std::string& path) {
+FileMotion read_motion(const std::string& path, const std::string& node) {
+  if (io::is_gltf(path)) return io::read_gltf_motion(path, node);
+  if (!node.empty())
+    io::fail_in_file(path, {"only a glTF or GLB file has nodes that move", "name such a file, or no node"});
   std::vector<MotionKey> keys;
   const auto read = [&](io::TextCursor& cursor) {
     keys.push_back(key_of_line(cursor));
@@ -35,7 +40,7 @@ std::vector<MotionKey> read_motion(const std::string& path) {
   const double first = keys.front().time, length = keys.back().time - first;
   if (!(length < infinity)) io::fail_in_file(path, {"the times are farther apart than doubles can tell", "use others"});
   for (MotionKey& key : keys) key.time = (key.time - first) / length;
-  return keys;
+  return {std::move(keys), {}};
 }
 
 }  // namespace toccata
