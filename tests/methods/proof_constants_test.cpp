@@ -132,10 +132,10 @@ TEST(ProofConstants, APointAlmostAsFarFromADifferenceAsItsRadiusIsDecidedExactly
 // The sphere is farther from the plane than its radius by a few roundings of the corners' coordinates.
 TEST(ProofConstants, ASphereBesideThePlaneOfATriangleIsDecidedExactly) {
   const Vec3 centre{-0x1.9a40ce684b7bbp-2, -0x1.d4ec0437fd7f4p-1, -0x1.300184b1d9133p-2};
-  const Triangle triangle(
+  const Triangle triangle{
       std::array<Vec3, 3>{Vec3{0x1.dbeb90e4f226p-3, 0x1.945c5e9ca4088p-1, -0x1.6e08e343224bcp-3},
                           Vec3{-0x1.e9f215209c3ep-2, -0x1.e4a12b4609839p-1, -0x1.91778c686b34cp-1},
-                          Vec3{-0x1.1107fd3526ec4p-2, -0x1.fc051b9aa29b3p-1, 0x1.c2a795618790ep-1}});
+                          Vec3{-0x1.1107fd3526ec4p-2, -0x1.fc051b9aa29b3p-1, 0x1.c2a795618790ep-1}}};
   const double radius = 0x1.cdd9340625647p-14;
   const auto normal = oracle::cross(exact(triangle[1]) - exact(triangle[0]), exact(triangle[2]) - exact(triangle[0]));
   const oracle::Rational height = oracle::dot(normal, exact(centre) - exact(triangle[0]));

@@ -143,7 +143,7 @@ TEST(CheckMany, CandidatesComeInRunsAscendingWithTheOthersBetween) {
   std::erase_if(expected, [&](const IndexPair& pair) { return !wanted(pair); });
   expected.insert(expected.end(), others.begin(), others.end());
   std::sort(expected.begin(), expected.end());
-  for (const std::size_t pairs_in_run : {1, 50, 1'000'000}) {
+  for (const std::size_t pairs_in_run : {1U, 50U, 1'000'000U}) {
     CandidatePairs candidates(boxes, wanted, others, 2, pairs_in_run);
     EXPECT_EQ(candidates.count(), expected.size());
     std::vector<IndexPair> found;
