@@ -10,6 +10,7 @@
 #include "motion/item_contact.hpp"
 #include "motion/tree_sweep.hpp"
 #include "query/ask.hpp"
+#include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/distance.hpp"
@@ -87,6 +88,9 @@ class Sweep {
 
   std::optional<ShapeHit> at_start() {
     if (query_.stop_before < 0) return {};
+    // What they meet where they are is told by a cast that does not move.
+    const auto met = cast_until(model_a_, Vec3{}, model_b_, start_, 1, workspace_);
+    if (met || query_.stop_before == 0) return met;
     if (!within_distance(model_a_, model_b_, query_.stop_before, start_, workspace_)) return {};
     const Distance found = distance(model_a_, model_b_, start_, workspace_);
     const Vec3 normal = found.upper > 0 ? normalized(found.on_a - found.on_b) : Vec3{};
