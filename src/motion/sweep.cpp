@@ -158,7 +158,7 @@ ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, cons
 ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                const SweepQuery& query, Workspace& workspace) {
   if (!std::isfinite(query.stop_before))
-    throw Error(fmt::format("a sweep: stop_before is {}; it has to be a finite length", query.stop_before));
+    throw Error(fmt::format("a sweep: stop_before is {:g}; it has to be a finite length", query.stop_before));
   return Sweep(a, motion_a, b, motion_b, query, workspace).answer();
 }
 
