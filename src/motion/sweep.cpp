@@ -10,6 +10,7 @@
 #include "motion/item_contact.hpp"
 #include "motion/tree_sweep.hpp"
 #include "query/ask.hpp"
+#include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/distance.hpp"
@@ -87,6 +88,9 @@ class Sweep {
 
   std::optional<ShapeHit> at_start() {
     if (query_.stop_before < 0) return {};
+    // What they meet where they are is told by a cast that does not move.
+    const auto met = cast_until(model_a_, Vec3{}, model_b_, start_, 1, workspace_);
+    if (met || query_.stop_before == 0) return met;
     if (!within_distance(model_a_, model_b_, query_.stop_before, start_, workspace_)) return {};
     const Distance found = distance(model_a_, model_b_, start_, workspace_);
     const Vec3 normal = found.upper > 0 ? normalized(found.on_a - found.on_b) : Vec3{};
@@ -154,7 +158,7 @@ ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, cons
 ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                const SweepQuery& query, Workspace& workspace) {
   if (!std::isfinite(query.stop_before))
-    throw Error(fmt::format("a sweep: stop_before is {}; it has to be a finite length", query.stop_before));
+    throw Error(fmt::format("a sweep: stop_before is {:g}; it has to be a finite length", query.stop_before));
   return Sweep(a, motion_a, b, motion_b, query, workspace).answer();
 }
 

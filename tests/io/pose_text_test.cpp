@@ -53,6 +53,7 @@ TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {
   EXPECT_NE(error_of_pose("degrees=1").find("the degrees have no axis"), std::string::npos);
   EXPECT_NE(error_of_pose("axis=0,0,0 degrees=1").find("no direction"), std::string::npos);
   EXPECT_NE(error_of_pose("translation=1,2").find("write 3"), std::string::npos);
+  EXPECT_NE(error_of_pose("axis=z degrees=90").find("\"z\" after \"axis\" is no number; write 3"), std::string::npos);
   EXPECT_NE(error_of_pose("translation=1,2,3 translation=1,2,3").find("there are two"), std::string::npos);
   EXPECT_NE(error_of_pose("quaternion=0,0,0,0").find("zero"), std::string::npos);
   EXPECT_NE(error_of_pose("quaternion=0,0,0,1 euler=xyz:1,2,3").find("two rotations"), std::string::npos);

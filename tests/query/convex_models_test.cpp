@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "narrow/casts_checks.hpp"
+#include "query/casts/start_normal.hpp"
 #include "support/convex_cases.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/check_all.hpp"
@@ -45,7 +46,7 @@ std::string fault_of(const test::ConvexCase& pair, Random& random) {
   }
   const Vec3 motion = test::random_motion(pair, random);
   const Cast cast = cast_shape(a, motion, b, query);
-  if (cast != cast_shape(posed_a, motion, posed_b)) return "cast";
+  if (cast != with_start_normal(cast_shape(posed_a, motion, posed_b), posed_a, posed_b)) return "cast";
   const std::string fault = test::cast_fault(cast, test::set_of(pair.a), motion, test::set_of(pair.b));
   if (!fault.empty()) return "cast: " + fault;
   if (motion == Vec3{}) return "";
@@ -95,7 +96,7 @@ TEST(ModelsAndHalfSpaces, AreAnsweredAboutAsTheirShapesBothWaysRound) {
       }
       const Vec3 motion = 2.0 * (posed_b.point - posed_a.vertex(0)) + Vec3{0.5, 0.25, -0.125};
       const Cast cast = cast_shape(a, motion, b, query);
-      EXPECT_EQ(cast, cast_shape(posed_a, motion, posed_b));
+      EXPECT_EQ(cast, with_start_normal(cast_shape(posed_a, motion, posed_b), posed_a, posed_b));
       // The half-space moves the opposite way: the same times.
       const Cast moved = cast_shape(b, -motion, a, other_way);
       EXPECT_EQ(moved.hit, cast.hit);
@@ -145,7 +146,7 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
           d.element_a = d.face_a = static_cast<Index>(i / 2);
           d.element_b = d.face_b = static_cast<Index>(j / 2);
           if (!least || d.upper < least->upper) least = d;
-          const Cast cast = cast_shape(part_a, motion, part_b);
+          const Cast cast = with_start_normal(cast_shape(part_a, motion, part_b), part_a, part_b);
           if (!earliest || (cast.hit && (!earliest->hit || cast.upper < earliest->upper))) {
             const auto part = [&](std::size_t number) { return cast.hit ? static_cast<Index>(number / 2) : 0; };
             earliest = ShapeHit{cast, part(i), part(j), part(i), part(j)};

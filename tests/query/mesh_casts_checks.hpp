@@ -40,9 +40,12 @@ inline std::string mesh_cast_fault(const Model& a, const Vec3& motion, const Mod
   const ShapeHit all = cast_of_all_elements(a, motion, b, query);
   if (overlap(a, b, query)) {
     if (!found.hit || found.upper != 0) return "they meet at the start";
-    return all.hit && all.upper == 0 && (found.element_a != all.element_a || found.element_b != all.element_b)
-               ? "not the least pair at the start"
-               : "";
+    const bool surfaces_meet = all.hit && all.upper == 0;
+    const bool named_meet =
+        overlap(elements_of(a, query.pose_a)[found.element_a], elements_of(b, query.pose_b)[found.element_b]);
+    if (surfaces_meet && !named_meet) return "the elements named do not meet at the start";
+    if (surfaces_meet && !(std::fabs(plain_length(found.normal) - 1) < 1e-12)) return "no normal at the start";
+    return "";
   }
   if (a.has_mesh() && found.face_a != a.mesh().face_of(found.element_a)) return "face of a";
   if (b.has_mesh() && found.face_b != b.mesh().face_of(found.element_b)) return "face of b";

@@ -107,11 +107,40 @@ TEST(MeshCasts, AtHalfSpacesAreThoseOfTheLowestTriangle) {
       if (const Cast cast = cast_shape(triangles[t], motion, posed); cast.hit)
         keep_first(first, {cast, t, 0, soup.mesh().face_of(t), 0});
     const ShapeHit found = cast_shape(soup, motion, floor, query);
+    if (first && first->upper == 0) {
+      ASSERT_TRUE(found.hit && found.upper == 0) << i;
+      EXPECT_TRUE(overlap(triangles[found.element_a], posed)) << i;
+      EXPECT_NEAR(plain_length(found.normal), 1, 1e-12) << i;
+      continue;
+    }
     ASSERT_EQ(found, first.value_or(ShapeHit{})) << i;
     const ShapeHit floor_moves = cast_shape(floor, -motion, soup, test::exchanged(query));
     EXPECT_EQ(floor_moves.upper, found.upper) << i;
     EXPECT_EQ(floor_moves.element_b, found.element_a) << i;
   }
+}
+
+TEST(MeshCasts, ThatStartInContactLookAtHardlyMoreThanAnOverlap) {
+  const Model ball(generate_mesh("icosphere", {{"subdivisions", 5}}));
+  const PairQuery query{.pose_a = Pose::translation(0.7, 0.1, 0.2)};
+  Workspace of_cast, of_overlap;
+  const ShapeHit hit = cast_shape(ball, {-1, 0, 0}, ball, query, of_cast);
+  ASSERT_TRUE(overlap(ball, ball, query, of_overlap));
+  EXPECT_EQ(hit.upper, 0);
+  EXPECT_LE(of_cast.counts().items, 2 * of_overlap.counts().items);
+}
+
+TEST(MeshCasts, TellTheNormalAtTheStart) {
+  const Model crate(test::box_between({-1, -1, -1}, {1, 1, 1}));
+  for (const Model& standing : {Model(Sphere(0.5)), Model(Box({0.5, 0.5, 0.5})), Model(Capsule({}, {}, 0.5))}) {
+    const PairQuery above{.pose_a = Pose::translation(0.25, -0.25, 1.5)};
+    EXPECT_EQ(cast_shape(standing, {1, 0, 0}, crate, above).normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(cast_shape(standing, {1, 0, 0}, Box({1, 1, 1}), above).normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(cast_shape(crate, {1, 0, 0}, standing, {.pose_b = above.pose_a}).normal, (Vec3{0, 0, -1}));
+    EXPECT_EQ(cast_shape(standing, {}, HalfSpace({}, {0, 0, 1}), {.pose_a = Pose::translation(0, 0, 0.5)}).normal,
+              (Vec3{0, 0, 1}));
+  }
+  EXPECT_EQ(cast_shape(Sphere(1), {}, Sphere(1), {.pose_a = Pose::translation(0, 2, 0)}).normal, (Vec3{0, 1, 0}));
 }
 
 TEST(MeshCasts, LookAtFewTriangles) {

@@ -333,6 +333,8 @@ inline std::string fault_of_cast(const std::optional<ShapeHit>& found, const std
     return found && found->hit && found->upper == 0 ? "" : "a cast from within a solid";
   if (found.has_value() != first.has_value()) return "hit";
   if (!found) return "";
+  // At the start any of those that meet is told.
+  if (found->upper == 0 && first->upper == 0) return "";
   if (found->upper != first->upper || element != first->element_a) return "another triangle is met first";
   if (found->status != first->status || !(found->normal == first->normal)) return "what is met";
   if (found->lower < lower || found->lower > first->lower) return "the time's lower end";

@@ -12,7 +12,7 @@ struct Cast {
   double lower = 0;
   double upper = 0;
   Vec3 point{};   ///< where they meet then, rounded
-  Vec3 normal{};  ///< unit, from the target to what moves; zero when they meet at the start
+  Vec3 normal{};  ///< unit, from the target to what moves; zero when they meet at the start (of models: ShapeHit)
   Status status = Status::exact;
   friend constexpr bool operator==(const Cast&, const Cast&) = default;
 };

@@ -25,7 +25,9 @@ struct RayHit : Cast {
 
 /// The first meeting of a model that moves with one that stands, and with what of either: the element (the triangle of
 /// a mesh) and the face of the file. All are 0 where nothing is met, and of a solid mesh that holds the other, or a
-/// part of it, at the start.
+/// part of it, at the start. Elements that meet at the start have a normal too: across the contact where they touch,
+/// and the way in which they part soonest where they are deeper in each other; it is zero where a solid mesh holds the
+/// other, and where a quadric is undecided.
 struct ShapeHit : Cast {
   Index element_a = 0;
   Index element_b = 0;
@@ -35,8 +37,9 @@ struct ShapeHit : Cast {
 };
 
 /// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of meshes,
-/// height fields and compounds it is the earliest of their elements, by (upper, element of A, element of B); a solid
-/// that holds the other, or a part of it, at the start is met at once. Throws like `overlap`, Error when the motion is
+/// height fields and compounds it is the earliest of their elements, by (upper, element of A, element of B). Where some
+/// elements meet at the start, two of those that do are named, always the same; a solid that holds the other, or a part
+/// of it, at the start is met at once. Throws like `overlap`, Error when the motion is
 /// not finite, and Error for what the table of pairs.hpp does not define.
 [[nodiscard]] ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query = {});
 

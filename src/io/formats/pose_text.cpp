@@ -98,8 +98,11 @@ class PoseWords {
     const std::string_view name = words_[place_ - 1];
     std::array<double, Count> found{};
     for (double& number : found) {
-      const std::optional<double> next = place_ < words_.size() ? number_of(words_[place_++]) : std::nullopt;
-      if (!next) fail_("after " + in_quotes(name) + " not so many numbers follow", "write " + std::to_string(Count));
+      const std::string wanted = "write " + std::to_string(Count);
+      if (place_ == words_.size()) fail_("after " + in_quotes(name) + " not so many numbers follow", wanted);
+      const std::string_view word = words_[place_++];
+      const std::optional<double> next = number_of(word);
+      if (!next) fail_(in_quotes(word) + " after " + in_quotes(name) + " is no number", wanted);
       number = *next;
     }
     return found;

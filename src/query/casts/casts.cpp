@@ -17,7 +17,7 @@ ShapeHit whole(const Cast& cast) { return {cast, 0, 0, 0, 0}; }
 
 struct AskCast {
   std::optional<ShapeHit> operator()(const PosedPolytope& a, const PosedPolytope& b) const {
-    return whole(cast_shape(a, motion, b, &scratch.convex));
+    return whole(with_start_normal(cast_shape(a, motion, b, &scratch.convex), a, b));
   }
   std::optional<ShapeHit> operator()(const PosedHalfSpace&, const PosedHalfSpace&) const {
     return {};  // the table was asked before
@@ -52,15 +52,18 @@ std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Mod
                                    double limit, Workspace& workspace) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   const PosedModelPair models(a, b, query, workspace.scratch());
+  models.visit([](const PosedPart& part_a, const PosedPart& part_b) {
+    require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);
+    return true;
+  });
   std::optional<ShapeHit> first;
   models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
-    require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);
     const auto found = std::visit(AskCast{motion, limit, workspace.scratch()}, part_a.shape, part_b.shape);
     if (found && found->hit) {
       keep_first(first, numbered(*found, part_a, part_b));
       limit = std::min(limit, first->upper + widest_cast);
     }
-    return true;
+    return !first || first->upper > 0;
   });
   return first;
 }

@@ -7,6 +7,7 @@
 #include "narrow/quadrics/casts/quadric_cast_until.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
+#include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/relation/relation_locality.hpp"
 
@@ -112,6 +113,38 @@ ShapeHit at_start(const Vec3& point) {
   return hit;
 }
 
+// Of surfaces that meet at the start: two items that do.
+
+std::optional<ItemPair> items_at_start(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  std::optional<ItemPair> items;
+  visit_surface_contacts(a, b, scratch, [&](const Contact& contact) {
+    items = ItemPair{contact.triangle_a, contact.triangle_b};
+    return false;
+  });
+  return items;
+}
+
+template <class Shape>
+std::optional<ItemPair> items_at_start(const PosedMesh& a, const Shape& b, SearchScratch&) {
+  const std::optional<Index> triangle = some_triangle_meeting(a, b);
+  return triangle ? std::optional(ItemPair{*triangle, 0}) : std::nullopt;
+}
+template <class Shape>
+std::optional<ItemPair> items_at_start(const Shape& a, const PosedMesh& b, SearchScratch&) {
+  const std::optional<Index> triangle = some_triangle_meeting(b, a);
+  return triangle ? std::optional(ItemPair{0, *triangle}) : std::nullopt;
+}
+
+/// A cast that does not move asks the two alone.
+template <class A, class B>
+std::optional<ShapeHit> surfaces_at_start(const A& a, const B& b, SearchScratch& scratch) {
+  const auto items = items_at_start(a, b, scratch);
+  if (!items) return {};
+  const auto found = cast_convex_until(item_of(a, items->first), {}, item_of(b, items->second), 1, scratch.convex);
+  if (!found || !found->hit) return {};
+  return ShapeHit{*found, items->first, items->second, face_of(a, items->first), face_of(b, items->second)};
+}
+
 // Of sides whose surfaces do not meet at the start: a solid that holds the other, or a part of it.
 
 std::optional<ShapeHit> held_at_start(const PosedTriangles& a, const PosedTriangles& b) {
@@ -150,10 +183,10 @@ void keep_first(std::optional<ShapeHit>& first, const ShapeHit& found) {
 template <class A, class B>
 requires std::same_as<A, PosedTriangles> || std::same_as<B, PosedTriangles> std::optional<ShapeHit> cast_until(
     const A& a, const Vec3& motion, const B& b, double limit, SearchScratch& scratch) {
-  const auto first = FirstMeeting(searched(a), motion, searched(b), limit, scratch).answer();
-  if (first && first->upper == 0) return first;
-  const auto held = held_at_start(a, b);
-  return held ? held : first;
+  if (const auto met = surfaces_at_start(searched(a), searched(b), scratch)) return met;
+  if (const auto held = held_at_start(a, b)) return held;
+  if (motion == Vec3{}) return {};
+  return FirstMeeting(searched(a), motion, searched(b), limit, scratch).answer();
 }
 
 template std::optional<ShapeHit> cast_until(const PosedTriangles&, const Vec3&, const PosedTriangles&, double,

@@ -24,10 +24,18 @@ void visit_near(const PosedMesh& mesh, const PosedHalfSpace& shape, const See& s
 }
 
 template <class Shape>
-bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
-  bool met = false;
-  visit_near(mesh, shape, [&](Index, const PosedPolytope& triangle) { return !(met = overlap(triangle, shape)); });
+std::optional<Index> first_that_meets(const PosedMesh& mesh, const Shape& shape) {
+  std::optional<Index> met;
+  visit_near(mesh, shape, [&](Index i, const PosedPolytope& triangle) {
+    if (overlap(triangle, shape)) met = i;
+    return !met;
+  });
   return met;
+}
+
+template <class Shape>
+bool some_triangle_meets(const PosedMesh& mesh, const Shape& shape) {
+  return first_that_meets(mesh, shape).has_value();
 }
 
 /// Ascending; they lie in `found`.
@@ -130,6 +138,23 @@ QuadricContact quadric_contact(const PosedTriangles& a, const PosedQuadric& b) {
   });
   const bool is_held = found != QuadricContact::contact && a.solid && is_interior(some_point_of(b), a.mesh);
   return is_held ? QuadricContact::contact : found;
+}
+
+std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedPolytope& b) {
+  return first_that_meets(a, b);
+}
+std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedHalfSpace& b) {
+  return first_that_meets(a, b);
+}
+std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedQuadric& b) {
+  std::optional<Index> proved, undecided;
+  visit_near(a, b, [&](Index i, const PosedPolytope& triangle) {
+    const QuadricContact found = quadric_contact(triangle, b);
+    if (found == QuadricContact::contact) proved = i;
+    if (found == QuadricContact::undecided && !undecided) undecided = i;
+    return !proved;
+  });
+  return proved ? proved : undecided;
 }
 
 std::span<const Index> triangles_intersecting(const PosedMesh& a, const PosedPolytope& b, SearchScratch& scratch) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "query/posed_shape.hpp"
@@ -23,6 +24,11 @@ namespace toccata {
 // A world point of the shape, exactly; of a quadric the middle.
 [[nodiscard]] inline Vec3 some_point_of(const PosedPolytope& shape) { return shape.vertex(0); }
 [[nodiscard]] inline const Vec3& some_point_of(const PosedQuadric& shape) { return shape.pose().offset; }
+
+/// One of the triangles that meet the shape, always the same; of a quadric one that is proved to, if any is.
+[[nodiscard]] std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedPolytope& b);
+[[nodiscard]] std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedHalfSpace& b);
+[[nodiscard]] std::optional<Index> some_triangle_meeting(const PosedMesh& a, const PosedQuadric& b);
 
 /// The triangles that meet the shape, ascending; they lie in the scratch.
 [[nodiscard]] std::span<const Index> triangles_intersecting(const PosedMesh& a, const PosedPolytope& b,
