@@ -90,7 +90,7 @@ class Checker:
         source.write_text(text)
         want = ["-o", program] if block.runs else ["-fsyntax-only"]
         first = ["-include", self.precompiled] if "<toccata/toccata.hpp>" in text else []
-        command = [self.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-Wno-unused", *first, source, *want, *self.flags]
+        command = [self.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-Wno-unused", "-Wno-unused-command-line-argument", *first, source, *want, *self.flags]
         run = subprocess.run(command, capture_output=True, text=True)
         return None if run.returncode == 0 else f"{block.where()}: does not compile\n{run.stderr}"
 

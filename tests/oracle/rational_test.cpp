@@ -51,7 +51,9 @@ TEST(OracleRational, CountsAsGmpDoes) {
       ASSERT_EQ(own.sign(), gmp.sign()) << "seed " << seed << " round " << round;
       ASSERT_EQ(own < own_before, gmp < gmp_before) << "seed " << seed << " round " << round;
       ASSERT_EQ(own == own_before, gmp == gmp_before) << "seed " << seed << " round " << round;
-      ASSERT_NEAR(own.to_double() / gmp.convert_to<double>(), 1, 1e-15) << "seed " << seed << " round " << round;
+      if (own.sign() != 0) {
+        ASSERT_NEAR(own.to_double() / gmp.convert_to<double>(), 1, 1e-15) << "seed " << seed << " round " << round;
+      }
       // Each is the value of the other: numerator / denominator · 2^exponent.
       const Gmp fraction(Gmp(own.numerator().str()) / Gmp(own.denominator().str()));
       const long e = own.exponent();
