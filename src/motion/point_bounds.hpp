@@ -36,6 +36,13 @@ struct GapBounds {
   return {length(a.velocity - b.velocity) + a.speed + b.speed, a.bending + b.bending, a.pad + b.pad};
 }
 
+/// How far points may leave the chord between their places at two times that are `step` apart, beyond the velocity that
+/// all have in common: bending · step² / 8, or by the speed alone speed · step / 2, for from both ends they are within
+/// speed · λ step and speed · (1 − λ) step of where the chord begins and ends. 2⁻³⁰ more covers the roundings.
+[[nodiscard]] inline double farthest_from_chord(const MotionBounds& bounds, double step) {
+  return std::min(0.125 * bounds.bending * step * step, 0.5 * bounds.speed * step) * (1 + 0x1p-30);
+}
+
 /// A bound of the least value, within a time `step`, of a function f with f(0) = start, f(step) = end, |f′| ≤ speed and
 /// |f″| ≤ bending.
 ///

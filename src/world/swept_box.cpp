@@ -18,11 +18,9 @@ constexpr double most_moments = 64;
 constexpr double moments_of_function = 16;  ///< of which no more than the speed is known
 
 /// How far points of it may be from where they are posed, and from the chord of their places at two moments that are
-/// `step` apart: with s = bending · step² / 8, or speed · step / 2 beyond the velocity that all have in common
-/// (|f(t) − f(t₀)| ≤ s' |t − t₀|, from both ends). 2⁻³⁰ more covers the roundings.
+/// `step` apart.
 double farthest_off(const MotionBounds& bounds, double step) {
-  const double off_chord = std::min(0.125 * bounds.bending * step * step, 0.5 * bounds.speed * step);
-  return (off_chord + 2 * bounds.pad) * (1 + 0x1p-30);
+  return farthest_from_chord(bounds, step) + 2 * bounds.pad * (1 + 0x1p-30);
 }
 
 double moments_in(const PartMotion& motion, double duration) {

@@ -1,0 +1,169 @@
+#include "toccata/motion/swept_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "motion/swept_cell.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/overlap.hpp"
+#include "toccata/query/relation.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::string_view who = "a swept volume";
+constexpr double default_excess = 0x1p-5;  ///< of the diagonal of the body's box
+
+void require(const SweptVolumeOptions& options) {
+  if (!(options.excess >= 0 && std::isfinite(options.excess)))
+    throw Error(fmt::format("{}: the excess {} is not a length of 0 or more", who, options.excess));
+  if (options.max_parts < 1) throw Error(fmt::format("{}: at least 1 part has to be allowed", who));
+}
+
+bool rests(const RigidMotion& motion) {
+  const auto stays = [](const RigidMove& move) { return move.turns == 0 && move.translation == Vec3{}; };
+  return motion.pieces().size() == 1 && stays(motion.pieces().front().move);
+}
+
+Model model_of(std::vector<CompoundPart> parts) {
+  if (parts.size() == 1 && parts.front().pose == Pose{}) return Model(parts.front().shape);
+  return Model(Compound(parts));
+}
+
+/// Every shape of the body, where it is.
+SweptVolume volume_at_rest(const std::vector<MovingPart>& parts) {
+  std::vector<CompoundPart> placed;
+  for (const MovingPart& part : parts) {
+    (void)part.at(0);  // may it be posed so?
+    placed.push_back({part.shape().shape(), part.pose_at(0)});
+  }
+  return {model_of(std::move(placed)), 0, true};
+}
+
+double diagonal_at_start(const std::vector<MovingPart>& parts) {
+  Aabb box;
+  for (const MovingPart& part : parts) box = merge(box, world_box(part.at(0)));
+  return length(box.upper - box.lower);
+}
+
+/// Cells, of which the one that reaches farthest outside is divided first.
+class Refinement {
+ public:
+  Refinement(const RigidMotion& motion, double wanted, std::size_t most)
+      : motion_(motion), wanted_(wanted), most_(most) {}
+
+  void add_part(const MovingPart& part) {
+    const SharedCluster cluster = whole_cluster(part);
+    if (motion_.pieces().empty()) add({cluster, {0, 1}, nullptr});
+    for (const RigidMotion::Piece& piece : motion_.pieces()) add({cluster, {piece.begin, piece.end}, &piece});
+  }
+
+  /// In the order in which they were made.
+  [[nodiscard]] std::vector<SweptCell> refined() {
+    while (!waiting_.empty() && done_.size() + waiting_.size() < most_ && waiting_.top().cell.excess() > wanted_) {
+      const Entry next = waiting_.top();
+      waiting_.pop();
+      if (!divide(next)) done_.push_back(next);
+    }
+    for (; !waiting_.empty(); waiting_.pop()) done_.push_back(waiting_.top());
+    std::sort(done_.begin(), done_.end(), [](const Entry& a, const Entry& b) { return a.number < b.number; });
+    std::vector<SweptCell> cells;
+    for (const Entry& entry : done_) cells.push_back(entry.cell);
+    return cells;
+  }
+
+ private:
+  struct Entry {
+    SweptCell cell;
+    const RigidMotion::Piece* piece;
+    std::size_t number;
+    /// The one that is divided first comes last.
+    friend bool operator<(const Entry& a, const Entry& b) {
+      const double of_a = a.cell.excess(), of_b = b.cell.excess();
+      return of_a != of_b ? of_a < of_b : a.number > b.number;
+    }
+  };
+  struct Added {
+    SharedCluster cluster;
+    TimeStretch stretch;
+    const RigidMotion::Piece* piece;
+  };
+
+  void add(const Added& added) {
+    waiting_.push({swept_cell(added.cluster, added.stretch, added.piece), added.piece, count_++});
+  }
+
+  /// In time or in space, as either has the greater share, if that can be.
+  bool divide(const Entry& entry) {
+    const SweptCell& cell = entry.cell;
+    const bool is_due_to_time = cell.excess_in_time() > cell.cluster->excess;
+    return is_due_to_time ? divide_in_time(entry) || divide_in_space(entry)
+                          : divide_in_space(entry) || divide_in_time(entry);
+  }
+
+  /// Not where no more than rounding would be left to win.
+  bool divide_in_time(const Entry& entry) {
+    const SweptCell& cell = entry.cell;
+    const auto [begin, end] = cell.stretch;
+    const double middle = begin + 0.5 * (end - begin);
+    if (cell.translation || 2 * cell.bow + cell.shear <= cell.pad || !(begin < middle && middle < end)) return false;
+    add({cell.cluster, {begin, middle}, entry.piece});
+    add({cell.cluster, {middle, end}, entry.piece});
+    return true;
+  }
+
+  bool divide_in_space(const Entry& entry) {
+    const std::vector<SharedCluster> finer = finer_clusters(*entry.cell.cluster);
+    for (const SharedCluster& cluster : finer) add({cluster, entry.cell.stretch, entry.piece});
+    return !finer.empty();
+  }
+
+  const RigidMotion& motion_;
+  double wanted_;
+  std::size_t most_;
+  std::size_t count_ = 0;
+  std::priority_queue<Entry> waiting_;
+  std::vector<Entry> done_;
+};
+
+/// Of a mesh that is a solid, its inside at the start.
+void add_insides(const std::vector<MovingPart>& parts, std::vector<CompoundPart>& volume) {
+  for (const MovingPart& part : parts)
+    if (part.shape().has_mesh() && is_solid(part.at(0))) volume.push_back({part.shape().shape(), part.pose_at(0)});
+}
+
+}  // namespace
+
+SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const SweptVolumeOptions& options) {
+  require(options);
+  const std::vector<MovingPart> parts = moving_parts(body, motion, options.solid, who);
+  if (rests(motion)) return volume_at_rest(parts);
+  for (const MovingPart& part : parts)
+    if (part.is_half_space())
+      throw Error(fmt::format("{}: a half-space has no end, nor has what it passes; ask `sweep` about it", who));
+  const double wanted = options.excess > 0 ? options.excess : default_excess * diagonal_at_start(parts);
+  Refinement refinement(motion, wanted, options.max_parts);
+  for (const MovingPart& part : parts) refinement.add_part(part);
+  std::vector<CompoundPart> volume;
+  double excess = 0;
+  for (const SweptCell& cell : refinement.refined()) {
+    const SweptHull hull = hull_of(cell);
+    volume.push_back({hull.shape, Pose{}});
+    excess = std::max(excess, hull.excess);
+  }
+  add_insides(parts, volume);
+  return {model_of(std::move(volume)), excess, false};
+}
+
+SweptMeeting may_meet(const SweptVolume& a, const SweptVolume& b) {
+  if (!overlap(a.model, b.model)) return SweptMeeting::never;
+  const bool is_told = a.is_exact() && b.is_exact() && (a.rests || b.rests);
+  return is_told && relation(a.model, b.model).status == Status::exact ? SweptMeeting::certain : SweptMeeting::maybe;
+}
+
+}  // namespace toccata
