@@ -66,7 +66,9 @@ TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {
 
 class MotionFile : public testing::Test {
  protected:
-  std::vector<MotionKey> keys(const std::string& text) { return read_motion(folder.write("m.txt", text).string()).keys; }
+  std::vector<MotionKey> keys(const std::string& text) {
+    return read_motion(folder.write("m.txt", text).string()).keys;
+  }
   std::string error_of_motion(const std::string& text) {
     return message_of([&] { (void)keys(text); });
   }
