@@ -36,13 +36,13 @@ Model model_of(std::vector<CompoundPart> parts) {
 }
 
 /// Every shape of the body, where it is.
-SweptVolume volume_at_rest(const std::vector<MovingPart>& parts) {
+SweptVolume volume_at_rest(const std::vector<MovingPart>& parts, Solid solid) {
   std::vector<CompoundPart> placed;
   for (const MovingPart& part : parts) {
     (void)part.at(0);  // may it be posed so?
     placed.push_back({part.shape().shape(), part.pose_at(0)});
   }
-  return {model_of(std::move(placed)), 0, true};
+  return {model_of(std::move(placed)), 0, true, solid};
 }
 
 double diagonal_at_start(const std::vector<MovingPart>& parts) {
@@ -142,7 +142,7 @@ void add_insides(const std::vector<MovingPart>& parts, std::vector<CompoundPart>
 SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const SweptVolumeOptions& options) {
   require(options);
   const std::vector<MovingPart> parts = moving_parts(body, motion, options.solid, who);
-  if (rests(motion)) return volume_at_rest(parts);
+  if (rests(motion)) return volume_at_rest(parts, options.solid);
   for (const MovingPart& part : parts)
     if (part.is_half_space())
       throw Error(fmt::format("{}: a half-space has no end, nor has what it passes; ask `sweep` about it", who));
@@ -157,13 +157,15 @@ SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const Swe
     excess = std::max(excess, hull.excess);
   }
   add_insides(parts, volume);
-  return {model_of(std::move(volume)), excess, false};
+  return {model_of(std::move(volume)), excess, false, options.solid};
 }
 
 SweptMeeting may_meet(const SweptVolume& a, const SweptVolume& b) {
-  if (!overlap(a.model, b.model)) return SweptMeeting::never;
+  const PairQuery query{.solid_a = a.solid, .solid_b = b.solid};
+  if (!overlap(a.model, b.model, query)) return SweptMeeting::never;
   const bool is_told = a.is_exact() && b.is_exact() && (a.rests || b.rests);
-  return is_told && relation(a.model, b.model).status == Status::exact ? SweptMeeting::certain : SweptMeeting::maybe;
+  return is_told && relation(a.model, b.model, query).status == Status::exact ? SweptMeeting::certain
+                                                                              : SweptMeeting::maybe;
 }
 
 }  // namespace toccata

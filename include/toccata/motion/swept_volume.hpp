@@ -17,7 +17,7 @@ struct SweptVolumeOptions {
   /// Convex parts, at least 1: refined no further where there are as many, whatever the excess. A body of more shapes,
   /// or a motion of more pieces, has a part for each.
   std::size_t max_parts = 1024;
-  /// Whether meshes pass with their inside. What is asked about the volume is told again to its question.
+  /// Whether meshes pass with their inside.
   Solid solid = Solid::automatic;
 };
 
@@ -34,6 +34,8 @@ struct SweptVolume {
   double excess = 0;
   /// The body rests, so that it is at each of these points at all times.
   bool rests = false;
+  /// What its meshes are taken for: to be told to a question about `model` too.
+  Solid solid = Solid::automatic;
 
   [[nodiscard]] bool is_exact() const { return excess == 0; }
 };
