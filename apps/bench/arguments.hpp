@@ -194,7 +194,12 @@ struct SumsArguments {
 };
 
 struct MotionArguments {
-  std::string data;  ///< a folder with ccd
+  std::string task = "features";
+  std::string data;          ///< a folder with ccd and meshes
+  std::size_t count = 1000;  ///< of each set of bodies
+  std::size_t most = 81920;  ///< triangles of the largest mesh that is generated
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
   int rounds = 5;
   bool json = false;
 };
@@ -235,6 +240,7 @@ int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
 int run_motion(const MotionArguments& arguments);
+int run_sweeps(const MotionArguments& arguments);
 int run_deforming(const DeformingArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

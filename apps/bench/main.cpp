@@ -9,6 +9,7 @@
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
 #include "sums.hpp"
+#include "sweeps.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "whole_number.hpp"
@@ -384,11 +385,23 @@ void add_sums(CLI::App& app, SumsArguments& arguments) {
 
 void add_motion(CLI::App& app, MotionArguments& arguments) {
   CLI::App* motion =
-      app.add_subcommand("motion", "when moving features first meet: the public questions, whose answers are known");
-  motion->add_option("--data", arguments.data, "the folder that has ccd")->envname("TOCCATA_DATA");
+      app.add_subcommand("motion", "when what moves first meets: features of meshes, bodies that turn, meshes");
+  motion
+      ->add_option("--task", arguments.task,
+                   "features: the public questions, whose answers are known; bodies: convex bodies that move and turn; "
+                   "meshes: bunnies, and spheres of more and more triangles")
+      ->check(CLI::IsMember({"features", "bodies", "meshes"}))
+      ->capture_default_str();
+  motion->add_option("--data", arguments.data, "the folder that has ccd and meshes")->envname("TOCCATA_DATA");
+  add_number(*motion, "--count", arguments.count, "questions of each set of bodies");
+  add_number(*motion, "--most", arguments.most, "triangles of the largest sphere");
+  motion->add_option("--seed", arguments.seed, "another seed, other bodies")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_peers(*motion, arguments.peers, sweep_peers());
   add_number(*motion, "--rounds", arguments.rounds, "how often each query is timed; the fastest counts");
   add_json(*motion, arguments.json);
-  motion->footer("Example:\n  ./toccata bench motion");
+  motion->footer("Example:\n  ./toccata bench motion\n  ./toccata bench motion --task bodies --peer bullet,fcl");
 }
 
 void add_deforming(CLI::App& app, DeformingArguments& arguments) {
@@ -470,7 +483,8 @@ int main_of(int argc, char** argv) {
     return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
                                               : run_partitions(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
-  if (app.got_subcommand("motion")) return run_motion(options.motion);
+  if (app.got_subcommand("motion"))
+    return options.motion.task == "features" ? run_motion(options.motion) : run_sweeps(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);

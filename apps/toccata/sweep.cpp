@@ -55,11 +55,14 @@ Pose pose_of_option(const char* option, const std::string& text) {
   }
 }
 
-/// Of a glTF file, which is in metres, in the unit of the scene where it has one.
+/// Of a glTF file, which is in metres or in the unit that is given for all files, in the unit of the scene.
 FileMotion motion_of_file(const SweepArguments& arguments, const Scene& scene) {
   FileMotion motion = read_motion(arguments.motion, arguments.node);
-  if (!motion.is_in_metres || scene.unit == "unit") return motion;
-  const double factor = arguments.input.scale / metres_per_unit(scene.unit);
+  if (!motion.is_in_metres) return motion;
+  const auto metres_of = [](const std::string& unit) {
+    return unit.empty() || unit == "unit" ? 1 : metres_per_unit(unit);
+  };
+  const double factor = arguments.input.scale * metres_of(arguments.input.unit) / metres_of(scene.unit);
   motion.centre = factor * motion.centre;
   for (MotionKey& key : motion.keys) key.pose.offset = factor * key.pose.offset;
   return motion;

@@ -16,7 +16,8 @@
 namespace toccata {
 namespace {
 
-constexpr double upward = 1 + 0x1p-30;  ///< more than the roundings of a bound, and than what origins may stretch
+constexpr double above_roundings =
+    1 + 0x1p-30;  ///< more than the roundings of a bound, and than what origins may stretch
 
 /// Bounds of speeds go by lengths, which a rotation keeps.
 void require_rotation(const Pose& pose, std::string_view who) {
@@ -68,13 +69,13 @@ struct MovingJoint {
   [[nodiscard]] Pose at(double time) const { return pose_at(joint, time == 1 ? to : from + time * (to - from)); }
   /// In radians, or world units, per unit of time.
   [[nodiscard]] double rate() const {
-    const double way = std::fabs(to - from) * upward;
+    const double way = std::fabs(to - from) * above_roundings;
     return joint.kind == JointKind::revolute ? radians_in_a_turn / 360 * way : way;
   }
   /// From the frame of the link before to that of its own.
   [[nodiscard]] double length_at_most() const {
     const double out = joint.kind == JointKind::prismatic ? std::max(std::fabs(from), std::fabs(to)) : 0;
-    return (length(joint.origin.offset) + out) * upward;
+    return (length(joint.origin.offset) + out) * above_roundings;
   }
 };
 
@@ -90,10 +91,20 @@ struct Chain {
   }
 };
 
+/// Turns that both ends have in common are only digits that are missing behind the point.
+MovingJoint without_whole_turns(MovingJoint joint) {
+  if (joint.joint.kind != JointKind::revolute) return joint;
+  const double whole = 360 * std::trunc(joint.from / 360);
+  joint.from -= whole;
+  joint.to -= whole;
+  return joint;
+}
+
 Chain chain_of(std::span<const Joint> joints, std::span<const double> from, std::span<const double> to,
                const Pose& base, Index link) {
   Chain chain{base, {}};
-  for (std::optional<Index> i = link; i; i = joints[*i].parent) chain.joints.push_back({joints[*i], from[*i], to[*i]});
+  for (std::optional<Index> i = link; i; i = joints[*i].parent)
+    chain.joints.push_back(without_whole_turns({joints[*i], from[*i], to[*i]}));
   std::reverse(chain.joints.begin(), chain.joints.end());
   return chain;
 }
@@ -106,10 +117,13 @@ MotionSpeed speed_of(const Chain& chain) {
   for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
     const bool turns = joint->joint.kind == JointKind::revolute;
     bound.speed += turns ? joint->rate() * reach : joint->rate();
-    if (turns) bound.turns += std::fabs(joint->to - joint->from) / 360 * upward;
+    if (turns) bound.turns += std::fabs(joint->to - joint->from) / 360 * above_roundings;
     reach += joint->length_at_most();
   }
-  bound.speed *= upward;
+  bound.speed *= above_roundings;
+  // Each pose of the chain rounds some tens of times, of lengths that are no greater than all together.
+  const auto poses = static_cast<double>(1 + chain.joints.size());
+  bound.rounding = 0x1p-46 * poses * (reach + sum_of_magnitudes(chain.base.offset));
   return bound;
 }
 

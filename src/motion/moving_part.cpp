@@ -108,8 +108,8 @@ void MovingPart::require_bound(const Sample& before, const Sample& now) const {
   const MotionSpeed& bound = motion_->speed();
   const double passed = std::fabs(now.time - before.time) * (1 + 0x1p-30);
   const Vec3 from = transform(before.pose, bound.centre), to = transform(now.pose, bound.centre);
-  bool is_kept =
-      length(to - from) <= bound.speed * passed + 0x1p-46 * (sum_of_magnitudes(from) + sum_of_magnitudes(to));
+  bool is_kept = length(to - from) <= bound.speed * passed + 2 * bound.rounding +
+                                          0x1p-46 * (sum_of_magnitudes(from) + sum_of_magnitudes(to));
   for (int i = 0; i < 3; ++i) {
     const Vec3 old = before.pose.linear.column(i);
     const double turned = length(now.pose.linear.column(i) - old);
@@ -174,7 +174,7 @@ PartMotion MovingPart::motion(const TimeStretch& stretch) const {
     const MotionSpeed& bound = motion_->speed();
     motion = {through_chain(start), transform(start, bound.centre), {}, radians_in_a_turn * bound.turns, {}};
     sizes = size(start);
-    motion.alike = {{}, bound.speed, infinity, pose_error(stretch) * sizes};
+    motion.alike = {{}, bound.speed, infinity, pose_error(stretch) * sizes + bound.rounding};
   }
   motion.rounding = 0x1p-46 * (sizes + sum_of_magnitudes(motion.centre));
   motion.reach = farthest_reach(motion);

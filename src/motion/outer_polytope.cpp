@@ -10,16 +10,16 @@
 namespace toccata {
 namespace {
 
-constexpr int corners_around = 32;
-constexpr int circles = 12;
+constexpr int corners_of_circle = 32;
+constexpr int latitudes = 12;
 constexpr double margin = 1 + 0x1p-20;  ///< of what is computed here, far more than its roundings
 
 /// A regular polygon around the unit circle: its sides are at the distance cos(1/2 · turn / corners) from the centre.
 OuterPolytope around_axis(double top) {
   OuterPolytope outer;
-  outer.stretch = margin / sine_cosine_of_turns(0.5 / corners_around).cosine;
-  for (int i = 0; i < corners_around; ++i) {
-    const SineCosine at = sine_cosine_of_turns(static_cast<double>(i) / corners_around);
+  outer.stretch = margin / sine_cosine_of_turns(0.5 / corners_of_circle).cosine;
+  for (int i = 0; i < corners_of_circle; ++i) {
+    const SineCosine at = sine_cosine_of_turns(static_cast<double>(i) / corners_of_circle);
     const double x = outer.stretch * at.cosine, y = outer.stretch * at.sine;
     outer.corners.push_back({x, y, -1});
     if (top > 0) outer.corners.push_back({x, y, 1});
@@ -28,13 +28,13 @@ OuterPolytope around_axis(double top) {
   return outer;
 }
 
-/// Points of the unit sphere, on circles of latitude that are turned against each other, and the poles.
+/// Points of the unit sphere, on latitudes of latitude that are turned against each other, and the poles.
 std::vector<Vec3> points_of_sphere() {
   std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
-  for (int i = 1; i < circles; ++i) {
-    const SineCosine latitude = sine_cosine_of_turns(0.5 * i / circles);
-    for (int j = 0; j < 2 * circles; ++j) {
-      const SineCosine longitude = sine_cosine_of_turns((2 * j + i % 2) / (4.0 * circles));
+  for (int i = 1; i < latitudes; ++i) {
+    const SineCosine latitude = sine_cosine_of_turns(0.5 * i / latitudes);
+    for (int j = 0; j < 2 * latitudes; ++j) {
+      const SineCosine longitude = sine_cosine_of_turns((2 * j + i % 2) / (4.0 * latitudes));
       points.push_back({latitude.sine * longitude.cosine, latitude.sine * longitude.sine, latitude.cosine});
     }
   }

@@ -91,10 +91,12 @@ RigidMotion RigidMotion::through(std::span<const MotionKey> keys, const Vec3& ce
 
 RigidMotion RigidMotion::of(std::function<Pose(double)> pose_at, const MotionSpeed& bound) {
   if (!pose_at) throw Error("a motion told by a function: there is no function");
-  if (!is_finite(bound.centre) || !(bound.speed >= 0) || !(bound.turns >= 0) || !std::isfinite(bound.speed) ||
-      !std::isfinite(bound.turns))
-    throw Error(fmt::format("a motion told by a function: its speed {} and its turns {} have to be bounds, 0 or more",
-                            bound.speed, bound.turns));
+  const auto is_bound = [](double number) { return number >= 0 && std::isfinite(number); };
+  if (!is_finite(bound.centre) || !is_bound(bound.speed) || !is_bound(bound.turns) || !is_bound(bound.rounding))
+    throw Error(
+        fmt::format("a motion told by a function: its speed {}, its turns {} and its rounding {} have to be bounds, 0 "
+                    "or more",
+                    bound.speed, bound.turns, bound.rounding));
   RigidMotion motion;
   motion.pose_at_ = std::move(pose_at);
   motion.speed_ = bound;
@@ -121,7 +123,8 @@ Pose RigidMotion::at(double time) const {
     require_finite(pose, who);
     return pose;
   }
-  const auto piece = std::find_if(pieces_.begin(), pieces_.end() - 1, [&](const Piece& p) { return time <= p.end; });
+  const auto piece =
+      std::partition_point(pieces_.begin(), pieces_.end() - 1, [&](const Piece& p) { return p.end < time; });
   return moved(piece->start, piece->move, (time - piece->begin) / (piece->end - piece->begin));
 }
 

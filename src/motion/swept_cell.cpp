@@ -13,7 +13,7 @@
 namespace toccata {
 namespace {
 
-constexpr double upward = 1 + 0x1p-40;  ///< more than the roundings of a few operations
+constexpr double more_than_roundings = 1 + 0x1p-40;  ///< more than the roundings of a few operations
 
 Aabb box_under(const Pose& pose, const std::vector<Vec3>& corners) {
   Aabb box;
@@ -21,13 +21,13 @@ Aabb box_under(const Pose& pose, const std::vector<Vec3>& corners) {
   return box;
 }
 
-double diagonal_of(const Aabb& box) { return length(box.upper - box.lower) * upward; }
+double diagonal_of(const Aabb& box) { return length(box.upper - box.lower) * more_than_roundings; }
 
 /// ‖L‖ of the map that stretches the quadric of size 1 and poses it: no vector becomes longer by more.
 double greatest_stretch(const PosedQuadric& quadric) {
   Vec3 lengths;
   for (int i = 0; i < 3; ++i) lengths[i] = quadric.half()[i] * length(quadric.pose().linear.column(i));
-  return length(lengths) * upward;
+  return length(lengths) * more_than_roundings;
 }
 
 ConvexCluster cluster_of(const PosedQuadric& posed, const MovingPart& part) {
@@ -96,7 +96,7 @@ void add_corners_around(const Vec3& point, const Vec3& by, std::vector<Vec3>& co
     corners.push_back(
         {(i & 1) != 0 ? x.upper : x.lower, (i & 2) != 0 ? y.upper : y.lower, (i & 4) != 0 ? z.upper : z.lower});
   }
-  off = std::max(off, length(Vec3{x.upper - x.lower, y.upper - y.lower, z.upper - z.lower}) * upward);
+  off = std::max(off, length(Vec3{x.upper - x.lower, y.upper - y.lower, z.upper - z.lower}) * more_than_roundings);
 }
 
 Shape shape_of(const std::vector<Vec3>& corners, double radius) {
@@ -161,9 +161,10 @@ SweptCell swept_cell(const SharedCluster& cluster, const TimeStretch& stretch, c
   const PartMotion motion = part.motion(stretch);
   double reach = 0;
   for (const Vec3& corner : cluster->corners) reach = std::max(reach, motion.reach_of(transform(motion.pose, corner)));
-  reach = reach * upward + motion.rounding;
+  reach = reach * more_than_roundings + motion.rounding;
   const double step = stretch.end - stretch.begin;
   cell.bow = farthest_from_chord(motion.bounds(reach), step);
+  if (piece != nullptr) cell.bow = std::min(cell.bow, 2 * reach * (1 + 0x1p-30));  // about an axis it stays on a circle
   cell.pad = std::max(motion.alike.pad, is_posed_exactly ? 0 : motion.rounding);
   const double across = std::min(cluster->spread, 2 * reach);
   cell.shear = 0.25 * std::min(motion.rate * step, 2.0) * across * (1 + 0x1p-30);

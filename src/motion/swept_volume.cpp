@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "math/constants.hpp"
 #include "motion/swept_cell.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/overlap.hpp"
@@ -16,13 +17,13 @@
 namespace toccata {
 namespace {
 
-constexpr std::string_view who = "a swept volume";
+constexpr std::string_view name_of_volume = "a swept volume";
 constexpr double default_excess = 0x1p-5;  ///< of the diagonal of the body's box
 
 void require(const SweptVolumeOptions& options) {
   if (!(options.excess >= 0 && std::isfinite(options.excess)))
-    throw Error(fmt::format("{}: the excess {} is not a length of 0 or more", who, options.excess));
-  if (options.max_parts < 1) throw Error(fmt::format("{}: at least 1 part has to be allowed", who));
+    throw Error(fmt::format("{}: the excess {} is not a length of 0 or more", name_of_volume, options.excess));
+  if (options.max_parts < 1) throw Error(fmt::format("{}: at least 1 part has to be allowed", name_of_volume));
 }
 
 bool rests(const RigidMotion& motion) {
@@ -39,7 +40,6 @@ Model model_of(std::vector<CompoundPart> parts) {
 SweptVolume volume_at_rest(const std::vector<MovingPart>& parts, Solid solid) {
   std::vector<CompoundPart> placed;
   for (const MovingPart& part : parts) {
-    (void)part.at(0);  // may it be posed so?
     placed.push_back({part.shape().shape(), part.pose_at(0)});
   }
   return {model_of(std::move(placed)), 0, true, solid};
@@ -141,11 +141,13 @@ void add_insides(const std::vector<MovingPart>& parts, std::vector<CompoundPart>
 
 SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const SweptVolumeOptions& options) {
   require(options);
-  const std::vector<MovingPart> parts = moving_parts(body, motion, options.solid, who);
+  const std::vector<MovingPart> parts = moving_parts(body, motion, options.solid, name_of_volume);
+  for (const MovingPart& part : parts) (void)part.at(0);  // may it be posed so?
   if (rests(motion)) return volume_at_rest(parts, options.solid);
   for (const MovingPart& part : parts)
     if (part.is_half_space())
-      throw Error(fmt::format("{}: a half-space has no end, nor has what it passes; ask `sweep` about it", who));
+      throw Error(
+          fmt::format("{}: a half-space has no end, nor has what it passes; ask `sweep` about it", name_of_volume));
   const double wanted = options.excess > 0 ? options.excess : default_excess * diagonal_at_start(parts);
   Refinement refinement(motion, wanted, options.max_parts);
   for (const MovingPart& part : parts) refinement.add_part(part);
@@ -153,6 +155,8 @@ SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const Swe
   double excess = 0;
   for (const SweptCell& cell : refinement.refined()) {
     const SweptHull hull = hull_of(cell);
+    if (!(hull.excess < infinity))
+      throw Error(fmt::format("{}: it reaches beyond the doubles; use a larger unit", name_of_volume));
     volume.push_back({hull.shape, Pose{}});
     excess = std::max(excess, hull.excess);
   }

@@ -309,6 +309,19 @@ def check_motion():
         assert row["missed"] == 0 and row["false_alarms"] == 0, f"wrong answers: {row}"
 
 
+def check_sweeps():
+    made = report("motion", "--task", "bodies", "--count", "20", "--rounds", "1")
+    assert [row["set"] for row in made["results"]] == ["translations", "rotations", "thin boxes", "thin walls", "rods"]
+    for row in made["results"]:
+        assert row["library"] == "toccata" and row["queries"] == 20 and 0 < row["hits"] <= 20, row
+        assert row["missed"] == row["false_alarms"] == row["late"] == row["early"] == row["wrong"] == 0, row
+        assert 0 < row["median_us"] <= row["p99_us"], row
+    meshes = report("motion", "--task", "meshes", "--data", "", "--most", "1280", "--rounds", "1")
+    for row in meshes["in_contact"]:
+        assert row["overlaps"] and row["met_at_once"], row
+    assert all(row["wrong"] == 0 for row in meshes["results"]) and meshes["results"], meshes
+
+
 def check_deforming():
     """One step of a cloth is told alike on any number of threads."""
     made = report("deforming", "--most", "3200", "--threads", "1,2", "--rounds", "1")
@@ -346,6 +359,7 @@ def main():
     check_cells()
     check_sums(peers)
     check_motion()
+    check_sweeps()
     check_deforming()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:

@@ -69,6 +69,22 @@ TEST(JointChain, AnArmBetweenTwoConfigurationsIsSweptLinkByLink) {
   EXPECT_FALSE(meets(1, {-1.5, 0, 0}));
 }
 
+TEST(JointChain, LargeNumbersInBetweenDoNotLookLikeSpeed) {
+  const std::vector<Joint> gantry{{.kind = JointKind::prismatic, .axis = {1, 0, 0}}, {.axis = {0, 0, 1}, .parent = 0}};
+  for (const double out : {1e3, 5e3, 1e6})
+    EXPECT_TRUE(sweep(Box({1, 0.1, 0.1}),
+                      link_motions(gantry, std::vector<double>{-out - 1, 0}, std::vector<double>{-out + 1, 90},
+                                   Pose::translation(out, 0, 0))[1],
+                      Sphere(0.01), Pose{})
+                    .hit);
+  const std::vector<Joint> two{{.axis = {0, 0, 1}}, {.origin = Pose::translation(1, 0, 0), .parent = 0}};
+  for (const double turned : {0.0, 10080.0, 100800.0, 36e6}) {
+    const std::vector<double> from{turned, turned}, to{turned + 90, turned + 90};
+    const RigidMotion arm = link_motions(two, from, to)[1].carrying(Pose::translation(0.5, 0, 0));
+    EXPECT_TRUE(sweep(Box({0.5, 0.05, 0.05}), arm, Sphere(0.1), Pose::translation(1.2, 0.6, 0)).hit);
+  }
+}
+
 TEST(JointChain, ErrorsNameTheJoint) {
   std::vector<Joint> joints = planar_arm();
   const std::vector<double> two{0, 0}, three{0, 0, 0}, infinite{0, HUGE_VAL, 0};

@@ -184,7 +184,22 @@ TEST(SweptVolume, TellsNeverOrMaybeAndCertainOnlyWhereOneRests) {
   EXPECT_EQ(may_meet(swept_volume(box, Pose{}), inside), SweptMeeting::certain);
 }
 
+TEST(SweptVolume, OfASpinIsNoLargerThanItsCircle) {
+  const SweptVolume volume =
+      swept_volume(Box({1, 1, 1}), RigidMotion(Pose{}, {.centre = {5, 0, 0}, .turns = 1e6}), {.max_parts = 1});
+  EXPECT_LT(volume.excess, 60);
+}
+
 TEST(SweptVolume, WhatIsAskedWronglyIsAnError) {
+  for (const double excess : {0.0, 0.1})
+    EXPECT_NE(message_of([&] {
+                (void)swept_volume(Sphere(1), RigidMotion::straight(scaled(Pose{}, 2), {10, 0, 0}), {.excess = excess});
+              }),
+              "");
+  EXPECT_NE(message_of([] {
+              (void)swept_volume(Cylinder(8e307, 8e307), RigidMotion::straight(Pose{}, {8e307, 0, 0}));
+            }).find("beyond the doubles"),
+            std::string::npos);
   const RigidMotion motion = RigidMotion::straight(Pose{}, {1, 0, 0});
   EXPECT_NE(message_of([&] {
               (void)swept_volume(HalfSpace({0, 0, 0}, {0, 0, 1}), motion);

@@ -1,6 +1,7 @@
 #include "broad.hpp"
 #include "casts.hpp"
 #include "convex_library.hpp"
+#include "sweeps.hpp"
 #include "world.hpp"
 #include "world_queries.hpp"
 
@@ -12,5 +13,6 @@ BroadLibraries bullet_broad_libraries(std::span<const Aabb>) { peer_is_missing("
 std::unique_ptr<WorldLibrary> bullet_world() { peer_is_missing("bullet"); }
 WorldQueryLibraries bullet_world_query_libraries(WorldTask) { peer_is_missing("bullet"); }
 CastOffer bullet_casts(const CastWork&) { peer_is_missing("bullet"); }
+SweepOffer bullet_sweeps(const SweepWork&) { peer_is_missing("bullet"); }
 
 }  // namespace toccata::bench

@@ -37,6 +37,9 @@ struct MotionSpeed {
   Vec3 centre{};     ///< a point of the shape's own frame
   double speed = 0;  ///< of that point, in world units
   double turns = 0;  ///< how fast the shape turns about it, in whole turns
+  /// How far off, in world units, points of the shape may be from where so slow a motion brings them, because the
+  /// function rounds more than the last bits of what it returns.
+  double rounding = 0;
 };
 
 /// How a shape moves, without changing its form, in the time from 0 to 1. What is in the world at the time 0 is the
