@@ -28,7 +28,7 @@ OuterPolytope around_axis(double top) {
   return outer;
 }
 
-/// Points of the unit sphere, on latitudes of latitude that are turned against each other, and the poles.
+/// Points of the unit sphere, on circles of latitude that are turned against each other, and the poles.
 std::vector<Vec3> points_of_sphere() {
   std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
   for (int i = 1; i < latitudes; ++i) {
