@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/plain_inverse.hpp"
 #include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/predicates.hpp"
@@ -28,12 +29,6 @@ Mat3 combined(double s, const Mat3& a, double t, const Mat3& b) {
   return {{s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]}};
 }
 
-Mat3 inverse_transpose(const Mat3& m) {
-  const Vec3 x = cross(m[1], m[2]), y = cross(m[2], m[0]), z = cross(m[0], m[1]);
-  const double determinant = dot(m[0], x);
-  return {{x / determinant, y / determinant, z / determinant}};
-}
-
 /// More than any matrix needs of which something can be told: nine steps of a condition of 2^52.
 constexpr int most_polar_steps = 30;
 
@@ -48,12 +43,13 @@ Mat3 nearest_rotation(const Mat3& m) {
   for (Vec3& row : x.row)
     for (int axis = 0; axis < 3; ++axis) row[axis] = std::scalbn(row[axis], exponent);
   for (int step = 0; step < most_polar_steps; ++step) {
-    const Mat3 back = inverse_transpose(x);
+    const Mat3 back = plain_inverse_transpose(x);
     const double factor = std::sqrt(frobenius_norm(back) / frobenius_norm(x));
     const Mat3 next = combined(0.5 * factor, x, 0.5 / factor, back);
     const double change = size_of(combined(1, next, -1, x));
     x = next;
-    if (change < 0x1p-30) return combined(0.5, x, 0.5, inverse_transpose(x));  // one step more squares what is left
+    if (change < 0x1p-30)
+      return combined(0.5, x, 0.5, plain_inverse_transpose(x));  // one step more squares what is left
     if (!is_finite(x)) break;
   }
   throw Error("the matrix to turn into a rotation is so nearly singular that doubles do not tell the rotation");

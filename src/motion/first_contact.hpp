@@ -19,6 +19,9 @@ class MovingPair {
   /// certain.
   [[nodiscard]] virtual double separation(double time, const Vec3& direction) = 0;
 
+  /// A separation along a direction that is shorter than 1 tells of no more than one along a direction of length 1.
+  [[nodiscard]] virtual bool may_turn() const = 0;
+
   /// They certainly have a point in common then. False says nothing.
   [[nodiscard]] virtual bool surely_meet(double time) = 0;
 
@@ -38,10 +41,11 @@ struct FirstContact {
 /// Nothing where they are proved not to meet in the stretch.
 ///
 /// Advances from separation to separation: a direction that parts the two at one time parts them up to another when
-/// what it leaves between them at both is more than the points' bending can take away in between (least_between). The
-/// gap that is left may so be crossed in steps that go with its root, and not with itself as in conservative
-/// advancement (B. V. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996), and towards a contact
-/// every step leaves a 64th of the gap.
+/// what it leaves between them at both is more than the points' bending can take away in between (least_between), and
+/// so does one that turns from the best of the one time to the best of the other. The gap that is left may so be
+/// crossed in steps that go with its root, and not with itself as in conservative advancement (B. V. Mirtich,
+/// "Impulse-based dynamic simulation of rigid body systems", 1996); and towards a contact every step leaves of the gap
+/// some square of what the one before left.
 [[nodiscard]] std::optional<FirstContact> first_contact(MovingPair& pair, const TimeStretch& stretch,
                                                         const GapBounds& bounds);
 

@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "motion/convex_pair_in_time.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
@@ -22,7 +21,7 @@ S posed_item(const MovingPart& part, Index item, double time) {
                                      transform(pose, vertices[corner[2]])}});
     }
   }
-  return std::get<S>(part.at(time));
+  return part.convex_at<S>(time);
 }
 
 /// Calls `use` with the type of the posed items.
@@ -60,9 +59,12 @@ std::optional<FirstContact> item_contact(const MovingPart& a, Index item_a, cons
   });
 }
 
-Distance item_distance(const MovingPart& a, Index item_a, const MovingPart& b, Index item_b, double time) {
+Vec3 item_point_on_b(const MovingPart& a, Index item_a, const MovingPart& b, Index item_b, double time) {
   return with_item_types(a, b, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
-    return distance_of(posed_item<A>(a, item_a, time), posed_item<B>(b, item_b, time));
+    const PlacedSet<A> at_a([&] { return posed_item<A>(a, item_a, time); });
+    const PlacedSet<B> at_b([&] { return posed_item<B>(b, item_b, time); });
+    VertexPairs kept;
+    return nearest_on_b(at_a, at_b, kept);
   });
 }
 

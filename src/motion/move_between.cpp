@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "math/plain_inverse.hpp"
 #include "math/vec3_measures.hpp"
+#include "narrow/pose_checks.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/trigonometry.hpp"
 
@@ -62,9 +64,14 @@ void require_turned(const Mat3& turned, const Mat3& wanted) {
                     off / size));
 }
 
+/// Exact inverses cost more than a sweep, and of what is nearly a rotation they are no better.
+Mat3 change_between(const Mat3& from, const Mat3& to) {
+  return to * (is_surely_rigid(from) ? transpose(plain_inverse_transpose(from)) : inverse({from, {}}).linear);
+}
+
 Mat3 rotation_from(const Mat3& from, const Mat3& to) {
   try {
-    return nearest_rotation(to * inverse({from, {}}).linear);
+    return nearest_rotation(change_between(from, to));
   } catch (const Error& error) {
     throw Error(fmt::format("a motion: no turn leads from the pose at the start to that at the end: {}", error.what()));
   }

@@ -54,6 +54,11 @@ class MovingPart {
   /// Throws Error when the motion is told by a function and has moved faster than its bound since it was last asked.
   [[nodiscard]] Pose pose_at(double time) const;
   [[nodiscard]] PosedShape at(double time) const { return pose_shape(*shape_, pose_at(time), solid_, who_); }
+  /// The same of a convex shape, as what it is known to be.
+  template <PosedConvexSet S>
+  [[nodiscard]] S convex_at(double time) const {
+    return pose_convex<S>(*shape_, pose_at(time), who_);
+  }
 
   [[nodiscard]] PartMotion motion(const TimeStretch& stretch) const;
 

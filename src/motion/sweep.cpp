@@ -126,7 +126,7 @@ class Sweep {
 
   /// With where they meet, and elements and faces as the models count them.
   static ShapeHit completed(ShapeHit hit, const MovingPart& a, const MovingPart& b) {
-    hit.point = item_distance(a, hit.element_a, b, hit.element_b, hit.lower).on_b;
+    hit.point = item_point_on_b(a, hit.element_a, b, hit.element_b, hit.lower);
     hit.face_a = face_of(a, hit.element_a) + a.first_face;
     hit.face_b = face_of(b, hit.element_b) + b.first_face;
     hit.element_a += a.first_element;

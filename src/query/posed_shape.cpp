@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -62,6 +63,18 @@ void require_taken(const PosedShape& shape, const Model& model, Solid solid, std
                     who, name_of(model.shape())));
 }
 
+/// What is made; an error that does not begin with the name is given it.
+template <class Make>
+auto naming(std::string_view who, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    if (message.starts_with(who)) throw;
+    throw Error(fmt::format("{}: {}", who, message));
+  }
+}
+
 void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_view who, PosedModel& posed) {
   const auto* compound = std::get_if<Compound>(&model.shape());
   if (compound == nullptr) {
@@ -92,16 +105,29 @@ bool is_solid(const PosedShape& shape) {
 
 PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who) {
   if (model.has_mesh()) return std::visit(PosedShapeMaker{model, pose, solid, who}, model.shape());
-  try {
+  return naming(who, [&] {
     PosedShape shape = std::visit(PosedShapeMaker{model, pose, solid, who}, model.shape());
     require_taken(shape, model, solid, who);
     return shape;
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    if (message.starts_with(who)) throw;
-    throw Error(fmt::format("{}: {}", who, message));
-  }
+  });
 }
+
+template <PosedConvexSet S>
+S pose_convex(const Model& model, const Pose& pose, std::string_view who) {
+  return naming(who, [&] {
+    return std::visit(
+        [&]<class Shape>(const Shape& shape) -> S {
+          if constexpr (std::is_constructible_v<S, const Shape&, const Pose&>)
+            return S(shape, pose);
+          else
+            throw Error("a shape of another kind is posed");
+        },
+        model.shape());
+  });
+}
+template PosedPolytope pose_convex(const Model&, const Pose&, std::string_view);
+template PosedHalfSpace pose_convex(const Model&, const Pose&, std::string_view);
+template PosedQuadric pose_convex(const Model&, const Pose&, std::string_view);
 
 PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who,
                       std::vector<PosedPart> memory) {

@@ -47,6 +47,10 @@ struct PosedModel {
 /// that the shape may not have, and where Solid::all is asked of a surface.
 [[nodiscard]] PosedShape pose_shape(const Model& model, const Pose& pose, Solid solid, std::string_view who);
 
+/// The same of a shape of which it is known that it is posed as S, and what it may be taken for: nothing is copied.
+template <PosedConvexSet S>
+[[nodiscard]] S pose_convex(const Model& model, const Pose& pose, std::string_view who);
+
 /// The pose of a part is composed after the compound's, once (docs/truth.md). Throws as `pose_shape` does. The parts
 /// take the place of what is in `memory`.
 [[nodiscard]] PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::string_view who,

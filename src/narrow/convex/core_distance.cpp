@@ -8,6 +8,7 @@
 
 #include "math/constants.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/convex/nearest_weights.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "narrow/exact/exact_nearest.hpp"
 #include "narrow/exact/intersection_certificate.hpp"
@@ -15,28 +16,6 @@
 
 namespace toccata {
 namespace {
-
-using SimplexPoints = std::array<Vec3, 4>;
-using Weights = std::array<double, 4>;
-
-double clamped_share(double weight) { return weight > 0 ? std::min(weight, 1.0) : 0; }
-
-/// Weights near those of the point of a triangle that is nearest to the origin, if that lies within it.
-Weights weights_in_triangle(const SimplexPoints& p) {
-  const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
-  const double whole = dot(normal, normal);
-  const double second = clamped_share(dot(cross(p[2], p[0]), normal) / whole);
-  const double third = std::min(clamped_share(dot(cross(p[0], p[1]), normal) / whole), 1 - second);
-  return {(1 - second) - third, second, third, 0};
-}
-
-Weights weights_of(const SimplexPoints& p, std::size_t size) {
-  if (size == 3) return weights_in_triangle(p);
-  if (size != 2) return {1, 0, 0, 0};
-  const Vec3 along = p[1] - p[0];
-  const double second = clamped_share(-dot(p[0], along) / dot(along, along));
-  return {1 - second, second, 0, 0};
-}
 
 /// What the simplex proves. The lengths are rounded sums, taken one place further.
 std::optional<Sign> certain_order(const PosedPolytope& a, const PosedPolytope& b, double x, double y,
@@ -62,9 +41,9 @@ CoreDistanceOrder exact_order(const PosedPolytope& a, const PosedPolytope& b, do
 // The weights are not negative and add up to 1 within
 // 2^-52, so the rounded point is off a point of the simplex by less than eight roundings of the sum of magnitudes.
 bool certainly_nearer(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex, double length) {
-  SimplexPoints points;
+  std::array<Vec3, 4> points;
   for (std::size_t i = 0; i < simplex.size; ++i) points[i] = a.vertex(simplex.a[i]) - b.vertex(simplex.b[i]);
-  const Weights weights = weights_of(points, simplex.size);
+  const auto weights = nearest_weights(points, simplex.size);
   Vec3 nearest;
   double magnitude = 0;
   for (std::size_t i = 0; i < simplex.size; ++i) {
