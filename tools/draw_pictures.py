@@ -133,6 +133,20 @@ SUMS = {"minkowski": (SUMMED, "grid=0")}
 # Convex parts of a mesh: words of the command, and how they are shown.
 PARTS = {"convex-parts": (f"{KNOT} --parts 24", "grid=0")}
 
+PART = scene(("part", box(0.9, 0.25, 0.15), UPRIGHT, [0, 0, 0]))
+PEG = scene(("peg", {"type": "cylinder", "radius": 0.2, "half_height": 0.7}, UPRIGHT, [2.2, 0.75, 0]))
+TURNING = ["--to", "translation=3,0,0 axis=0,0,1 degrees=120"]
+
+# Sweeps: what moves, past what, how, and how it is shown.
+SWEEPS = {
+    "sweep": ([PART, PEG], TURNING, "moment=28&off=surface&grid=0"),
+    "swept-volume": ([PART, PEG], TURNING, "moment=28&grid=0"),
+    "first-contact": ([KNOT, RING], ["--from", "0 0 -2", "--to", "translation=0,0,2 axis=0,0,1 degrees=170"], "moment=23&grid=0&off=surface"),
+}
+
+# The cloth of the demo as it lies at last: how it is shown.
+CLOTHS = {"cloth": "grid=0&finding=0&camera=0.05,0,-0.06,0.5,2.3,0.3"}
+
 # Reports beside the pictures that are drawn of them.
 PLOTS = ["cost"]
 
@@ -146,11 +160,18 @@ def words_for(shown, name, folder):
     return [f"{name}.json"]
 
 
-def asked_for(picture, folder):
+def asked_for(command, picture, folder):
     """The words that the command is called with, and how the picture looks."""
     if picture in CROWDS:
         words, look = CROWDS[picture]
         return ["crowd", *words.split()], look
+    if picture in SWEEPS:
+        files, options, look = SWEEPS[picture]
+        return ["sweep", *(word for i, shown in enumerate(files) for word in words_for([shown] if isinstance(shown, str) else shown, f"{picture}-{i}", folder)), *options], look
+    if picture in CLOTHS:
+        if not (folder / "fallen").exists():
+            subprocess.run([command, "demo", "cloth", "--write", "fallen"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        return ["view", "fallen/cloth.obj", "fallen/obstacles.obj", "--clearance", "all"], CLOTHS[picture]
     if picture in PARTS:
         words, look = PARTS[picture]
         return ["decompose", *words.split()], look
@@ -169,7 +190,7 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *SWEEPS, *CLOTHS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -179,12 +200,14 @@ def main():
                 continue
             target = PICTURES / f"{picture}.png"
             drawn = folder / target.name
-            asked, look = asked_for(picture, folder)
+            asked, look = asked_for(command, picture, folder)
             words = [command, *asked, "--png", str(drawn), "--size", SIZE]
-            subprocess.run([*words, "--look", look] if look else words, cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            drawn_by = subprocess.run([*words, "--look", look] if look else words, cwd=folder, stdout=subprocess.DEVNULL)
+            if drawn_by.returncode not in (0, 1):  # 1: something meets
+                return 1
             shutil.copyfile(drawn, target)
             print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -14,6 +14,7 @@
 #include "output.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
@@ -53,10 +54,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!stream.flush()) throw Error(fmt::format("{}: could not be written; is the disk full?", file.string()));
 }
 
-/// Everything goes into a folder beside the final one and is renamed at the end, so that the folder is complete or not
-/// there.
-void write_files(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+void write_scene_files(const std::filesystem::path& folder) {
   write_mesh(generate_mesh("torus-knot"), folder / "a.obj");
   write_mesh(generate_mesh("noise-sphere"), folder / "b.stl");
   for (const NamedScene& named : demo_scenes()) write_scene(demo_scene(named.name), folder / named.name);
@@ -66,12 +64,10 @@ void write_files(const std::filesystem::path& folder) {
 /// A folder that a demo of this version wrote before, as far as its README tells.
 bool is_demo_folder(const std::filesystem::path& folder) { return text_of_file(folder / "README.md") == demo_readme(); }
 
-int write_scenes(const std::filesystem::path& folder) {
+/// Everything goes into a folder beside the final one, which is renamed at the end, so that the folder is complete or
+/// not there.
+void write_folder(const std::filesystem::path& folder, FunctionRef<void(const std::filesystem::path&)> write_files) {
   namespace fs = std::filesystem;
-  if (is_demo_folder(folder)) {
-    print_answer(fmt::format("{} is there from an earlier demo, and left as it is.\n", folder.string()));
-    return 0;
-  }
   const bool occupied = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   if (occupied)
     throw Error(
@@ -83,6 +79,7 @@ int write_scenes(const std::filesystem::path& folder) {
     throw Error(fmt::format("{}: exists, perhaps from a demo that was killed; remove it first", partial.string()));
   std::error_code failed;
   try {
+    fs::create_directories(partial);
     write_files(partial);
     fs::remove(normal, failed);  // an empty folder
     fs::rename(partial, normal);
@@ -94,6 +91,14 @@ int write_scenes(const std::filesystem::path& folder) {
     fs::remove_all(partial, failed);
     throw;
   }
+}
+
+int write_scenes(const std::filesystem::path& folder) {
+  if (is_demo_folder(folder)) {
+    print_answer(fmt::format("{} is there from an earlier demo, and left as it is.\n", folder.string()));
+    return 0;
+  }
+  write_folder(folder, &write_scene_files);
   print_answer(
       fmt::format("Written to {0}: {1}, two meshes, and a README.md with commands to try, for example\n"
                   "  {2} check {0}/a.obj {0}/b.stl\n",
@@ -102,7 +107,17 @@ int write_scenes(const std::filesystem::path& folder) {
 }
 
 int show_cloth(const DemoArguments& arguments) {
-  const ClothAnswer answer = fallen_cloth({.steps = arguments.steps, .threads = arguments.threads});
+  ClothAnswer answer = fallen_cloth({.steps = arguments.steps, .threads = arguments.threads});
+  if (!arguments.write_folder.empty()) {
+    write_folder(arguments.write_folder, [&](const std::filesystem::path& folder) {
+      write_mesh(answer.cloth, folder / "cloth.obj");
+      write_mesh(answer.obstacles, folder / "obstacles.obj");
+    });
+    answer.text += fmt::format(
+        "Written to {0}: the cloth after the last step, to be looked at with\n"
+        "  {1} view {0}/cloth.obj {0}/obstacles.obj\n",
+        arguments.write_folder, called_as());
+  }
   print_answer(arguments.format == Format::json ? answer.json : answer.text);
   return answer.is_clean ? 0 : 1;
 }
@@ -117,10 +132,15 @@ int run_demo(const DemoArguments& arguments) {
 Subcommand add_demo(CLI::App& app) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
-  demo->add_option("scene", arguments->scene, "cloth: a cloth that falls, step by step; else all scenes at rest")
-      ->check(CLI::IsMember({"cloth"}));
-  demo->add_option("--steps", arguments->steps, "of the cloth")->check(CLI::Range(1, 1'000'000))->capture_default_str();
-  add_text(*demo, "--write", arguments->write_folder, "write the scenes as files to play with, into this folder",
+  CLI::Option* scene =
+      demo->add_option("scene", arguments->scene, "cloth: a cloth that falls, step by step; else all scenes at rest")
+          ->check(CLI::IsMember({"cloth"}));
+  demo->add_option("--steps", arguments->steps, "of the cloth")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str()
+      ->needs(scene);
+  add_text(*demo, "--write", arguments->write_folder,
+           "write the scenes as files to play with, or the cloth as it lies at last, into this folder",
            "a folder must be named");
   add_threads(*demo, arguments->threads, "answer");
   add_json(*demo, arguments->format, "write the answers as JSON");

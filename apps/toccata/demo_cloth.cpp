@@ -64,8 +64,7 @@ ClothAnswer fallen_cloth(const ClothArguments& arguments) {
   const Index triangles = cloth.mesh().triangle_count();
   const ClothTotals totals = totals_of(cloth, arguments.steps);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  ClothAnswer answer;
-  answer.is_clean = totals.frames_that_meet == 0;
+  ClothAnswer answer{{}, {}, totals.frames_that_meet == 0, cloth.mesh(), cloth.obstacles()};
   answer.text = fmt::format(
       "A cloth of {} triangles falls onto a ball and folds: {} steps in {:.1f} s.\n"
       "{:<52}{:>9}\n{:<52}{:>9}\n{:<52}{:>9}\n{:<52}{:>9}\n"

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "toccata/shapes/triangle_mesh.hpp"
+
 namespace toccata::command {
 
 struct ClothArguments {
@@ -15,6 +17,8 @@ struct ClothAnswer {
   std::string text;
   std::string json;
   bool is_clean = true;  ///< no frame meets itself or what it lies on
+  TriangleMesh cloth;    ///< after the last step
+  TriangleMesh obstacles;
 };
 
 [[nodiscard]] ClothAnswer fallen_cloth(const ClothArguments& arguments);

@@ -98,13 +98,17 @@ TEST(Demo, WritesFilesThatCheckAsItSays) {
 
 /// A thin slice: it has reached the ball after some forty steps.
 TEST(Demo, NoFrameOfTheClothMeetsAnything) {
-  const auto result = run_command({"demo", "cloth", "--steps", "60", "--json"});
+  const TemporaryFolder folder;
+  const auto result = run_command({"demo", "cloth", "--steps", "60", "--json", "--write", "lies"}, folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(result.out);
   EXPECT_EQ(json["steps"], 60);
   EXPECT_EQ(json["frames_that_meet"], 0);
   EXPECT_GT(json["near_pairs"], 0);
+  const auto written = run_command({"check", "lies/cloth.obj", "lies/obstacles.obj"}, folder.path());
+  EXPECT_EQ(written.exit_code, 0) << written.out << written.err;
   EXPECT_EQ(run_command({"demo", "cloth", "--steps", "0"}).exit_code, 2);
+  EXPECT_EQ(run_command({"demo", "--steps", "10"}).exit_code, 2);  // of what stands
   EXPECT_EQ(run_command({"demo", "silk"}).exit_code, 2);
 }
 

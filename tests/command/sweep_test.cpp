@@ -135,6 +135,7 @@ TEST_F(SweepCommand, APageAndAnAnimationAreWritten) {
       folder.path());
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_NE(test::text_of(folder.path() / "s.html").find("first contact"), std::string::npos);
+  EXPECT_NE(test::text_of(folder.path() / "s.html").find("Swept volume"), std::string::npos);
   EXPECT_EQ(test::text_of(folder.path() / "s.glb").substr(0, 4), "glTF");
 }
 

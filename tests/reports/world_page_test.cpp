@@ -137,6 +137,21 @@ TEST(WorldPage, PutsBodiesWhereTheyAre) {
   }
 }
 
+TEST(WorldPage, ASurfaceIsThereAtAllMoments) {
+  Intersection intersection;
+  intersection.recording.add({"Swept volume", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}, {4, 0, 1}, {0, 4, 1}}});
+  const WrittenWorld page(world_page(intersection.recording));
+  const Json& layer = page.header["layers"].back();
+  EXPECT_EQ(layer["kind"], "triangles");
+  EXPECT_EQ(layer["name"], "Swept volume");
+  EXPECT_EQ(layer["moments"], Json({{0, 2}, {0, 2}, {0, 2}, {0, 2}}));
+  const auto numbers = page.numbers<float>(layer["data"]);
+  ASSERT_EQ(numbers.size(), 18U);
+  const double size = page.header["frame"]["size"].get<double>();
+  EXPECT_NEAR((numbers[3] - numbers[0]) * size, 4, 1e-5);
+  EXPECT_NE(recording_glb(intersection.recording).find("Swept volume"), std::string::npos);
+}
+
 TEST(WorldPage, RefusesWhatItCannotShow) {
   EXPECT_THROW(static_cast<void>(world_page(WorldRecording())), Error);
   World world;

@@ -7,9 +7,11 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  NotEqualStencilFunc,
   Object3D,
   Points,
   PointsMaterial,
+  ReplaceStencilOp,
 } from 'three';
 import type { Layer, LayerStep, PageData } from './data';
 import { bodyColours, eventColours, facesA, facesB, stepColours, type Theme } from './colours';
@@ -124,6 +126,11 @@ const triangles: Draw = (layer, drawing, style) => {
     depthTest: !style.over,
     depthWrite: false,
     forceSinglePass: true, // else three.js draws both sides one after the other
+    // A surface is made of parts that reach into each other: every point of the screen takes its colour once.
+    stencilWrite: layer.role === 'surface',
+    stencilRef: 1,
+    stencilFunc: NotEqualStencilFunc,
+    stencilZPass: ReplaceStencilOp,
   });
   const drawn = new Mesh(geometry, material);
   drawn.frustumCulled = false;

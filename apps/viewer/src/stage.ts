@@ -27,7 +27,7 @@ export class Stage {
   ) {
     // What are so many are a few points wide each: smooth edges would take a card that is a program most of its time.
     const most = Math.max(mostBoxes(data), data.report.objects?.length ?? 0);
-    this.renderer = new WebGLRenderer({ canvas, antialias: most < 10_000 });
+    this.renderer = new WebGLRenderer({ canvas, antialias: most < 10_000, stencil: true });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.orbit = new Orbit(canvas, data.header.up, () => this.redraw());
     this.scene.add(objects.group, this.overlays, this.orbit.camera, new HemisphereLight(0xffffff, 0x9098a4, 1.6));

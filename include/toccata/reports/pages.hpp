@@ -139,11 +139,19 @@ class WorldRecording {
     std::vector<Pair> pairs;    ///< begin, persist and end
     std::string label{};        ///< as the page calls it; empty: by its number
   };
+  /// Something beside the bodies that is there in all frames: triangles in the world, three corners each.
+  struct Surface {
+    std::string name;
+    std::vector<Vec3> corners;
+  };
 
   /// The bodies as they are and what the last step found: to be called after a step, before anything moves. Throws
   /// Error, and has changed nothing, when that is more than a page may hold.
   void add(const World& world, const std::string& label = {});
+  /// Throws the same way.
+  void add(Surface surface);
 
+  [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
   [[nodiscard]] std::span<const Body> objects() const { return objects_; }  ///< as they were first seen
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
 
@@ -159,6 +167,7 @@ class WorldRecording {
 
   std::vector<Body> objects_;
   std::vector<Frame> frames_;
+  std::vector<Surface> surfaces_;
   std::map<BodyId, Seen> seen_;
   std::vector<BodyId> there_;  ///< at the last frame
   std::size_t bytes_ = 0;
@@ -169,7 +178,8 @@ class WorldRecording {
 [[nodiscard]] WorldRecording record_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
 
 /// What a sweep found (SweepReport), moment by moment: the bodies on their way and how far apart those that move and
-/// those that stand are, at even times and at the times of the first contacts. Throws Error as WorldRecording does.
+/// those that stand are, at even times and at the times of the first contacts, and the volumes that those that move
+/// pass (swept_volume). Throws Error as WorldRecording does.
 [[nodiscard]] WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report);
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of

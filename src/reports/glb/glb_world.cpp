@@ -19,6 +19,7 @@ const std::array pairs_paints{io::GlbPaint{"pairs begun", 0xd55e00}, io::GlbPain
                               io::GlbPaint{"pairs ended", 0x999999}};
 constexpr std::array pairs_names{"begin", "persist", "end"};
 const io::GlbPaint points_paint{"contact points", 0x000000};
+const io::GlbPaint surfaces_paint{"surfaces", 0x56b4e9, 0.35};
 const io::GlbPaint lengths_paint{"depths, distances and rays", 0xcc79a7};
 
 std::vector<std::vector<io::GlbKey>> keys_of(const WorldRecording& recording) {
@@ -79,6 +80,18 @@ void add_steps(io::GlbScene& glb, const WorldRecording& recording) {
   pairs.write();
 }
 
+void add_surfaces(io::GlbScene& glb, const WorldRecording& recording) {
+  std::vector<std::size_t> nodes;
+  for (const WorldRecording::Surface& surface : recording.surfaces()) {
+    if (surface.corners.empty()) continue;
+    const io::GlbFrame frame = io::GlbFrame::around(surface.corners);
+    Json parts = Json::array();
+    parts.push_back(glb.part(io::joined_part(surface.corners, frame), io::GlbMode::triangles, surfaces_paint));
+    nodes.push_back(glb.add_node(surface.name, {}, frame, {{"mesh", glb.add_mesh(surface.name, std::move(parts))}}));
+  }
+  if (!nodes.empty()) glb.add_group("surfaces", nodes);
+}
+
 }  // namespace
 
 std::string recording_glb(const WorldRecording& recording, const ViewOptions& options) {
@@ -90,6 +103,7 @@ std::string recording_glb(const WorldRecording& recording, const ViewOptions& op
   io::GlbScene glb(bodies.models, meshes);
   io::add_moving_objects(glb, keys, are_in_pairs(recording));
   add_steps(glb, recording);
+  add_surfaces(glb, recording);
   return glb.file(options, bodies.scene.unit);
 }
 

@@ -5,6 +5,7 @@
 
 #include "math/constants.hpp"
 #include "reports/questions/question_parts.hpp"
+#include "reports/view/swept_surface.hpp"
 #include "toccata/reports/pages.hpp"
 
 namespace toccata {
@@ -53,6 +54,16 @@ std::vector<IndexPair> apart_by_group(std::span<const SceneInstance> models, std
   return pairs;
 }
 
+/// The volumes of all that move are one thing to be seen or not.
+WorldRecording::Surface swept_surface_of(std::span<const SceneInstance> models, std::span<const RigidMotion> motions) {
+  WorldRecording::Surface surface{"Swept volume", {}};
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::vector<Vec3> corners = io::swept_surface(models[i].model, motions[i], models[i].solid);
+    surface.corners.insert(surface.corners.end(), corners.begin(), corners.end());
+  }
+  return surface;
+}
+
 }  // namespace
 
 WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report) {
@@ -73,6 +84,7 @@ WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepRe
     world.set_rule({.a = bodies[a], .b = bodies[b], .excluded = true});
   const char* const what = question.stop_before == 0 ? ": first contact" : ": as near as asked";
   WorldRecording recording;
+  recording.add(swept_surface_of(models, motions));
   for (const ShownMoment& moment : moments_of(report)) {
     for (std::size_t i = 0; i < moving.size(); ++i) world.move(moving[i], motions[i].at(moment.time));
     world.step();

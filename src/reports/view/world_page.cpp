@@ -68,7 +68,7 @@ std::string report_of(const WorldRecording& recording, const io::RecordedBodies&
 /// A layer with items of every moment.
 class MomentLayer {
  public:
-  MomentLayer(const char* kind, const char* role, const char* name, std::size_t width)
+  MomentLayer(const char* kind, const char* role, const std::string& name, std::size_t width)
       : layer_{{"kind", kind}, {"role", role}, {"name", name}}, width_(width) {}
 
   /// What is too far away for the floats of a graphics card is left out.
@@ -85,6 +85,10 @@ class MomentLayer {
     const std::size_t end = numbers_.size() / width_;
     moments_.push_back({first_, end - first_});
     first_ = end;
+  }
+  /// What was added is there at so many moments.
+  void end_moments(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) moments_.push_back({0, numbers_.size() / width_});
   }
   void write(Json& layers, io::ViewData& data) {
     if (numbers_.empty()) return;
@@ -120,6 +124,13 @@ Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, i
   }
   Json written = Json::array();
   for (MomentLayer& layer : layers) layer.write(written, data);
+  for (const WorldRecording::Surface& surface : recording.surfaces()) {
+    MomentLayer layer("triangles", "surface", surface.name, 9);
+    for (std::size_t i = 0; i + 2 < surface.corners.size(); i += 3)
+      layer.add(frame, {surface.corners[i], surface.corners[i + 1], surface.corners[i + 2]});
+    layer.end_moments(recording.frames().size());
+    layer.write(written, data);
+  }
   return written;
 }
 

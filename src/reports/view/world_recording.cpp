@@ -76,4 +76,13 @@ void WorldRecording::add(const World& world, const std::string& label) {
   bytes_ = bytes;
 }
 
+void WorldRecording::add(Surface surface) {
+  const std::size_t bytes = bytes_ + 12 * surface.corners.size();
+  if (bytes > most_bytes)
+    throw Error(fmt::format("the {} triangles of '{}' are more than a page of {:.0f} MB has room for",
+                            surface.corners.size() / 3, surface.name, static_cast<double>(most_bytes) / 1e6));
+  surfaces_.push_back(std::move(surface));
+  bytes_ = bytes;
+}
+
 }  // namespace toccata
