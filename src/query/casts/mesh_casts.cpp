@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "narrow/quadrics/casts/quadric_cast_until.hpp"
+#include "narrow/triangles/parting_normal.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "toccata/narrow/triangle_triangle.hpp"
 
 namespace toccata {
 namespace {
@@ -115,15 +117,6 @@ ShapeHit at_start(const Vec3& point) {
 
 // Of surfaces that meet at the start: two items that do.
 
-std::optional<ItemPair> items_at_start(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  std::optional<ItemPair> items;
-  visit_surface_contacts(a, b, scratch, [&](const Contact& contact) {
-    items = ItemPair{contact.triangle_a, contact.triangle_b};
-    return false;
-  });
-  return items;
-}
-
 template <class Shape>
 std::optional<ItemPair> items_at_start(const PosedMesh& a, const Shape& b, SearchScratch&) {
   const std::optional<Index> triangle = some_triangle_meeting(a, b);
@@ -133,6 +126,20 @@ template <class Shape>
 std::optional<ItemPair> items_at_start(const Shape& a, const PosedMesh& b, SearchScratch&) {
   const std::optional<Index> triangle = some_triangle_meeting(b, a);
   return triangle ? std::optional(ItemPair{0, *triangle}) : std::nullopt;
+}
+
+std::optional<ShapeHit> surfaces_at_start(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  std::optional<ShapeHit> met;
+  visit_surface_contacts(a, b, scratch, [&](const Contact& contact) {
+    const Triangle of_a = a.triangle(contact.triangle_a), of_b = b.triangle(contact.triangle_b);
+    met = at_start(intersection_points(contact.intersection, of_a, of_b).points[0]);
+    met->normal = parting_normal(of_a, of_b);
+    if (met->normal == Vec3{}) met->normal = start_normal(PosedPolytope(of_a), PosedPolytope(of_b));
+    std::tie(met->element_a, met->element_b) = std::tie(contact.triangle_a, contact.triangle_b);
+    std::tie(met->face_a, met->face_b) = std::tie(contact.face_a, contact.face_b);
+    return false;
+  });
+  return met;
 }
 
 /// A cast that does not move asks the two alone.
