@@ -5,6 +5,7 @@
 #include <map>
 
 #include "arguments.hpp"
+#include "feature_peer.hpp"
 #include "report.hpp"
 #include "support/motion_data.hpp"
 #include "toccata/core/error.hpp"
@@ -20,7 +21,27 @@ struct MotionResult {
   std::size_t false_alarms = 0;
 };
 
-using MotionResults = std::map<std::pair<std::string, std::string>, MotionResult>;
+/// By library and method, kind of pair, and scene.
+struct MotionKey {
+  std::string library;
+  std::string variant;
+  std::string kind;
+  std::string scene;
+  friend auto operator<=>(const MotionKey&, const MotionKey&) = default;
+};
+using MotionResults = std::map<MotionKey, MotionResult>;
+
+void add_answer(MotionResults& results, MotionKey key, const std::string& query, bool truth,
+                const FeaturePeerMethod::Answer& answer) {
+  for (const std::string& scene : {query.substr(0, query.find(' ')), std::string("all scenes")}) {
+    key.scene = scene;
+    MotionResult& result = results[key];
+    result.nanoseconds.push_back(answer.nanoseconds);
+    result.hits += truth;
+    result.missed += truth && !answer.hit;
+    result.false_alarms += !truth && answer.hit;
+  }
+}
 
 template <class Pair>
 double nanoseconds_of(const Pair& pair, int repetitions) {
@@ -46,26 +67,46 @@ double least_nanoseconds(const Pair& pair, int rounds) {
 template <class Pair>
 void measure(const std::vector<test::MotionQuery<Pair>>& queries, const std::string& kind, int rounds,
              MotionResults& results) {
-  for (const test::MotionQuery<Pair>& query : queries) {
-    const double time = least_nanoseconds(query.pair, rounds);
-    const bool is_hit = time_of_impact(query.pair).hit;
-    for (const std::string& scene : {query.name.substr(0, query.name.find(' ')), std::string("all scenes")}) {
-      MotionResult& result = results[{kind, scene}];
-      result.nanoseconds.push_back(time);
-      result.hits += query.is_hit;
-      result.missed += query.is_hit && !is_hit;
-      result.false_alarms += !query.is_hit && is_hit;
-    }
+  for (const test::MotionQuery<Pair>& query : queries)
+    add_answer(results, {"toccata", "time_of_impact", kind, {}}, query.name, query.is_hit,
+               {time_of_impact(query.pair).hit, least_nanoseconds(query.pair, rounds)});
+}
+
+using VertexFaceQueries = std::vector<test::MotionQuery<VertexFace>>;
+using EdgeEdgeQueries = std::vector<test::MotionQuery<EdgeEdge>>;
+
+template <class Pair>
+std::vector<Pair> pairs_of(const std::vector<test::MotionQuery<Pair>>& queries) {
+  std::vector<Pair> pairs;
+  for (const test::MotionQuery<Pair>& query : queries) pairs.push_back(query.pair);
+  return pairs;
+}
+
+/// Or why not.
+void measure_ipctk(const VertexFaceQueries& vertex_faces, const EdgeEdgeQueries& edge_edges, int rounds,
+                   MotionResults& results, nlohmann::ordered_json& report) {
+  const FeaturePeer peer = ask_ipctk(pairs_of(vertex_faces), pairs_of(edge_edges), rounds);
+  if (!peer.missing.empty()) report["not_measured"].push_back({{"library", "ipctk"}, {"reason", peer.missing}});
+  for (const FeaturePeerMethod& method : peer.methods) {
+    const std::string variant = fmt::format("{} {}, from Python", method.name, peer.version);
+    report["floors"].push_back({{"library", "ipctk"}, {"variant", variant}, {"floor_ns", method.floor_nanoseconds}});
+    auto answer = method.answers.begin();
+    for (const auto& query : vertex_faces)
+      add_answer(results, {"ipctk", variant, "vertex-face", {}}, query.name, query.is_hit, *answer++);
+    for (const auto& query : edge_edges)
+      add_answer(results, {"ipctk", variant, "edge-edge", {}}, query.name, query.is_hit, *answer++);
   }
 }
 
-nlohmann::ordered_json json_of(const std::string& kind, const std::string& scene, MotionResult result) {
+nlohmann::ordered_json json_of(const MotionKey& key, MotionResult result) {
   std::vector<double>& times = result.nanoseconds;
   std::sort(times.begin(), times.end());
   double sum = 0;
   for (const double time : times) sum += time;
-  return {{"task", kind},
-          {"scene", scene},
+  return {{"library", key.library},
+          {"variant", key.variant},
+          {"task", key.kind},
+          {"scene", key.scene},
           {"queries", times.size()},
           {"hits", result.hits},
           {"missed", result.missed},
@@ -77,11 +118,27 @@ nlohmann::ordered_json json_of(const std::string& kind, const std::string& scene
 }
 
 void print_row(const nlohmann::ordered_json& row) {
-  std::cout << fmt::format("{:<12} {:<28} {:>7} {:>5} {:>7} {:>6} {:>8.0f} {:>8.0f} {:>9.0f} {:>9.0f}\n",
+  std::cout << fmt::format("{:<9} {:<36} {:<12} {:<28} {:>7} {:>5} {:>7} {:>6} {:>8.0f} {:>8.0f} {:>9.0f} {:>10.0f}\n",
+                           row["library"].get<std::string>(), row["variant"].get<std::string>(),
                            row["task"].get<std::string>(), row["scene"].get<std::string>(), row["queries"].get<int>(),
                            row["hits"].get<int>(), row["missed"].get<int>(), row["false_alarms"].get<int>(),
                            row["median_ns"].get<double>(), row["mean_ns"].get<double>(), row["p99_ns"].get<double>(),
                            row["worst_ns"].get<double>());
+}
+
+void print_report(const nlohmann::ordered_json& report) {
+  std::cout
+      << "library   variant                              task         scene                        queries  hits  "
+         "missed  false   median     mean       p99      worst\n";
+  for (const auto& row : report["results"]) print_row(row);
+  for (const auto& row : report["floors"])
+    std::cout << fmt::format("of {}, {}, {:.0f} are the call from Python of what has nothing to search\n",
+                             row["library"].get<std::string>(), row["variant"].get<std::string>(),
+                             row["floor_ns"].get<double>());
+  for (const auto& row : report["not_measured"])
+    std::cout << fmt::format("{} is not measured: {}\n", row["library"].get<std::string>(),
+                             row["reason"].get<std::string>());
+  std::cout << "times in nanoseconds\n";
 }
 
 }  // namespace
@@ -89,23 +146,24 @@ void print_row(const nlohmann::ordered_json& row) {
 int run_motion(const MotionArguments& arguments) {
   if (arguments.data.empty())
     throw Error("motion: no data; name the folder that has ccd with --data, or set TOCCATA_DATA");
+  const VertexFaceQueries vertex_faces = test::vertex_face_queries(arguments.data);
+  const EdgeEdgeQueries edge_edges = test::edge_edge_queries(arguments.data);
   MotionResults results;
-  measure(test::vertex_face_queries(arguments.data), "vertex-face", arguments.rounds, results);
-  measure(test::edge_edge_queries(arguments.data), "edge-edge", arguments.rounds, results);
+  measure(vertex_faces, "vertex-face", arguments.rounds, results);
+  measure(edge_edges, "edge-edge", arguments.rounds, results);
   auto report = report_of("motion", {{"rounds", arguments.rounds}});
+  for (const char* list : {"results", "floors", "not_measured"}) report[list] = nlohmann::ordered_json::array();
+  if (std::ranges::count(arguments.peers, feature_peer) > 0)
+    measure_ipctk(vertex_faces, edge_edges, arguments.rounds, results, report);
   std::size_t wrong = 0;
-  for (const auto& [name, result] : results) {
-    report["results"].push_back(json_of(name.first, name.second, result));
-    wrong += result.missed + result.false_alarms;
+  for (const auto& [key, result] : results) {
+    report["results"].push_back(json_of(key, result));
+    if (key.library == "toccata") wrong += result.missed + result.false_alarms;
   }
-  if (arguments.json) {
+  if (arguments.json)
     std::cout << report.dump(2) << "\n";
-  } else {
-    std::cout << "task         scene                        queries  hits  missed  false   median     mean       p99   "
-                 "  worst\n";
-    for (const auto& row : report["results"]) print_row(row);
-    std::cout << "times in nanoseconds\n";
-  }
+  else
+    print_report(report);
   return wrong == 0 ? 0 : 1;
 }
 

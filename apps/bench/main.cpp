@@ -6,11 +6,13 @@
 #include "arguments.hpp"
 #include "casts.hpp"
 #include "convex_library.hpp"
+#include "feature_peer.hpp"
 #include "library.hpp"
 #include "narrow/triangle_pairs.hpp"
 #include "sums.hpp"
 #include "sweeps.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "whole_number.hpp"
 
@@ -398,10 +400,21 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
   motion->add_option("--seed", arguments.seed, "another seed, other bodies")
       ->check(whole_number())
       ->capture_default_str();
-  add_peers(*motion, arguments.peers, sweep_peers());
+  std::vector<std::string> peers = sweep_peers();
+  peers.push_back(feature_peer);
+  add_peers(*motion, arguments.peers, peers);
   add_number(*motion, "--rounds", arguments.rounds, "how often each query is timed; the fastest counts");
   add_json(*motion, arguments.json);
   motion->footer("Example:\n  ./toccata bench motion\n  ./toccata bench motion --task bodies --peer bullet,fcl");
+}
+
+/// Features have a peer of their own.
+int run_motion_task(const MotionArguments& arguments) {
+  const bool of_features = arguments.task == "features";
+  for (const std::string& peer : arguments.peers)
+    if ((peer == feature_peer) != of_features)
+      throw Error(fmt::format("motion: {} answers no question of --task {}", peer, arguments.task));
+  return of_features ? run_motion(arguments) : run_sweeps(arguments);
 }
 
 void add_deforming(CLI::App& app, DeformingArguments& arguments) {
@@ -483,8 +496,7 @@ int main_of(int argc, char** argv) {
     return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
                                               : run_partitions(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
-  if (app.got_subcommand("motion"))
-    return options.motion.task == "features" ? run_motion(options.motion) : run_sweeps(options.motion);
+  if (app.got_subcommand("motion")) return run_motion_task(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
   return run_process(options.process);

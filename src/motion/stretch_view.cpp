@@ -15,19 +15,19 @@
 namespace toccata {
 namespace {
 
+template <PosedConvexSet S>
+HeightRange range_of_set(const S& set, const Vec3& direction) {
+  const PlacedSet<S> placed([&] { return set; });
+  return {lowest(placed, direction), -lowest(placed, -direction)};
+}
+HeightRange range_of_set(const PosedHalfSpace& set, const Vec3& direction) {
+  return {-infinity, dot(direction, set.point) + 8 * unit_roundoff * sum_of_magnitudes(set.point)};
+}
+/// What has a tree is seen by its boxes.
+HeightRange range_of_set(const PosedTriangles&, const Vec3&) { return {-infinity, infinity}; }
+
 HeightRange range_along(const PosedShape& shape, const Vec3& direction) {
-  if (const auto* half_space = std::get_if<PosedHalfSpace>(&shape)) {
-    const double height = dot(direction, half_space->point);
-    return {-infinity, height + 8 * unit_roundoff * sum_of_magnitudes(half_space->point)};
-  }
-  return std::visit(
-      [&](const auto& set) {
-        if constexpr (requires { lowest(set, direction); })
-          return HeightRange{lowest(set, direction), -lowest(set, -direction)};
-        else
-          return HeightRange{-infinity, infinity};
-      },
-      shape);
+  return std::visit([&](const auto& set) { return range_of_set(set, direction); }, shape);
 }
 
 double size_of(const HeightRange& range) {

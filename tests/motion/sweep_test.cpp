@@ -10,8 +10,10 @@
 #include <optional>
 #include <vector>
 
+#include "query/search_scratch.hpp"
 #include "support/error_message.hpp"
 #include "support/rigid_cases.hpp"
+#include "support/simd_levels.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/overlap.hpp"
 
@@ -170,6 +172,46 @@ TEST(RigidSweep, EveryTwoKindsAreAnsweredBothWaysRound) {
       EXPECT_FALSE(hit.hit && overlap(a, b, {.pose_a = coming.at(std::max(0.0, hit.lower - 1e-9))}) && hit.lower > 0)
           << names;
     }
+}
+
+TEST(RigidSweep, AnswersHaveTheSameBitsAtEverySimdLevel) {
+  std::vector<Model> models;
+  for (const Shape& shape : one_of_each())
+    if (kind_of(shape) != ShapeKind::half_space) models.emplace_back(shape);
+  models.emplace_back(torus_mesh({.radius = 1, .tube_radius = 0.3}));
+  const RigidMotion coming(Pose::translation(0, 0.3, 9), {{0, 0, 9}, {1, 2, 0.5}, 0.7, {0, 0, -9}});
+  std::vector<ShapeHit> first;
+  at_every_simd_level([&](SimdLevel level) {
+    std::vector<ShapeHit> hits;
+    for (const Model& a : models)
+      for (const Model& b : models) hits.push_back(sweep(a, coming, b, Pose{}));
+    if (first.empty()) first = hits;
+    EXPECT_EQ(hits, first) << name_of(level);
+  });
+  EXPECT_GT(std::count_if(first.begin(), first.end(), [](const ShapeHit& hit) { return hit.hit; }), 20);
+}
+
+TEST(RigidSweep, WhatIsFarFromAMeshLooksAtNoneOfItsTriangles) {
+  const Model mesh(icosphere_mesh(0.7, 3));
+  for (const Shape& shape : one_of_each()) {
+    if (kind_of(shape) == ShapeKind::half_space) continue;
+    Workspace workspace;
+    const RigidMotion passing(Pose::translation(0, 3, 9), {{0, 3, 9}, {1, 2, 0.5}, 0.7, {0, 0, -18}});
+    EXPECT_FALSE(sweep(Model(shape), passing, mesh, Pose{}, {}, workspace).hit);
+    EXPECT_EQ(workspace.scratch().counts.items, 0U) << name_of(shape);
+  }
+}
+
+// A rod that turns beside a peg leaves it along a direction that turns with the rod.
+TEST(RigidSweep, ARodThatTurnsPastAPegInALittleWayIsFree) {
+  const Model rod = Box({1, 0.02, 0.02}), peg = Box({0.05, 0.05, 0.5});
+  for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9}) {
+    // Of all that the rod passes the corners of its ends are the farthest, at √(1 + 0.02²).
+    const double corner = std::hypot(1.0, 0.02);
+    const Pose standing = Pose::translation(0, corner + 0.05 + gap, 0);
+    EXPECT_FALSE(sweep(rod, turned_about_z({}, 0.5), peg, standing).hit) << gap;
+    EXPECT_TRUE(sweep(rod, turned_about_z({}, 0.5), peg, Pose::translation(0, corner + 0.05 - gap, 0)).hit) << gap;
+  }
 }
 
 TEST(RigidSweep, AMotionToldByAFunctionIsAnsweredAsTheMoveThatItIs) {
