@@ -241,6 +241,7 @@ int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
 int run_motion(const MotionArguments& arguments);
 int run_sweeps(const MotionArguments& arguments);
+int run_swept_volumes(const MotionArguments& arguments);
 int run_deforming(const DeformingArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
 

@@ -132,7 +132,7 @@ void print_report(const nlohmann::ordered_json& report) {
          "missed  false   median     mean       p99      worst\n";
   for (const auto& row : report["results"]) print_row(row);
   for (const auto& row : report["floors"])
-    std::cout << fmt::format("of {}, {}, {:.0f} are the call from Python of what has nothing to search\n",
+    std::cout << fmt::format("of {}, {}, {:.0f} are the call from Python for a vertex and a face that rest apart\n",
                              row["library"].get<std::string>(), row["variant"].get<std::string>(),
                              row["floor_ns"].get<double>());
   for (const auto& row : report["not_measured"])

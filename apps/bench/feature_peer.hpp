@@ -17,7 +17,7 @@ struct FeaturePeerMethod {
     double nanoseconds = 0;
   };
   std::string name;
-  double floor_nanoseconds = 0;  ///< of a call that has nothing to search
+  double floor_nanoseconds = 0;  ///< of a call for a vertex and a face that rest apart
   std::vector<Answer> answers;
 };
 

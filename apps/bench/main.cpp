@@ -391,8 +391,8 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
   motion
       ->add_option("--task", arguments.task,
                    "features: the public questions, whose answers are known; bodies: convex bodies that move and turn; "
-                   "meshes: bunnies, and spheres of more and more triangles")
-      ->check(CLI::IsMember({"features", "bodies", "meshes"}))
+                   "meshes: bunnies, and spheres of more and more triangles; volumes: what bodies pass")
+      ->check(CLI::IsMember({"features", "bodies", "meshes", "volumes"}))
       ->capture_default_str();
   motion->add_option("--data", arguments.data, "the folder that has ccd and meshes")->envname("TOCCATA_DATA");
   add_number(*motion, "--count", arguments.count, "questions of each set of bodies");
@@ -414,6 +414,7 @@ int run_motion_task(const MotionArguments& arguments) {
   for (const std::string& peer : arguments.peers)
     if ((peer == feature_peer) != of_features)
       throw Error(fmt::format("motion: {} answers no question of --task {}", peer, arguments.task));
+  if (arguments.task == "volumes") return run_swept_volumes(arguments);
   return of_features ? run_motion(arguments) : run_sweeps(arguments);
 }
 

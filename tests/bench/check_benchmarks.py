@@ -322,6 +322,16 @@ def check_sweeps():
     assert all(row["wrong"] == 0 for row in meshes["results"]) and meshes["results"], meshes
 
 
+def check_swept_volumes():
+    """No point that is passed is outside, and what the volume says can never meet no sweep meets."""
+    made = report("motion", "--task", "volumes", "--data", "", "--rounds", "1")
+    assert len(made["results"]) == 5, made["results"]
+    for row in made["results"]:
+        assert row["outside"] == row["contradictions"] == 0 and row["hits"] <= row["maybe"] < row["asked"], row
+        assert row["make_us"] > 0 and row["parts"] >= 1 and row["excess"] >= 0, row
+    assert run("motion", "--task", "bodies", "--peer", "ipctk").returncode == 2
+
+
 def check_deforming():
     """One step of a cloth is told alike on any number of threads."""
     made = report("deforming", "--most", "3200", "--threads", "1,2", "--rounds", "1")
@@ -360,6 +370,7 @@ def main():
     check_sums(peers)
     check_motion()
     check_sweeps()
+    check_swept_volumes()
     check_deforming()
     check_walker()
     with tempfile.TemporaryDirectory() as folder:

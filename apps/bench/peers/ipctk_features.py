@@ -4,7 +4,7 @@
 usage: ipctk_features.py QUESTIONS ANSWERS ROUNDS
 
 QUESTIONS has a line each: vertex-face or edge-edge, and 24 numbers, the four points at the start and then at the end. ANSWERS
-becomes JSON: of each method its name, what a call of one that has nothing to search costs from Python (floor_ns), and of each
+becomes JSON: of each method its name, what a call for a vertex and a face that rest apart costs from Python (floor_ns), and of each
 question whether it is a hit, and the least time of so many rounds, in nanoseconds.
 """
 import importlib.metadata
