@@ -209,11 +209,19 @@ void World::State::move(std::span<const BodyId> ids, std::span<const Pose> poses
   revision_ = next_revision();
 }
 
+Pose World::State::end_of(const RigidMotion& motion, Index index) const {
+  try {
+    return motion.at(1);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", name_of_body(index), error.what()));
+  }
+}
+
 void World::State::move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions) {
   require_as_many(ids.size(), motions.size(), "motions");
   const std::vector<Index> indices = required(ids);
   std::vector<Pose> ends;
-  for (const RigidMotion& motion : motions) ends.push_back(motion.at(1));
+  for (std::size_t i = 0; i < ids.size(); ++i) ends.push_back(end_of(motions[i], indices[i]));
   make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     return swept_box(bodies_[indices[i]], motions[i], [&] { return name_of_body(indices[i]); });
   });

@@ -63,6 +63,8 @@ class World::State {
   [[nodiscard]] static std::uint32_t number_of_new_world();
   /// What messages call the body.
   [[nodiscard]] std::string name_of_body(Index index) const;
+  /// Throws Error naming the body when its motion has no pose there.
+  [[nodiscard]] Pose end_of(const RigidMotion& motion, Index index) const;
   [[nodiscard]] std::vector<Index> required(std::span<const BodyId> ids) const;
   /// How far around its own box another body's may be for the two to be a pair.
   [[nodiscard]] double reach(Index index, double margin) const;

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "support/error_message.hpp"
 #include "toccata/motion/rigid_motion.hpp"
 #include "toccata/toccata.hpp"
 
@@ -120,6 +121,9 @@ TEST(MoveAlong, ErrorsChangeNothing) {
   const BodyId ball = world.add(Sphere(1), far_left);
   EXPECT_THROW(world.move_along(std::vector{ball}, std::vector<RigidMotion>{}), Error);
   EXPECT_THROW(world.move_along(BodyId{}, RigidMotion(far_left)), Error);
+  const auto lost = RigidMotion::of([](double time) { return Pose::translation(1 / (1 - time), 0, 0); }, {.speed = 1});
+  const std::string message = test::message_of([&] { world.move_along(ball, lost); });
+  EXPECT_TRUE(message.starts_with("body 0")) << message;
   EXPECT_EQ(world.body(ball).pose, far_left);
 }
 
