@@ -90,6 +90,9 @@ void measure_ipctk(const VertexFaceQueries& vertex_faces, const EdgeEdgeQueries&
   for (const FeaturePeerMethod& method : peer.methods) {
     const std::string variant = fmt::format("{} {}, from Python", method.name, peer.version);
     report["floors"].push_back({{"library", "ipctk"}, {"variant", variant}, {"floor_ns", method.floor_nanoseconds}});
+    if (method.answers.size() != vertex_faces.size() + edge_edges.size())
+      throw Error(fmt::format("motion: ipctk answered {} of {} questions", method.answers.size(),
+                              vertex_faces.size() + edge_edges.size()));
     auto answer = method.answers.begin();
     for (const auto& query : vertex_faces)
       add_answer(results, {"ipctk", variant, "vertex-face", {}}, query.name, query.is_hit, *answer++);

@@ -412,7 +412,7 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
 int run_motion_task(const MotionArguments& arguments) {
   const bool of_features = arguments.task == "features";
   for (const std::string& peer : arguments.peers)
-    if ((peer == feature_peer) != of_features)
+    if ((peer == feature_peer) != of_features || arguments.task == "volumes")
       throw Error(fmt::format("motion: {} answers no question of --task {}", peer, arguments.task));
   if (arguments.task == "volumes") return run_swept_volumes(arguments);
   return of_features ? run_motion(arguments) : run_sweeps(arguments);

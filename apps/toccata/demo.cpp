@@ -64,14 +64,19 @@ void write_scene_files(const std::filesystem::path& folder) {
 /// A folder that a demo of this version wrote before, as far as its README tells.
 bool is_demo_folder(const std::filesystem::path& folder) { return text_of_file(folder / "README.md") == demo_readme(); }
 
-/// Everything goes into a folder beside the final one, which is renamed at the end, so that the folder is complete or
-/// not there.
-void write_folder(const std::filesystem::path& folder, FunctionRef<void(const std::filesystem::path&)> write_files) {
+void require_free(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   const bool occupied = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   if (occupied)
     throw Error(
         fmt::format("{}: exists and is not an empty folder; name another, or remove it first", folder.string()));
+}
+
+/// Everything goes into a folder beside the final one, which is renamed at the end, so that the folder is complete or
+/// not there.
+void write_folder(const std::filesystem::path& folder, FunctionRef<void(const std::filesystem::path&)> write_files) {
+  namespace fs = std::filesystem;
+  require_free(folder);
   const UninterruptedWriting writing;
   const fs::path normal = fs::absolute(folder / "").parent_path();
   const fs::path partial = normal.parent_path() / (normal.filename().string() + ".partial");
@@ -107,6 +112,7 @@ int write_scenes(const std::filesystem::path& folder) {
 }
 
 int show_cloth(const DemoArguments& arguments) {
+  if (!arguments.write_folder.empty()) require_free(arguments.write_folder);
   ClothAnswer answer = fallen_cloth({.steps = arguments.steps, .threads = arguments.threads});
   if (!arguments.write_folder.empty()) {
     write_folder(arguments.write_folder, [&](const std::filesystem::path& folder) {

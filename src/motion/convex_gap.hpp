@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
@@ -148,24 +151,59 @@ template <class A, class B>
     return overlap(a, b, &kept);
 }
 
+/// More than the magnitude of any coordinate of the set, but for its radius: what a shift of it is rounded by, in u.
+[[nodiscard]] inline double greatest_coordinates(const PosedPolytope& set) {
+  double greatest = 0;
+  if (set.in_world())
+    for (Index i = 0; i < set.vertex_count(); ++i) greatest = std::max(greatest, sum_of_magnitudes(set.vertex(i)));
+  else
+    for (int i = 0; i < 3; ++i)
+      greatest += sum_of_magnitudes(set.pose().linear[i]) * set.stored_extent() + std::fabs(set.pose().offset[i]);
+  return greatest;
+}
+[[nodiscard]] inline double greatest_coordinates(const PosedQuadric& set) {
+  double greatest = sum_of_magnitudes(set.pose().offset);
+  for (int i = 0; i < 3; ++i) greatest += dot(magnitudes(set.pose().linear[i]), set.half());
+  return greatest;
+}
+
+/// A half-space is not shifted.
+template <class A, class B>
+[[nodiscard]] bool shifts_first(const A& a, const B& b) {
+  if constexpr (std::same_as<A, PosedHalfSpace>)
+    return false;
+  else if constexpr (std::same_as<B, PosedHalfSpace>)
+    return true;
+  else
+    return greatest_coordinates(a) <= greatest_coordinates(b);
+}
+
+/// The corners of a regular tetrahedron, which contains the ball of radius 1/√3 around the origin, and of an
+/// octahedron, which does too; of the second none is farther than 1, of the first √3.
+inline constexpr std::array<Vec3, 4> tetrahedron_corners{Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1},
+                                                         Vec3{-1, -1, 1}};
+inline constexpr std::array<Vec3, 6> octahedron_corners{Vec3{1, 0, 0},  Vec3{-1, 0, 0}, Vec3{0, 1, 0},
+                                                        Vec3{0, -1, 0}, Vec3{0, 0, 1},  Vec3{0, 0, -1}};
+
 /// All sets that differ from these by less than `off`, point for point and both together, have a point in common.
 ///
-/// The difference A − B is convex. Where A, shifted to each of the four corners of a regular tetrahedron, meets B, the
-/// difference contains the tetrahedron, and a ball of 1/√3 of a corner's coordinates. Then the heights of A and B
-/// overlap by as much along every direction; sets that differ by less still do along all, so no plane parts them. The
-/// coordinates are twice `off`, 2 > √3, and what is left covers the rounding of the shift.
+/// The difference A − B is convex. Where one of the sets, shifted by 2 off times each of the corners, meets the other,
+/// the difference contains the hull of so many corners or its mirror image, and a ball of 2 off / √3. Then the heights
+/// of A and B overlap by as much along every direction; sets that differ by less still do along all, so no plane parts
+/// them. What is left, 2 > √3, covers the rounding of the shift, of the smaller of the two: `off` holds what the poses
+/// of those that move are off by, a hundred u of their coordinates, and so of the smaller one's.
 template <class A, class B>
-[[nodiscard]] bool overlap_by(const A& a, const B& b, double off) {
-  const double by = 2 * off;
+[[nodiscard]] bool overlap_by(const A& a, const B& b, double off, std::span<const Vec3> corners) {
   SimplexCache kept;
-  for (const Vec3& shift : {Vec3{by, by, by}, Vec3{by, -by, -by}, Vec3{-by, by, -by}, Vec3{-by, -by, by}}) {
-    if constexpr (std::same_as<A, PosedHalfSpace>) {
-      if (!certainly_overlap(a, b.moved(shift), kept)) return false;
-    } else {
-      if (!certainly_overlap(a.moved(shift), b, kept)) return false;
-    }
-  }
-  return true;
+  const bool of_first = shifts_first(a, b);
+  return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+    const Vec3 shift = (2 * off) * corner;
+    if constexpr (!std::same_as<A, PosedHalfSpace>)
+      if (of_first) return certainly_overlap(a.moved(shift), b, kept);
+    if constexpr (!std::same_as<B, PosedHalfSpace>)
+      if (!of_first) return certainly_overlap(a, b.moved(shift), kept);
+    return false;
+  });
 }
 
 }  // namespace toccata

@@ -11,7 +11,7 @@ namespace {
 /// More than any pair was seen to need; what needs more is not converged.
 constexpr int most_steps = 1 << 16;
 
-/// How often the time after a contact is made four times as long to prove it: from 10⁻¹⁴ of the way to 10⁻⁵ of it.
+/// How often the time after a contact is made four times as long to prove it: to 10⁹ times of the first.
 constexpr int most_proofs = 15;
 
 /// A direction, and how far the two are apart along it at some time.
@@ -67,9 +67,9 @@ class ContactAdvance {
     }
   }
 
-  /// Close to contact the last direction mostly is as good.
+  /// The one that was found where both are as good: of a half-space all are, and it is its normal then.
   static Parting better_of(const Parting& found, const Parting& of_last) {
-    return found.separation > of_last.separation ? found : of_last;
+    return found.separation >= of_last.separation ? found : of_last;
   }
 
   /// A direction may turn within the step, evenly from the one n that is the best at its beginning to the one m that is
@@ -100,8 +100,8 @@ class ContactAdvance {
     return std::min({free, std::max(until_closed(free), by_speed), end_ - time_});
   }
 
-  /// Towards where the gap would close if it closed evenly, at first even if that is not much sooner, and then by a
-  /// third at least: this ends where the speed alone tells.
+  /// Towards where the gap would close if it closed evenly: the first time by a 64th at least, and every later time by
+  /// a third, so that this ends where the speed alone tells.
   [[nodiscard]] double shorter(double step, double closing, int tries) const {
     const double until_closed = closing > 0 ? (63.0 / 64) * now_.separation / closing : step;
     return std::clamp(until_closed, step / 64, tries == 0 ? step * (63.0 / 64) : step / 1.5);

@@ -63,7 +63,7 @@ TEST(FirstContact, NearAContactTheGapIsSquared) {
   const auto contact = first_contact(pair, {}, straight(way));
   ASSERT_TRUE(contact);
   EXPECT_NEAR(contact->lower, 0.75, 8 * pad);
-  EXPECT_LE(pair.looks, 12);
+  EXPECT_LE(pair.looks, 8);
 }
 
 }  // namespace

@@ -53,6 +53,13 @@ TEST(RigidSweep, WhatHasTurnedAllTheWayRoundHasMetWhatStoodInItsWay) {
   }
 }
 
+TEST(RigidSweep, TheNormalOfAHalfSpaceThatTurnsIsThatOfTheContact) {
+  const RigidMotion tipping(Pose{}, {.axis = {0, 1, 0}, .turns = quarter});
+  const ShapeHit hit = sweep(Sphere(0.1), Pose::translation(-1, 0, 0.5), HalfSpace({0, 0, 0}, {0, 0, 1}), tipping);
+  ASSERT_TRUE(hit.hit);
+  EXPECT_LT(length(hit.normal - tipping.at(hit.lower).linear.column(2)), 1e-9);
+}
+
 TEST(RigidSweep, WithoutATurnItIsTheCast) {
   const Model a = Cylinder(0.3, 0.5), b = Model(torus_mesh({.radius = 1, .tube_radius = 0.3}));
   const Pose start = Pose::translation(-3, 0.2, 0.1);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int even_moments = 60;
 constexpr std::size_t most_measured_pairs = 1000;  ///< of more, only those that meet are shown
+constexpr std::size_t most_surface_corners = 1'000'000;
 constexpr std::uint64_t in_motion = 1, at_rest = 2;
 
 /// Times that a page shows, ascending: even ones, and those at which a pair first meets.
@@ -54,12 +55,13 @@ std::vector<IndexPair> apart_by_group(std::span<const SceneInstance> models, std
   return pairs;
 }
 
-/// The volumes of all that move are one thing to be seen or not.
+/// The volumes of all that move are one thing to be seen or not; where that is more than a part of a page, not.
 WorldRecording::Surface swept_surface_of(std::span<const SceneInstance> models, std::span<const RigidMotion> motions) {
   WorldRecording::Surface surface{"Swept volume", {}};
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::vector<Vec3> corners = io::swept_surface(models[i].model, motions[i], models[i].solid);
     surface.corners.insert(surface.corners.end(), corners.begin(), corners.end());
+    if (surface.corners.size() > most_surface_corners) return {surface.name, {}};
   }
   return surface;
 }
