@@ -25,6 +25,7 @@ CONVEX_RATIO = {
     "library": str, "variant": str, "task": str, "median": float, "mean": float, "p99": float, "best": bool,
 }
 MOTION_RESULT = {
+    "library": str, "variant": str,
     "task": str, "scene": str, "queries": int, "hits": int, "missed": int, "false_alarms": int, "median_ns": float,
     "mean_ns": float, "p99_ns": float, "worst_ns": float,
 }

@@ -124,10 +124,10 @@ struct SweepQuery {
 /// at no real time in [0, 1] have they a point in common. A hit has one of three statuses:
 ///
 ///   exact      nothing is met before `lower`, and at `upper` or before they have a point in common; both are proved
-///   undecided  nothing is met before `lower`, when they come as near as rounding can tell of poses that turn, some
-///              10⁻¹³ of their sizes; whether they touch or pass is not told, and `upper` is `lower`
-///   not_converged  nothing is met before `lower`, and of what comes then nothing is known: two convex shapes turned so
-///              often, beside each other, that 65,536 steps did not tell
+///   undecided  nothing is met before `lower`, when they come as near as can be told of poses that turn, some 10⁻¹³ of
+///              their sizes, at worst 10⁻⁸; whether they touch or pass is not told, and `upper` is `lower`
+///   not_converged  nothing is met before `lower`, and of what comes then nothing is known: two convex shapes that turn
+///              often, or very close, beside each other, so that 65,536 steps did not tell
 ///
 /// What does not turn is answered by `cast_shape`. Of meshes, height fields and compounds it is the earliest of their
 /// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` tells
