@@ -39,9 +39,9 @@ struct ShapeHit : Cast {
 /// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of meshes,
 /// height fields and compounds it is the earliest of their elements, by (upper, element of A, element of B). Where some
 /// elements meet at the start, two of those that do are named, always the same; a solid that holds the other, or a part
-/// of it, at the start is met at once. What is to leave a contact, or to stop a distance before one, is asked of `sweep`
-/// along RigidMotion::straight, with `stop_before`. Throws like `overlap`, Error when the motion is not finite, and
-/// Error for what the table of pairs.hpp does not define.
+/// of it, at the start is met at once. What is to leave a contact, or to stop a distance before one, is asked of
+/// `sweep` along RigidMotion::straight, with `stop_before`. Throws like `overlap`, Error when the motion is not finite,
+/// and Error for what the table of pairs.hpp does not define.
 [[nodiscard]] ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.
