@@ -45,7 +45,7 @@ class ContactAdvance {
     return {direction, pair_.separation(time, direction)};
   }
 
-  /// To a time up to which one direction keeps the two apart; tells whether there is one.
+  /// To a time up to which one direction, at rest or turning, keeps the two apart; tells whether there is one.
   bool advance() {
     double step = first_step(), last = infinity;
     for (int tries = 0;; ++tries) {

@@ -44,8 +44,8 @@ struct FirstContact {
 /// what it leaves between them at both is more than the points' bending can take away in between (least_between), and
 /// so does one that turns from the best of the one time to the best of the other. The gap that is left may so be
 /// crossed in steps that go with its root, and not with itself as in conservative advancement (B. V. Mirtich,
-/// "Impulse-based dynamic simulation of rigid body systems", 1996); and towards a contact every step leaves of the gap
-/// some square of what the one before left.
+/// "Impulse-based dynamic simulation of rigid body systems", 1996); and towards a contact the gap that a step leaves
+/// goes with the square of the gap before it.
 [[nodiscard]] std::optional<FirstContact> first_contact(MovingPair& pair, const TimeStretch& stretch,
                                                         const GapBounds& bounds);
 

@@ -15,12 +15,6 @@ namespace {
 constexpr std::size_t most_drawn_parts = 64;
 constexpr int circles_of_parts = 4;
 
-bool is_within(const Aabb& box, const Vec3& point) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (point[axis] < box.lower[axis] || point[axis] > box.upper[axis]) return false;
-  return true;
-}
-
 /// A part of a volume, as it is drawn and as it is asked.
 struct DrawnPart {
   DisplayMesh mesh;
@@ -36,7 +30,7 @@ struct DrawnPart {
 
   [[nodiscard]] bool contains(const Vec3& point) const {
     const auto* convex = std::get_if<PosedPolytope>(&shape);
-    return convex != nullptr && is_within(box, point) && overlap(PosedPolytope(Point(point)), *convex);
+    return convex != nullptr && overlap(box, Aabb{point, point}) && overlap(PosedPolytope(Point(point)), *convex);
   }
 };
 
