@@ -10,6 +10,7 @@
 #include "motion/convex_pair_in_time.hpp"
 #include "motion/item_contact.hpp"
 #include "motion/stretch_view.hpp"
+#include "narrow/triangles/heights_along.hpp"
 #include "query/casts/mesh_casts.hpp"
 
 namespace toccata {
@@ -27,11 +28,6 @@ Vec3 normal_of(const std::array<Triangle, 2>& t) {
 }
 Vec3 middle_of(const std::array<Triangle, 2>& t) {
   return (t[0][0] + t[0][1] + t[0][2]) + (t[1][0] + t[1][1] + t[1][2]);
-}
-
-HeightRange range_of(const Triangle& triangle, const Vec3& up) {
-  const double x = dot(up, triangle[0]), y = dot(up, triangle[1]), z = dot(up, triangle[2]);
-  return {std::min({x, y, z}), std::max({x, y, z})};
 }
 
 class TreeSweep {
@@ -211,8 +207,8 @@ class TreeSweep {
     const double pad = pad_along(view, 0);
     for (const Vec3& along : {normal_of(a), normal_of(b), middle_of(b) - middle_of(a)}) {
       const Vec3 up = plain_unit_or_zero(along);
-      const HeightRange a0 = range_of(a[0], up), a1 = range_of(a[1], up), b0 = range_of(b[0], up),
-                        b1 = range_of(b[1], up);
+      const auto a0 = heights_along(up, a[0]), a1 = heights_along(up, a[1]), b0 = heights_along(up, b[0]),
+                 b1 = heights_along(up, b[1]);
       if (is_gap(a0.low - b0.high - pad, a1.low - b1.high - pad, view, bounds) ||
           is_gap(b0.low - a0.high - pad, b1.low - a1.high - pad, view, bounds))
         return true;

@@ -1,24 +1,14 @@
 #include "narrow/triangles/parting_normal.hpp"
 
-#include <algorithm>
 #include <array>
 #include <tuple>
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
+#include "narrow/triangles/heights_along.hpp"
 
 namespace toccata {
 namespace {
-
-struct HeightsOfTriangle {
-  double low;
-  double high;
-};
-
-HeightsOfTriangle heights_along(const Vec3& up, const Triangle& t) {
-  const double x = dot(up, t[0]), y = dot(up, t[1]), z = dot(up, t[2]);
-  return {std::min({x, y, z}), std::max({x, y, z})};
-}
 
 /// The least overlap of those that were tried.
 class LeastOverlap {
