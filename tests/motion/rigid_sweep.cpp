@@ -30,10 +30,10 @@ std::vector<std::string> rigid_family_names() {
 
 const bool rigid_known = register_sweep({.name = "rigid-sweeps",
                                          .families = rigid_family_names(),
-                                         .goal = 10'000,
+                                         .goal = 100'000,
                                          .slice = 10,
                                          .run = run_rigid,
-                                         .shard = 200,
+                                         .shard = 1000,
                                          .thin_slice = 2});
 
 }  // namespace

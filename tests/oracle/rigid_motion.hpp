@@ -10,16 +10,20 @@
 // No tree, no separating direction that is kept, no bound but how fast a point is.
 namespace toccata::oracle {
 
-struct FineHalfSpace {
-  FinePoint point;
-  FinePoint normal;
+template <class Number>
+struct HalfSpaceOf {
+  PointOf<Number> point;
+  PointOf<Number> normal;
 };
 
 /// A convex set where it is at the start, and how it moves from there.
-struct FineBody {
-  std::variant<FineSet, FineHalfSpace> set;
+template <class Number>
+struct BodyOf {
+  std::variant<SetOf<Number>, HalfSpaceOf<Number>> set;
   RigidMove move;
 };
+using FineHalfSpace = HalfSpaceOf<Fine>;
+using FineBody = BodyOf<Fine>;
 
 /// The set at the part `time` of its move.
 FineBody moved(const FineBody& body, const Fine& time);
@@ -37,7 +41,8 @@ struct FineContact {
 };
 
 /// Halves [0, 1]: in an interval they are apart when at its middle they are farther apart than points can travel in
-/// half of it. Ends where intervals are narrower than `narrowest`; contact is looked for at their middles and ends.
+/// half of it. That is looked at in `long double` first, and believed where more than its rounding is left. Ends where
+/// intervals are narrower than `narrowest`; contact is looked for at their middles and ends.
 FineContact first_contact(const FineBody& a, const FineBody& b, double narrowest);
 
 }  // namespace toccata::oracle
