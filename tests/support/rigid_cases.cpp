@@ -1,5 +1,6 @@
 #include "support/rigid_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -235,6 +236,49 @@ RigidCase backwards(const RigidCase& pair) {
   return {turned_back(pair.a), turned_back(pair.b)};
 }
 
+/// Behind a mirror: x becomes −x, and what turned left turns right.
+RigidCase mirrored(const RigidCase& pair) {
+  const auto behind = [](const Vec3& v) { return Vec3{-v.x, v.y, v.z}; };
+  const auto mirrored_body = [&](const MovingShape& body) {
+    const RigidMove& m = body.move;
+    MovingShape result{body.shape, body.start, {behind(m.centre), behind(m.axis), -m.turns, behind(m.translation)}};
+    result.start.linear[0] = -result.start.linear[0];
+    result.start.offset = behind(result.start.offset);
+    return result;
+  };
+  return {mirrored_body(pair.a), mirrored_body(pair.b)};
+}
+
+/// A shape whose vertices are the same, in another order.
+struct Reordered {
+  Shape operator()(const Segment& s) const { return Segment(s.end(), s.start()); }
+  Shape operator()(const Triangle& s) const { return Triangle{{s[2], s[0], s[1]}}; }
+  Shape operator()(const Capsule& s) const { return Capsule(s.end(), s.start(), s.radius()); }
+  Shape operator()(const ConvexHull& s) const {
+    std::vector<Vec3> points = CorePoints{}(s);
+    std::reverse(points.begin(), points.end());
+    return ConvexHull(points);
+  }
+  template <class S>
+  Shape operator()(const S& s) const {
+    return s;
+  }
+};
+
+RigidCase reordered(const RigidCase& pair) {
+  const auto body = [](const MovingShape& b) { return MovingShape{std::visit(Reordered{}, b.shape), b.start, b.move}; };
+  return {body(pair.a), body(pair.b)};
+}
+
+/// What is wrong with the answer to a question that is the same but for how it is put; nothing where both are right.
+std::optional<std::string> contradiction(const ShapeHit& answer, const ShapeHit& other, const char* change) {
+  if (answer.status != Status::exact || other.status != Status::exact) return std::nullopt;
+  if (other.hit != answer.hit) return fmt::format("{} changes the answer", change);
+  if (answer.hit && (other.lower > answer.upper || other.upper < answer.lower))
+    return fmt::format("{} changes the time", change);
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<RigidFamily>& rigid_families() {
@@ -277,15 +321,12 @@ std::optional<std::string> wrong_sweep(const RigidCase& pair, const ShapeHit& an
 }
 
 std::optional<std::string> changed_sweep(const RigidCase& pair, const ShapeHit& answer) {
-  const auto is_decided = [&](const ShapeHit& hit) {
-    return hit.status == Status::exact && answer.status == Status::exact;
-  };
-  const ShapeHit other = swept(exchanged(pair));
-  if (is_decided(other) && other.hit != answer.hit) return "the order changes the answer";
-  if (is_decided(other) && answer.hit && (other.lower > answer.upper || other.upper < answer.lower))
-    return "the order changes the time";
+  if (auto wrong = contradiction(answer, swept(exchanged(pair)), "the order")) return wrong;
+  if (auto wrong = contradiction(answer, swept(mirrored(pair)), "a mirror")) return wrong;
+  if (auto wrong = contradiction(answer, swept(reordered(pair)), "the order of vertices")) return wrong;
   const ShapeHit back = swept(backwards(pair));
-  if (is_decided(back) && back.hit != answer.hit) return "the direction of time changes the answer";
+  if (back.status == Status::exact && answer.status == Status::exact && back.hit != answer.hit)
+    return "the direction of time changes the answer";
   const ShapeHit large = swept(scaled_case(pair, 0x1p10));
   // The numbers of distances of quadrics are found by steps that know no unit of two.
   const bool has_quadric = is_quadric(kind_of(pair.a.shape)) || is_quadric(kind_of(pair.b.shape));
