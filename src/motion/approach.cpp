@@ -52,7 +52,7 @@ MovingPolygon<4> with_points_in_order(const MovingPolygon<4>& polygon) {
 template <std::size_t Count>
 class ApproachSearch {
  public:
-  explicit ApproachSearch(const ScaledPolygon<Count>& polygon) : polygon_(polygon) {}
+  ApproachSearch(const ScaledPolygon<Count>& polygon, double latest) : polygon_(polygon), latest_(latest) {}
 
   [[nodiscard]] Approach search() const;
 
@@ -62,6 +62,7 @@ class ApproachSearch {
   [[nodiscard]] Approach told_from(double lower) const;
 
   const ScaledPolygon<Count>& polygon_;
+  double latest_;
 };
 
 template <std::size_t Count>
@@ -108,23 +109,23 @@ Approach ApproachSearch<Count>::search() const {
     }
     ++index;
     for (; level > 0 && std::fmod(index, 2) == 0; --level) index /= 2;
-    if (level == 0) return {};
+    if (level == 0 || std::ldexp(index, -level) > latest_) return {};
   }
   return {{true, std::ldexp(index, -level), 1}, Status::not_converged};
 }
 
 template <std::size_t Count>
-Approach approach_of(const MovingPolygon<Count>& polygon, double separation) {
-  return ApproachSearch<Count>(ScaledPolygon<Count>(with_points_in_order(polygon), separation)).search();
+Approach approach_of(const MovingPolygon<Count>& polygon, double separation, double latest) {
+  return ApproachSearch<Count>(ScaledPolygon<Count>(with_points_in_order(polygon), separation), latest).search();
 }
 
 }  // namespace
 
-Approach time_of_approach(const MovingPolygon<3>& polygon, double separation) {
-  return approach_of(polygon, separation);
+Approach time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest) {
+  return approach_of(polygon, separation, latest);
 }
-Approach time_of_approach(const MovingPolygon<4>& polygon, double separation) {
-  return approach_of(polygon, separation);
+Approach time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest) {
+  return approach_of(polygon, separation, latest);
 }
 
 }  // namespace toccata

@@ -12,8 +12,9 @@ struct Approach {
 };
 
 /// For finite coordinates and a positive, finite separation. The same bits for every order of corners, ends and edges.
-[[nodiscard]] Approach time_of_approach(const MovingPolygon<3>& polygon, double separation);
-[[nodiscard]] Approach time_of_approach(const MovingPolygon<4>& polygon, double separation);
+/// Of an approach whose `lower` is later than `latest` it may be told that there is none, which takes less time.
+[[nodiscard]] Approach time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest = 1);
+[[nodiscard]] Approach time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest = 1);
 
 /// A fraction in [0, 1] such that the features stay more than the separation, which may be 0, apart when each of their
 /// points goes any part of its way up to it, whatever the parts. 0 where that is not proved for more.

@@ -16,13 +16,15 @@
 namespace toccata {
 
 /// What is done with two features whose ways come near each other: with a vertex and a face, or two edges, and with an
-/// edge and a face that meet at the start. Says whether more is wanted.
+/// edge and a face that meet at the start. Says whether more is wanted, and until when: triangles that certainly meet
+/// only later than `latest` are left out.
 template <class Sink>
 concept FeatureSink = requires(Sink& sink, const MeshFeature& a, const MeshFeature& b, const MovingPolygon<3>& triangle,
                                const MovingPolygon<4>& parallelogram) {
   { sink.see(a, b, triangle) } -> std::convertible_to<bool>;
   { sink.see(a, b, parallelogram) } -> std::convertible_to<bool>;
   { sink.see_pierced(a, b) } -> std::convertible_to<bool>;
+  { sink.latest() } -> std::convertible_to<double>;
 };
 
 /// A mesh of a question, with the boxes by which its features are told apart quickly.
@@ -50,6 +52,11 @@ struct BoxedTriangle {
   [[nodiscard]] FloatBox face_box_at_start() const { return around(edge_box_at_start(0), box[2]->start); }
   [[nodiscard]] FloatBox edge_box_at_start(std::size_t i) const { return around(box[i]->start, box[next(i)]->start); }
   static std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
+
+  /// Around where it is at a time, a multiple of a cell.
+  [[nodiscard]] Aabb box_at(double time) const {
+    return merge(merge(moment_box(way(0), time), moment_box(way(1), time)), moment_box(way(2), time));
+  }
 
   const DeformingMesh& mesh;
   Index number;
@@ -88,6 +95,8 @@ class FeaturePairs {
     for (const auto& [first, second] : pairs) {
       const BoxedTriangle a(question_.a, first), b(question_.b, second);
       if (!a.owns_any() && !b.owns_any()) continue;
+      const double latest = sink_.latest();
+      if (latest < 1 && stay_apart(a.box_at(0), b.box_at(0), a.box_at(latest), b.box_at(latest))) continue;
       if (!see(a, b, common_corners(a, b), common_corners(b, a))) return false;
     }
     return true;

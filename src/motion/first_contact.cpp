@@ -74,7 +74,8 @@ class ContactAdvance {
 
   /// A direction may turn within the step, evenly from the one n that is the best at its beginning to the one m that is
   /// at its end: with r the way from a point of one to a point of the other, the second derivative of n(t) · r(t) is
-  /// n · r″ + 2 n′ · r′, of at most bending + 2 |m − n| / step · speed.
+  /// n · r″ + 2 n′ · r′, of at most bending + 2 |m − n| / step · speed. With radii the points are of the cores, and a
+  /// gap of n · r less both radii, with |n| ≤ 1, is one of no less along n / |n|.
   [[nodiscard]] bool turns_free(const Parting& then, double taken) const {
     if (!pair_.may_turn()) return false;
     GapBounds turning = bounds_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -29,23 +30,43 @@ struct FeatureQuestion {
 
 enum class WantedImpacts { any, first, all };
 
+/// The time after which nothing can come first any more, which all threads of a question make earlier. What is left out
+/// by it comes after the first in every order, so that it cannot be seen in an answer when which thread found what.
+class LatestTime {
+ public:
+  [[nodiscard]] double get() const { return time_.load(std::memory_order_relaxed); }
+  void lessen(double time) {
+    double known = get();
+    while (time < known && !time_.compare_exchange_weak(known, time, std::memory_order_relaxed)) continue;
+  }
+
+ private:
+  std::atomic<double> time_ = 1;
+};
+
 /// What one thread has found.
 class ImpactSink {
  public:
-  ImpactSink(WantedImpacts wanted, double separation) : wanted_(wanted), separation_(separation) {}
+  ImpactSink(WantedImpacts wanted, double separation, LatestTime& latest)
+      : wanted_(wanted), separation_(separation), latest_(&latest) {}
 
   template <std::size_t Count>
   bool see(const MeshFeature& a, const MeshFeature& b, const MovingPolygon<Count>& polygon) {
-    const Approach contact =
-        separation_ > 0 ? time_of_approach(polygon, separation_) : Approach{time_of_finite(polygon), Status::exact};
+    const Approach contact = separation_ > 0 ? time_of_approach(polygon, separation_, latest_->get())
+                                             : Approach{time_of_finite(polygon), Status::exact};
     return !contact.time.hit || add({a, b, contact.time, contact.status});
   }
   bool see_pierced(const MeshFeature& a, const MeshFeature& b) { return add({a, b, {true, 0, 0}, Status::exact}); }
+
+  /// Times of contact are exact, and what meets after the `upper` of another comes after it. Where an approach begins
+  /// is a matter of its search, which may tell it a little too early: boxes tell nothing of that.
+  [[nodiscard]] double latest() const { return separation_ > 0 ? 1 : latest_->get(); }
 
   [[nodiscard]] std::vector<MeshImpact>& found() { return found_; }
 
  private:
   bool add(const MeshImpact& impact) {
+    if (wanted_ == WantedImpacts::first) latest_->lessen(separation_ > 0 ? impact.time.lower : impact.time.upper);
     if (wanted_ != WantedImpacts::first || found_.empty())
       found_.push_back(impact);
     else if (impact_comes_before(impact, found_[0]))
@@ -55,6 +76,7 @@ class ImpactSink {
 
   WantedImpacts wanted_;
   double separation_;
+  LatestTime* latest_;
   std::vector<MeshImpact> found_;
 };
 
@@ -74,6 +96,7 @@ class StepSink {
     limit(a, b, 0);
     return true;
   }
+  [[nodiscard]] static double latest() { return 1; }
 
   /// The lesser of each two.
   void merge(const StepSink& other) {
@@ -150,8 +173,9 @@ void check_promise(const FeatureQuestion& question, std::span<const MeshImpact> 
 /// Ascending.
 std::vector<MeshImpact> impacts_of(const FeatureQuestion& question, WantedImpacts wanted) {
   check_impact_options(question.options);
+  LatestTime latest;
   std::vector<ImpactSink> sinks(static_cast<std::size_t>(thread_count(question.options.threads)),
-                                ImpactSink(wanted, question.options.separation));
+                                ImpactSink(wanted, question.options.separation, latest));
   search_features(question, sinks);
   std::vector<MeshImpact> all;
   for (ImpactSink& sink : sinks) all.insert(all.end(), sink.found().begin(), sink.found().end());

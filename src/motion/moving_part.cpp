@@ -7,26 +7,37 @@
 #include <fmt/format.h>
 
 #include "math/vec3_measures.hpp"
+#include "toccata/bounds/aabb.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-/// The box of a shape's own frame has to hold what poses that are allowed make of it: of a shape that has a radius,
-/// they may shrink its core by 2⁻¹¹, and leave the radius as it is.
-constexpr double allowed_deformation = 1 + 0x1p-9;
+constexpr Index most_outline_points = 8;  ///< of a box; what has more vertices is seen as its box
 
-Aabb local_box_of(const Model& shape) {
-  if (shape.has_mesh()) return shape.bounds();
-  if (const auto* half_space = std::get_if<HalfSpace>(&shape.shape()))
-    return {half_space->point(), half_space->point()};
-  return world_box(pose_shape(shape, {}, Solid::automatic, "a shape"));
+std::vector<Vec3> corners_of(const Aabb& box) {
+  std::vector<Vec3> corners;
+  for (int number = 0; number < 8; ++number)
+    corners.push_back({(number & 1) != 0 ? box.upper.x : box.lower.x, (number & 2) != 0 ? box.upper.y : box.lower.y,
+                       (number & 4) != 0 ? box.upper.z : box.lower.z});
+  return corners;
 }
 
-Vec3 corner(const Aabb& box, int number) {
-  Vec3 point;
-  for (int axis = 0; axis < 3; ++axis) point[axis] = (number >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
-  return point;
+std::vector<Vec3> outline_of(const PosedPolytope& local) {
+  std::vector<Vec3> vertices;
+  for (Index i = 0; i < local.vertex_count(); ++i) vertices.push_back(local.vertex(i));
+  if (local.vertex_count() <= most_outline_points) return vertices;
+  Aabb box;
+  for (const Vec3& vertex : vertices) box = merge(box, vertex);
+  return corners_of(box);
+}
+
+MovingCore core_of(const Model& shape) {
+  if (shape.has_mesh()) return {corners_of(shape.bounds())};
+  if (const auto* half_space = std::get_if<HalfSpace>(&shape.shape())) return {{half_space->point()}};
+  const PosedShape local = pose_shape(shape, {}, Solid::automatic, "a shape");
+  if (const auto* polytope = std::get_if<PosedPolytope>(&local)) return {outline_of(*polytope), polytope->radius()};
+  return {corners_of(world_box(local))};
 }
 
 /// |R| v + |t|: as large as the numbers become that are added up for a world coordinate.
@@ -36,9 +47,11 @@ Vec3 magnitudes_in(const Pose& pose, const Vec3& v) {
   return result;
 }
 
-Vec3 greatest_magnitudes_in(const Aabb& box) {
-  const Vec3 low = magnitudes(box.lower), high = magnitudes(box.upper);
-  return {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
+Vec3 greatest_magnitudes_of(const std::vector<Vec3>& points) {
+  Vec3 greatest;
+  for (const Vec3& point : points)
+    for (int axis = 0; axis < 3; ++axis) greatest[axis] = std::max(greatest[axis], std::fabs(point[axis]));
+  return greatest;
 }
 
 void add_parts(const Model& model, const std::vector<Pose>& chain, const RigidMotion& motion, Solid solid,
@@ -74,7 +87,7 @@ double farthest_from(const Vec3& point, const Aabb& box) {
 GapBounds half_space_bounds(const MovingPart& half_space, const MovingPart& other, const TimeStretch& stretch) {
   const PartMotion own = half_space.motion(stretch), others = other.motion(stretch);
   GapBounds bounds = gap_bounds(own.bounds(own.reach), others.bounds(others.reach));
-  const Vec3 at = transform(half_space.pose_at(stretch.begin), half_space.local_box().lower);
+  const Vec3 at = transform(half_space.pose_at(stretch.begin), half_space.core().outline.front());
   const double far = farthest_from(at, world_box(other.at(stretch.begin))) +
                      (bounds.speed * (stretch.end - stretch.begin) + bounds.pad);
   bounds.bending += own.rate * (own.rate * far + 2 * bounds.speed);
@@ -87,7 +100,7 @@ GapBounds half_space_bounds(const MovingPart& half_space, const MovingPart& othe
 
 MovingPart::MovingPart(const Model& shape, std::vector<Pose> chain, const RigidMotion& motion, Solid solid,
                        std::string_view who)
-    : shape_(&shape), chain_(std::move(chain)), motion_(&motion), solid_(solid), who_(who), box_(local_box_of(shape)) {}
+    : shape_(&shape), chain_(std::move(chain)), motion_(&motion), solid_(solid), who_(who), core_(core_of(shape)) {}
 
 Pose MovingPart::through_chain(Pose pose) const {
   for (const Pose& next : chain_) pose = pose * next;
@@ -127,16 +140,16 @@ const RigidMotion::Piece* MovingPart::piece(const TimeStretch& stretch) const {
   return nullptr;
 }
 
-/// The distance from an axis, or from a point, is greatest at a corner.
+/// The distance from an axis, or from a point, is convex: of a hull it is greatest at one of the points.
 double MovingPart::farthest_reach(const PartMotion& motion) const {
   double reach = 0;
-  for (int i = 0; i < 8; ++i) reach = std::max(reach, motion.reach_of(transform(motion.pose, corner(box_, i))));
-  return reach * allowed_deformation + motion.rounding;
+  for (const Vec3& point : core_.outline) reach = std::max(reach, motion.reach_of(transform(motion.pose, point)));
+  return reach * (1 + 0x1p-40) + motion.rounding;
 }
 
-/// Of all numbers that are added up for a world coordinate of a point of it.
+/// Of all numbers that are added up for a world coordinate of a point of its core.
 double MovingPart::size(const Pose& start) const {
-  Vec3 largest = greatest_magnitudes_in(box_);
+  Vec3 largest = greatest_magnitudes_of(core_.outline);
   for (std::size_t i = chain_.size(); i-- > 0;) largest = magnitudes_in(chain_[i], largest);
   return sum_of_magnitudes(magnitudes_in(start, largest));
 }

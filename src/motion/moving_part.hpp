@@ -6,7 +6,6 @@
 
 #include "motion/point_bounds.hpp"
 #include "query/posed_shape.hpp"
-#include "toccata/bounds/aabb.hpp"
 #include "toccata/motion/rigid_motion.hpp"
 
 namespace toccata {
@@ -19,7 +18,7 @@ struct PartMotion {
   Vec3 axis{};          ///< of length 1; zero: any
   double rate = 0;      ///< radians per unit of time
   MotionBounds alike;   ///< of the points on the axis
-  double reach = 0;     ///< no point of the part is farther from the axis
+  double reach = 0;     ///< no point of the part's core is farther from the axis
   double rounding = 0;  ///< more than a reach may be off that is computed from a point of the part
 
   /// How far a world point, as it is under `pose`, is from the axis, but for rounding.
@@ -35,6 +34,13 @@ struct PartMotion {
     bounds.bending += rate * rate * within;
     return bounds;
   }
+};
+
+/// What of a shape turns with it, in its own frame, and how far the shape reaches beyond that along every direction, at
+/// every time: of a ball, a capsule or a rounded shape its radius. All else is its own core.
+struct MovingCore {
+  std::vector<Vec3> outline;  ///< their hull contains the core; of a half-space its point
+  double radius = 0;
 };
 
 /// A shape of a model that moves, which is no compound: the model itself, or a part of it.
@@ -65,8 +71,7 @@ class MovingPart {
   /// By how much a direction of it may be off, posed in doubles.
   [[nodiscard]] double pose_error(const TimeStretch& stretch) const;
 
-  /// In its own frame; of a half-space around its point.
-  [[nodiscard]] const Aabb& local_box() const { return box_; }
+  [[nodiscard]] const MovingCore& core() const { return core_; }
 
  private:
   struct Sample {
@@ -85,7 +90,7 @@ class MovingPart {
   const RigidMotion* motion_;
   Solid solid_;
   std::string_view who_;
-  Aabb box_;
+  MovingCore core_;
   mutable std::optional<Sample> last_;  ///< of a function
 };
 
@@ -93,7 +98,8 @@ class MovingPart {
 [[nodiscard]] std::vector<MovingPart> moving_parts(const Model& model, const RigidMotion& motion, Solid solid,
                                                    std::string_view who);
 
-/// Of every two points, one of each. Of a half-space: of how high points of the other are above it.
+/// Of every two points, one of each core: what parts two shapes along a direction is what parts their cores, less both
+/// radii, which do not change. Of a half-space: of how high points of the other's core are above it.
 [[nodiscard]] GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch);
 
 }  // namespace toccata

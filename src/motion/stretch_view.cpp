@@ -61,7 +61,7 @@ std::uint32_t SweptThing::block_below(std::uint32_t at) const {
 
 /// A box's points are within its radius of its centre.
 SweptThing::Extent SweptThing::extent(std::uint32_t at) const {
-  if (tree == nullptr || at == whole) return {motion.reach, motion.reach};
+  if (tree == nullptr || at == whole) return {motion.reach + part->core().radius, motion.reach};
   const WideBlock& block = tree->blocks[at >> 3];
   const std::size_t lane = at & 7U;
   const Vec3 centre{block.centre[0][lane], block.centre[1][lane], block.centre[2][lane]};

@@ -22,7 +22,8 @@ struct SweptThing {
   [[nodiscard]] Index item(std::uint32_t at) const;
   [[nodiscard]] std::uint32_t block_below(std::uint32_t at) const;
 
-  /// Half of a box's diagonal in the world, and how far its points are from the axis at most.
+  /// Half of a box's diagonal in the world, or how far all of it is from the axis at most, and how far the points of
+  /// its core are.
   struct Extent {
     double radius;
     double reach;

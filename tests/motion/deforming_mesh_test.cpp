@@ -11,6 +11,7 @@
 #include "support/error_message.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/self_contacts.hpp"
 
 namespace toccata::test {
@@ -128,6 +129,62 @@ TEST(DeformingMesh, AnswersHaveTheSameBitsOnAnyNumberOfThreadsAndAtEverySimdLeve
       EXPECT_EQ(first_impact(mesh, {.threads = threads}), alone.front());
     }
   });
+}
+
+/// As a whole, by the same way.
+DeformingMesh moved_by(const TriangleMesh& mesh, const Vec3& way) {
+  std::vector<Vec3> end = starts_of(mesh);
+  for (Vec3& v : end) v += way;
+  return {mesh, std::move(end)};
+}
+
+TriangleMesh placed_at(const TriangleMesh& mesh, const Vec3& by) {
+  const DeformingMesh moved = moved_by(mesh, by);
+  return mesh.with_vertices({moved.end().begin(), moved.end().end()});
+}
+
+void expect_first_of_all(const DeformingMesh& a, const DeformingMesh& b, double separation) {
+  const std::vector<MeshImpact> all = impacts(a, b, {.separation = separation});
+  for (const int threads : {1, 2, 3, 8}) {
+    const auto first = first_impact(a, b, {.separation = separation, .threads = threads});
+    ASSERT_EQ(first, all.empty() ? std::nullopt : std::optional(all.front())) << threads;
+  }
+}
+
+// What begins to meet later than what is found already is left out; the first is the same, also of many at one time.
+TEST(DeformingMesh, TheFirstImpactIsThatOfAllOnAnyNumberOfThreads) {
+  const TriangleMesh ball = icosphere_mesh(1, 2), box = box_mesh({1, 1, 1});
+  const DeformingMesh resting(ball), resting_box(box);
+  Random random(3);
+  for (const double separation : {0.0, 0.02}) {
+    for (const Vec3& way : {Vec3{1.5, 0, 0}, Vec3{4, 0, 0}, Vec3{8, 0.5, 0.25}})
+      expect_first_of_all(moved_by(placed_at(ball, {-3, 0.1, 0.05}), way), resting, separation);
+    // All of a face at once.
+    expect_first_of_all(moved_by(placed_at(box, {-3, 0, 0}), {4, 0, 0}), resting_box, separation);
+    expect_first_of_all(moved_by(placed_at(box, {-3, 0.25, 0.5}), {2, 0, 0}), resting_box, separation);
+    for (const std::string& family : deforming_families())
+      for (int i = 0; i < 5; ++i) {
+        const DeformingMesh a = random_deforming_case(family, random).made(),
+                            b = random_deforming_case(family, random).made();
+        expect_first_of_all(a, b, separation);
+      }
+  }
+}
+
+TEST(DeformingMesh, AnApproachThatIsAskedForUntilATimeIsTheSameOrComesLater) {
+  Random random(4);
+  const auto point = [&] { return Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; };
+  int later = 0;
+  for (int i = 0; i < 300; ++i) {
+    const EdgeEdge pair{{{{point(), point()}, {point(), point()}}}, {{{point(), point()}, {point(), point()}}}};
+    const Approach all = time_of_approach(differences(pair), 0.1);
+    const double latest = random.between(0, 1);
+    const Approach until = time_of_approach(differences(pair), 0.1, latest);
+    const bool is_in_time = all.time.hit && all.time.lower <= latest;
+    EXPECT_TRUE(until.time == all.time || (!is_in_time && !until.time.hit)) << i;
+    later += all.time.hit && !until.time.hit;
+  }
+  EXPECT_GT(later, 20);
 }
 
 TEST(DeformingMesh, RefittedOrBuiltAnewTheAnswersAreTheSame) {

@@ -2,9 +2,13 @@
 // (docs/design/proof-constants.md).
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "motion/feature_boxes.hpp"
 #include "motion/separating_direction.hpp"
 #include "motion/volume_filter.hpp"
 #include "oracle/rational.hpp"
+#include "toccata/core/random.hpp"
 
 namespace toccata {
 namespace {
@@ -32,6 +36,23 @@ TEST(ProofConstants, ADotProductWithACornerCoversItsRoundings) {
   const PolygonSpan<3> span{corners, greatest_magnitudes(corners)};
   const oracle::Rational truth = (exact(1) - exact(tail)) + exact(half_unit) + exact(half_unit);
   EXPECT_LE(abs(exact(dot(direction, corner)) - truth), exact(span.slack(direction)));
+}
+
+// Of numbers of one size and times of few bits the sum is off by a unit and a half at most.
+TEST(ProofConstants, ABoxAroundAMomentContainsThePointThen) {
+  Random random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const MovingPoint point{{random.between(-1, 1), random.between(1, 2), 0x1p-1074},
+                            {random.between(-1, 1), random.between(1, 2), 0x3p-1074}};
+    const double time = std::ldexp(static_cast<double>(random.below(std::uint32_t{1} << 30U)), -30);
+    const Aabb box = moment_box(point, time);
+    for (int axis = 0; axis < 3; ++axis) {
+      const oracle::Rational at =
+          exact(point.start[axis]) + exact(time) * (exact(point.end[axis]) - exact(point.start[axis]));
+      ASSERT_LE(exact(box.lower[axis]), at) << i;
+      ASSERT_GE(exact(box.upper[axis]), at) << i;
+    }
+  }
 }
 
 }  // namespace

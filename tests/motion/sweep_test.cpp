@@ -209,6 +209,55 @@ TEST(RigidSweep, WhatIsFarFromAMeshLooksAtNoneOfItsTriangles) {
   }
 }
 
+/// Their points that are farthest along x are at 1, and all that is around x = 1 there is a part of a ball or of a
+/// plane.
+std::vector<Model> reaching_to_one() {
+  return {Model(Box({1, 1, 1})),
+          Model(Sphere(1)),
+          Model(Capsule({0, 0, -1}, {0, 0, 1}, 1)),
+          Model(Rounded(Box({0.75, 1, 1}), 0.25)),
+          Model(Cylinder(1, 1)),
+          Model(Ellipsoid({1, 2, 2})),
+          Model(HalfSpace({1, 0, 0}, {1, 0, 0})),
+          Model(box_mesh({1, 1, 1}))};
+}
+
+// A radius does not turn: of a ball that spins in its place no point of its core moves, nor of a capsule about its
+// axis.
+TEST(RigidSweep, WhatIsRoundMaySpinAsCloseToAnotherAsItIs) {
+  const Vec3 one{-0.3, 0.1, -0.2}, other{0.3, -0.1, 0.2};
+  const double beside = 1.5 + 0.3;  // the reach of the capsule along x
+  for (const Model& near : reaching_to_one())
+    for (const double gap : {1e-3, 1e-6, 1e-9})
+      for (const double turns : {0.25, 1.0, 1000.0}) {
+        const Vec3 ball_at{1.5 + gap, 0, 0}, capsule_at{beside + gap, 0, 0};
+        const RigidMotion spinning(Pose::translation(ball_at), {.centre = ball_at, .axis = {1, 2, 3}, .turns = turns});
+        EXPECT_FALSE(sweep(Sphere(0.5), spinning, near, Pose{}).hit) << name_of(near.shape()) << gap << " " << turns;
+        EXPECT_FALSE(sweep(near, Pose{}, Sphere(0.5), spinning).hit) << name_of(near.shape()) << gap << " " << turns;
+        const RigidMotion rolling(Pose::translation(capsule_at),
+                                  {.centre = capsule_at, .axis = other - one, .turns = turns});
+        EXPECT_FALSE(sweep(Capsule(one, other, 0.5), rolling, near, Pose{}).hit)
+            << name_of(near.shape()) << gap << " " << turns;
+      }
+}
+
+// A ball that spins on its way is where one is that does not.
+TEST(RigidSweep, ABallThatSpinsOnItsWayIsMetWhereAndWhenItIsWithoutThat) {
+  const Pose start = Pose::translation(3, 0.2, 0.1);
+  const RigidMotion straight = RigidMotion::straight(start, {-4, 0, 0});
+  const RigidMotion spinning(start,
+                             {.centre = start.offset, .axis = {1, 2, 3}, .turns = 50, .translation = {-4, 0, 0}});
+  for (const Model& near : reaching_to_one()) {
+    const ShapeHit expected = sweep(Sphere(0.5), straight, near, Pose{}),
+                   hit = sweep(Sphere(0.5), spinning, near, Pose{});
+    ASSERT_TRUE(expected.hit && hit.hit) << name_of(near.shape());
+    EXPECT_EQ(hit.status, Status::exact) << name_of(near.shape());
+    EXPECT_TRUE(have_common_time(hit, expected)) << name_of(near.shape());
+    EXPECT_LT(hit.upper - hit.lower, 1e-11) << name_of(near.shape());
+    EXPECT_LT(length(hit.point - expected.point), 1e-7) << name_of(near.shape());
+  }
+}
+
 // A rod that turns beside a peg leaves it along a direction that turns with the rod.
 TEST(RigidSweep, ARodThatTurnsPastAPegInALittleWayIsFree) {
   const Model rod = Box({1, 0.02, 0.02}), peg = Box({0.05, 0.05, 0.5});

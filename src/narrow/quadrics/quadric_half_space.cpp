@@ -28,19 +28,18 @@ class Above {
     return lowest_side_ == Sign::positive ? QuadricContact::apart : QuadricContact::contact;
   }
 
+  /// Where they meet the lowest point of the shape is one of both; that above which it lies need not be one of the
+  /// shape.
   [[nodiscard]] Distance distance() const {
     Distance result;
-    result.on_a = frame_.back(lowest_);
+    result.on_a = result.on_b = frame_.back(lowest_);
+    if (contact() == QuadricContact::contact) return result;
     const BoundedNumber height = gap_ / length_;
     result.on_b = frame_.back(lowest_ - (middle(height) / middle(length_)) * normal_);
-    if (contact() == QuadricContact::apart) {
-      result.lower = std::nextafter(std::fmax(floor_of(height), 0) / frame_.factor, 0);
-      result.upper = std::nextafter(ceiling_of(height) / frame_.factor, HUGE_VAL);
-      const bool narrow = result.upper - result.lower <= 1e-12 * result.upper;
-      result.status = narrow ? Status::exact : Status::not_converged;
-      return result;
-    }
-    result.on_a = result.on_b;
+    result.lower = std::nextafter(std::fmax(floor_of(height), 0) / frame_.factor, 0);
+    result.upper = std::nextafter(ceiling_of(height) / frame_.factor, HUGE_VAL);
+    const bool narrow = result.upper - result.lower <= 1e-12 * result.upper;
+    result.status = narrow ? Status::exact : Status::not_converged;
     return result;
   }
 
