@@ -39,6 +39,8 @@ int answer(const Case& content, const PosedArguments& arguments, const AlsoWritt
   return difference.empty() ? exit_code_of(now) : 1;
 }
 
+std::string command_of(const CaseUse& use) { return use.command.empty() ? use.asks : use.command; }
+
 bool is_question_of(const std::string& question, const std::string& subcommand) {
   return question == subcommand || question.starts_with(subcommand + "-");
 }
@@ -60,7 +62,8 @@ std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse&
   const std::string asked = name_of(*content->question), file = arguments.input.files[0];
   const bool is_own = use.takes_any || is_question_of(asked, use.asks);
   if (!use.asks_itself && is_own) return answer(*content, arguments, also);
-  const std::string advice = fmt::format("`{} check {}` answers it", called_as(), file);
+  const std::string advice =
+      fmt::format("`{} {} {}` answers it", called_as(), is_own ? command_of(use) : "check", file);
   if (!use.asks_itself && use.needs_options)
     throw Error(
         fmt::format("{} holds a question, {}: {}; to ask another about its scene, say which", file, asked, advice));

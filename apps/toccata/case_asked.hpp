@@ -15,6 +15,7 @@ struct CaseUse {
   bool asks_itself = false;    ///< the options ask something of the scene, whatever the case asks
   bool takes_any = false;      ///< the subcommand answers every question that a case may hold
   bool needs_options = false;  ///< without options it asks nothing
+  std::string command{};       ///< by which it is asked, where that is not what it is called
 };
 
 /// Where the arguments name one case, and it is for the subcommand to answer: asks its question, prints the answer, and

@@ -154,7 +154,8 @@ double gain(const HierarchyReport& from, const HierarchyReport& to) {
 int run_inspect_hierarchy(const InspectArguments& arguments) {
   if (arguments.faults)
     throw Error("--faults is about meshes, and --hierarchy about the tree of nodes: ask one of them");
-  if (const auto code = answered_case(arguments, {"hierarchy", changes_objects(arguments)})) return *code;
+  const CaseUse use{.asks = "hierarchy", .asks_itself = changes_objects(arguments), .command = "inspect --hierarchy"};
+  if (const auto code = answered_case(arguments, use)) return *code;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   (void)answer_to(HierarchyQuestion{}, input, arguments, "walking");

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "math/constants.hpp"
+#include "motion/refined_cells.hpp"
 #include "motion/swept_cell.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/overlap.hpp"
@@ -51,86 +51,6 @@ double diagonal_at_start(const std::vector<MovingPart>& parts) {
   return length(box.upper - box.lower);
 }
 
-/// Cells, of which the one that reaches farthest outside is divided first.
-class Refinement {
- public:
-  Refinement(const RigidMotion& motion, double wanted, std::size_t most)
-      : motion_(motion), wanted_(wanted), most_(most) {}
-
-  void add_part(const MovingPart& part) {
-    const SharedCluster cluster = whole_cluster(part);
-    if (motion_.pieces().empty()) add({cluster, {0, 1}, nullptr});
-    for (const RigidMotion::Piece& piece : motion_.pieces()) add({cluster, {piece.begin, piece.end}, &piece});
-  }
-
-  /// In the order in which they were made.
-  [[nodiscard]] std::vector<SweptCell> refined() {
-    while (!waiting_.empty() && done_.size() + waiting_.size() < most_ && waiting_.top().cell.excess() > wanted_) {
-      const Entry next = waiting_.top();
-      waiting_.pop();
-      if (!divide(next)) done_.push_back(next);
-    }
-    for (; !waiting_.empty(); waiting_.pop()) done_.push_back(waiting_.top());
-    std::sort(done_.begin(), done_.end(), [](const Entry& a, const Entry& b) { return a.number < b.number; });
-    std::vector<SweptCell> cells;
-    for (const Entry& entry : done_) cells.push_back(entry.cell);
-    return cells;
-  }
-
- private:
-  struct Entry {
-    SweptCell cell;
-    const RigidMotion::Piece* piece;
-    std::size_t number;
-    /// The one that is divided first comes last.
-    friend bool operator<(const Entry& a, const Entry& b) {
-      const double of_a = a.cell.excess(), of_b = b.cell.excess();
-      return of_a != of_b ? of_a < of_b : a.number > b.number;
-    }
-  };
-  struct Added {
-    SharedCluster cluster;
-    TimeStretch stretch;
-    const RigidMotion::Piece* piece;
-  };
-
-  void add(const Added& added) {
-    waiting_.push({swept_cell(added.cluster, added.stretch, added.piece), added.piece, count_++});
-  }
-
-  /// In time or in space, as either has the greater share, if that can be.
-  bool divide(const Entry& entry) {
-    const SweptCell& cell = entry.cell;
-    const bool is_due_to_time = cell.excess_in_time() > cell.cluster->excess;
-    return is_due_to_time ? divide_in_time(entry) || divide_in_space(entry)
-                          : divide_in_space(entry) || divide_in_time(entry);
-  }
-
-  /// Not where no more than rounding would be left to win.
-  bool divide_in_time(const Entry& entry) {
-    const SweptCell& cell = entry.cell;
-    const auto [begin, end] = cell.stretch;
-    const double middle = begin + 0.5 * (end - begin);
-    if (cell.translation || 2 * cell.bow + cell.shear <= cell.pad || !(begin < middle && middle < end)) return false;
-    add({cell.cluster, {begin, middle}, entry.piece});
-    add({cell.cluster, {middle, end}, entry.piece});
-    return true;
-  }
-
-  bool divide_in_space(const Entry& entry) {
-    const std::vector<SharedCluster> finer = finer_clusters(*entry.cell.cluster);
-    for (const SharedCluster& cluster : finer) add({cluster, entry.cell.stretch, entry.piece});
-    return !finer.empty();
-  }
-
-  const RigidMotion& motion_;
-  double wanted_;
-  std::size_t most_;
-  std::size_t count_ = 0;
-  std::priority_queue<Entry> waiting_;
-  std::vector<Entry> done_;
-};
-
 /// Of a mesh that is a solid, its inside at the start.
 void add_insides(const std::vector<MovingPart>& parts, std::vector<CompoundPart>& volume) {
   for (const MovingPart& part : parts)
@@ -149,11 +69,9 @@ SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const Swe
       throw Error(
           fmt::format("{}: a half-space has no end, nor has what it passes; ask `sweep` about it", name_of_volume));
   const double wanted = options.excess > 0 ? options.excess : default_excess * diagonal_at_start(parts);
-  Refinement refinement(motion, wanted, options.max_parts);
-  for (const MovingPart& part : parts) refinement.add_part(part);
   std::vector<CompoundPart> volume;
   double excess = 0;
-  for (const SweptCell& cell : refinement.refined()) {
+  for (const SweptCell& cell : refined_cells(parts, motion, {wanted, options.max_parts})) {
     const SweptHull hull = hull_of(cell);
     if (!(hull.excess < infinity))
       throw Error(fmt::format("{}: it reaches beyond the doubles; use a larger unit", name_of_volume));

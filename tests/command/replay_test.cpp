@@ -134,6 +134,8 @@ TEST(ReplayCommand, ACaseIsASceneToTheOtherSubcommands) {
   const auto inspected = run_command({"inspect", "case.json"}, folder.path());
   EXPECT_NE(inspected.out.find("icosphere"), std::string::npos);
   EXPECT_NE(inspected.err.find("check case.json` answers it"), std::string::npos) << inspected.err;
+  const auto own = run_command({"distance", "case.json", "--scale", "2"}, folder.path());
+  EXPECT_NE(own.err.find("distance case.json` answers it"), std::string::npos) << own.err;
   const auto ray = run_command({"ray", "case.json"}, folder.path());
   EXPECT_EQ(ray.exit_code, 2);
   EXPECT_NE(ray.err.find("check case.json` answers it; to ask another"), std::string::npos) << ray.err;

@@ -151,6 +151,15 @@ TEST_F(GltfMotion, BrokenKeysAreToldByTheirPlace) {
             std::string::npos);
 }
 
+TEST_F(GltfMotion, WhatIsOfAnotherTypeIsNotTakenForLeftOut) {
+  channels = R"({"sampler": 0, "target": 5})";
+  samplers = R"({"input": 0, "output": 0})";
+  EXPECT_NE(error().find("a.gltf: at /animations/0/channels/0/target: this is not an object"), std::string::npos)
+      << error();
+  channels = "5";
+  EXPECT_NE(error().find("a.gltf: at /animations/0/channels/0: this is not an object"), std::string::npos) << error();
+}
+
 TEST_F(GltfMotion, NodesThatAreTheirOwnAncestorsAreRefused) {
   nodes = R"({"name": "one", "children": [1]}, {"name": "other", "children": [0]})";
   move(0, "translation", floats("SCALAR", {0, 1}), floats("VEC3", {1, 0, 0, 2, 0, 0}));

@@ -85,6 +85,19 @@ TEST_F(MotionFile, HasAKeyALineAndTimesFromZeroToOne) {
   EXPECT_EQ(read[2].pose, turned({0, 0, 1}, 90));
 }
 
+// From one key to the next the shorter way is taken, which is not what such a turn says.
+TEST_F(MotionFile, ATurnOfMoreThanHalfACircleBetweenTwoKeysIsRefused) {
+  for (const char* text :
+       {"0 0 0 0\n1 axis=0,0,1 degrees=270\n", "0 axis=0,0,1 degrees=-100\n1 axis=0,0,1 degrees=100\n",
+        "0 axis=0,0,1 degrees=100\n1 axis=0,0,-2 degrees=100\n", "0 axis=0,0,1 degrees=360\n1 translation=1,2,3\n"})
+    EXPECT_NE(error_of_motion(text).find("m.txt:2: from the key before it turns by"), std::string::npos) << text;
+  EXPECT_NE(error_of_motion("0 0 0 0\n1 axis=0,0,1 degrees=270\n").find("by 270 degrees"), std::string::npos);
+  for (const char* text : {"0 0 0 0\n1 axis=0,0,1 degrees=180\n2 axis=0,0,1 degrees=360\n",
+                           "0 axis=0,0,1 degrees=700\n1 axis=0,0,2 degrees=800\n",
+                           "0 axis=0,0,1 degrees=300\n1 axis=0,1,0 degrees=10\n", "0 0 0 0\n1 euler=xyz:0,0,270\n"})
+    EXPECT_EQ(error_of_motion(text), "") << text;
+}
+
 TEST_F(MotionFile, ErrorsNameTheFileAndTheLine) {
   EXPECT_NE(error_of_motion("0 0 0 0\n").find("m.txt: a motion has at least two keys"), std::string::npos);
   EXPECT_NE(error_of_motion("0 0 0 0\n0 1 0 0\n").find("m.txt:2: the time is not later"), std::string::npos);

@@ -118,8 +118,17 @@ void JsonValue::fail(const std::string& what, const std::string& advice) const {
   fail_in_file(fmt::format("{}: at {}", file_, path_.empty() ? "the top" : path_), {what, advice});
 }
 
-void JsonValue::expect_keys(const std::vector<std::string>& known) const {
+void JsonValue::require_object() const {
   if (!is_object()) fail("this is not an object", "write {…} here");
+}
+
+bool JsonValue::has(const char* key) const {
+  require_object();
+  return value_->contains(key);
+}
+
+void JsonValue::expect_keys(const std::vector<std::string>& known) const {
+  require_object();
   for (const std::string& key : keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string hint = suggestion(key, known);
@@ -134,7 +143,7 @@ std::vector<std::string> JsonValue::keys() const {
 }
 
 JsonValue JsonValue::at(const std::string& key) const {
-  if (!is_object()) fail("this is not an object", "write {…} here");
+  require_object();
   const auto found = value_->find(key);
   if (found == value_->end()) fail(fmt::format("the key {} is missing", in_quotes(key)), "add it");
   return {*found, file_, path_ + "/" + escaped_key(key)};

@@ -36,7 +36,8 @@ class JsonValue {
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
   [[nodiscard]] bool is_number() const { return value_->is_number(); }
   [[nodiscard]] bool is_string() const { return value_->is_string(); }
-  [[nodiscard]] bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
+  /// Error where this is no object: what is of another type than it has to be is not taken for left out.
+  [[nodiscard]] bool has(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
 
   /// The member `key` of this object; Error when there is none.
@@ -56,6 +57,8 @@ class JsonValue {
   [[nodiscard]] std::string text_or(const char* key, const std::string& otherwise) const;
 
  private:
+  void require_object() const;
+
   const nlohmann::json* value_;
   std::string_view file_;
   std::string path_;

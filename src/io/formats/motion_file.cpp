@@ -1,5 +1,10 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/formats/file_error.hpp"
@@ -13,14 +18,39 @@
 namespace toccata {
 namespace {
 
-/// What is left of the cursor's line.
-MotionKey key_of_line(io::TextCursor& cursor) {
-  const double time = cursor.number("the time");
-  std::vector<std::string_view> words;
-  while (!cursor.at_line_end()) words.push_back(cursor.word());
-  const io::FailPose fail = [&](const std::string& what, const std::string& advice) { cursor.fail(what, advice); };
-  return {time, io::pose_of_words(words, fail)};
-}
+/// The keys of a text, line by line.
+class KeyReader {
+ public:
+  void read(io::TextCursor& cursor) {
+    const double time = cursor.number("the time");
+    std::vector<std::string_view> words;
+    while (!cursor.at_line_end()) words.push_back(cursor.word());
+    const io::FailPose fail = [&](const std::string& what, const std::string& advice) { cursor.fail(what, advice); };
+    const io::WrittenPose written = io::pose_of_words(words, fail);
+    if (!keys_.empty() && !(keys_.back().time < time))
+      cursor.fail("the time is not later than that of the line before", "write the keys in the order of time");
+    if (!keys_.empty()) require_shorter_way(written, cursor);
+    keys_.push_back({time, written.pose});
+    turn_ = written.turn;
+  }
+
+  [[nodiscard]] std::vector<MotionKey> keys() && { return std::move(keys_); }
+
+ private:
+  /// What is written as a turn of more than half a circle is not what would be done.
+  void require_shorter_way(const io::WrittenPose& next, const io::TextCursor& cursor) const {
+    const auto degrees = turn_ && next.turn ? io::degrees_between(*turn_, *next.turn) : std::nullopt;
+    if (!degrees || !(std::fabs(*degrees) > 180)) return;
+    cursor.fail(
+        fmt::format("from the key before it turns by {} degrees, which is more than half a circle, and from one "
+                    "key to the next the shorter way is taken",
+                    *degrees),
+        "write a key between them, or the same pose by other degrees");
+  }
+
+  std::vector<MotionKey> keys_;
+  std::optional<io::WrittenTurn> turn_;  ///< of the last
+};
 
 }  // namespace
 
@@ -28,13 +58,10 @@ FileMotion read_motion(const std::string& path, const std::string& node) {
   if (io::is_gltf(path)) return io::read_gltf_motion(path, node);
   if (!node.empty())
     io::fail_in_file(path, {"only a glTF or GLB file has nodes that move", "name such a file, or no node"});
-  std::vector<MotionKey> keys;
-  const auto read = [&](io::TextCursor& cursor) {
-    keys.push_back(key_of_line(cursor));
-    if (keys.size() > 1 && !(keys[keys.size() - 2].time < keys.back().time))
-      cursor.fail("the time is not later than that of the line before", "write the keys in the order of time");
-  };
+  KeyReader reader;
+  const auto read = [&](io::TextCursor& cursor) { reader.read(cursor); };
   io::for_each_line_of_numbers(path, read, io::blanks_in_poses);
+  std::vector<MotionKey> keys = std::move(reader).keys();
   if (keys.size() < 2)
     io::fail_in_file(path, {"a motion has at least two keys", "write a line for each, its time and its pose"});
   const double first = keys.front().time, length = keys.back().time - first;

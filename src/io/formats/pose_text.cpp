@@ -50,12 +50,14 @@ class PoseWords {
  public:
   PoseWords(const std::vector<std::string_view>& words, const FailPose& fail) : words_(words), fail_(fail) {}
 
-  Pose read() {
+  WrittenPose read() {
     while (place_ < words_.size()) read_part(words_[place_++]);
     if (axis_.has_value() != degrees_.has_value())
       fail_(axis_ ? "the axis has no degrees" : "the degrees have no axis", "write axis=X,Y,Z degrees=D");
+    std::optional<WrittenTurn> turn;
+    if (!rotation_) turn = {axis_.value_or(Vec3{}), degrees_.value_or(0)};
     if (axis_) turn_by(rotation_about(*axis_, *degrees_));
-    return {rotation_.value_or(Mat3{}), translation_.value_or(Vec3{})};
+    return {{rotation_.value_or(Mat3{}), translation_.value_or(Vec3{})}, turn};
   }
 
  private:
@@ -121,21 +123,27 @@ class PoseWords {
   std::optional<Mat3> rotation_;
 };
 
-Pose pose_of_numbers(const std::vector<std::string_view>& words, const FailPose& fail) {
+WrittenPose pose_of_numbers(const std::vector<std::string_view>& words, const FailPose& fail) {
   std::array<double, 12> numbers{};
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::optional<double> number = number_of(words[i]);
     if (!number) fail(in_quotes(words[i]) + " is no number", ways_to_write_a_pose);
     if (i < numbers.size()) numbers[i] = *number;
   }
-  if (words.size() == 3) return Pose::translation(numbers[0], numbers[1], numbers[2]);
+  if (words.size() == 3) return {Pose::translation(numbers[0], numbers[1], numbers[2]), WrittenTurn{}};
   if (words.size() != 12) fail("a pose of " + std::to_string(words.size()) + " numbers", ways_to_write_a_pose);
-  return Pose::from_numbers(numbers);
+  return {Pose::from_numbers(numbers), {}};
 }
 
 }  // namespace
 
-Pose pose_of_words(const std::vector<std::string_view>& words, const FailPose& fail) {
+std::optional<double> degrees_between(const WrittenTurn& from, const WrittenTurn& to) {
+  if (from.axis == Vec3{} || to.axis == Vec3{}) return to.degrees - from.degrees;
+  if (cross(from.axis, to.axis) != Vec3{}) return {};
+  return to.degrees - (dot(from.axis, to.axis) > 0 ? from.degrees : -from.degrees);
+}
+
+WrittenPose pose_of_words(const std::vector<std::string_view>& words, const FailPose& fail) {
   if (words.empty()) fail("there is no pose", ways_to_write_a_pose);
   if (number_of(words[0])) return pose_of_numbers(words, fail);
   return PoseWords(words, fail).read();
@@ -154,9 +162,10 @@ Pose pose_from_text(std::string_view text) {
     if (i > first) words.push_back(text.substr(first, i - first));
     while (i < text.size() && is_blank(text[i])) ++i;
   }
-  return io::pose_of_words(words, [&](const std::string& what, const std::string& advice) {
+  const io::FailPose fail = [&](const std::string& what, const std::string& advice) {
     throw Error("the pose " + io::in_quotes(text) + ": " + what + "; " + advice);
-  });
+  };
+  return io::pose_of_words(words, fail).pose;
 }
 
 }  // namespace toccata
