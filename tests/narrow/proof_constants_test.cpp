@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/convex/gjk.hpp"
@@ -20,6 +21,7 @@
 #include "narrow/triangles/solid_angle.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "oracle/convex.hpp"
+#include "oracle/penetration.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
 #include "oracle/winding.hpp"
@@ -341,6 +343,57 @@ TEST(ProofConstants, ASolidAngleSeenFromBesideAnEdgeIsAsFarOffAsItsBoundSays) {
                                               Vec3{0x1.7b07d1c170d54p-1, 0x1.160fb79792e2cp-1, 0x1.99f6d0783b4acp-2}}};
   const SolidAngle angle = solid_angle(point, triangle);
   EXPECT_NEAR(angle.value, oracle::winding_number(point, std::span(&triangle, 1)), angle.bound);
+}
+
+// Boxes that are larger than they were by 2^-23: the square of that is too much for a normal whose length is taken from
+// the first two terms of a series.
+TEST(ProofConstants, TheDepthOfBoxesThatAreStretchedALittleParts) {
+  const double s = 1 + 0x1p-23;
+  const Box box({1, 1, 0.5});
+  const Pose pose_a{{{Vec3{s, 0, 0}, Vec3{0, s, 0}, Vec3{0, 0, s}}}, {0, 0, 0}};
+  const Pose pose_b{{{s * Vec3{0.36, 0.48, -0.8}, s * Vec3{-0.8, 0.6, 0}, s * Vec3{0.48, 0.64, 0.6}}},
+                    {0.125, 0.25, 1.25}};
+  const Penetration found = penetration(PosedPolytope(box, pose_a), PosedPolytope(box, pose_b));
+  const oracle::Depth depth(world_set(box, pose_a), world_set(box, pose_b));
+  EXPECT_GE(depth.compare(exact(found.lower)), 0);
+  EXPECT_LE(depth.compare(exact(found.upper)), 0);
+}
+
+// A face that is all but a line, whose normal is the difference of products that nearly cancel. The point lies beside a
+// corner along the one axis in which they do not, so that its height is hardly off, but the normal's length is.
+TEST(ProofConstants, TheLengthOfANormalThatCancelsIsNotExact) {
+  const std::array<Vec3, 4> corner{Vec3{-0x1.804872ac7d81dp-1, -0x1.73eba30414b64p-3, 0x1.fe3e5ca53dfcp-2},
+                                   Vec3{0x1.fede354e09f8cp-3, -0x1.73eba30414b64p-3, 0x1.fe804e5dc3314p-1},
+                                   Vec3{-0x1.81886917edbccp+0, -0x1.734ce8c7408d9p-3, 0x1.f30d31f8f3eacp-4},
+                                   Vec3{-0x1.e11367bf5d294p-2, -0x1.b8dad06a8e1f9p-1, 0x1.d5fafcb2cc4d9p-1}};
+  const Vec3 centre{-0x1.804a6db46571ep-1, -0x1.73eba30414b64p-3, 0x1.fe3e5ca53dfcp-2};
+  const double radius = 0x1.37e4a3e86a53cp-18;
+  bool is_in = true;
+  for (std::size_t without = 0; without < 4; ++without) {
+    const auto p = exact(corner[(without + 1) % 4]), q = exact(corner[(without + 2) % 4]),
+               r = exact(corner[(without + 3) % 4]);
+    const auto normal = oracle::cross(q - p, r - p);
+    const oracle::Rational height = oracle::dot(normal, exact(centre) - p);
+    is_in = is_in && height * height >= exact(radius) * exact(radius) * oracle::dot(normal, normal);
+  }
+  const ConvexHull hull(std::vector<Vec3>(corner.begin(), corner.end()));
+  const PosedPolytope sphere(Sphere(radius), {{}, centre});
+  EXPECT_EQ(containment_of_solids(sphere, PosedPolytope(hull)).containment,
+            is_in ? Containment::a_in_b : Containment::none);
+}
+
+// So slow that while the interval lasts they come nearer by less than the reach is rounded.
+TEST(ProofConstants, SpheresThatMoveSlowlyHaveMetByTheUpperTime) {
+  const double radius = 0x1.646ca3e25b1bdp+0, other = 0x1.bc0a1ae61a90ap-2;
+  const Vec3 start{0x1.c74742cf8c694p-1, -0x1.6f784adc9642ep+0, -0x1.94111a03fc127p-1};
+  const Vec3 motion{-0x1.71202e2deb1f8p-6, 0x1.5e787b6c92f2p-5, 0x1.69ff46a2188a3p-6};
+  const Cast cast = cast_shape(PosedPolytope(Sphere(radius), {{}, start}), motion, PosedPolytope(Sphere(other)));
+  ASSERT_TRUE(cast.hit);
+  const auto between = exact(start) + exact(cast.upper) * exact(motion);
+  const oracle::Rational reach = exact(radius) + exact(other);
+  // They come nearer all the time.
+  ASSERT_LT(oracle::dot(exact(start) + exact(motion), exact(motion)), 0);
+  EXPECT_LE(oracle::dot(between, between), reach * reach);
 }
 
 }  // namespace
