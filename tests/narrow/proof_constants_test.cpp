@@ -12,6 +12,7 @@
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/convex/polyhedron_axes.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/pose_checks.hpp"
@@ -394,6 +395,40 @@ TEST(ProofConstants, SpheresThatMoveSlowlyHaveMetByTheUpperTime) {
   // They come nearer all the time.
   ASSERT_LT(oracle::dot(exact(start) + exact(motion), exact(motion)), 0);
   EXPECT_LE(oracle::dot(between, between), reach * reach);
+}
+
+// Along the direction of the depth products are rounded down.
+TEST(ProofConstants, TheDepthOfHullsAlongARoundedAxisParts) {
+  const ConvexHull a(std::vector<Vec3>{{-0x1.ad04db2dd4606p-1, -0x1.2aa452af3bf96p-1, 0x1.e2b29de862d5p-2},
+                                       {-0x1.f6f1c4ecf18d2p-2, 0x1.c87a531597aaap-1, 0x1.87ce806b50798p-2},
+                                       {0x1.ced5a70fcf6c8p-1, 0x1.83db422c69fep-1, 0x1.19c93bcd5f2dcp-2},
+                                       {-0x1.11849678e4b17p-1, -0x1.90a865e0141bap-2, 0x1.90f5117a3814p-3},
+                                       {-0x1.5d604c2cb073cp-2, 0x1.6fd42d486e398p-1, 0x1.badb8b4454736p-1},
+                                       {0x1.7778975a89fb4p-1, -0x1.3419cc82f65bp-2, 0x1.9adf6e9dd0848p-1}});
+  const ConvexHull b(std::vector<Vec3>{{-0x1.112a7c5308997p-1, -0x1.4c9cab20692dbp-1, -0x1.89b5cce5bde0bp-1},
+                                       {-0x1.bddc8b71edcap-5, 0x1.8a43e2f9c783ap-1, -0x1.3905a65282322p-2},
+                                       {-0x1.cb54c1c54be5fp-1, -0x1.556660a75398p-3, 0x1.da32f12707cp-7},
+                                       {-0x1.3877397c0c798p-2, 0x1.019bff5d41d3cp-2, 0x1.c89cbdb60aedep-1},
+                                       {0x1.2ac5f68d44fc2p-1, -0x1.52e55cb5f4d28p-1, -0x1.e9560d1364841p-1},
+                                       {-0x1.38ec348459a4ap-1, 0x1.332551203f488p-3, -0x1.12a466e5c1d48p-3}});
+  const PosedPolytope posed_a(a, {{{Vec3{-0x1.12c2aeb8c7688p-2, -0x1.3f8eac725db7bp-2, 0x1.d2a0b3b79c76dp-1},
+                                    Vec3{0x1.db1ef2238cd4ap-1, -0x1.59ce449dbe114p-2, 0x1.42b50a8f37576p-3},
+                                    Vec3{0x1.08ced80bdf452p-2, 0x1.c6a9fdbfaef94p-1, 0x1.85539d69fc9dp-2}}},
+                                  {-0x1.f699d182049p-7, -0x1.ffeb1a342f5bep-2, 0x1.dba1d3edb00b8p-2}});
+  const PosedPolytope posed_b(b, {{{Vec3{0x1.3c5890f6bca5ap-1, -0x1.c73c167e4ff7p-3, 0x1.82280e3437e9ap-1},
+                                    Vec3{-0x1.dfc792d7df1a2p-2, -0x1.bfb0b70997f14p-1, 0x1.024fa4a2c8665p-3},
+                                    Vec3{0x1.434c7ec034818p-1, -0x1.b9a7e9d36e72p-2, -0x1.49ef47479350cp-1}}},
+                                  {0x1.2a6b637f47b8p-6, -0x1.0b128dc5cc438p+0, 0x1.262a62febf718p+0}});
+  const auto set = [](const PosedPolytope& hull) {
+    std::vector<Vec3> vertices;
+    for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
+    return oracle::hull_set(vertices);
+  };
+  PolyhedronAxes axes(posed_a, posed_b);
+  const PolyhedronAxes::Least least = axes.least({});
+  const oracle::Depth depth(set(posed_a), set(posed_b));
+  EXPECT_GE(depth.compare(exact(axes.body().lower_in_world(least.lower))), 0);
+  EXPECT_LE(depth.compare(exact(axes.body().upper_in_world(least.upper))), 0);
 }
 
 }  // namespace

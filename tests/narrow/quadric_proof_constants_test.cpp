@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "narrow/quadrics/distance/axial_box.hpp"
 #include "narrow/quadrics/distance/ellipsoid_pair.hpp"
 #include "narrow/quadrics/distance/fast_proof.hpp"
 #include "narrow/quadrics/distance/fast_refinement.hpp"
@@ -207,6 +208,96 @@ TEST(QuadricProofConstants, WhatEllipsoidsReachBeyondTheirPointsIsRoundedAsTheir
   const auto way =
       SeenEllipsoid(half_a, pose_a, -direction).farthest - SeenEllipsoid(half_b, pose_b, direction).farthest;
   EXPECT_LE(square_of(exact(found->lower)), oracle::dot(way, way));
+}
+
+// --- The interval of a cylinder about the third axis and a speck of a box.
+
+/// Both, the direction from the box to the cylinder, and the points of both that are nearest to each other, but for
+/// what is far less than a rounding: the corner that is greatest in all coordinates, and a point of the rim.
+struct SmallCylinderAndSpeck {
+  [[nodiscard]] FastDistance distance() const {
+    const PosedQuadric cylinder(Cylinder(radius, half_height), {{}, middle});
+    return axial_box_distance(cylinder, PosedPolytope(Box({speck, speck, speck}), {{}, middle_of_speck})).value();
+  }
+  [[nodiscard]] oracle::RationalPoint direction() const { return exact(middle) - exact(middle_of_speck); }
+  /// From the corner to the rim.
+  [[nodiscard]] oracle::RationalPoint way() const {
+    const auto d = direction();
+    const oracle::Rational part = exact(radius) / root_from_above(d.x * d.x + d.y * d.y);
+    const oracle::RationalPoint to_rim{part * d.x, part * d.y, exact(half_height)};
+    return exact(middle) - to_rim - exact(middle_of_speck + Vec3{speck, speck, speck});
+  }
+  double radius;
+  double half_height;
+  Vec3 middle;
+  Vec3 middle_of_speck;
+  double speck = 0x1p-63;
+};
+
+// No difference of coordinates is what it should be, and all are rounded the same way. A little less than what lies
+// between the two planes across the direction is less than the distance, and the way between two points is not.
+TEST(QuadricProofConstants, ADistanceOfASmallCylinderAndABoxIsRoundedBothWays) {
+  const SmallCylinderAndSpeck less{0x1.78a67af50f75bp-53,
+                                   0x1.02e338cab953bp-53,
+                                   {0x1.0543dcc2e79aap+0, 0x1.0a910d413d98dp+0, 0x1.0131496fa44adp+0},
+                                   {-0x1.e8b3163091b76p-54, -0x1.ce03e83b9a3f9p-54, -0x1.f72fc8ce3ada2p-54}};
+  const auto d = less.direction();
+  const oracle::Rational apart = oracle::dot(less.way(), d) / root_from_above(oracle::dot(d, d));
+  EXPECT_GE(exact(less.distance().upper), (1 - exact(0x1p-90)) * apart);
+
+  const SmallCylinderAndSpeck more{0x1.6026a4e9f9661p-53,
+                                   0x1.e7de36222cd5dp-54,
+                                   {0x1.013099a0e2b83p+0, 0x1.0946cefa1baaap+0, 0x1.0914fbaa1c944p+0},
+                                   {0x1.ed352747ba49fp-54, 0x1.ed12407bacd14p-54, 0x1.e19772d60a485p-54}};
+  EXPECT_LE(square_of(exact(more.distance().lower)), oracle::dot(more.way(), more.way()));
+}
+
+// --- Where the line between the middles tells, or the middles' plane does.
+
+// Ellipsoids of one shape and one orientation are apart where, in their own half axes, the way between the middles is
+// longer than 2.
+TEST(QuadricProofConstants, EllipsoidsThatAreApartByARoundingDoNotMeetBetweenTheirMiddles) {
+  const Vec3 half{0x1.137feaef76f19p+0, 0x1.37e62eedf6686p-3, 0x1.307e94ed797f6p-2};
+  const Vec3 way{0x1.fab730c2d4806p-7, 0x1.1a012e2c5a661p-2, 0x1.0420deb816ab4p-2};
+  oracle::Rational squared;
+  for (int i = 0; i < 3; ++i) squared += square_of(exact(way[i]) / exact(half[i]));
+  ASSERT_GT(squared, 4);
+  EXPECT_NE(ellipsoid_contact(PosedQuadric(Ellipsoid(half)), PosedQuadric(Ellipsoid(half), {{}, way})),
+            QuadricContact::contact);
+}
+
+// Both are smaller than told by a part of 2^-23, which their pose says. In units of their half axes the middles are
+// 2 (1 - 2^-23) (1 + 2^-26) apart, and the radii are 1 - 2^-23.
+TEST(QuadricProofConstants, APoseThatShrinksIsNoRotation) {
+  const double s = 1 - 0x1p-23, apart = s * (1 + 0x1p-26);
+  const Mat3 shrinking{{Vec3{s, 0, 0}, Vec3{0, s, 0}, Vec3{0, 0, s}}};
+  const Ellipsoid shape({0.625, 0.15625, 0.15625});
+  const Vec3 middle{0.375 * apart, 0.125 * apart, 0};
+  EXPECT_NE(ellipsoid_contact(PosedQuadric(shape, {shrinking, -middle}), PosedQuadric(shape, {shrinking, middle})),
+            QuadricContact::contact);
+}
+
+// The middle of the box lies above that of the cylinder, but for so little that its square is lost. An edge of the box
+// enters the cylinder beside its axis.
+TEST(QuadricProofConstants, ACylinderSeenNearlyAlongItsAxisHasAWidth) {
+  const PosedQuadric cylinder(Cylinder(1, 1));
+  const Mat3 turn{{Vec3{0.8, 0, 0.6}, Vec3{0, 1, 0}, Vec3{-0.6, 0, 0.8}}};
+  const PosedPolytope box(Box({1.92, 0.5, 1.06}), {turn, {0x1p-28, 0, 3 - 0x1p-32}});
+  // Of the edge both ends, and the middle, which is in the cylinder.
+  const Vec3 end = box.vertex(1), other = box.vertex(3);
+  ASSERT_EQ(end.y, -other.y);
+  for (const Vec3& v : {end, other}) ASSERT_TRUE(v.x > 0 && v.x < 1 && v.z > 0 && v.z < 1);
+  EXPECT_NE(axial_box_contact(cylinder, box), QuadricContact::apart);
+}
+
+// The pose makes the cylinder thinner by a part of 2^-44. The box is a speck within the radius that is told, and beyond
+// the one that is.
+TEST(QuadricProofConstants, ACylinderIsAsThinAsItsPoseMakesIt) {
+  const double s = 1 - 0x1p-44;
+  const PosedQuadric cylinder(Cylinder(1, 1), {{{Vec3{s, 0, 0}, Vec3{0, s, 0}, Vec3{0, 0, s}}}, {0, 0, 0}});
+  const PosedPolytope speck(Box({0x1p-60, 0x1p-60, 0x1p-60}), {{}, {1 - 0x1p-45, 0, 0}});
+  for (Index i = 0; i < 8; ++i) ASSERT_GT(speck.vertex(i).x, s);
+  EXPECT_NE(axial_box_contact(cylinder, speck), QuadricContact::contact);
 }
 
 }  // namespace
