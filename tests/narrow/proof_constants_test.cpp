@@ -8,9 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/convex/polyhedron_axes.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/pose_checks.hpp"
@@ -20,6 +22,7 @@
 #include "narrow/triangles/solid_angle.hpp"
 #include "narrow/triangles/triangle_gaps.hpp"
 #include "oracle/convex.hpp"
+#include "oracle/penetration.hpp"
 #include "oracle/rational.hpp"
 #include "oracle/rays.hpp"
 #include "oracle/winding.hpp"
@@ -341,6 +344,91 @@ TEST(ProofConstants, ASolidAngleSeenFromBesideAnEdgeIsAsFarOffAsItsBoundSays) {
                                               Vec3{0x1.7b07d1c170d54p-1, 0x1.160fb79792e2cp-1, 0x1.99f6d0783b4acp-2}}};
   const SolidAngle angle = solid_angle(point, triangle);
   EXPECT_NEAR(angle.value, oracle::winding_number(point, std::span(&triangle, 1)), angle.bound);
+}
+
+// Boxes that are larger than they were by 2^-23: the square of that is too much for a normal whose length is taken from
+// the first two terms of a series.
+TEST(ProofConstants, TheDepthOfBoxesThatAreStretchedALittleParts) {
+  const double s = 1 + 0x1p-23;
+  const Box box({1, 1, 0.5});
+  const Pose pose_a{{{Vec3{s, 0, 0}, Vec3{0, s, 0}, Vec3{0, 0, s}}}, {0, 0, 0}};
+  const Pose pose_b{{{s * Vec3{0.36, 0.48, -0.8}, s * Vec3{-0.8, 0.6, 0}, s * Vec3{0.48, 0.64, 0.6}}},
+                    {0.125, 0.25, 1.25}};
+  const Penetration found = penetration(PosedPolytope(box, pose_a), PosedPolytope(box, pose_b));
+  const oracle::Depth depth(world_set(box, pose_a), world_set(box, pose_b));
+  EXPECT_GE(depth.compare(exact(found.lower)), 0);
+  EXPECT_LE(depth.compare(exact(found.upper)), 0);
+}
+
+// A face that is all but a line, whose normal is the difference of products that nearly cancel. The point lies beside a
+// corner along the one axis in which they do not, so that its height is hardly off, but the normal's length is.
+TEST(ProofConstants, TheLengthOfANormalThatCancelsIsNotExact) {
+  const std::array<Vec3, 4> corner{Vec3{-0x1.804872ac7d81dp-1, -0x1.73eba30414b64p-3, 0x1.fe3e5ca53dfcp-2},
+                                   Vec3{0x1.fede354e09f8cp-3, -0x1.73eba30414b64p-3, 0x1.fe804e5dc3314p-1},
+                                   Vec3{-0x1.81886917edbccp+0, -0x1.734ce8c7408d9p-3, 0x1.f30d31f8f3eacp-4},
+                                   Vec3{-0x1.e11367bf5d294p-2, -0x1.b8dad06a8e1f9p-1, 0x1.d5fafcb2cc4d9p-1}};
+  const Vec3 centre{-0x1.804a6db46571ep-1, -0x1.73eba30414b64p-3, 0x1.fe3e5ca53dfcp-2};
+  const double radius = 0x1.37e4a3e86a53cp-18;
+  bool is_in = true;
+  for (std::size_t without = 0; without < 4; ++without) {
+    const auto p = exact(corner[(without + 1) % 4]), q = exact(corner[(without + 2) % 4]),
+               r = exact(corner[(without + 3) % 4]);
+    const auto normal = oracle::cross(q - p, r - p);
+    const oracle::Rational height = oracle::dot(normal, exact(centre) - p);
+    is_in = is_in && height * height >= exact(radius) * exact(radius) * oracle::dot(normal, normal);
+  }
+  const ConvexHull hull(std::vector<Vec3>(corner.begin(), corner.end()));
+  const PosedPolytope sphere(Sphere(radius), {{}, centre});
+  EXPECT_EQ(containment_of_solids(sphere, PosedPolytope(hull)).containment,
+            is_in ? Containment::a_in_b : Containment::none);
+}
+
+// So slow that while the interval lasts they come nearer by less than the reach is rounded.
+TEST(ProofConstants, SpheresThatMoveSlowlyHaveMetByTheUpperTime) {
+  const double radius = 0x1.646ca3e25b1bdp+0, other = 0x1.bc0a1ae61a90ap-2;
+  const Vec3 start{0x1.c74742cf8c694p-1, -0x1.6f784adc9642ep+0, -0x1.94111a03fc127p-1};
+  const Vec3 motion{-0x1.71202e2deb1f8p-6, 0x1.5e787b6c92f2p-5, 0x1.69ff46a2188a3p-6};
+  const Cast cast = cast_shape(PosedPolytope(Sphere(radius), {{}, start}), motion, PosedPolytope(Sphere(other)));
+  ASSERT_TRUE(cast.hit);
+  const auto between = exact(start) + exact(cast.upper) * exact(motion);
+  const oracle::Rational reach = exact(radius) + exact(other);
+  // They come nearer all the time.
+  ASSERT_LT(oracle::dot(exact(start) + exact(motion), exact(motion)), 0);
+  EXPECT_LE(oracle::dot(between, between), reach * reach);
+}
+
+// Along the direction of the depth products are rounded down.
+TEST(ProofConstants, TheDepthOfHullsAlongARoundedAxisParts) {
+  const ConvexHull a(std::vector<Vec3>{{-0x1.ad04db2dd4606p-1, -0x1.2aa452af3bf96p-1, 0x1.e2b29de862d5p-2},
+                                       {-0x1.f6f1c4ecf18d2p-2, 0x1.c87a531597aaap-1, 0x1.87ce806b50798p-2},
+                                       {0x1.ced5a70fcf6c8p-1, 0x1.83db422c69fep-1, 0x1.19c93bcd5f2dcp-2},
+                                       {-0x1.11849678e4b17p-1, -0x1.90a865e0141bap-2, 0x1.90f5117a3814p-3},
+                                       {-0x1.5d604c2cb073cp-2, 0x1.6fd42d486e398p-1, 0x1.badb8b4454736p-1},
+                                       {0x1.7778975a89fb4p-1, -0x1.3419cc82f65bp-2, 0x1.9adf6e9dd0848p-1}});
+  const ConvexHull b(std::vector<Vec3>{{-0x1.112a7c5308997p-1, -0x1.4c9cab20692dbp-1, -0x1.89b5cce5bde0bp-1},
+                                       {-0x1.bddc8b71edcap-5, 0x1.8a43e2f9c783ap-1, -0x1.3905a65282322p-2},
+                                       {-0x1.cb54c1c54be5fp-1, -0x1.556660a75398p-3, 0x1.da32f12707cp-7},
+                                       {-0x1.3877397c0c798p-2, 0x1.019bff5d41d3cp-2, 0x1.c89cbdb60aedep-1},
+                                       {0x1.2ac5f68d44fc2p-1, -0x1.52e55cb5f4d28p-1, -0x1.e9560d1364841p-1},
+                                       {-0x1.38ec348459a4ap-1, 0x1.332551203f488p-3, -0x1.12a466e5c1d48p-3}});
+  const PosedPolytope posed_a(a, {{{Vec3{-0x1.12c2aeb8c7688p-2, -0x1.3f8eac725db7bp-2, 0x1.d2a0b3b79c76dp-1},
+                                    Vec3{0x1.db1ef2238cd4ap-1, -0x1.59ce449dbe114p-2, 0x1.42b50a8f37576p-3},
+                                    Vec3{0x1.08ced80bdf452p-2, 0x1.c6a9fdbfaef94p-1, 0x1.85539d69fc9dp-2}}},
+                                  {-0x1.f699d182049p-7, -0x1.ffeb1a342f5bep-2, 0x1.dba1d3edb00b8p-2}});
+  const PosedPolytope posed_b(b, {{{Vec3{0x1.3c5890f6bca5ap-1, -0x1.c73c167e4ff7p-3, 0x1.82280e3437e9ap-1},
+                                    Vec3{-0x1.dfc792d7df1a2p-2, -0x1.bfb0b70997f14p-1, 0x1.024fa4a2c8665p-3},
+                                    Vec3{0x1.434c7ec034818p-1, -0x1.b9a7e9d36e72p-2, -0x1.49ef47479350cp-1}}},
+                                  {0x1.2a6b637f47b8p-6, -0x1.0b128dc5cc438p+0, 0x1.262a62febf718p+0}});
+  const auto set = [](const PosedPolytope& hull) {
+    std::vector<Vec3> vertices;
+    for (Index i = 0; i < hull.vertex_count(); ++i) vertices.push_back(hull.vertex(i));
+    return oracle::hull_set(vertices);
+  };
+  PolyhedronAxes axes(posed_a, posed_b);
+  const PolyhedronAxes::Least least = axes.least({});
+  const oracle::Depth depth(set(posed_a), set(posed_b));
+  EXPECT_GE(depth.compare(exact(axes.body().lower_in_world(least.lower))), 0);
+  EXPECT_LE(depth.compare(exact(axes.body().upper_in_world(least.upper))), 0);
 }
 
 }  // namespace
