@@ -16,6 +16,7 @@
 #include "toccata/generate/scenes.hpp"
 #include "toccata/math/predicates.hpp"
 #include "toccata/math/trigonometry.hpp"
+#include "toccata/methods/bsp_tree.hpp"
 #include "toccata/methods/cost.hpp"
 #include "toccata/methods/minkowski.hpp"
 #include "toccata/methods/sphere_ways.hpp"

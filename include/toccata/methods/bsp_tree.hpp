@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "toccata/core/index.hpp"
+#include "toccata/query/casts.hpp"
+#include "toccata/query/model.hpp"
+#include "toccata/query/signed_distance.hpp"
+
+namespace toccata {
+
+struct BspOptions {
+  double split_weight = 4;  ///< what a cut triangle costs, beside 1 for each that one side has more than the other
+  Index candidates = 8;     ///< planes of triangles that are compared at a node, evenly spread over what is in its cell
+  bool axis_planes = true;  ///< also planes across the axes through the middle of what is in a cell
+  double max_growth = 32;   ///< the tree is given up when there are more than so many fragments for each triangle
+};
+
+/// What a tree has become.
+struct BspStatistics {
+  std::size_t triangles = 0;   ///< of the mesh
+  std::size_t nodes = 0;       ///< planes, one a node
+  std::size_t axis_nodes = 0;  ///< of these, those across an axis
+  std::size_t leaves = 0;      ///< cells that are not cut: one more than nodes
+  std::size_t fragments = 0;   ///< what the planes have left of the triangles, all kept
+  std::size_t splits = 0;      ///< how often a fragment was cut in two: fragments less triangles
+  std::size_t depth = 0;       ///< most nodes from the root to a leaf
+  double mean_depth = 0;       ///< nodes above a leaf, on average over the leaves
+  std::size_t bytes = 0;       ///< without the model
+
+  [[nodiscard]] double growth() const { return static_cast<double>(fragments) / static_cast<double>(triangles); }
+};
+
+/// Where a point lies, and of a boundary on which triangle.
+struct BspLocation : PointLocation {
+  Index triangle = 0;  ///< of those that it lies on the least; 0 where it lies on none
+};
+
+/// A triangle of the mesh, or what planes have left of it.
+struct BspFragment {
+  Index triangle = 0;
+  std::span<const Vec3> corners;  ///< convex, turning as the triangle; rounded, to draw. Lives as long as the tree
+};
+
+/// A binary space partitioning tree of a closed mesh: space is cut by a plane, each half by another, until no surface
+/// is left in a cell, which then lies inside or outside as a whole (H. Fuchs, Z. M. Kedem, B. F. Naylor, "On visible
+/// surface generation by a priori tree structures", 1980; W. C. Thibault, B. F. Naylor, "Set operations on polyhedra
+/// using binary space partitioning trees", 1987). Planes are those of triangles of the mesh, and planes across an axis.
+///
+/// Exact: no point at which an edge is cut is ever rounded where it decides anything. A cut is known by what it is cut
+/// of, an edge of a triangle or its plane, and by the planes that cut it, and every side of a plane is an exact sign
+/// (docs/methods/space-partitions.md#bsp-trees). In the mesh's own frame. Immutable; copies share all, and any number
+/// of threads may ask.
+class BspTree {
+ public:
+  /// Throws Error when the model is no mesh, the mesh is open, meets itself, or has a triangle without area, naming
+  /// them; for options that are not positive; and when cutting makes more fragments than `max_growth` allows.
+  explicit BspTree(const Model& solid, const BspOptions& options = {});
+
+  /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not
+  /// finite.
+  [[nodiscard]] BspLocation locate(const Vec3& point) const;
+
+  /// As `cast_ray` of the model, the same triangle, time and point (only `lower` may be another bound): the cells along
+  /// the ray are visited in their order, until one has a triangle that is met. Throws Error when a number is not finite
+  /// or the motion is zero.
+  [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
+
+  /// Whether the closed segment has a point in common with the solid. Exact. Throws Error when a number is not finite,
+  /// and when the ends are farther apart along an axis than the greatest double.
+  [[nodiscard]] bool overlap(const Vec3& from, const Vec3& to) const;
+
+  /// All fragments in an order in which one may be painted over those before it: seen from the eye, none hides a later
+  /// one. Exact. Throws Error when the eye is not finite.
+  [[nodiscard]] std::vector<BspFragment> back_to_front(const Vec3& eye) const;
+
+  [[nodiscard]] const BspStatistics& statistics() const;
+
+  struct Parts;
+
+ private:
+  std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace toccata

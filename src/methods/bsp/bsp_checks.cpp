@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <span>
+#include <vector>
+
+#include "methods/bsp/bsp_parts.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/query/self_contacts.hpp"
+#include "toccata/shapes/mesh_health.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::string_view purpose = "a BSP tree is made of a closed mesh that does not meet itself";
+
+void require_closed(const Model& solid) {
+  if (solid.closed()) return;
+  for (const MeshFault& fault : mesh_faults(solid.mesh()))
+    if (!fault.edges.empty())
+      throw Error(
+          fmt::format("{}, and this one is open: {} edges are used unequally often in the two directions; "
+                      "look at that from vertex {} to vertex {}",
+                      purpose, inspect(solid.mesh()).unbalanced_edges, fault.edges[0][0], fault.edges[0][1]));
+  throw Error(fmt::format("{}, and this one is open", purpose));
+}
+
+void require_area(const BspPlanes& planes) {
+  for (Index t = 0; t < planes.triangle_count(); ++t)
+    if (!has_area(planes.triangle(t)))
+      throw Error(fmt::format("triangle {} has no area, so there is no plane of it to make a BSP tree with", t));
+}
+
+void require_no_self_contact(const Model& solid) {
+  const std::vector<Contact> contacts = self_contacts(solid);
+  if (contacts.empty()) return;
+  throw Error(fmt::format("{}, and this one does: {} pairs of triangles, first triangles {} and {}", purpose,
+                          contacts.size(), contacts[0].triangle_a, contacts[0].triangle_b));
+}
+
+}  // namespace
+
+void require_solid_for_bsp(const Model& solid) {
+  if (!solid.has_mesh()) throw Error(fmt::format("{}, and the model is no mesh", purpose));
+  require_closed(solid);
+  require_area(BspPlanes(solid.mesh(), BspFrame(solid.bounds())));
+  require_no_self_contact(solid);
+}
+
+}  // namespace toccata

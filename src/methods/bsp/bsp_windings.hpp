@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "toccata/query/model.hpp"
+
+namespace toccata {
+
+/// The winding number just in front of each triangle; just behind it is one more. Of a closed mesh that does not meet
+/// itself and has no triangle without area. Exact.
+[[nodiscard]] std::vector<int> windings_in_front(const Model& solid);
+
+}  // namespace toccata
