@@ -17,7 +17,7 @@ void require_finite_point(const Vec3& p) {
     throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", p.x, p.y, p.z));
 }
 
-void require_positive(const BspOptions& options) {
+void require_possible(const BspOptions& options) {
   if (options.candidates == 0 || !(options.split_weight >= 0) || !(options.max_growth >= 1))
     throw Error(
         fmt::format("a BSP tree needs at least one candidate, a split weight of 0 or more, and a max_growth of "
@@ -120,7 +120,7 @@ FloatBspPlane as_floats(const RoundedBspPlane& plane) {
 BspTree::Parts::Parts(const Model& solid) : model(solid), frame(model.bounds()), planes(model.mesh(), frame) {}
 
 BspTree::BspTree(const Model& solid, const BspOptions& options) {
-  require_positive(options);
+  require_possible(options);
   require_solid_for_bsp(solid);
   auto parts = std::make_shared<Parts>(solid);
   build_bsp(*parts, options);
