@@ -37,8 +37,8 @@ const std::vector<RigidFamily>& rigid_families();
 /// What is wrong with an answer, judged by the oracle; nothing where it is right.
 std::optional<std::string> wrong_sweep(const RigidCase& pair, const ShapeHit& answer);
 
-/// What must not change the answer and does: the order of the two and of their vertices, a mirror, the direction of time,
-/// the unit.
+/// What must not change the answer and does: the order of the two and of their vertices, a mirror, the direction of
+/// time, the unit.
 std::optional<std::string> changed_sweep(const RigidCase& pair, const ShapeHit& answer);
 
 oracle::FineBody fine_body(const MovingShape& body);
