@@ -188,8 +188,9 @@ PartMotion MovingPart::motion(const TimeStretch& stretch) const {
     motion = {through_chain(start), transform(start, bound.centre), {}, radians_in_a_turn * bound.turns, {}};
     sizes = size(start);
     motion.alike = {{}, bound.speed, infinity, pose_error(stretch) * sizes + bound.rounding};
+    motion.rounding = 2 * bound.rounding;  // of the point and of the centre
   }
-  motion.rounding = 0x1p-46 * (sizes + sum_of_magnitudes(motion.centre));
+  motion.rounding += 0x1p-46 * (sizes + sum_of_magnitudes(motion.centre));
   motion.reach = farthest_reach(motion);
   return motion;
 }

@@ -89,10 +89,13 @@ TEST_F(MotionFile, HasAKeyALineAndTimesFromZeroToOne) {
 TEST_F(MotionFile, ATurnOfMoreThanHalfACircleBetweenTwoKeysIsRefused) {
   for (const char* text :
        {"0 0 0 0\n1 axis=0,0,1 degrees=270\n", "0 axis=0,0,1 degrees=-100\n1 axis=0,0,1 degrees=100\n",
-        "0 axis=0,0,1 degrees=100\n1 axis=0,0,-2 degrees=100\n", "0 axis=0,0,1 degrees=360\n1 translation=1,2,3\n"})
+        "0 axis=0,0,1 degrees=100\n1 axis=0,0,-2 degrees=100\n", "0 axis=0,0,1 degrees=360\n1 translation=1,2,3\n",
+        "0 axis=1,0,0 degrees=0\n1 axis=0,0,1 degrees=270\n",
+        "0 axis=0.1,0.2,0.3 degrees=10\n1 axis=1,2,3 degrees=270\n"})
     EXPECT_NE(error_of_motion(text).find("m.txt:2: from the key before it turns by"), std::string::npos) << text;
   EXPECT_NE(error_of_motion("0 0 0 0\n1 axis=0,0,1 degrees=270\n").find("by 270 degrees"), std::string::npos);
-  for (const char* text : {"0 0 0 0\n1 axis=0,0,1 degrees=180\n2 axis=0,0,1 degrees=360\n",
+  for (const char* text : {"0 axis=0,0,1 degrees=230.92\n1 axis=0,0,1 degrees=410.92\n",
+                           "0 0 0 0\n1 axis=0,0,1 degrees=180\n2 axis=0,0,1 degrees=360\n",
                            "0 axis=0,0,1 degrees=700\n1 axis=0,0,2 degrees=800\n",
                            "0 axis=0,0,1 degrees=300\n1 axis=0,1,0 degrees=10\n", "0 0 0 0\n1 euler=xyz:0,0,270\n"})
     EXPECT_EQ(error_of_motion(text), "") << text;

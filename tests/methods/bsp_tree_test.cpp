@@ -282,6 +282,21 @@ double passes_clearly(const Vec3& eye, const Vec3& way, std::span<const Vec3> po
   return dot(normal, polygon[0] - eye) / dot(normal, way);
 }
 
+// The time of entry is smaller than any double, by one axis rounded up and by another down.
+TEST(BspTree, MeetsAnEdgeAtATimeThatUnderflows) {
+  const double size = std::ldexp(37, -115), off = -std::ldexp(7, -166), far = std::ldexp(1, 960);
+  std::vector<Vec3> corners;
+  const TriangleMesh box = generated("gen:box");
+  for (const Vec3& p : box.vertices())
+    corners.push_back({p.x > 0 ? size : -4 * size, p.y > 0 ? -3 * size : -8 * size, p.z > 0 ? size : -size});
+  const Model model(box.with_vertices(corners));
+  const BspTree tree(model);
+  const Vec3 origin{off, -3 * off, 0}, motion{far, -3 * far, 0};
+  EXPECT_TRUE(cast_ray(origin, motion, model).hit);
+  EXPECT_TRUE(tree.cast_ray(origin, motion).hit);
+  EXPECT_TRUE(tree.overlap(origin, origin + motion));
+}
+
 TEST(BspTree, DrawsFromBackToFront) {
   Random random(8);
   std::size_t crossings = 0;
@@ -345,6 +360,8 @@ TEST(BspTree, RefusesNumbersThatAreNotFiniteAndOptionsThatMakeNoSense) {
   EXPECT_THROW(static_cast<void>(tree.cast_ray({0, 0, 0}, {infinite, 0, 0})), Error);
   EXPECT_THROW(static_cast<void>(tree.overlap({0, infinite, 0}, {0, 0, 0})), Error);
   EXPECT_THROW(static_cast<void>(tree.overlap({-1, 5, 5}, {0, infinite, 0})), Error);
+  EXPECT_THROW(static_cast<void>(tree.overlap({0.5, 0.5, 0.5}, {0, infinite, 0})), Error);
+  EXPECT_THROW(static_cast<void>(tree.overlap({1e308, 0, 0}, {-1e308, 0, 0})), Error);
   EXPECT_THROW(static_cast<void>(tree.back_to_front({0, 0, infinite})), Error);
   EXPECT_NE(error_of(test::box_between({0, 0, 0}, {1, 1, 1}), {.candidates = 0}), "");
   EXPECT_NE(error_of(test::box_between({0, 0, 0}, {1, 1, 1}), {.max_growth = 0.5}), "");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <boost/math/constants/constants.hpp>
@@ -173,6 +174,9 @@ BodyOf<long double> quick(const FineBody& body) {
   for (const FinePoint& v : set.vertices) result.vertices.push_back(quick_point(v));
   return {result, body.move};
 }
+
+// What follows counts on more digits than those of doubles.
+static_assert(std::numeric_limits<long double>::digits >= 64);
 
 /// Says of two bodies that they are apart around a time where more than rounding speaks for it.
 class QuickLook {

@@ -40,7 +40,7 @@ class KeyReader {
   /// What is written as a turn of more than half a circle is not what would be done.
   void require_shorter_way(const io::WrittenPose& next, const io::TextCursor& cursor) const {
     const auto degrees = turn_ && next.turn ? io::degrees_between(*turn_, *next.turn) : std::nullopt;
-    if (!degrees || !(std::fabs(*degrees) > 180)) return;
+    if (!degrees || !(std::fabs(*degrees) > 180 + 1e-9)) return;  // half a circle, but for rounding
     cursor.fail(
         fmt::format("from the key before it turns by {} degrees, which is more than half a circle, and from one "
                     "key to the next the shorter way is taken",

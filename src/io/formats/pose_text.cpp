@@ -138,8 +138,9 @@ WrittenPose pose_of_numbers(const std::vector<std::string_view>& words, const Fa
 }  // namespace
 
 std::optional<double> degrees_between(const WrittenTurn& from, const WrittenTurn& to) {
-  if (from.axis == Vec3{} || to.axis == Vec3{}) return to.degrees - from.degrees;
-  if (cross(from.axis, to.axis) != Vec3{}) return {};
+  if (from.degrees == 0 || to.degrees == 0) return to.degrees - from.degrees;
+  // As written: (0.1, 0.2, 0.3) and (1, 2, 3) are one axis.
+  if (length(cross(normalized(from.axis), normalized(to.axis))) > 1e-12) return {};
   return to.degrees - (dot(from.axis, to.axis) > 0 ? from.degrees : -from.degrees);
 }
 

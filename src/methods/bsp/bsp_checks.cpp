@@ -39,6 +39,11 @@ void require_no_self_contact(const Model& solid) {
 
 }  // namespace
 
+void require_finite_point(const Vec3& p) {
+  if (!is_finite(p))
+    throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", p.x, p.y, p.z));
+}
+
 void require_solid_for_bsp(const Model& solid) {
   if (!solid.has_mesh()) throw Error(fmt::format("{}, and the model is no mesh", purpose));
   require_closed(solid);

@@ -75,6 +75,9 @@ struct BspTree::Parts {
   BspStatistics statistics;
 };
 
+/// Throws Error that names it.
+void require_finite_point(const Vec3& p);
+
 /// Throws Error as the constructor of BspTree does.
 void require_solid_for_bsp(const Model& solid);
 

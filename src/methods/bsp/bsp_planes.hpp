@@ -95,8 +95,6 @@ class BspPlanes {
   [[nodiscard]] std::size_t bytes() const { return axis_planes_.capacity() * sizeof(AxisPlane); }
 
   BspPlane add(const AxisPlane& plane);
-  /// Takes back the last one.
-  void remove_last() { axis_planes_.pop_back(); }
 
   [[nodiscard]] RoundedBspPlane rounded(BspPlane plane) const;
   [[nodiscard]] RoundedBspPlane rounded(const AxisPlane& plane) const;

@@ -6,13 +6,14 @@
 
 #include "math/constants.hpp"
 #include "narrow/triangles/ray_triangle.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/narrow/triangle_triangle.hpp"
 
 namespace toccata {
 
 /// False where the ray certainly misses the box. A time is a difference over a difference, each rounded once, so it is
-/// off by less than 2^-51 of itself. A difference that overflows is more than any motion, and its time beyond 1 or
-/// before 0, as infinity is.
+/// off by less than 2^-51 of itself, or by 2^-1074 where it is that small. A difference that overflows is more than any
+/// motion, and its time beyond 1 or before 0, as infinity is.
 bool BspRayWalk::enter_box() {
   for (int axis = 0; axis < 3; ++axis) {
     const double origin = origin_[axis], motion = motion_[axis];
@@ -23,8 +24,8 @@ bool BspRayWalk::enter_box() {
     }
     const double a = (lower - origin) / motion, b = (upper - origin) / motion;
     const double first = std::min(a, b), last = std::max(a, b);
-    enters_ = std::max(enters_, first - 0x1p-50 * std::fabs(first));  // 0 before NaN
-    leaves_ = std::min(leaves_, last + 0x1p-50 * std::fabs(last));
+    enters_ = std::max(enters_, first - (0x1p-50 * std::fabs(first) + 0x1p-1070));  // 0 before NaN
+    leaves_ = std::min(leaves_, last + (0x1p-50 * std::fabs(last) + 0x1p-1070));
   }
   if (enters_ > leaves_) return false;
   const Vec3 origin = parts_.frame.local(origin_), motion = parts_.frame.way(motion_);
@@ -138,9 +139,13 @@ RayHit BspTree::cast_ray(const Vec3& origin, const Vec3& motion) const {
 }
 
 bool BspTree::overlap(const Vec3& from, const Vec3& to) const {
+  require_finite_point(from);
+  require_finite_point(to);
+  if (!is_finite(to - from))
+    throw Error("the ends of the segment are farther apart along an axis than the greatest double");
   if (locate(from).side != Side::outside) return true;
   if (from == to) return false;
-  const PreparedRay ray(from, to - from);  // throws for what is not finite
+  const PreparedRay ray(from, to - from);
   const Triangle segment{from, to, to};
   bool met = false;
   BspRayWalk(*parts_, ray.origin, ray.motion).run([&](Index triangle) {

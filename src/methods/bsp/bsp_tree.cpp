@@ -12,11 +12,6 @@
 namespace toccata {
 namespace {
 
-void require_finite_point(const Vec3& p) {
-  if (!is_finite(p))
-    throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", p.x, p.y, p.z));
-}
-
 void require_possible(const BspOptions& options) {
   if (options.candidates == 0 || !(options.split_weight >= 0) || !(options.max_growth >= 1))
     throw Error(
