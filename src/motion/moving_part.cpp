@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "bounds/box_corners.hpp"
 #include "math/vec3_measures.hpp"
-#include "toccata/bounds/aabb.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -15,29 +15,21 @@ namespace {
 
 constexpr Index most_outline_points = 8;  ///< of a box; what has more vertices is seen as its box
 
-std::vector<Vec3> outline_of(const Aabb& box) {
-  std::vector<Vec3> corners;
-  for (int number = 0; number < 8; ++number)
-    corners.push_back({(number & 1) != 0 ? box.upper.x : box.lower.x, (number & 2) != 0 ? box.upper.y : box.lower.y,
-                       (number & 4) != 0 ? box.upper.z : box.lower.z});
-  return corners;
-}
-
 std::vector<Vec3> outline_of(const PosedPolytope& local) {
   std::vector<Vec3> vertices;
   for (Index i = 0; i < local.vertex_count(); ++i) vertices.push_back(local.vertex(i));
   if (local.vertex_count() <= most_outline_points) return vertices;
   Aabb box;
   for (const Vec3& vertex : vertices) box = merge(box, vertex);
-  return outline_of(box);
+  return corners_of(box);
 }
 
 MovingCore core_of(const Model& shape) {
-  if (shape.has_mesh()) return {outline_of(shape.bounds())};
+  if (shape.has_mesh()) return {corners_of(shape.bounds())};
   if (const auto* half_space = std::get_if<HalfSpace>(&shape.shape())) return {{half_space->point()}};
   const PosedShape local = pose_shape(shape, {}, Solid::automatic, "a shape");
   if (const auto* polytope = std::get_if<PosedPolytope>(&local)) return {outline_of(*polytope), polytope->radius()};
-  return {outline_of(world_box(local))};
+  return {corners_of(world_box(local))};
 }
 
 /// |R| v + |t|: as large as the numbers become that are added up for a world coordinate.

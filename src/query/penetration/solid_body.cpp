@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "bounds/box_corners.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/penetration/quadric_hull.hpp"
@@ -16,14 +17,6 @@ namespace {
 
 /// Of meshes with more vertices it is not tried in every case whether they are convex.
 constexpr std::size_t many_vertices = 10'000;
-
-std::vector<Vec3> corners_of(const Aabb& box) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back({(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
-                       (i & 4) != 0 ? box.upper.z : box.lower.z});
-  return corners;
-}
 
 Vec3 offset_of(const PosedShape& shape) {
   if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return convex->pose().offset;
