@@ -210,8 +210,8 @@ TEST(LectureQuestion, AConvexPolygonIsAskedLikeATriangleAndAConcaveOneIsCut) {
   };
   EXPECT_FALSE(meets_a_triangle(needle(0.5)));
   EXPECT_TRUE(meets_a_triangle(needle(2)));
-  const PosedPolytope filled(ConvexHull({tip, left, notch, right}));  // the hull has no notch
-  EXPECT_TRUE(overlap(filled, needle(0.5)));
+  const ConvexHull filled({tip, left, notch, right});  // has no notch
+  EXPECT_TRUE(overlap(PosedPolytope(filled), needle(0.5)));
   // A convex pentagon against the same of its triangles, edge on edge and corner on face included.
   const ConvexHull pentagon({{0, 0, 0}, {2, 0, 0}, {3, 2, 0}, {1, 3, 0}, {-1, 2, 0}});
   Random random(27);
