@@ -19,8 +19,8 @@ enum Colour : Index { orange, green, red, blue };
 
 /// Boxes that overlap along x and y as the third lecture says of its four ("Dimension reduction"), and lie in the cells
 /// of side 1 that it names ("2D spatial hashing"), a key being two bits of y and two of x: one picture for both.
-const std::vector<Rectangle> coloured{{0.125, 1.25, 0.25, 0.5}, {0.5, 0.5, 0.75, 1.125}, {1.125, 1.375, 0.625, 1.125},
-                                      {1.5, 0.25, 1, 0.875}};
+const std::vector<Rectangle> coloured{
+    {0.125, 1.25, 0.25, 0.5}, {0.5, 0.5, 0.75, 1.125}, {1.125, 1.375, 0.625, 1.125}, {1.5, 0.25, 1, 0.875}};
 
 std::vector<IndexPair> pairs_along(double Rectangle::*start, double Rectangle::*length) {
   std::vector<LineInterval> intervals;

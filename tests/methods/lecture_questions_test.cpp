@@ -37,7 +37,8 @@ ConvexFeature beyond(const RegionBound& bound, const HullTopology& topology) {
   const ConvexFeature edge{Kind::edge, std::min(bound.index, topology.twin[bound.index])};
   if (bound.kind == Between::vertex_edge)
     return bound.ahead ? ConvexFeature{Kind::vertex, topology.origin[bound.index]} : edge;
-  if (bound.kind == Between::edge_face) return bound.ahead ? edge : ConvexFeature{Kind::face, topology.face[bound.index]};
+  if (bound.kind == Between::edge_face)
+    return bound.ahead ? edge : ConvexFeature{Kind::face, topology.face[bound.index]};
   // Behind the plane of a face: of a triangle that is its other side.
   return {Kind::face, 1 - bound.index};
 }

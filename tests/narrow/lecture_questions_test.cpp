@@ -144,7 +144,9 @@ TEST(LectureQuestion, ACubesBoxIsAtMostRootThreeTimesAsWide) {
   EXPECT_GT(widest, 1.7);
   EXPECT_LE(widest, std::sqrt(3.0) * (1 + 1e-12));
   // √2 at 45° about an axis, √3 where a diagonal is turned along x.
-  const auto width = [](const Mat3& turn) { return 2 * box_around(PosedPolytope(Box({0.5, 0.5, 0.5}), {turn, {}})).upper.x; };
+  const auto width = [](const Mat3& turn) {
+    return 2 * box_around(PosedPolytope(Box({0.5, 0.5, 0.5}), {turn, {}})).upper.x;
+  };
   EXPECT_NEAR(width(rotation_about({0, 0, 1}, 45)), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(width(rotation_about({0, 1, 0}, std::atan(std::sqrt(0.5)) * 180 / std::acos(-1.0)) *
                     rotation_about({0, 0, 1}, -45)),
@@ -235,7 +237,7 @@ TEST(LectureQuestion, AConvexPolygonIsAskedLikeATriangleAndAConcaveOneIsCut) {
 TEST(LectureQuestion, ShadowsThatOverlapAlongBothNormalsAreNoCollision) {
   // Two triangles each of which crosses the other's plane: no normal parts them, and the cross product of two edges
   // does.
-  const Triangle a{{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}}}, b{{Vec3{3, 3, -1}, Vec3{3, 3, 1}, Vec3{6, 1, 0}}};
+  const Triangle a{{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}}}, b{{Vec3{3, 3, -1}, Vec3{3, 3, 1}, Vec3{6, 6, 0}}};
   const auto shadows_overlap = [&](const Vec3& axis) {
     double least_a = 1e9, most_a = -1e9, least_b = 1e9, most_b = -1e9;
     for (std::size_t i = 0; i < 3; ++i) {
