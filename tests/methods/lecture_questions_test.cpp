@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "toccata/core/random.hpp"
-#include "toccata/generate/meshes.hpp"
-#include "toccata/methods/cost.hpp"
 #include "toccata/methods/sphere_ways.hpp"
 #include "toccata/methods/voronoi.hpp"
 #include "toccata/narrow/primitives.hpp"
@@ -83,26 +81,6 @@ TEST(LectureQuestion, TheWalkEndsInTheRightRegionWhereverItBegins) {
     }
   }
   EXPECT_LE(longest, 6U);
-}
-
-TEST(LectureQuestion, TighterVolumesNeedFewerTestsAndLeaveFewerTriangles) {
-  const TriangleMesh knot = generate_mesh("torus-knot", {{"around", 60}, {"sides", 6}});
-  CostOptions options{.task = CostTask::contacts, .workloads = {CostWorkload::rigid}};
-  options.volumes = {cost_volume<Cube>, cost_volume<Aabb>, cost_volume<Kdop<26>>, cost_volume<HullBound>};
-  options.methods = {BvhMethod::median};
-  options.arities = {2};
-  const PairQuery beside{.pose_b = {rotation_about({0, 1, 0}, 30), {0.3, 0, 0}}};
-  const CostTable table = measure_costs(knot, knot, std::array{beside}, options);
-  EXPECT_GT(table.answers[0], 10);
-  std::vector<WalkCounts> counts;
-  for (const CostVolume volume : options.volumes)
-    for (const CostRow& row : table.rows)
-      if (row.volume == volume) counts.push_back(row.counts);
-  ASSERT_EQ(counts.size(), 4U);
-  for (std::size_t i = 1; i < counts.size(); ++i) {
-    EXPECT_LT(counts[i].volume_tests, counts[i - 1].volume_tests) << i;
-    EXPECT_LT(counts[i].items, counts[i - 1].items) << i;
-  }
 }
 
 /// The six bits in the box's own frame name the feature that is nearest; is the sphere as near as that?

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "toccata/bounds/ball.hpp"
-#include "toccata/bounds/obb.hpp"
+#include "toccata/bounds/all_volumes.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/narrow/primitives.hpp"
@@ -253,11 +252,34 @@ TEST(LectureQuestion, TheCutIsThroughTheMeanAcrossTheDirectionOfGreatestVariance
     const Triangle& t = knot[item];
     return dot(axes.axes[0], (1.0 / 3) * ((t.vertex[0] + t.vertex[1]) + t.vertex[2]) - axes.mean) < 0;
   };
-  const auto& [first, second] = std::tie(below[tree.nodes[0].first], below[tree.nodes[0].first + 1]);
+  const std::vector<Index>&first = below[tree.nodes[0].first], &second = below[tree.nodes[0].first + 1];
   const bool first_is_below = side(first[0]);
   for (const Index item : first) on_the_same_side += side(item) == first_is_below;
   for (const Index item : second) on_the_same_side += side(item) != first_is_below;
   EXPECT_EQ(on_the_same_side, knot.size());
+}
+
+template <class Volume>
+WalkCounts counts_of(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
+  MeetingPairs question{&a, &b};
+  const WalkCounts counts = walk_pair(build_bvh<Volume>(a, {.method = BvhMethod::median}),
+                                      build_bvh<Volume>(b, {.method = BvhMethod::median}), question);
+  EXPECT_GT(question.found.size(), 10U);
+  return counts;
+}
+
+TEST(LectureQuestion, TighterVolumesNeedFewerTestsAndLeaveFewerTriangles) {
+  const TriangleMesh knot = generate_mesh("torus-knot", {{"around", 60}, {"sides", 6}});
+  const std::vector<Triangle> a = triangles_of(knot);
+  std::vector<Triangle> b = a;
+  for (Triangle& t : b)
+    for (Vec3& vertex : t.vertex) vertex = transform(Pose{rotation_about({0, 1, 0}, 30), {0.3, 0, 0}}, vertex);
+  const std::array counts{counts_of<Cube>(a, b), counts_of<Aabb>(a, b), counts_of<Kdop<26>>(a, b),
+                          counts_of<HullBound>(a, b)};
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    EXPECT_LT(counts[i].volume_tests, counts[i - 1].volume_tests) << i;
+    EXPECT_LT(counts[i].items, counts[i - 1].items) << i;
+  }
 }
 
 TEST(LectureQuestion, TheNearerTwoSurfacesTheMorePairsAreLookedAt) {
