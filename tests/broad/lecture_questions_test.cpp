@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -187,30 +188,63 @@ int level_of(const GridBox<D>& box) {
   return level;
 }
 
-TEST(LectureQuestion, TwoBoxesThatShareAPointShareACellOfTheCoarserLevel) {
-  Random random(61);
-  int found = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const auto box = [&] { return random_box<3>(random, std::ldexp(1.0, static_cast<int>(random.below(8)) - 5)); };
-    const GridBox<3> a = box(), b = box();
-    GridCell<3> shared;
-    bool overlaps = true;
-    const double side = std::ldexp(1.0, 2 * std::max(level_of(a), level_of(b)));
-    const CellRange<3> of_a = cells_of(a, side), of_b = cells_of(b, side);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      // The greater of the lower corners is in both, if anything is.
-      const double corner = std::max(a.lower[axis], b.lower[axis]);
-      overlaps = overlaps && corner <= std::min(a.upper[axis], b.upper[axis]);
-      shared[axis] = static_cast<std::int32_t>(std::floor(corner / side));
-    }
-    if (!overlaps) continue;
-    ++found;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      EXPECT_TRUE(of_a.first[axis] <= shared[axis] && shared[axis] <= of_a.last[axis]);
-      EXPECT_TRUE(of_b.first[axis] <= shared[axis] && shared[axis] <= of_b.last[axis]);
+/// The lecture's tables of many levels, in its own way: a box is entered under every cell that it reaches into at its
+/// own level, where it is native, and at coarser ones.
+struct LevelTables {
+  enum class Entered { at_own_level_only, and_at_all_coarser };
+  struct Cell {
+    std::vector<Index> natives, visitors;
+  };
+  static constexpr int coarsest = 3;
+
+  LevelTables(const std::vector<GridBox<3>>& boxes, Entered entered) {
+    for (Index i = 0; i < boxes.size(); ++i) {
+      const int own = level_of(boxes[i]), last = entered == Entered::at_own_level_only ? own : coarsest;
+      std::size_t keys = 0;
+      for (int level = own; level <= last; ++level)
+        each_cell(cells_of(boxes[i], std::ldexp(1.0, 2 * level)), [&](const GridCell<3>& cell) {
+          Cell& entry = table[{level, cell}];
+          (level == own ? entry.natives : entry.visitors).push_back(i);
+          ++keys;
+        });
+      EXPECT_LE(keys, 8U * static_cast<std::size_t>(last - own + 1));
     }
   }
-  EXPECT_GT(found, 100);
+
+  /// Natives with all, visitors not with each other.
+  [[nodiscard]] std::set<IndexPair> candidates() const {
+    std::set<IndexPair> pairs;
+    for (const auto& [key, cell] : table)
+      for (std::size_t i = 0; i < cell.natives.size(); ++i) {
+        const auto add = [&](Index a, Index b) { pairs.insert({std::min(a, b), std::max(a, b)}); };
+        for (std::size_t j = 0; j < i; ++j) add(cell.natives[i], cell.natives[j]);
+        for (const Index visitor : cell.visitors) add(cell.natives[i], visitor);
+      }
+    return pairs;
+  }
+
+  std::map<std::pair<int, GridCell<3>>, Cell> table;
+};
+
+TEST(LectureQuestion, HierarchicalHashingLosesNoPairAsBothAreEnteredAtTheCoarserLevel) {
+  Random random(61);
+  std::vector<GridBox<3>> boxes;
+  std::vector<Aabb> same;
+  for (int i = 0; i < 300; ++i) {
+    const GridBox<3> box = random_box<3>(random, std::ldexp(1.0, static_cast<int>(random.below(8)) - 5));
+    boxes.push_back(box);
+    same.push_back({{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}});
+  }
+  const std::vector<IndexPair> truth = overlapping_pairs_by_brute_force(same);
+  const auto lost_by = [&](const std::set<IndexPair>& candidates) {
+    return std::count_if(truth.begin(), truth.end(), [&](const IndexPair& pair) { return !candidates.contains(pair); });
+  };
+  EXPECT_GT(truth.size(), 200U);
+  const auto found = LevelTables(boxes, LevelTables::Entered::and_at_all_coarser).candidates();
+  EXPECT_EQ(lost_by(found), 0);
+  EXPECT_LT(found.size(), boxes.size() * boxes.size() / 4);
+  // A small box that is not entered where the large ones are native does not meet them.
+  EXPECT_GT(lost_by(LevelTables(boxes, LevelTables::Entered::at_own_level_only).candidates()), 20);
 }
 
 TEST(LectureQuestion, TheHierarchicalHashEntersABoxIntoEightCellsOfItsLevelAtMost) {
