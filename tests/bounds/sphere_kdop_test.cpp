@@ -109,10 +109,10 @@ void compare_with_oracle(std::uint64_t cases) {
 }
 
 TEST(SphereKdop, OverlapIsThatOfTheOracle) {
-  compare_with_oracle<6>(600);
-  compare_with_oracle<14>(150);
-  compare_with_oracle<18>(90);
-  compare_with_oracle<26>(45);
+  compare_with_oracle<6>(200);
+  compare_with_oracle<14>(45);
+  compare_with_oracle<18>(30);
+  compare_with_oracle<26>(15);
 }
 
 TEST(SphereKdop, OfSixPlanesIsThatOfABox) {
