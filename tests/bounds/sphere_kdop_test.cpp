@@ -109,10 +109,10 @@ void compare_with_oracle(std::uint64_t cases) {
 }
 
 TEST(SphereKdop, OverlapIsThatOfTheOracle) {
-  compare_with_oracle<6>(200);
-  compare_with_oracle<14>(45);
-  compare_with_oracle<18>(30);
-  compare_with_oracle<26>(15);
+  compare_with_oracle<6>(300);
+  compare_with_oracle<14>(60);
+  compare_with_oracle<18>(60);
+  compare_with_oracle<26>(30);
 }
 
 TEST(SphereKdop, OfSixPlanesIsThatOfABox) {
