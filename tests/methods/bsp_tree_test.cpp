@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/bsp_checks.hpp"
+#include "methods/closed_meshes.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/test_meshes.hpp"
 #include "support/data.hpp"
@@ -27,11 +27,7 @@
 namespace toccata {
 namespace {
 
-using test::closed_meshes;
-using test::generated;
-using test::telling_points;
-using test::telling_rays;
-using test::vertex_of;
+using test::closed_meshes, test::generated, test::telling_points, test::vertex_of;
 
 void expect_located_alike(const BspTree& tree, const Model& model, const Vec3& p) {
   const BspLocation found = tree.locate(p);
@@ -141,6 +137,24 @@ TEST(BspTree, KeepsTheWholeSurface) {
       EXPECT_NEAR(area[t], area_of(corners), 1e-9);
     }
   }
+}
+
+struct Ray {
+  Vec3 origin;
+  Vec3 motion;
+};
+
+/// From telling points to telling points, some of which lie on the surface.
+std::vector<Ray> telling_rays(const Model& model, std::size_t count) {
+  const std::vector<Vec3> from = telling_points(model, count, 3), to = telling_points(model, count, 4);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 way = to[(5 * i + i / 8) % count] - from[i];
+    if (way == Vec3{} || !is_finite(way)) continue;
+    rays.push_back({from[i], way});
+    rays.push_back({from[i] - 4.0 * way, 8.0 * way});
+  }
+  return rays;
 }
 
 TEST(BspTree, CastsRaysAsTheModelDoes) {

@@ -91,13 +91,12 @@ class BspTree {
   /// Whether the shape, in the mesh's own frame, has a point in common with the solid. Exact, as `overlap` of the model.
   [[nodiscard]] bool overlap(const PosedPolytope& shape) const;
 
-  /// Expanded planes: the shape (in the mesh's own frame) moves by `motion`, without turning; every plane is moved out
-  /// by how far the shape reaches across it, to either side, and the shape is a point that goes through the cells (J.
-  /// Carmack, Quake, 1996; J. M. P. van Waveren, "The Quake III Arena Bot", 2001). That is exact in front of a face,
-  /// but where planes meet at an edge or a corner the cell that is grown so is too large: without bound at sharp ones.
-  /// So it tells of hits that are none, and no less than all that are: what is free is proved. With bevels it tells of
-  /// fewer; where the shape is a box along the axes, of a cell with at most eight planes in reach of none. Throws Error
-  /// when the motion is not finite.
+  /// Expanded planes (S. Melax, "Dynamic plane shifting BSP traversal", 2000; Quake's traces): the shape, in the mesh's
+  /// own frame, moves by `motion` without turning; every plane is moved out by how far the shape reaches across it, to
+  /// either side, and the shape is a point that goes through the cells. In front of a face that is exact, but where
+  /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
+  /// mesh allows, which is moved out too. So it tells of hits that are none, but never of none where there is one: what
+  /// is free is proved. With bevels it tells of fewer such hits. Throws Error when the motion is not finite.
   [[nodiscard]] BspTrace trace(const PosedPolytope& shape, const Vec3& motion,
                                BspBevels bevels = BspBevels::none) const;
 
