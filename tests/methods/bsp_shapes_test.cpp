@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "methods/bsp_checks.hpp"
-#include "oracle/test_meshes.hpp"
 #include "support/error_message.hpp"
 #include "toccata/methods/bsp_tree.hpp"
 #include "toccata/query/casts.hpp"

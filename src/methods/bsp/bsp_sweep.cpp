@@ -21,10 +21,10 @@ BspSide side_of(const FloatBspPlane& plane) {
 }
 
 /// Where the exact height of the shape's lowest or highest point is 0, the computed one is within the error, so this is
-/// no farther from where the computed one is 0 than the error over the rise. Twice that covers the roundings of both,
-/// and 2^-48 those of a fraction.
+/// no farther from where the computed one is 0 than the error over the rise. The error is 2^-20 of the slope times
+/// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here.
 BspStretch BspHeights::cut(BspStretch stretch, double risen, bool begins) const {
-  const double crossing = risen / rise, off = 2 * std::fabs(error / rise) + 0x1p-48;
+  const double crossing = risen / rise, off = 2 * std::fabs(error / rise);
   if (!(off < 1 && std::fabs(crossing) < 2)) return stretch;  // so for NaN
   if (!begins) {
     stretch.to = std::min(stretch.to, crossing + off);
@@ -59,8 +59,8 @@ void BspSweep::pose(std::span<const Vec3> points, const Aabb& box, double radius
   radius_ = parts_.frame.way({radius, 0, 0}).x;
   start_ = middle + enters_ * motion;
   way_ = (middle + leaves_ * motion) - start_;
-  // The ends have three roundings of numbers no greater than this and the way one more, what the points are from the
-  // middle another two. Infinite where something overflowed, and then nothing is certain.
+  // The places at any time of all of the shape have some ten roundings of numbers no greater than this, and three times
+  // it is 48 · 2^-53. Infinite where something overflowed, and then nothing is certain.
   off_ = 0x1p-49 * (largest + largest_magnitude(motion)) + filter::floor;
   reach_ = std::max(largest_magnitude(start_), largest_magnitude(start_ + way_)) + largest_magnitude(half_) + radius_;
   reach_ = std::max(1.0, 1.001 * reach_ + off_);
@@ -69,8 +69,10 @@ void BspSweep::pose(std::span<const Vec3> points, const Aabb& box, double radius
 }
 
 /// A time is a difference over a difference, each rounded once, so it is off by less than 2^-51 of itself, or by
-/// 2^-1074 where it is that small. A difference that overflows is more than any motion, and its time beyond 1 or before
-/// 0, as infinity is. Where the shape certainly misses the box, it leaves before it enters.
+/// 2^-1074 where it is that small. Twice that is taken from the beginnings, so that they are not later than ends which
+/// are not; that an end may be as much too early is within what `off_` leaves. A difference that overflows is more than
+/// any motion, and its time beyond 1 or before 0, as infinity is. Where the shape certainly misses the box, it leaves
+/// before it enters.
 void BspSweep::clip_to_box(const Aabb& box) {
   if (std::max(largest_magnitude(box.lower), largest_magnitude(box.upper)) > largest_clipped) return;
   for (int axis = 0; axis < 3; ++axis) {
@@ -83,16 +85,16 @@ void BspSweep::clip_to_box(const Aabb& box) {
     const double a = (lower - high) / motion, b = (upper - low) / motion;
     const double first = std::min(a, b), last = std::max(a, b);
     enters_ = std::max(enters_, first - (0x1p-50 * std::fabs(first) + 0x1p-1070));  // 0 before NaN
-    leaves_ = std::min(leaves_, last + (0x1p-50 * std::fabs(last) + 0x1p-1070));
+    leaves_ = std::min(leaves_, last);
   }
 }
 
 /// The height of a place q is normal · q − offset, whose error is linear in q but for that of the offset: so at places
-/// up to `reach_` it is at most that many times the bound. Being off by `off_` is worth that times the slope. Some 45
-/// roundings of numbers up to `reach_` times the slope, those in which a normal was summed up included, are within
-/// 2^-47 of it.
+/// up to `reach_` it is at most that many times the bound. Of the bound some 2^-21 of the slope are for roundings of
+/// floats, which do not happen here: that is more than the some 45 roundings of doubles, those in which a normal was
+/// summed up included. Being off by `off_` is worth that times the slope.
 BspHeights BspSweep::rough_heights(const BspSide& side) const {
-  const double error = 1.001 * (reach_ * side.bound + side.slope * (3 * off_ + reach_ * 0x1p-47));
+  const double error = 1.001 * (reach_ * side.bound + 3 * side.slope * off_);
   const double round = radius_ > 0 ? radius_ * plain_length(side.normal) : 0;
   const double reach = dot(magnitudes(side.normal), half_) + round;
   return {side.normal, dot(side.normal, start_) - side.offset, dot(side.normal, way_), -reach, reach, error};
@@ -169,7 +171,7 @@ void BspSweep::push(const BspStretch& stretch, const Step& last) {
   if (!stretch.is_empty()) waiting_.push_back({stretch, depth_ + 1, last});
 }
 
-/// Local places, each off by less than `off_` or 2^-53 of itself.
+/// Local places, each off by less than three times `off_`, and where the shape is by some roundings more.
 bool BspSweep::may_meet(const Triangle& triangle, const BspStretch& stretch) const {
   const double pad = radius_ + 3 * off_ + reach_ * 0x1p-47;
   const Vec3 from = start_ + stretch.from * way_, to = start_ + stretch.to * way_;
