@@ -109,8 +109,8 @@ class SolidQuestions {
     result.bsp_us = time([&](std::size_t i) { bsp[i] = of_bsp(i); });
     result.mesh_us = time([&](std::size_t i) { mesh[i] = of_mesh(i); });
     for (std::size_t i = 0; i < count_; ++i) {
-      result.hits += is_hit(mesh[i]) ? 1 : 0;
-      result.wrong += bsp[i] == mesh[i] ? 0 : 1;
+      result.hits += is_hit(mesh[i]) ? 1U : 0U;
+      result.wrong += bsp[i] == mesh[i] ? 0U : 1U;
     }
     return result;
   }
@@ -188,9 +188,9 @@ void of_shapes(const BspTree& tree, const Model& model, SolidQuestions& question
     row.us = questions.time([&](std::size_t i) { found[i] = tree.trace(shapes[i].posed, motions[i], bevels); });
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const auto& [hit, upper, element] = truths[i];
-      row.hits += found[i].hit ? 1 : 0;
-      row.false_hits += found[i].hit && !hit ? 1 : 0;
-      row.wrong += hit && (!found[i].hit || found[i].time > upper) ? 1 : 0;
+      row.hits += found[i].hit ? 1U : 0U;
+      row.false_hits += found[i].hit && !hit ? 1U : 0U;
+      row.wrong += hit && (!found[i].hit || found[i].time > upper) ? 1U : 0U;
     }
     traces.push_back(row);
   }
@@ -209,7 +209,7 @@ double boxes_at_a_triangle(const Model& model) {
       const auto& node = nodes[waiting.back()];
       waiting.pop_back();
       if (!overlap(node.volume, Aabb{middle, middle})) continue;
-      count += node.is_leaf() ? 1 : 0;
+      count += node.is_leaf() ? 1U : 0U;
       for (Index child = 0; child < node.child_count && !node.is_leaf(); ++child) waiting.push_back(node.first + child);
     }
   }
@@ -260,7 +260,7 @@ int run_partition_solid(const PartitionsArguments& arguments) {
     for (const TraceRow& row : traces) report["traces"].push_back(json_of(row));
     report["wrong"] = wrong;
     fmt::print("{}\n", report.dump(2));
-    return wrong > 0 ? 1 : 0;
+    return wrong > 0 ? 1U : 0U;
   }
   fmt::print("{} triangles\n  BSP tree: {:.2f} s, {} nodes, depth {} ({:.1f} on average), {:.1f} MB; a triangle is in "
              "{:.2f} cells' planes, a point in one cell\n  mesh's own tree: {:.3f} s; a triangle is in one leaf, the "
@@ -273,7 +273,7 @@ int run_partition_solid(const PartitionsArguments& arguments) {
   fmt::print("{:<44}{:>10}{:>12}{:>8}{:>8}\n", "expanded planes, in us", "BSP", "false hits", "hits", "wrong");
   for (const TraceRow& row : traces)
     fmt::print("{:<44}{:>10.2f}{:>12}{:>8}{:>8}\n", row.question, row.us, row.false_hits, row.hits, row.wrong);
-  return wrong > 0 ? 1 : 0;
+  return wrong > 0 ? 1U : 0U;
 }
 
 }  // namespace toccata::bench

@@ -84,7 +84,12 @@ void BspSweep::clip_to_box(const Aabb& box) {
     }
     const double a = (lower - high) / motion, b = (upper - low) / motion;
     const double first = std::min(a, b), last = std::max(a, b);
-    enters_ = std::max(enters_, first - (0x1p-50 * std::fabs(first) + 0x1p-1070));  // 0 before NaN
+    const double begin = first - (0x1p-50 * std::fabs(first) + 0x1p-1070);
+    if (begin > enters_) {  // not so for NaN
+      enters_ = begin;
+      entered_ = {};
+      entered_[axis] = motion > 0 ? -1 : 1;
+    }
     leaves_ = std::min(leaves_, last);
   }
 }
@@ -122,7 +127,7 @@ void BspSweep::run(Meet meet) {
 
 void BspSweep::run(Meet meet, Enter enter) {
   if (enters_ > leaves_) return;
-  waiting_.push_back({});
+  waiting_.push_back({{0, 0, 1, entered_}, 0, {}});
   while (!waiting_.empty()) {
     const Waiting waiting = waiting_.back();
     waiting_.pop_back();
