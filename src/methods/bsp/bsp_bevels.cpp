@@ -16,23 +16,23 @@ std::vector<BspSide> sides_in_reach(const BspSweep& sweep, const BspStretch& in_
   std::reverse(all.begin(), all.end());
   std::vector<BspSide> near;
   for (const BspSide& side : all)
-    if (near.size() < most_combined && !sweep.heights(side).certainly_below(in_cell)) near.push_back(side);
+    if (near.size() < most_combined && sweep.heights(side).side(in_cell) != Sign::negative) near.push_back(side);
   return near;
 }
 
 /// Cuts a stretch by sums of planes, as long as something is left of it.
 template <std::size_t count>
-class Bevelled {
+class SumOfSides {
  public:
   using Sides = std::array<const BspSide*, count>;
   using Weights = std::array<double, count>;
 
-  Bevelled(const BspSweep& sweep, const Sides& sides) : sweep_(sweep), sides_(sides) {}
+  SumOfSides(const BspSweep& sweep, const Sides& sides) : sweep_(sweep), sides_(sides) {}
 
   /// The greatest weight is made 1, so that nothing underflows that matters; none where the others are not numbers.
-  void cut(BspStretch& stretch, Weights weights) const {
+  void cut(BevelledStretch& bevelled, Weights weights) const {
     const double greatest = *std::max_element(weights.begin(), weights.end());
-    if (!(greatest > 0x1p-500) || !(greatest < 0x1p500) || stretch.is_empty()) return;
+    if (!(greatest > 0x1p-500) || !(greatest < 0x1p500) || bevelled.stretch.is_empty()) return;
     BspSide sum;
     for (std::size_t i = 0; i < count; ++i) {
       const double weight = weights[i] / greatest;
@@ -42,57 +42,61 @@ class Bevelled {
       sum.slope += weight * sides_[i]->slope;
     }
     const BspHeights heights = sweep_.heights(sum);
-    stretch = heights.certainly_above(stretch) ? nothing : heights.behind(stretch);
+    const BspStretch before = bevelled.stretch;
+    bevelled.stretch = heights.side(before) == Sign::positive ? nothing : heights.behind(before);
+    if (bevelled.stretch.from > before.from) bevelled.normal = sum.normal;
   }
 
-  void cut_by_unit_normals(BspStretch& stretch) const {
+  void cut_by_unit_normals(BevelledStretch& bevelled) const {
     Weights weights;
     for (std::size_t i = 0; i < count; ++i) weights[i] = 1 / plain_length(sides_[i]->normal);
-    cut(stretch, weights);
+    cut(bevelled, weights);
   }
 
   /// If they are all of one sign: of which sign does not matter.
-  void cut_with_one_sign(BspStretch& stretch, Weights weights) const {
+  void cut_with_one_sign(BevelledStretch& bevelled, Weights weights) const {
     const bool none_below = std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0; });
     const bool none_above = std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; });
     if (!none_below && !none_above) return;
     for (double& weight : weights) weight = std::fabs(weight);
-    cut(stretch, weights);
+    cut(bevelled, weights);
   }
 
  private:
-  static constexpr BspStretch nothing{0, 1, 0, {}};
+  static constexpr BspStretch nothing{0, -1, 1, 0};
 
   const BspSweep& sweep_;
   Sides sides_;
 };
 
-void cut_along_edge(const BspSweep& sweep, const BspSide& p, const BspSide& q, BspStretch& stretch) {
-  const Bevelled<2> bevelled(sweep, {&p, &q});
-  bevelled.cut_by_unit_normals(stretch);
-  for (int axis = 0; axis < 3; ++axis) bevelled.cut_with_one_sign(stretch, {-q.normal[axis], p.normal[axis]});
+void cut_along_edge(const BspSweep& sweep, const BspSide& p, const BspSide& q, BevelledStretch& bevelled) {
+  const SumOfSides<2> sums(sweep, {&p, &q});
+  sums.cut_by_unit_normals(bevelled);
+  for (int axis = 0; axis < 3; ++axis) sums.cut_with_one_sign(bevelled, {-q.normal[axis], p.normal[axis]});
 }
 
-void cut_at_corner(const BspSweep& sweep, const BspSide& p, const BspSide& q, const BspSide& r, BspStretch& stretch) {
-  const Bevelled<3> bevelled(sweep, {&p, &q, &r});
-  bevelled.cut_by_unit_normals(stretch);
+void cut_at_corner(const BspSweep& sweep, const BspSide& p, const BspSide& q, const BspSide& r,
+                   BevelledStretch& bevelled) {
+  const SumOfSides<3> sums(sweep, {&p, &q, &r});
+  sums.cut_by_unit_normals(bevelled);
   const Vec3 qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal), pq = cross(p.normal, q.normal);
   // By Cramer's rule their sum is the axis, times the determinant.
-  for (int axis = 0; axis < 3; ++axis) bevelled.cut_with_one_sign(stretch, {qr[axis], rp[axis], pq[axis]});
+  for (int axis = 0; axis < 3; ++axis) sums.cut_with_one_sign(bevelled, {qr[axis], rp[axis], pq[axis]});
 }
 
 }  // namespace
 
-BspStretch narrowed_by_bevels(const BspSweep& sweep, const BspStretch& in_cell) {
+BevelledStretch narrowed_by_bevels(const BspSweep& sweep, const BspStretch& in_cell) {
   const std::vector<BspSide> sides = sides_in_reach(sweep, in_cell);
-  BspStretch stretch = in_cell;
+  BevelledStretch bevelled{in_cell};
   for (std::size_t i = 0; i < sides.size(); ++i)
-    for (std::size_t j = 0; j < i && !stretch.is_empty(); ++j) cut_along_edge(sweep, sides[i], sides[j], stretch);
+    for (std::size_t j = 0; j < i && !bevelled.stretch.is_empty(); ++j)
+      cut_along_edge(sweep, sides[i], sides[j], bevelled);
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t k = 0; k < j && !stretch.is_empty(); ++k)
-        cut_at_corner(sweep, sides[i], sides[j], sides[k], stretch);
-  return stretch;
+      for (std::size_t k = 0; k < j && !bevelled.stretch.is_empty(); ++k)
+        cut_at_corner(sweep, sides[i], sides[j], sides[k], bevelled);
+  return bevelled;
 }
 
 }  // namespace toccata

@@ -85,14 +85,16 @@ BspTrace BspTree::trace(const PosedPolytope& shape, const Vec3& motion, BspBevel
   require_finite_motion(motion);
   BspSweep sweep(*parts_, shape, motion);
   BspTrace result;
-  sweep.run([](Index, const BspStretch&) { return infinity; },
-            [&](const BspStretch& in_cell) {
-              const BspStretch entered = bevels == BspBevels::none ? in_cell : narrowed_by_bevels(sweep, in_cell);
-              if (entered.is_empty()) return infinity;
-              const double time = std::max(0.0, sweep.time_before(entered));
-              if (!result.hit || time < result.time) result = {true, time, unit_or_zero(entered.entered)};
-              return result.time > 0 ? result.time : -infinity;
-            });
+  sweep.run_through_cells([&](const BspStretch& in_cell) {
+    const BevelledStretch entered =
+        bevels == BspBevels::none ? BevelledStretch{in_cell} : narrowed_by_bevels(sweep, in_cell);
+    if (entered.stretch.is_empty()) return infinity;
+    const double time = std::max(0.0, sweep.time_before(entered.stretch));
+    if (!result.hit || time < result.time)
+      result = {true, time,
+                entered.normal == Vec3{} ? sweep.entered_across(entered.stretch) : sweep.against_motion(entered.normal)};
+    return result.time > 0 ? result.time : -infinity;
+  });
   return result;
 }
 

@@ -30,18 +30,17 @@ BspStretch BspHeights::cut(BspStretch stretch, double risen, bool begins) const 
     stretch.to = std::min(stretch.to, crossing + off);
   } else if (crossing - off > stretch.from) {
     stretch.from = crossing - off;
-    stretch.entered = rise > 0 ? -normal : normal;
   }
   return stretch;
 }
 
 BspSweep::BspSweep(const BspTree::Parts& parts, const Vec3& point, const Vec3& motion)
-    : parts_(parts), motion_(motion), path_(parts.statistics.depth) {
+    : parts_(parts), motion_(motion) {
   pose({&point, 1}, {point, point}, 0);
 }
 
 BspSweep::BspSweep(const BspTree::Parts& parts, const PosedPolytope& shape, const Vec3& motion)
-    : parts_(parts), motion_(motion), path_(parts.statistics.depth) {
+    : parts_(parts), motion_(motion) {
   pose(vertices_of(shape), world_box(shape), shape.radius());
 }
 
@@ -102,7 +101,7 @@ BspHeights BspSweep::rough_heights(const BspSide& side) const {
   const double error = 1.001 * (reach_ * side.bound + 3 * side.slope * off_);
   const double round = radius_ > 0 ? radius_ * plain_length(side.normal) : 0;
   const double reach = dot(magnitudes(side.normal), half_) + round;
-  return {side.normal, dot(side.normal, start_) - side.offset, dot(side.normal, way_), -reach, reach, error};
+  return {dot(side.normal, start_) - side.offset, dot(side.normal, way_), -reach, reach, error};
 }
 
 BspHeights BspSweep::heights(const BspSide& side) const {
@@ -125,9 +124,14 @@ void BspSweep::run(Meet meet) {
   run(meet, [](const BspStretch&) { return infinity; });
 }
 
+void BspSweep::run_through_cells(Enter enter) {
+  path_.resize(parts_.statistics.depth);
+  run([](Index, const BspStretch&) { return infinity; }, enter);
+}
+
 void BspSweep::run(Meet meet, Enter enter) {
   if (enters_ > leaves_) return;
-  waiting_.push_back({{0, 0, 1, entered_}, 0, {}});
+  waiting_.push_back({});
   while (!waiting_.empty()) {
     const Waiting waiting = waiting_.back();
     waiting_.pop_back();
@@ -140,36 +144,61 @@ double BspSweep::time_before(const BspStretch& stretch) const {
   return enters_ + stretch.from * (leaves_ - enters_) - 0x1p-50;
 }
 
+Vec3 BspSweep::against_motion(const Vec3& normal) const {
+  const Vec3 unit = unit_or_zero(normal);
+  return dot(unit, way_) > 0 ? -unit : unit;
+}
+
+Vec3 BspSweep::entered_across(const BspStretch& stretch) const {
+  if (is_leaf(stretch.entered)) return entered_;
+  return against_motion(side_of(parts_.nodes[static_cast<std::size_t>(stretch.entered)].floats).normal);
+}
+
 void BspSweep::pass(const Waiting& waiting, Meet meet, Enter enter) {
   BspStretch stretch = waiting.stretch;
   depth_ = waiting.depth;
-  if (depth_ > 0) path_[depth_ - 1] = waiting.last;
+  if (depth_ > 0) {
+    --depth_;
+    follow(waiting.last);
+  }
   while (!is_leaf(stretch.at)) {
     const BspChild at = stretch.at;
     const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
-    const BspSide side = side_of(node.floats);
-    BspHeights along = rough_heights(side);
-    if (!points_.empty() && !along.is_certain(stretch)) along = heights(side);
-    if (along.is_certain(stretch)) {
-      const bool is_above = along.certainly_above(stretch);
-      path_[depth_++] = {at, is_above};
-      stretch.at = node.child[is_above];
-      continue;
+    const BspSide plane = side_of(node.floats);
+    BspHeights along = rough_heights(plane);
+    Sign side = along.side(stretch);
+    if (side == Sign::zero && !points_.empty()) {
+      along = heights(plane);
+      side = along.side(stretch);
     }
-    BspStretch behind = along.behind(stretch), in_front = along.in_front(stretch);
-    const BspStretch in_plane{at, std::max(behind.from, in_front.from), std::min(behind.to, in_front.to)};
-    behind.at = node.back();
-    in_front.at = node.front();
-    // The last is looked at first.
-    if (along.rise > 0) push(in_front, {at, true});
-    push(behind, {at, false});
-    if (!(along.rise > 0)) push(in_front, {at, true});
-    if (in_plane.is_empty()) return;
-    for (const StoredFragment& fragment : parts_.fragments_of(at))
-      latest_ = std::min(latest_, meet(fragment.triangle, in_plane));
-    return;
+    if (side == Sign::zero) return pass_on_both_sides(stretch, along, meet);
+    follow({at, side == Sign::positive});
+    stretch.at = node.child[side == Sign::positive];
   }
   if (winding_of_leaf(stretch.at) != 0) latest_ = std::min(latest_, enter(stretch));
+}
+
+void BspSweep::follow(const Step& step) {
+  if (!path_.empty()) path_[depth_] = step;
+  ++depth_;
+}
+
+void BspSweep::pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet) {
+  const BspChild at = stretch.at;
+  const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
+  BspStretch behind = along.behind(stretch), in_front = along.in_front(stretch);
+  const BspStretch in_plane{at, at, std::max(behind.from, in_front.from), std::min(behind.to, in_front.to)};
+  if (behind.from > stretch.from) behind.entered = at;
+  if (in_front.from > stretch.from) in_front.entered = at;
+  behind.at = node.back();
+  in_front.at = node.front();
+  // The last is looked at first.
+  if (along.rise > 0) push(in_front, {at, true});
+  push(behind, {at, false});
+  if (!(along.rise > 0)) push(in_front, {at, true});
+  if (in_plane.is_empty()) return;
+  for (const StoredFragment& fragment : parts_.fragments_of(at))
+    latest_ = std::min(latest_, meet(fragment.triangle, in_plane));
 }
 
 void BspSweep::push(const BspStretch& stretch, const Step& last) {

@@ -13,9 +13,9 @@ namespace toccata {
 /// of the mesh.
 struct BspStretch {
   BspChild at = 0;
+  BspChild entered = -1;  ///< the node across whose plane it begins; none where it begins with the way
   double from = 0;
   double to = 1;
-  Vec3 entered{};  ///< across what it begins: a local normal against the motion; zero where it begins with the way
 
   [[nodiscard]] bool is_empty() const { return from > to; }
 };
@@ -34,21 +34,18 @@ struct BspSide {
 /// The heights of a shape that moves above a plane: of its middle where they begin and how they go on, how far the
 /// shape reaches down and up from there, and what all of this is off by.
 struct BspHeights {
-  Vec3 normal;
   double start = 0;
   double rise = 0;
   double low = 0;
   double high = 0;
   double error = 0;
 
-  // False for NaN.
-  [[nodiscard]] bool certainly_above(const BspStretch& s) const {
-    return start + s.from * rise + low > error && start + s.to * rise + low > error;
+  /// On which side all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
+  [[nodiscard]] Sign side(const BspStretch& s) const {
+    const double first = start + s.from * rise, last = start + s.to * rise;
+    if (first + low > error && last + low > error) return Sign::positive;
+    return first + high < -error && last + high < -error ? Sign::negative : Sign::zero;
   }
-  [[nodiscard]] bool certainly_below(const BspStretch& s) const {
-    return start + s.from * rise + high < -error && start + s.to * rise + high < -error;
-  }
-  [[nodiscard]] bool is_certain(const BspStretch& s) const { return certainly_above(s) || certainly_below(s); }
   // The part of the stretch in which some of the shape may lie there, or on the plane.
   [[nodiscard]] BspStretch in_front(const BspStretch& s) const { return cut(s, -high - start, rise > 0); }
   [[nodiscard]] BspStretch behind(const BspStretch& s) const { return cut(s, -low - start, rise < 0); }
@@ -69,10 +66,10 @@ class BspSweep {
   /// Is told each triangle of which a fragment lies in a plane that is met, some several times, with the stretch during
   /// which it may be met; answers from which time on none is of interest.
   using Meet = FunctionRef<double(Index triangle, const BspStretch& in_plane)>;
+  void run(Meet meet);
   /// Is told each cell within the solid that may be entered; answers likewise.
   using Enter = FunctionRef<double(const BspStretch& in_cell)>;
-  void run(Meet meet, Enter enter);
-  void run(Meet meet);
+  void run_through_cells(Enter enter);
 
   /// Whether the triangle is so near the way during the stretch that it may be met, by boxes.
   [[nodiscard]] bool may_meet(const Triangle& triangle, const BspStretch& stretch) const;
@@ -81,6 +78,11 @@ class BspSweep {
   [[nodiscard]] double time_before(const BspStretch& stretch) const;
 
   [[nodiscard]] BspHeights heights(const BspSide& side) const;
+
+  /// Unit, against the motion, across what the stretch begins; zero where that is before the start.
+  [[nodiscard]] Vec3 entered_across(const BspStretch& stretch) const;
+  /// The same across a plane of this normal, which is no unit one.
+  [[nodiscard]] Vec3 against_motion(const Vec3& normal) const;
 
   /// The planes around the cell that is being entered, from the root on: within it all heights are 0 or less.
   [[nodiscard]] std::vector<BspSide> sides_of_cell() const;
@@ -93,13 +95,16 @@ class BspSweep {
   };
   struct Waiting {
     BspStretch stretch;
-    std::size_t depth = 0;  ///< steps from the root
+    Index depth = 0;  ///< steps from the root
     Step last;
   };
 
   void pose(std::span<const Vec3> points, const Aabb& box, double radius);
   void clip_to_box(const Aabb& box);
+  void run(Meet meet, Enter enter);
   void pass(const Waiting& waiting, Meet meet, Enter enter);
+  void pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet);
+  void follow(const Step& step);
   void push(const BspStretch& stretch, const Step& last);
   /// By the box around the shape.
   [[nodiscard]] BspHeights rough_heights(const BspSide& side) const;
@@ -118,8 +123,8 @@ class BspSweep {
   double reach_ = 1;          ///< no coordinate of the shape is greater while it is within the box
   double off_ = 0;            ///< what any local coordinate of anything here is off by at most
   std::vector<Waiting> waiting_;
-  std::vector<Step> path_;  ///< to where it is
-  std::size_t depth_ = 0;   ///< how much of that
+  std::vector<Step> path_;  ///< to where it is; kept for cells alone
+  Index depth_ = 0;         ///< how many steps that is
 };
 
 }  // namespace toccata
