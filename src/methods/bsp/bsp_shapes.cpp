@@ -15,8 +15,7 @@ void require_finite_motion(const Vec3& motion) {
   if (!is_finite(motion)) throw Error("the motion has a coordinate that is not finite");
 }
 
-/// The triangles that a sweep comes to are cast once each, until the first meeting found and `widest_cast` more, which
-/// is far more than times are rounded by.
+/// The triangles that a sweep comes to are cast once each, until the first meeting found.
 class FirstTriangle {
  public:
   FirstTriangle(const BspTree::Parts& parts, const PosedPolytope& shape, const Vec3& motion)
@@ -25,9 +24,8 @@ class FirstTriangle {
   std::optional<ShapeHit> answer() {
     BspSweep sweep(parts_, shape_, motion_);
     sweep.run([&](Index number, const BspStretch& in_plane) {
-      if (!is_of_interest(number)) return limit_;
       const Triangle triangle = parts_.planes.triangle(number);
-      if (sweep.may_meet(triangle, sweep.until(limit_, in_plane))) cast(number, triangle);
+      if (is_of_interest(number) && sweep.may_meet(triangle, in_plane)) cast(number, triangle);
       return limit_;
     });
     return first_;

@@ -144,11 +144,6 @@ double BspSweep::time_before(const BspStretch& stretch) const {
   return enters_ + stretch.from * (leaves_ - enters_) - 0x1p-50;
 }
 
-BspStretch BspSweep::until(double time, BspStretch stretch) const {
-  stretch.to = std::min(stretch.to, (time - enters_) / (leaves_ - enters_));  // as it was before NaN
-  return stretch;
-}
-
 Vec3 BspSweep::against_motion(const Vec3& normal) const {
   const Vec3 unit = unit_or_zero(normal);
   return dot(unit, way_) > 0 ? -unit : unit;
@@ -212,7 +207,6 @@ void BspSweep::push(const BspStretch& stretch, const Step& last) {
 
 /// Local places, each off by less than three times `off_`, and where the shape is by some roundings more.
 bool BspSweep::may_meet(const Triangle& triangle, const BspStretch& stretch) const {
-  if (stretch.is_empty()) return false;
   const double pad = radius_ + 3 * off_ + reach_ * 0x1p-47;
   const Vec3 from = start_ + stretch.from * way_, to = start_ + stretch.to * way_;
   const Vec3 a = parts_.frame.local(triangle[0]), b = parts_.frame.local(triangle[1]),

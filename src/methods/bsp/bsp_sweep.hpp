@@ -77,9 +77,6 @@ class BspSweep {
   /// A time that is not later than the beginning of the stretch.
   [[nodiscard]] double time_before(const BspStretch& stretch) const;
 
-  /// What of the stretch is not later than the time, but for some roundings of times; empty where nothing is.
-  [[nodiscard]] BspStretch until(double time, BspStretch stretch) const;
-
   [[nodiscard]] BspHeights heights(const BspSide& side) const;
 
   /// Unit, against the motion, across what the stretch begins; zero where that is before the start.
