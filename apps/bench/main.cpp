@@ -498,8 +498,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
-  if (app.got_subcommand("partitions"))
-    return run_partitions_task(options.partitions);
+  if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
   if (app.got_subcommand("motion")) return run_motion_task(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);

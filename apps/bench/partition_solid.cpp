@@ -217,8 +217,11 @@ double boxes_at_a_triangle(const Model& model) {
 }
 
 Json json_of(const SolidRow& row) {
-  return {{"question", row.question}, {"bsp_us", row.bsp_us}, {"mesh_us", row.mesh_us},
-          {"hits", row.hits},         {"wrong", row.wrong}};
+  return {{"question", row.question},
+          {"bsp_us", row.bsp_us},
+          {"mesh_us", row.mesh_us},
+          {"hits", row.hits},
+          {"wrong", row.wrong}};
 }
 Json json_of(const TraceRow& row) {
   return {{"question", row.question},
@@ -253,8 +256,8 @@ int run_partition_solid(const PartitionsArguments& arguments) {
                                            {"queries", arguments.queries},
                                            {"seed", arguments.seed},
                                            {"rounds", arguments.rounds}});
-    report["bsp"] = {{"build_s", build},   {"growth", s.growth()},          {"nodes", s.nodes},
-                     {"depth", s.depth},   {"mean_depth", s.mean_depth},    {"bytes", s.bytes}};
+    report["bsp"] = {{"build_s", build}, {"growth", s.growth()},       {"nodes", s.nodes},
+                     {"depth", s.depth}, {"mean_depth", s.mean_depth}, {"bytes", s.bytes}};
     report["mesh_tree"] = {{"build_s", mesh_build}, {"boxes_at_a_triangle", boxes}};
     for (const SolidRow& row : rows) report["questions"].push_back(json_of(row));
     for (const TraceRow& row : traces) report["traces"].push_back(json_of(row));
@@ -262,11 +265,12 @@ int run_partition_solid(const PartitionsArguments& arguments) {
     fmt::print("{}\n", report.dump(2));
     return wrong > 0 ? 1U : 0U;
   }
-  fmt::print("{} triangles\n  BSP tree: {:.2f} s, {} nodes, depth {} ({:.1f} on average), {:.1f} MB; a triangle is in "
-             "{:.2f} cells' planes, a point in one cell\n  mesh's own tree: {:.3f} s; a triangle is in one leaf, the "
-             "middle of one in {:.2f} leaves' boxes\n",
-             s.triangles, build, s.nodes, s.depth, s.mean_depth, 1e-6 * static_cast<double>(s.bytes), s.growth(),
-             mesh_build, boxes);
+  fmt::print(
+      "{} triangles\n  BSP tree: {:.2f} s, {} nodes, depth {} ({:.1f} on average), {:.1f} MB; a triangle is in "
+      "{:.2f} cells' planes, a point in one cell\n  mesh's own tree: {:.3f} s; a triangle is in one leaf, the "
+      "middle of one in {:.2f} leaves' boxes\n",
+      s.triangles, build, s.nodes, s.depth, s.mean_depth, 1e-6 * static_cast<double>(s.bytes), s.growth(), mesh_build,
+      boxes);
   fmt::print("{:<44}{:>10}{:>12}{:>8}{:>8}\n", "in us", "BSP", "mesh's own", "hits", "wrong");
   for (const SolidRow& row : rows)
     fmt::print("{:<44}{:>10.2f}{:>12.2f}{:>8}{:>8}\n", row.question, row.bsp_us, row.mesh_us, row.hits, row.wrong);

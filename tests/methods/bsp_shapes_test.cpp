@@ -32,8 +32,8 @@ std::vector<Question> questions_about(const BspSubject& subject, std::size_t cou
   while (questions.size() < count) {
     questions.push_back({telling_placed(points, size, random), point() - point()});
     if (subject.name == "denormal") continue;
-    questions.push_back({random_placed(point() + random_vector(random, 0.3 * size), size, random),
-                         random_vector(random, size)});
+    questions.push_back(
+        {random_placed(point() + random_vector(random, 0.3 * size), size, random), random_vector(random, size)});
   }
   return questions;
 }
@@ -124,9 +124,9 @@ TraceCounts counted(const BspTree& tree, Random& random, std::size_t count, bool
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 size = random_vector(random, 0.3);
     const Pose pose = Pose::translation(random_vector(random, 2));
-    const PosedPolytope shape = boxes ? PosedPolytope(Box({0.01 + std::fabs(size.x), 0.01 + std::fabs(size.y),
-                                                           0.01 + std::fabs(size.z)}), pose)
-                                      : PosedPolytope(Sphere(0.01 + std::fabs(size.x)), pose);
+    const PosedPolytope shape =
+        boxes ? PosedPolytope(Box({0.01 + std::fabs(size.x), 0.01 + std::fabs(size.y), 0.01 + std::fabs(size.z)}), pose)
+              : PosedPolytope(Sphere(0.01 + std::fabs(size.x)), pose);
     const Vec3 motion = random_vector(random, 2);
     counts.plain += tree.trace(shape, motion).hit;
     counts.bevelled += tree.trace(shape, motion, BspBevels::edges_and_corners).hit;

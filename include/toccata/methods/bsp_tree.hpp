@@ -88,7 +88,8 @@ class BspTree {
   /// and when the ends are farther apart along an axis than the greatest double.
   [[nodiscard]] bool overlap(const Vec3& from, const Vec3& to) const;
 
-  /// Whether the shape, in the mesh's own frame, has a point in common with the solid. Exact, as `overlap` of the model.
+  /// Whether the shape, in the mesh's own frame, has a point in common with the solid. Exact, as `overlap` of the
+  /// model.
   [[nodiscard]] bool overlap(const PosedPolytope& shape) const;
 
   /// Expanded planes (S. Melax, "Dynamic plane shifting BSP traversal", 2000; Quake's traces): the shape, in the mesh's

@@ -91,8 +91,9 @@ BspTrace BspTree::trace(const PosedPolytope& shape, const Vec3& motion, BspBevel
     if (entered.stretch.is_empty()) return infinity;
     const double time = std::max(0.0, sweep.time_before(entered.stretch));
     if (!result.hit || time < result.time)
-      result = {true, time,
-                entered.normal == Vec3{} ? sweep.entered_across(entered.stretch) : sweep.against_motion(entered.normal)};
+      result = {
+          true, time,
+          entered.normal == Vec3{} ? sweep.entered_across(entered.stretch) : sweep.against_motion(entered.normal)};
     return result.time > 0 ? result.time : -infinity;
   });
   return result;

@@ -114,10 +114,10 @@ class BspSweep {
   double latest_ = 1;  ///< of the times of interest
   double enters_ = 0;  ///< the times between which the shape may be within the box
   double leaves_ = 1;
-  Vec3 entered_;              ///< the normal of the box's side through which it enters; zero if it is within from the start
-  Vec3 start_;                ///< local, of the shape's middle, where it enters
-  Vec3 way_;                  ///< from there to where it leaves
-  Vec3 half_;                 ///< of the box around the shape's points, local
+  Vec3 entered_;  ///< the normal of the box's side through which it enters; zero if it is within from the start
+  Vec3 start_;    ///< local, of the shape's middle, where it enters
+  Vec3 way_;      ///< from there to where it leaves
+  Vec3 half_;     ///< of the box around the shape's points, local
   std::vector<Vec3> points_;  ///< from the middle; none for a single point
   double radius_ = 0;         ///< local
   double reach_ = 1;          ///< no coordinate of the shape is greater while it is within the box
