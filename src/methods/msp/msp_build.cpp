@@ -76,7 +76,6 @@ void PlanePartition::run(const CutBspCell& cell) {
 }
 
 void PlanePartition::cut(FlatCell cell) {
-  parts_.statistics.depth = std::max(parts_.statistics.depth, cell.depth);
   const std::vector<PooledFragment> open = asking(cell);
   if (open.empty()) return attach(cell, region(cell));
   const BspPlane plane = choice_.of(open, [&](const PooledFragment& fragment) {
@@ -85,6 +84,7 @@ void PlanePartition::cut(FlatCell cell) {
   attach(cell, static_cast<MspChild>(parts_.nodes.size()));
   parts_.nodes.push_back({plane, {off_surface, off_surface, off_surface}});
   ++(cell.is_planar() ? parts_.statistics.lines : parts_.statistics.points);
+  parts_.statistics.depth = std::max(parts_.statistics.depth, cell.depth + 1);
   append_children(cell, plane);
 }
 
@@ -101,17 +101,13 @@ void PlanePartition::append_children(FlatCell& parent, BspPlane plane) {
   const std::size_t triangles = planes_.triangle_count();
   const std::size_t splits = parts_.statistics.splits + parts_.space.statistics.splits;
   require_growth_allowed(static_cast<double>(triangles + splits), planes_.triangle_count(), options_);
-  FlatCell child{{},         std::move(parent.planes), parts_.nodes.size() - 1,
-                 Sign::zero, parent.depth + 1,         fragments_.mark()};
-  const auto append = [&](std::vector<PooledFragment>& fragments, Sign side) {
-    if (fragments.empty()) return;  // off the surface
-    child.fragments = std::move(fragments);
-    child.side = side;
-    waiting_.push_back(child);
+  const std::size_t node = parts_.nodes.size() - 1, mark = fragments_.mark();
+  const auto append = [&](std::vector<PooledFragment>& inside, Sign side) {
+    if (!inside.empty()) waiting_.push_back({std::move(inside), parent.planes, node, side, parent.depth + 1, mark});
   };
   append(back, Sign::negative);
   append(front, Sign::positive);
-  child.planes.push_back(plane);
+  parent.planes.push_back(plane);
   append(within, Sign::zero);
 }
 
