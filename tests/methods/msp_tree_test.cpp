@@ -138,8 +138,8 @@ TEST(MspTree, LocatesTheSameWhicheverPlanesAreChosen) {
   for (const std::size_t on : counts.on) EXPECT_GT(on, 100U);
 }
 
-// Half of the grid's points lie in planes of faces, on lines of edges, or where these meet.
-TEST(MspTree, LocatesEveryHalfStepOfTheGridInAndAroundSolidsOfVoxels) {
+// Half of the coordinates are those of planes of faces: so many points lie in one, on a line of edges, or on a corner.
+TEST(MspTree, LocatesQuartersOfVoxelsInAndAroundSolidsOfThem) {
   Random random(5);
   KindCounts counts;
   std::size_t made = 0;
@@ -150,8 +150,11 @@ TEST(MspTree, LocatesEveryHalfStepOfTheGridInAndAroundSolidsOfVoxels) {
     const oracle::MeshSet truth = oracle::solid_set(model.mesh(), Pose{});
     ++made;
     for (int j = 0; j < 40; ++j) {
-      const auto half = [&] { return 0.5 * static_cast<double>(random.below(9)) - 0.5; };
-      const Vec3 p{half(), half(), half()};
+      const auto step = [&] {
+        const auto n = static_cast<double>(random.below(17));
+        return random.below(2) == 0 ? std::floor(0.25 * n) : 0.25 * n - 0.5;
+      };
+      const Vec3 p{step(), step(), step()};
       expect_located(tree, model, p, counts);
       const oracle::Location slow = oracle::locate(oracle::exact(p), truth);
       ASSERT_EQ(tree.locate(p).side == Side::boundary, slow.on_face);
@@ -171,7 +174,8 @@ TEST(MspTree, NamesTheNearestTriangleOfPointsOnTheSurface) {
       const MspLocation found = tree.locate(p);
       const SurfacePoint nearest = nearest_point(p, model);
       ASSERT_EQ(found.side == Side::boundary, nearest.upper == 0);
-      if (found.side == Side::boundary) ASSERT_EQ(found.triangle, nearest.element);
+      if (found.side != Side::boundary) continue;
+      ASSERT_EQ(found.triangle, nearest.element);
     }
   }
 }

@@ -156,17 +156,17 @@ BspPlane PlanePartition::line_for(const PooledFragment& fragment) const {
   return planes_.through_edge(fragment.triangle, fragments_.corner(fragment, i).next);
 }
 
-/// Mostly the triangle's plane crosses the line. If not, all of the line is in it, and an end within the cell is on an
-/// edge that leads away from the line: within the triangle there would be no end.
+/// The end of a segment within the cell is no cut, so an edge of the triangle is there that leads away from the line.
+/// An edge that meets the line in its inside is of a triangle that crosses the line. A triangle that has no more than a
+/// vertex on the line crosses it, or has the line in its plane: then both its edges there lead away from it.
 BspPlane PlanePartition::point_for(const PooledFragment& fragment, const FlatCell& cell) {
   std::size_t end = 0;
   while (fragments_.corner(fragment, end).on_border) ++end;
-  BspPlane plane = fragment.triangle;
-  for (const BspLine line : fragments_.corner(fragment, end).on) {
-    if (!is_edge(line) || fragments_.meet_in_a_point(cell.planes[0], cell.planes[1], plane)) break;
-    plane = planes_.through_edge(fragment.triangle, line);
-  }
-  return plane;
+  const auto& [p, q] = fragments_.corner(fragment, end).on;
+  const Index triangle = fragment.triangle;
+  if (fragment.count == 2) return planes_.through_edge(triangle, p == fragments_.corner(fragment, 0).next ? q : p);
+  if (!is_edge(q) || fragments_.meet_in_a_point(cell.planes[0], cell.planes[1], triangle)) return triangle;
+  return planes_.through_edge(triangle, p);
 }
 
 /// What paints fragments is not wanted of this tree.
