@@ -19,6 +19,7 @@
 #include "toccata/methods/bsp_tree.hpp"
 #include "toccata/methods/cost.hpp"
 #include "toccata/methods/minkowski.hpp"
+#include "toccata/methods/msp_tree.hpp"
 #include "toccata/methods/sphere_ways.hpp"
 #include "toccata/methods/voronoi.hpp"
 #include "toccata/narrow/box_box.hpp"

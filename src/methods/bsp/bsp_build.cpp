@@ -1,12 +1,9 @@
-#include <fmt/format.h>
-
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 #include "methods/bsp/bsp_choice.hpp"
 #include "methods/bsp/bsp_parts.hpp"
 #include "methods/bsp/bsp_windings.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
@@ -28,9 +25,10 @@ struct EmptyCell {
 
 class BspBuilder {
  public:
-  BspBuilder(BspTree::Parts& parts, const BspOptions& options)
+  BspBuilder(BspTree::Parts& parts, const BspOptions& options, BspCellVisitor visit)
       : parts_(parts),
         options_(options),
+        visit_(visit),
         fragments_(parts.planes, parts.frame),
         choice_(parts.frame, parts.planes, fragments_, options) {}
 
@@ -42,12 +40,12 @@ class BspBuilder {
   void keep(const PooledFragment& fragment);
   void append_child(std::vector<PooledFragment> inside, bool in_front, const CellToCut& parent);
   void attach(std::size_t node, bool in_front, BspChild child);
-  void require_growth_allowed() const;
   void name_leaves();
   void finish();
 
   BspTree::Parts& parts_;
   const BspOptions& options_;
+  BspCellVisitor visit_;
   BspFragments fragments_;
   BspChoice choice_;
   std::vector<CellToCut> waiting_;
@@ -70,20 +68,23 @@ void BspBuilder::run() {
 }
 
 void BspBuilder::cut(CellToCut cell) {
-  const BspPlane plane = choice_.of(cell.fragments);
+  const BspPlane plane = choice_.of(cell.fragments, [](const PooledFragment& fragment) { return fragment.triangle; });
   const std::size_t node = parts_.nodes.size();
   const RoundedBspPlane rounded = parts_.planes.rounded(plane);
   append_node(plane, rounded);
   if (node > 0) attach(cell.parent, cell.in_front, static_cast<BspChild>(node));
-  std::vector<PooledFragment> front, back;
+  std::vector<PooledFragment> front, back, within;
   for (const PooledFragment& fragment : cell.fragments) {
     const SplitFragment split = fragments_.split(fragment, plane, rounded);
     if (split.front.count != 0) front.push_back(split.front);
     if (split.back.count != 0) back.push_back(split.back);
+    if (split.within.count != 0) within.push_back(split.within);
     if (split.front.count == 0 && split.back.count == 0) keep(fragment);
     parts_.statistics.splits += split.front.count != 0 && split.back.count != 0;
   }
-  require_growth_allowed();
+  const Index triangles = parts_.planes.triangle_count();
+  require_growth_allowed(triangles + static_cast<double>(parts_.statistics.splits), triangles, options_);
+  visit_({node, cell.depth, within}, fragments_, choice_);
   // The last is done first: nodes in front follow their parent in memory.
   cell.parent = node;
   append_child(std::move(back), false, cell);
@@ -120,15 +121,6 @@ void BspBuilder::attach(std::size_t node, bool in_front, BspChild child) {
   parts_.nodes[node].child[in_front ? 1 : 0] = child;
 }
 
-void BspBuilder::require_growth_allowed() const {
-  const auto triangles = static_cast<double>(parts_.planes.triangle_count());
-  const double fragments = triangles + static_cast<double>(parts_.statistics.splits);
-  if (fragments <= options_.max_growth * triangles && fragments < std::numeric_limits<BspChild>::max() / 4) return;
-  throw Error(fmt::format(
-      "the BSP tree of {} triangles has come to {} fragments, more than {} times as many: allow a greater max_growth",
-      parts_.planes.triangle_count(), fragments, options_.max_growth));
-}
-
 /// Puts the winding numbers in the place of the numbers of empty cells.
 void BspBuilder::name_leaves() {
   const std::vector<int> in_front = windings_in_front(parts_.model);
@@ -161,6 +153,8 @@ void BspBuilder::finish() {
 
 }  // namespace
 
-void build_bsp(BspTree::Parts& parts, const BspOptions& options) { BspBuilder(parts, options).run(); }
+void build_bsp(BspTree::Parts& parts, const BspOptions& options, BspCellVisitor visit) {
+  BspBuilder(parts, options, visit).run();
+}
 
 }  // namespace toccata

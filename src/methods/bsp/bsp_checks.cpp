@@ -39,6 +39,23 @@ void require_no_self_contact(const Model& solid) {
 
 }  // namespace
 
+void require_possible(const BspOptions& options) {
+  if (options.candidates == 0 || !(options.split_weight >= 0) || !(options.max_growth >= 1))
+    throw Error(
+        fmt::format("a BSP tree needs at least one candidate, a split weight of 0 or more, and a max_growth of "
+                    "1 or more; here they are {}, {} and {}",
+                    options.candidates, options.split_weight, options.max_growth));
+}
+
+/// So that ten planes of each triangle, and eight times the numbers of children, can be counted, a tree has fewer than
+/// 2^28 fragments.
+void require_growth_allowed(double fragments, Index triangles, const BspOptions& options) {
+  if (fragments <= options.max_growth * triangles && fragments < 0x1p28) return;
+  throw Error(fmt::format(
+      "the BSP tree of {} triangles has come to {} fragments, more than {} times as many: allow a greater max_growth",
+      triangles, fragments, options.max_growth));
+}
+
 void require_finite_point(const Vec3& p) {
   if (!is_finite(p))
     throw Error(fmt::format("the point ({}, {}, {}) has a coordinate that is not finite", p.x, p.y, p.z));

@@ -9,15 +9,15 @@ constexpr std::size_t most_sampled = 64;
 
 }  // namespace
 
-BspPlane BspChoice::of(std::span<const PooledFragment> cell) {
+BspPlane BspChoice::of(std::span<const PooledFragment> cell, Candidate candidate) {
   take_sample(cell);
-  BspPlane best = sample_[0].triangle;
+  BspPlane best = 0;
   double least = HUGE_VAL;
   const std::size_t candidates = std::min<std::size_t>(options_.candidates, sample_.size());
   for (std::size_t i = 0; i < candidates; ++i) {
-    const BspPlane plane = sample_[i * sample_.size() / candidates].triangle;
+    const BspPlane plane = candidate(sample_[i * sample_.size() / candidates]);
     const double cost = score(counted(planes_.rounded(plane)));
-    if (!(cost < least)) continue;
+    if (i > 0 && !(cost < least)) continue;
     least = cost;
     best = plane;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "methods/bsp/bsp_fragments.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/methods/bsp_tree.hpp"
 
 namespace toccata {
@@ -17,8 +18,11 @@ class BspChoice {
   BspChoice(const BspFrame& frame, BspPlanes& planes, const BspFragments& fragments, const BspOptions& options)
       : frame_(frame), planes_(planes), fragments_(fragments), options_(options) {}
 
-  /// A plane of a triangle in the cell, or one across an axis, beyond which on both sides is something.
-  [[nodiscard]] BspPlane of(std::span<const PooledFragment> cell);
+  /// The plane with which a fragment would cut its cell.
+  using Candidate = FunctionRef<BspPlane(const PooledFragment&)>;
+
+  /// The candidate of a fragment in the cell, or a plane across an axis, beyond which on both sides is something.
+  [[nodiscard]] BspPlane of(std::span<const PooledFragment> cell, Candidate candidate);
 
  private:
   struct Counts {

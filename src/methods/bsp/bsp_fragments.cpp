@@ -7,6 +7,11 @@ namespace {
 
 constexpr BspPlane plane_of(BspLine line) { return line - 3; }
 
+/// Whether an edge leads from corner i to the next: not from the end of a segment.
+constexpr bool has_next(const PooledFragment& fragment, std::size_t i) {
+  return fragment.count > 2 || i + 1 < fragment.count;
+}
+
 constexpr double rounding = 0x1p-49;  // of local places, which are at most 1: eight times over
 
 }  // namespace
@@ -17,12 +22,13 @@ BspFragments::BspFragments(const BspPlanes& planes, const BspFrame& frame)
 PooledFragment BspFragments::whole(Index triangle) {
   const Triangle t = planes_.triangle(triangle);
   const PooledFragment result{triangle, static_cast<Index>(pool_.size()), 3};
-  for (Index i = 0; i < 3; ++i) pool_.push_back({frame_.local(t[static_cast<int>(i)]), 0, {(i + 2) % 3, i}, i});
+  for (Index i = 0; i < 3; ++i)
+    pool_.push_back({frame_.local(t[static_cast<int>(i)]), 0, {(i + 2) % 3, i}, i, false, false});
   return result;
 }
 
 SplitFragment BspFragments::split(const PooledFragment& fragment, BspPlane plane, const RoundedBspPlane& rounded) {
-  if (fragment.triangle == plane) return {};
+  if (fragment.triangle == plane) return {{}, {}, fragment};
   heights_.clear();
   bool front = false, back = false;
   for (std::size_t i = 0; i < fragment.count; ++i) {
@@ -30,34 +36,78 @@ SplitFragment BspFragments::split(const PooledFragment& fragment, BspPlane plane
     front |= heights_.back().sign == Sign::positive;
     back |= heights_.back().sign == Sign::negative;
   }
-  if (!front && !back) return {};
-  if (!back) return {fragment, {}};
-  if (!front) return {{}, fragment};
+  if (!front && !back) return {{}, {}, fragment};
   crossings_.assign(fragment.count, {});
   for (std::size_t i = 0; i < fragment.count; ++i)
-    if (heights_[i].sign * heights_[(i + 1) % fragment.count].sign == Sign::negative)
-      crossings_[i] = crossing(fragment, i, plane);
+    if (heights_[i].sign * next_sign(fragment, i) == Sign::negative) crossings_[i] = crossing(fragment, i, plane);
+  const PooledFragment in_plane = within(fragment, plane);
+  if (!front || !back) put_on_border(fragment);
+  if (!back) return {fragment, {}, in_plane};
+  if (!front) return {{}, fragment, in_plane};
   const PooledFragment in_front = part(fragment, Sign::positive, plane);
-  return {in_front, part(fragment, Sign::negative, plane)};
+  return {in_front, part(fragment, Sign::negative, plane), in_plane};
+}
+
+/// Of the corner after corner i. The last corner of a segment is followed by none, and has its own.
+Sign BspFragments::next_sign(const PooledFragment& fragment, std::size_t i) const {
+  return heights_[has_next(fragment, i) ? (i + 1) % fragment.count : i].sign;
 }
 
 // A plane that cuts a convex polygon in two meets its border in two points, and no edge of it lies in the plane. So of
 // the corners in the plane, and the crossings, one begins the edge along the cut: that after which the border leaves.
 PooledFragment BspFragments::part(const PooledFragment& fragment, Sign side, BspPlane plane) {
   PooledFragment result{fragment.triangle, static_cast<Index>(pool_.size()), 0};
-  for (std::size_t i = 0; i < fragment.count; ++i) {
-    const Sign here = heights_[i].sign * side, next = heights_[(i + 1) % fragment.count].sign * side;
-    const bool leaves = next == Sign::negative;
-    if (here != Sign::negative) {
-      pool_.push_back(BspCorner(corner(fragment, i)));
-      if (here == Sign::zero && leaves) pool_.back().next = cut_line(plane);
+  const auto push_in_plane = [&](BspCorner corner, bool leaves) {
+    corner.on_border = true;
+    if (leaves) {
+      corner.next = cut_line(plane);
+      corner.next_on_border = true;
     }
-    if (here * next != Sign::negative) continue;
-    pool_.push_back(crossings_[i]);
-    pool_.back().next = leaves ? cut_line(plane) : corner(fragment, i).next;
+    pool_.push_back(corner);
+  };
+  for (std::size_t i = 0; i < fragment.count; ++i) {
+    const Sign here = heights_[i].sign * side, next = next_sign(fragment, i) * side;
+    const bool leaves = next == Sign::negative;
+    if (here == Sign::positive) pool_.push_back(BspCorner(corner(fragment, i)));
+    if (here == Sign::zero) push_in_plane(corner(fragment, i), leaves);
+    if (here * next == Sign::negative) push_in_plane(crossings_[i], leaves);
   }
   result.count = static_cast<Index>(pool_.size()) - result.first;
   return result;
+}
+
+/// Of a fragment that reaches out of the plane, a corner or an edge of it, or what lies between two points of its
+/// border.
+PooledFragment BspFragments::within(const PooledFragment& fragment, BspPlane plane) {
+  PooledFragment result{fragment.triangle, static_cast<Index>(pool_.size()), 0};
+  BspLine line = cut_line(plane);
+  bool line_on_border = false;
+  for (std::size_t i = 0; i < fragment.count; ++i) {
+    if (heights_[i].sign == Sign::zero) pool_.push_back(BspCorner(corner(fragment, i)));
+    if (heights_[i].sign * next_sign(fragment, i) == Sign::negative) pool_.push_back(crossings_[i]);
+    if (!is_edge_in_plane(fragment, i)) continue;
+    line = corner(fragment, i).next;
+    line_on_border = corner(fragment, i).next_on_border;
+  }
+  result.count = static_cast<Index>(pool_.size()) - result.first;
+  if (result.count == 0) return {};
+  BspCorner& first = pool_[result.first];
+  if (result.count == 1) return first.on_border ? PooledFragment{} : result;
+  first.next = line;
+  first.next_on_border = line_on_border;
+  return line_on_border ? PooledFragment{} : result;
+}
+
+void BspFragments::put_on_border(const PooledFragment& fragment) {
+  for (std::size_t i = 0; i < fragment.count; ++i) {
+    BspCorner& corner = pool_[fragment.first + i];
+    corner.on_border |= heights_[i].sign == Sign::zero;
+    corner.next_on_border |= is_edge_in_plane(fragment, i);
+  }
+}
+
+bool BspFragments::is_edge_in_plane(const PooledFragment& fragment, std::size_t i) const {
+  return has_next(fragment, i) && heights_[i].sign == Sign::zero && next_sign(fragment, i) == Sign::zero;
 }
 
 CornerHeight BspFragments::height(Index triangle, const BspCorner& corner, BspPlane plane,
@@ -109,7 +159,8 @@ BspCorner BspFragments::crossing(const PooledFragment& fragment, std::size_t i, 
   const double beta = std::max(heights_[i].error, heights_[next].error), error = std::max(p.error, q.error);
   const Vec3 way = q.place - p.place;
   const double length = largest_magnitude(way) + 2 * error + rounding;
-  BspCorner result{p.place + (above / sum) * way, 0, {p.next, cut_line(plane)}, 0};
+  const bool on_border = p.next_on_border;
+  BspCorner result{p.place + (above / sum) * way, 0, {p.next, cut_line(plane)}, p.next, on_border, on_border};
   result.error = 1.0001 * ((3 * beta / sum) * length + error + rounding);
   // Below comes true for NaN too.
   if (!(result.error <= 0x1p-32)) place_exactly(fragment.triangle, result);

@@ -20,10 +20,13 @@ struct BspCorner {
   Vec3 place;        ///< local
   double error = 0;  ///< no coordinate of `place` is off by more, beside the 2^-53 of a vertex
   std::array<BspLine, 2> on{};
-  BspLine next = 0;  ///< the line of the edge to the next corner
+  BspLine next = 0;             ///< the line of the edge to the next corner
+  bool on_border = false;       ///< it lies in a plane that has cut space around the cell, not within it
+  bool next_on_border = false;  ///< all of the edge to the next corner does
 };
 
-/// What planes have left of a triangle: a convex polygon, whose corners lie in a pool.
+/// What planes have left of a triangle: a convex polygon, whose corners lie in a pool. Of what lies in a plane with
+/// which the triangle has less in common: a segment between two corners, or one corner.
 struct PooledFragment {
   Index triangle = 0;
   Index first = 0;
@@ -37,10 +40,11 @@ struct CornerHeight {
   double error = 0;
 };
 
-/// The parts of a fragment; the count is 0 where there is none. One that lies in the plane has neither.
+/// The parts of a fragment; the count is 0 where there is none.
 struct SplitFragment {
   PooledFragment front;
   PooledFragment back;
+  PooledFragment within;  ///< what of it lies in the plane, unless that is on the border of the cell
 };
 
 /// Fragments and their corners, in a stack: those of a cell are forgotten when all within it has been done.
@@ -50,8 +54,13 @@ class BspFragments {
 
   [[nodiscard]] PooledFragment whole(Index triangle);
 
-  /// Exact.
+  /// Exact. What lies on one side as a whole, or in the plane, is that part itself.
   [[nodiscard]] SplitFragment split(const PooledFragment& fragment, BspPlane plane, const RoundedBspPlane& rounded);
+
+  /// Whether three planes have one point in common and no more. Exact.
+  [[nodiscard]] bool meet_in_a_point(BspPlane p, BspPlane q, BspPlane r) {
+    return arithmetic_.where_meet(p, q, r).weight != 0;
+  }
 
   [[nodiscard]] const BspCorner& corner(const PooledFragment& fragment, std::size_t i) const {
     return pool_[fragment.first + i];
@@ -69,6 +78,10 @@ class BspFragments {
   [[nodiscard]] BspCorner crossing(const PooledFragment& fragment, std::size_t i, BspPlane plane);
   void place_exactly(Index triangle, BspCorner& corner);
   [[nodiscard]] PooledFragment part(const PooledFragment& fragment, Sign side, BspPlane plane);
+  [[nodiscard]] PooledFragment within(const PooledFragment& fragment, BspPlane plane);
+  void put_on_border(const PooledFragment& fragment);
+  [[nodiscard]] Sign next_sign(const PooledFragment& fragment, std::size_t i) const;
+  [[nodiscard]] bool is_edge_in_plane(const PooledFragment& fragment, std::size_t i) const;
 
   const BspPlanes& planes_;
   const BspFrame& frame_;

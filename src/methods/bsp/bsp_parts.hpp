@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "math/floats.hpp"
+#include "methods/bsp/bsp_fragments.hpp"
 #include "methods/bsp/bsp_planes.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/methods/bsp_tree.hpp"
 
 namespace toccata {
@@ -81,7 +83,25 @@ void require_finite_point(const Vec3& p);
 /// Throws Error as the constructor of BspTree does.
 void require_solid_for_bsp(const Model& solid);
 
+/// A node whose plane has just cut its cell.
+struct CutBspCell {
+  std::size_t node = 0;
+  std::size_t depth = 0;                   ///< nodes above it
+  std::span<const PooledFragment> within;  ///< what of the surface lies in the plane, within the cell
+};
+
+class BspChoice;
+
+/// Is told each node, and may cut further what is within its plane; what it puts into the pool it takes out again.
+using BspCellVisitor = FunctionRef<void(const CutBspCell&, BspFragments&, BspChoice&)>;
+
 /// The tree of a closed mesh that does not meet itself and has no triangle without area.
-void build_bsp(BspTree::Parts& parts, const BspOptions& options);
+void build_bsp(BspTree::Parts& parts, const BspOptions& options, BspCellVisitor visit);
+
+/// Throws Error when a tree of so many triangles has come to more fragments than `max_growth` allows.
+void require_growth_allowed(double fragments, Index triangles, const BspOptions& options);
+
+/// Throws Error for options that are not positive.
+void require_possible(const BspOptions& options);
 
 }  // namespace toccata

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "query/inside/inside_point.hpp"
+
 namespace toccata {
 namespace {
 
@@ -43,11 +45,26 @@ Triangle BspPlanes::triangle(Index number) const {
 
 BspPlane BspPlanes::add(const AxisPlane& plane) {
   axis_planes_.push_back(plane);
-  return static_cast<BspPlane>(triangle_count() + axis_planes_.size() - 1);
+  return static_cast<BspPlane>(10 * triangle_count() + axis_planes_.size() - 1);
+}
+
+EdgePlane BspPlanes::edge_plane(BspPlane plane) const {
+  const BspPlane number = plane - triangle_count();
+  return {number / 9, number % 9 / 3, static_cast<int>(number % 3)};
+}
+
+BspPlane BspPlanes::through_edge(Index triangle_number, Index edge) const {
+  const Vec3 normal = magnitudes(rounded(triangle_number).normal);
+  int axis = normal.x >= normal.y ? 0 : 1;
+  if (normal.z > normal[axis]) axis = 2;
+  // Rounding may have made a normal of nothing; the triangle has an area.
+  while (projected_orientation(triangle(triangle_number), axis) == Sign::zero) axis = (axis + 1) % 3;
+  return triangle_count() + 9 * triangle_number + 3 * edge + static_cast<BspPlane>(axis);
 }
 
 RoundedBspPlane BspPlanes::rounded(BspPlane plane) const {
   if (is_axis(plane)) return rounded(axis_plane(plane));
+  if (!is_triangle(plane)) return rounded(edge_plane(plane));
   const Triangle t = triangle(plane);
   const FilteredCross normal = filtered_cross(frame_->way(t[1] - t[0]), frame_->way(t[2] - t[0]));
   const double magnitude = sum_of_magnitudes(normal.magnitude);
@@ -64,11 +81,34 @@ RoundedBspPlane BspPlanes::rounded(const AxisPlane& plane) const {
   return result;
 }
 
+RoundedBspPlane BspPlanes::rounded(const EdgePlane& plane) const {
+  const auto [from, to] = edge_of(plane);
+  const Vec3 way = frame_->way(to - from);
+  const int first = (plane.axis + 1) % 3, second = (plane.axis + 2) % 3;
+  RoundedBspPlane result;
+  result.normal[first] = -way[second];
+  result.normal[second] = way[first];
+  result.offset = dot(result.normal, frame_->local(from));
+  result.bound = RoundedBspPlane::share * sum_of_magnitudes(result.normal) + filter::floor;
+  return result;
+}
+
+EdgeEnds BspPlanes::edge_of(const EdgePlane& plane) const {
+  const Triangle t = triangle(plane.triangle);
+  const int corner = static_cast<int>(plane.edge);
+  return {t[corner], t[(corner + 1) % 3]};
+}
+
 Sign BspPlanes::side(const Vec3& point, BspPlane plane) const {
   if (is_axis(plane)) {
     const AxisPlane& across = axis_plane(plane);
     const double coordinate = point[across.axis];
     return static_cast<Sign>((coordinate > across.value) - (coordinate < across.value));
+  }
+  if (!is_triangle(plane)) {
+    const EdgePlane through = edge_plane(plane);
+    const auto [from, to] = edge_of(through);
+    return projected_orientation({from, to, point}, through.axis);
   }
   const Triangle t = triangle(plane);
   return orient3d(t[0], t[1], t[2], point);
@@ -127,10 +167,23 @@ IntegerPlane BspArithmetic::made(BspPlane plane) const {
     result.offset = scaled(across.value, exponent);
     return result;
   }
+  if (!planes_.is_triangle(plane)) return made(planes_.edge_plane(plane));
   const Triangle t = planes_.triangle(plane);
   const IntegerRow a = on_grid(t[0]);
   const IntegerRow normal = outer_product(row_difference(on_grid(t[1]), a), row_difference(on_grid(t[2]), a));
   return {normal, inner_product(normal, a)};
+}
+
+IntegerPlane BspArithmetic::made(const EdgePlane& plane) const {
+  const auto [from, to] = planes_.edge_of(plane);
+  const IntegerRow a = on_grid(from), way = row_difference(on_grid(to), a);
+  const auto first = static_cast<std::size_t>((plane.axis + 1) % 3);
+  const auto second = static_cast<std::size_t>((plane.axis + 2) % 3);
+  IntegerPlane result;
+  result.normal[first] = -way[second];
+  result.normal[second] = way[first];
+  result.offset = inner_product(result.normal, a);
+  return result;
 }
 
 const IntegerPlane& BspArithmetic::exact(BspPlane plane) {

@@ -14,9 +14,21 @@
 
 namespace toccata {
 
-/// A plane that cuts space, by what it was made from: below the number of triangles that of a triangle, from there on
-/// one across an axis, in the order in which they were made.
+/// A plane that cuts space, by what it was made from. Of T triangles: below T that of a triangle, below 10 T one
+/// through an edge, nine of each triangle, and from there on one across an axis, in the order in which they were made.
 using BspPlane = Index;
+
+/// The plane through the edge of a triangle, from that corner to the next, that is parallel to `axis`.
+struct EdgePlane {
+  Index triangle = 0;
+  Index edge = 0;
+  int axis = 0;
+};
+
+struct EdgeEnds {
+  Vec3 from;
+  Vec3 to;
+};
 
 /// All x of which coordinate `axis` is `value`.
 struct AxisPlane {
@@ -58,6 +70,8 @@ class BspFrame {
 /// and their difference cost 4εm · 2 + εm · 2. The sum is 20εm, and second orders and the rounding of the bound itself
 /// are less than another 2εm. The bound is 32εm. `filter::floor` is more than what underflow can lose: some dozens of
 /// 2^-1074. Overflow makes the bound infinite or NaN, and then nothing is certain.
+///
+/// The normal of a plane through an edge is two coordinates of a difference of corners, each off by at most εm.
 struct RoundedBspPlane {
   Vec3 normal;
   double offset = 0;
@@ -76,7 +90,7 @@ struct IntegerPlane {
   Integer offset;
 };
 
-/// point / weight over the same grid; the weight is positive.
+/// point / weight over the same grid; the weight is positive, and 0 where there is no such point.
 struct IntegerPoint {
   IntegerRow point;
   Integer weight;
@@ -90,14 +104,24 @@ class BspPlanes {
   [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
   [[nodiscard]] Triangle triangle(Index number) const;
   [[nodiscard]] Index triangle_count() const { return mesh_->triangle_count(); }
-  [[nodiscard]] bool is_axis(BspPlane plane) const { return plane >= triangle_count(); }
-  [[nodiscard]] const AxisPlane& axis_plane(BspPlane plane) const { return axis_planes_[plane - triangle_count()]; }
+  [[nodiscard]] bool is_triangle(BspPlane plane) const { return plane < triangle_count(); }
+  [[nodiscard]] bool is_axis(BspPlane plane) const { return plane >= 10 * triangle_count(); }
+  [[nodiscard]] const AxisPlane& axis_plane(BspPlane plane) const {
+    return axis_planes_[plane - 10 * triangle_count()];
+  }
+  /// Of a plane that is neither of a triangle nor across an axis.
+  [[nodiscard]] EdgePlane edge_plane(BspPlane plane) const;
+  [[nodiscard]] EdgeEnds edge_of(const EdgePlane& plane) const;
   [[nodiscard]] std::size_t bytes() const { return axis_planes_.capacity() * sizeof(AxisPlane); }
 
   BspPlane add(const AxisPlane& plane);
+  /// That plane through an edge which is steepest upon the triangle: it has nothing else in common with it than the
+  /// line of the edge.
+  [[nodiscard]] BspPlane through_edge(Index triangle, Index edge) const;
 
   [[nodiscard]] RoundedBspPlane rounded(BspPlane plane) const;
   [[nodiscard]] RoundedBspPlane rounded(const AxisPlane& plane) const;
+  [[nodiscard]] RoundedBspPlane rounded(const EdgePlane& plane) const;
 
   /// On which side a point lies: positive in front, to where the normal points. Exact.
   [[nodiscard]] Sign side(const Vec3& point, BspPlane plane) const;
@@ -116,7 +140,7 @@ class BspArithmetic {
 
   /// Where the line through two vertices meets a plane that has them strictly on both sides.
   [[nodiscard]] IntegerPoint on_edge(const Vec3& from, const Vec3& to, BspPlane plane);
-  /// Where three planes meet that have no direction in common.
+  /// Where three planes meet that have no direction in common. Nowhere, where they have one.
   [[nodiscard]] IntegerPoint where_meet(BspPlane p, BspPlane q, BspPlane r);
 
   [[nodiscard]] Sign side(const IntegerPoint& point, BspPlane plane);
@@ -127,6 +151,7 @@ class BspArithmetic {
  private:
   [[nodiscard]] IntegerRow on_grid(const Vec3& point) const;
   [[nodiscard]] IntegerPlane made(BspPlane plane) const;
+  [[nodiscard]] IntegerPlane made(const EdgePlane& plane) const;
   const IntegerPlane& exact(BspPlane plane);
 
   const BspPlanes& planes_;

@@ -1,63 +1,25 @@
 #include "toccata/methods/bsp_tree.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
-#include "methods/bsp/bsp_parts.hpp"
+#include "methods/bsp/bsp_point.hpp"
 #include "query/inside/inside_point.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
-void require_possible(const BspOptions& options) {
-  if (options.candidates == 0 || !(options.split_weight >= 0) || !(options.max_growth >= 1))
-    throw Error(
-        fmt::format("a BSP tree needs at least one candidate, a split weight of 0 or more, and a max_growth of "
-                    "1 or more; here they are {}, {} and {}",
-                    options.candidates, options.split_weight, options.max_growth));
-}
-
-/// In a box, all that the tree looks at; beyond it nothing is.
 class PointSearch {
  public:
-  PointSearch(const BspTree::Parts& parts, const Vec3& point)
-      : parts_(parts), point_(point), local_(parts.frame.local(point)), floats_(as_floats(local_)) {}
+  PointSearch(const BspTree::Parts& parts, const Vec3& point) : parts_(parts), point_(point), walk_(parts, point) {}
 
   [[nodiscard]] BspLocation from_root() {
-    const BspChild end = descend(0);
+    const BspChild end = walk_.descend(0);
     if (is_leaf(end)) return located(winding_of_leaf(end));
     return in_planes(end);
   }
 
  private:
-  /// The leaf below, or the first node in whose plane the point lies.
-  [[nodiscard]] BspChild descend(BspChild at) const {
-    while (!is_leaf(at)) {
-      const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
-      const float height = node.floats.height(floats_);
-      // Not so for NaN and infinities.
-      if (std::fabs(height) > node.floats.bound) {
-        at = node.child[height > 0];
-        continue;
-      }
-      const Sign side = side_of(node.plane);
-      if (side == Sign::zero) return at;
-      at = node.child[side == Sign::positive];
-    }
-    return at;
-  }
-
-  [[nodiscard]] Sign side_of(BspPlane plane) const {
-    const RoundedBspPlane rounded = parts_.planes.rounded(plane);
-    const double height = rounded.height(local_);
-    if (height > rounded.bound) return Sign::positive;
-    if (height < -rounded.bound) return Sign::negative;
-    return parts_.planes.side(point_, plane);
-  }
-
   /// A triangle on which the point lies has a fragment on which it lies, in the plane of a node or on one of its sides:
   /// so all cells are looked at that have the point on their border. If it is on none, all of them are of one kind.
   [[nodiscard]] BspLocation in_planes(BspChild first) {
@@ -65,7 +27,7 @@ class PointSearch {
     std::optional<Index> least;
     int winding = 0;
     while (!waiting.empty()) {
-      const BspChild end = descend(waiting.back());
+      const BspChild end = walk_.descend(waiting.back());
       waiting.pop_back();
       if (is_leaf(end)) {
         winding = winding_of_leaf(end);
@@ -87,17 +49,38 @@ class PointSearch {
     }
   }
 
-  [[nodiscard]] static BspLocation located(int winding) {
-    return {{winding != 0 ? Side::inside : Side::outside, winding}, 0};
-  }
+  [[nodiscard]] static BspLocation located(int winding) { return {located_by(winding), 0}; }
 
   const BspTree::Parts& parts_;
   Vec3 point_;
-  Vec3 local_;
-  std::array<float, 3> floats_;
+  BspPointWalk walk_;
 };
 
 }  // namespace
+
+BspChild BspPointWalk::descend(BspChild at) const {
+  while (!is_leaf(at)) {
+    const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
+    const float height = node.floats.height(floats_);
+    // Not so for NaN and infinities.
+    if (std::fabs(height) > node.floats.bound) {
+      at = node.child[height > 0];
+      continue;
+    }
+    const Sign side = side_of(node.plane);
+    if (side == Sign::zero) return at;
+    at = node.child[side == Sign::positive];
+  }
+  return at;
+}
+
+Sign BspPointWalk::side_of(BspPlane plane) const {
+  const RoundedBspPlane rounded = parts_.planes.rounded(plane);
+  const double height = rounded.height(local_);
+  if (height > rounded.bound) return Sign::positive;
+  if (height < -rounded.bound) return Sign::negative;
+  return parts_.planes.side(point_, plane);
+}
 
 FloatBspPlane as_floats(const RoundedBspPlane& plane) {
   const double largest = largest_magnitude(plane.normal);
@@ -118,7 +101,7 @@ BspTree::BspTree(const Model& solid, const BspOptions& options) {
   require_possible(options);
   require_solid_for_bsp(solid);
   auto parts = std::make_shared<Parts>(solid);
-  build_bsp(*parts, options);
+  build_bsp(*parts, options, [](const CutBspCell&, const BspFragments&, const BspChoice&) {});
   parts_ = std::move(parts);
 }
 
