@@ -144,6 +144,7 @@ struct BroadArguments {
 struct WorldArguments {
   std::string task = "peers";
   std::string scene;  ///< of the task space-time; empty: all
+  int rounds = 3;     ///< of the task space-time; the least times count
   std::size_t count = 50000;
   double contact = 0.05;  ///< the share of bodies in contact
   int frames = 20;

@@ -8,6 +8,7 @@
 #include "arguments.hpp"
 #include "measure.hpp"
 #include "report.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/world/world.hpp"
@@ -84,7 +85,7 @@ Scene satellites(std::size_t count, Random& random) {
     const double pull = 0.02 / dot(at, at);
     const Vec3 velocity = std::sqrt(pull * length(at)) * normalized(cross(at, vector_between(random, -1, 1)));
     scene.courses.push_back({at, velocity, vector_between(random, -1, 1), 0, random.between(-0.1, 0.1)});
-    Body body{Box({2, 0.5, 0.02})};
+    Body body{Box({4, 1, 0.02})};
     body.max_acceleration = 2 * pull;
     scene.bodies.push_back(body);
   }
@@ -97,17 +98,23 @@ Scene satellites(std::size_t count, Random& random) {
   return scene;
 }
 
-/// Walks on the ground, each its own way, which it changes now and then.
-Scene walkers(std::size_t count, Random& random) {
-  const double room = 2.5 * std::sqrt(static_cast<double>(count));
-  Scene scene = flyers(count, 1, 0.02, 0, random);
-  for (Course& course : scene.courses) course.at = {random.between(0, room), random.between(0, room), 0};
-  for (Body& body : scene.bodies) body = {Capsule({0, 0, -0.6}, {0, 0, 0.6}, 0.3)};
-  for (Body& body : scene.bodies) body.max_speed = 0.03;
-  scene.go_on = [room](Course& course, Random& dice) {
-    course.velocity.z = 0;
-    fly(course, room);
-    if (dice.below(100) == 0) course.velocity = {dice.between(-0.02, 0.02), dice.between(-0.02, 0.02), 0};
+/// Cars in lanes side by side, slantwise to the axes, so that boxes overlap all the time and cars seldom meet. Each is
+/// as fast as it likes, changes that now and then, and promises a speed.
+Scene traffic(std::size_t count, Random& random) {
+  const auto in_lane = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count) / 4)));
+  const Mat3 turn = rotation_about({0, 0, 1}, 40);
+  Scene scene;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double along = 12 * static_cast<double>(i % in_lane), aside = 3.5 * static_cast<double>(i / in_lane);
+    const Vec3 way = random.between(0.2, 0.21) * Vec3{1, 0, 0};
+    scene.courses.push_back({turn * Vec3{along, aside, 0}, turn * way, {0, 0, 1}, 40, 0});
+    Body body{Box({2.2, 0.9, 0.7})};
+    body.max_acceleration = 0.01;
+    scene.bodies.push_back(body);
+  }
+  scene.go_on = [turn](Course& course, Random& dice) {
+    course.at += course.velocity;
+    if (dice.below(100) == 0) course.velocity = turn * (dice.between(0.2, 0.21) * Vec3{1, 0, 0});
   };
   return scene;
 }
@@ -147,7 +154,7 @@ std::vector<NamedMotion> motions() {
       {"flyers", "few", [](std::size_t n, Random& r) { return flyers(n, 5, 0.02, 1, r); }},
       {"rods", "few", rods},
       {"satellites", "few", satellites},
-      {"walkers", "few", walkers},
+      {"traffic", "few", traffic},
       {"fast-flyers", "some", [](std::size_t n, Random& r) { return flyers(n, 3, 0.5, 10, r); }},
       {"dense-flyers", "many", [](std::size_t n, Random& r) { return flyers(n, 1.2, 0.02, 1, r); }},
       {"pile", "many", [](std::size_t n, Random& r) { return pile(n, 0.01, r); }},
@@ -158,16 +165,16 @@ std::vector<NamedMotion> motions() {
 
 /// One of the two Worlds, and what all its steps took together.
 struct Side {
-  World world;
-  std::vector<BodyId> ids;
+  World world{WorldOptions{}};
+  std::vector<BodyId> ids{};
   double seconds = 0, worst = 0;
   std::size_t asked = 0, candidates = 0;
 };
 
 struct SpaceTimeRow {
-  std::string scene, events;
+  std::string scene{}, events{};
   std::size_t bodies = 0, begun = 0, pairs = 0, differ = 0;
-  Side plain, scheduled;
+  Side plain{}, scheduled{};
 };
 
 void step(Side& side, std::span<const Pose> poses, Clock clock) {
@@ -211,12 +218,29 @@ SpaceTimeRow measured(const NamedMotion& motion, const WorldArguments& arguments
     for (Course& course : scene.courses) scene.go_on(course, random);
     pose_all();
     // In turn, so that neither always finds the caches warm.
-    for (const bool is_first : {true, false}) step((frame % 2 == 0) == is_first ? row.plain : row.scheduled, poses, clock);
+    for (const bool is_first : {true, false})
+      step((frame % 2 == 0) == is_first ? row.plain : row.scheduled, poses, clock);
     row.begun += row.plain.world.last_step().begin.size();
     row.pairs += row.plain.world.pairs().size();
     if (!are_same(row.plain.world.pairs(), row.scheduled.world.pairs())) ++row.differ;
   }
   return row;
+}
+
+/// The same several times: of the times the least count, as other programs run.
+SpaceTimeRow best_of_rounds(const NamedMotion& motion, const WorldArguments& arguments, int threads) {
+  SpaceTimeRow best = measured(motion, arguments, threads);
+  for (int round = 1; round < arguments.rounds; ++round) {
+    const SpaceTimeRow again = measured(motion, arguments, threads);
+    best.differ += again.differ;
+    const auto keep_least = [](Side& least, const Side& other) {
+      least.seconds = std::min(least.seconds, other.seconds);
+      least.worst = std::min(least.worst, other.worst);
+    };
+    keep_least(best.plain, again.plain);
+    keep_least(best.scheduled, again.scheduled);
+  }
+  return best;
 }
 
 /// How many times fewer pairs are asked about.
@@ -256,17 +280,21 @@ void print_row(const SpaceTimeRow& row, int threads, int frames) {
 }  // namespace
 
 int run_space_time(const WorldArguments& arguments) {
-  Json report = report_of("space-time",
-                          {{"count", arguments.count}, {"frames", arguments.frames}, {"seed", arguments.seed}});
+  Json report =
+      report_of("space-time", {{"count", arguments.count}, {"frames", arguments.frames}, {"seed", arguments.seed}});
   report["results"] = Json::array();
   if (!arguments.json)
     fmt::print("{:<14}{:>8}{:>8}{:>10}{:>10}{:>12}{:>12}{:>9}{:>10}{:>10}{:>8}{:>8}\n", "a step", "threads", "bodies",
                "begin", "pairs", "asked", "space-time", "fewer", "ms", "space-time", "ratio", "differ");
+  const std::vector<NamedMotion> all = motions();
+  if (!arguments.scene.empty() &&
+      std::none_of(all.begin(), all.end(), [&](const NamedMotion& one) { return arguments.scene == one.name; }))
+    throw Error(fmt::format("there is no scene \"{}\": without --scene all are measured, and named", arguments.scene));
   bool all_same = true;
   for (const int threads : arguments.threads)
-    for (const NamedMotion& motion : motions()) {
+    for (const NamedMotion& motion : all) {
       if (!arguments.scene.empty() && arguments.scene != motion.name) continue;
-      const SpaceTimeRow row = measured(motion, arguments, threads);
+      const SpaceTimeRow row = best_of_rounds(motion, arguments, threads);
       report["results"].push_back(json_of(row, threads, arguments.frames));
       if (!arguments.json) print_row(row, threads, arguments.frames);
       all_same = all_same && row.differ == 0;

@@ -312,6 +312,7 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
       ->check(CLI::IsMember({"peers", "space-time"}))
       ->capture_default_str();
   world->add_option("--scene", arguments.scene, "of the task space-time: one of its scenes, by name; else all");
+  add_number(*world, "--rounds", arguments.rounds, "of the task space-time; the least times count");
   add_number(*world, "--count", arguments.count, "boxes, spheres, capsules and hulls, as many of each");
   world->add_option("--contact", arguments.contact, "about the share of them that is in contact")
       ->check(CLI::Range(0.001, 1.0))
@@ -498,7 +499,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("build")) return run_build(options.build);
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("broad")) return run_broad(options.broad);
-  if (app.got_subcommand("world")) 
+  if (app.got_subcommand("world"))
     return options.world.task == "space-time" ? run_space_time(options.world) : run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);

@@ -37,14 +37,13 @@ struct ClosingGap {
 
   /// A time before which the gap is positive: the root of the parabola, rounded down. With positive closing it is
   /// 2 gap / (closing + root), else (root − closing) / acceleration, so that nothing cancels. In all either is off by
-  /// 6 u. Both are smaller by 10 u or more, since the gap was taken smaller by 20 u and the closing larger by 14 u: with
-  /// r = root and c = |closing|, a relative change of the gap changes the former by half of it or more, and the latter by
-  /// (1 − c/r) / 2 of it, and one of the closing changes the latter by c/r of it.
+  /// 6 u. Both are smaller by 10 u or more, since the gap was taken smaller by 20 u and the closing larger by 14 u:
+  /// with r = root and c = |closing|, a relative change of the gap changes the former by half of it or more, and the
+  /// latter by (1 − c/r) / 2 of it, and one of the closing changes the latter by c/r of it.
   [[nodiscard]] double open_until() const {
     if (!(gap > tiny)) return 0;
     if (gap == infinity) return infinity;
-    if (acceleration == 0)
-      return closing <= 0 ? infinity : std::min(gap / closing, greatest_double);
+    if (acceleration == 0) return closing <= 0 ? infinity : std::min(gap / closing, greatest_double);
     const double discriminant = closing * closing + 2 * acceleration * gap;
     if (!(discriminant > tiny && discriminant < infinity)) return 0;
     const double root = std::sqrt(discriminant);
@@ -72,8 +71,8 @@ double apart_until(double upper_a, double lower_b, int axis, const SpaceTimeMoti
 }
 
 /// The gap between two balls at a later time, as it closes from there: for a unit vector n from one centre to the other
-/// |D + V s| ≥ n · D + s n · V, where the centres are D apart then. D and its length are off by 8 u of what is summed up
-/// for it, what is subtracted by 4 u of it, and n · V by 12 u of |V|, which includes that V is rounded.
+/// |D + V s| ≥ n · D + s n · V, where the centres are D apart then. D and its length are off by 8 u of what is summed
+/// up for it, what is subtracted by 4 u of it, and n · V by 12 u of |V|, which includes that V is rounded.
 ClosingGap gap_at(double time, const SpaceTimeBall& a, const SpaceTimeBall& b) {
   const Vec3 apart = b.ball.centre - a.ball.centre, velocity = b.motion.velocity - a.motion.velocity;
   const Vec3 now = apart + time * velocity;

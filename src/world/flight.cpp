@@ -62,7 +62,9 @@ SpaceTimeMotion expected_motion(const Body& body, const TurningParts& parts, con
   const double last_turn = norm_of_difference(sights.before.linear, sights.earlier.linear) * parts.radius;
   const double more_turn = 2 * std::fabs(turn - last_turn);
   const SpaceTimeMotion on{way, 0, 0.5 * (bending + more_turn) + turn * (1 + 0x1p-20), bending + more_turn};
-  const bool is_slower = body.max_speed < length(way) + way_beyond_velocity(on, steps) / steps;
+  // Who promises a speed alone may turn at any time.
+  const bool is_slower = (std::isinf(body.max_acceleration) && !std::isinf(body.max_speed)) ||
+                         body.max_speed < length(way) + way_beyond_velocity(on, steps) / steps;
   return is_slower ? SpaceTimeMotion{{}, 0, body.max_speed, 0} : on;
 }
 
@@ -90,8 +92,7 @@ bool Flight::is_kept(const TurningParts& parts, const Sight& now, double steps) 
   return off <= way_beyond_velocity(motion_, steps) * (1 - 0x1p-40) + 0x1p-37 * magnitude_;
 }
 
-std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, const LastSights& sights,
-                                  double steps) {
+std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
   Flight flight;
   flight.start_ = sights.now;
   flight.is_at_rest_ = sights.now == sights.before && sights.now == sights.earlier;

@@ -13,8 +13,9 @@ namespace toccata {
 /// direction are in a ball.
 struct TurningParts {
   Vec3 centre{};
-  double radius = 0;     ///< infinite where nothing is known, as of a half-space
-  double magnitude = 0;  ///< no sum of magnitudes that is added up for a world coordinate is greater, but for the offset
+  double radius = 0;  ///< infinite where nothing is known, as of a half-space
+  double magnitude =
+      0;  ///< no sum of magnitudes that is added up for a world coordinate is greater, but for the offset
 };
 
 [[nodiscard]] TurningParts turning_parts(const Body& body);

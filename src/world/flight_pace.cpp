@@ -8,8 +8,19 @@ double FlightPace::cost_of(const StepWork& work) {
   const auto of = [](std::size_t count, double nanoseconds) { return static_cast<double>(count) * nanoseconds; };
   // The broad phase keeps what rests when few move.
   const bool are_few = of(work.placed, 1) < 0.12 * of(work.bodies, 1);
-  const double broad = are_few ? of(work.bodies, 10) + of(work.placed, 500) : of(work.bodies, 150);
+  const double broad = are_few ? of(work.bodies, 20) + of(work.placed, 500) : of(work.bodies, 150);
   return (work.placed == 0 ? 0 : broad) + of(work.tested, 30) + of(work.looked, 30) + of(work.asked, 200);
+}
+
+bool FlightPace::may_pay(std::size_t bodies, double pairs) const {
+  constexpr double of_body = 400, of_pair = 60;
+  return of_body * static_cast<double>(bodies) + of_pair * pairs < 0.6 * plain_ * steps_;
+}
+
+bool FlightPace::shorten() {
+  if (steps_ == least_steps) return false;
+  steps_ = std::max(steps_ / 2, least_steps);
+  return true;
 }
 
 void FlightPace::begin() {

@@ -7,23 +7,31 @@ namespace toccata {
 
 /// What a step of a World did, counted.
 struct StepWork {
-  std::size_t bodies = 0;   ///< that there are
-  std::size_t moved = 0;    ///< that have another pose
-  std::size_t placed = 0;   ///< given to the broad phase anew
-  std::size_t tested = 0;   ///< whether they left their bounds
-  std::size_t looked = 0;   ///< pairs
-  std::size_t asked = 0;    ///< pairs of which the shapes were looked at
+  std::size_t bodies = 0;  ///< that there are
+  std::size_t placed = 0;  ///< given to the broad phase anew
+  std::size_t tested = 0;  ///< whether they left their bounds
+  std::size_t looked = 0;  ///< pairs
+  std::size_t asked = 0;   ///< pairs of which the shapes were looked at
 };
 
-/// How long stretches of steps are in which bodies fly, and how many steps are taken the plain way between them. Decided by
-/// what was counted, so that it is the same in every run: a stretch costs less than as many plain steps, or it ends, and
-/// the next one is tried later and later.
+/// How long stretches of steps are in which bodies fly, and how many steps are taken the plain way between them.
+/// Decided by what was counted, so that it is the same in every run: a stretch costs less than as many plain steps, or
+/// it ends, and the next one is tried later and later.
 class FlightPace {
  public:
   /// Of the next stretch, or of the present one.
   [[nodiscard]] int steps() const { return steps_; }
   /// Of the plain way.
-  void note_plain(const StepWork& work) { plain_ = cost_of(work); }
+  void note_plain(const StepWork& work) {
+    plain_ = cost_of(work);
+    plain_pairs_ = static_cast<double>(work.looked);
+  }
+  /// How many pairs of boxes overlapped in the last plain step.
+  [[nodiscard]] double plain_pairs() const { return plain_pairs_; }
+  /// Whether a stretch may save time that begins with so many bodies, and about so many pairs of their boxes.
+  [[nodiscard]] bool may_pay(std::size_t bodies, double pairs) const;
+  /// Makes the next stretch shorter. False where it is as short as any.
+  [[nodiscard]] bool shorten();
   /// A stretch begins.
   void begin();
   /// Of a stretch. Returns whether it goes on.
@@ -45,7 +53,8 @@ class FlightPace {
   int steps_ = 16;
   int pause_ = first_pause;
   int in_a_row_ = 0;
-  int flown_ = 0;                              ///< steps of this stretch
+  int flown_ = 0;  ///< steps of this stretch
+  double plain_pairs_ = 0;
   double plain_ = 0, spent_ = 0, first_ = 0;  ///< a plain step; this stretch, and its first step
 };
 

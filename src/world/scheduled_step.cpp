@@ -16,12 +16,22 @@ std::span<const IndexPair> World::State::pairs_to_look_at() {
 }
 
 void World::State::let_fly() {
-  const std::span<const Index> starting = schedule_->start(
-      bodies_, [&](Index index) { return slots_[index].is_used && !on_the_way_.contains(index); });
+  std::vector<Index> there;
+  for (Index i = 0; i < slots_.size(); ++i)
+    if (slots_[i].is_used && !on_the_way_.contains(i)) there.push_back(i);
+  std::vector<Aabb> reached;
+  for (const Index index : there) reached.push_back(reached_box(index));
+  const std::span<const Index> starting = schedule_->start(bodies_, there, reached);
   reached_boxes_.clear();
   for (const Index index : starting) reached_boxes_.push_back(schedule_->box_of_flight(index, reached_box(index)));
-  phase_.move(starting, reached_boxes_);
-  work_.placed += starting.size();
+  give_to_phase(starting);
+}
+
+void World::State::give_to_phase(std::span<const Index> indices) {
+  if (schedule_)
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      if (phase_.box(indices[i]) != reached_boxes_[i]) ++work_.placed;
+  phase_.move(indices, reached_boxes_);
 }
 
 void World::State::want_beyond(const IndexPair& pair, bool was_apart, UndecidedPair& wanted) const {
@@ -39,7 +49,7 @@ void World::State::want_beyond(const IndexPair& pair, bool was_apart, UndecidedP
 
 void World::State::end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided) {
   auto next = undecided.begin();
-  for (std::size_t i = 0; i < decided_.size(); ++i) {
+  for (std::size_t i = 0; schedule_->count_flying() > 0 && i < decided_.size(); ++i) {
     const bool was_asked = next != undecided.end() && next->number == i;
     const bool is_beyond = decided_[i].nearness == BodyNearness::beyond;
     if (schedule_->are_flying(decided_[i].pair)) schedule_->look_again(decided_[i].pair, is_beyond ? next->steps : 1);
@@ -47,7 +57,6 @@ void World::State::end_scheduled_step(std::size_t looked, std::span<const Undeci
     if (was_asked) ++next;
   }
   work_.bodies = count_;
-  work_.moved = changed_.size();
   work_.tested = schedule_->count_tested();
   work_.looked = looked;
   work_.asked = undecided.size();

@@ -20,6 +20,39 @@ void for_rows(std::size_t count, int threads, const Work& work) {
   });
 }
 
+/// What is known of boxes by their mean size: how many pairs of them overlap, if they lie anywhere.
+class BoxCrowd {
+ public:
+  void add(const Aabb& box) {
+    const Vec3 size = box.upper - box.lower;
+    if (!is_finite(size)) return;
+    sizes_ += size;
+    around_ = merge(around_, box);
+    ++count_;
+  }
+  [[nodiscard]] double expected_pairs() const {
+    const double count = static_cast<double>(count_);
+    double pairs = 0.5 * count * count;
+    for (int axis = 0; axis < 3 && count > 0; ++axis) {
+      const double room = around_.upper[axis] - around_.lower[axis];
+      if (room > 0) pairs *= std::min(1.0, 2 * sizes_[axis] / (count * room));
+    }
+    return pairs;
+  }
+  /// Where others have so many.
+  [[nodiscard]] double pairs_beside(const BoxCrowd& others, double pairs) const {
+    const double most = 0.5 * static_cast<double>(count_) * static_cast<double>(count_);
+    for (int axis = 0; axis < 3; ++axis)
+      if (others.sizes_[axis] > 0) pairs *= sizes_[axis] / others.sizes_[axis];
+    return std::min(pairs, most);
+  }
+
+ private:
+  std::size_t count_ = 0;
+  Vec3 sizes_{};
+  Aabb around_{};
+};
+
 }  // namespace
 
 void SpaceTimeSchedule::put(Index index, const Body& body) {
@@ -75,33 +108,60 @@ std::span<const Index> SpaceTimeSchedule::begin_step(std::span<const Body> bodie
   return landed_;
 }
 
-std::span<const Index> SpaceTimeSchedule::start_flights(std::span<const Body> bodies, std::span<const Index> there) {
-  const int steps = pace_.steps();
+std::span<const Index> SpaceTimeSchedule::start(std::span<const Body> bodies, std::span<const Index> there,
+                                                std::span<const Aabb> reached) {
+  do {
+    prepare_flights(bodies, there);
+    BoxCrowd now, flown;
+    for (std::size_t i = 0, next = 0; i < there.size() && next < starting_.size(); ++i) {
+      if (there[i] != starting_[next]) continue;
+      now.add(reached[i]);
+      flown.add(box_of_flight(starting_[next++], reached[i]));
+    }
+    if (pace_.may_pay(starting_.size(),
+                      std::max(flown.expected_pairs(), flown.pairs_beside(now, pace_.plain_pairs())))) {
+      start_flights();
+      return starting_;
+    }
+  } while (pace_.shorten());
+  put_off_start();
+  return {};
+}
+
+void SpaceTimeSchedule::prepare_flights(std::span<const Body> bodies, std::span<const Index> there) {
   begin_ = now_;
-  end_ = start_ = now_ + static_cast<std::uint64_t>(steps);
-  appointments_.resize(static_cast<std::size_t>(steps));
-  for (std::vector<Appointment>& some : appointments_) some.clear();
-  moving_.clear();
+  end_ = start_ = now_ + static_cast<std::uint64_t>(pace_.steps());
   is_lost_.assign(there.size(), 1);
   for_rows(there.size(), threads_, [&](std::size_t i) {
     const Index index = there[i];
-    if (put_[index] + 2 > now_ - 1) return;  // it was not there at both steps before
+    if (put_[index] + 3 > now_) return;  // it was not there at both steps before
     const LastSights sights{sight_of(parts_[index], bodies[index].pose), before_[index], earlier_[index]};
-    const std::optional<Flight> flight = flight_from(bodies[index], parts_[index], sights, steps);
+    const std::optional<Flight> flight = flight_from(bodies[index], parts_[index], sights, pace_.steps());
     if (!flight) return;
     flights_[index] = *flight;
     is_lost_[i] = 0;
   });
   starting_.clear();
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    if (is_lost_[i] != 0) continue;
-    starting_.push_back(there[i]);
-    states_[there[i]] = State::starting;
-    if (!flights_[there[i]].is_at_rest()) moving_.push_back(there[i]);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    if (is_lost_[i] == 0) starting_.push_back(there[i]);
+}
+
+void SpaceTimeSchedule::start_flights() {
+  appointments_.resize(static_cast<std::size_t>(pace_.steps()));
+  for (std::vector<Appointment>& some : appointments_) some.clear();
+  moving_.clear();
+  for (const Index index : starting_) {
+    states_[index] = State::starting;
+    if (!flights_[index].is_at_rest()) moving_.push_back(index);
   }
   count_flying_ = starting_.size();
   pace_.begin();
-  return starting_;
+}
+
+void SpaceTimeSchedule::put_off_start() {
+  starting_.clear();
+  end_ = now_;
+  start_ = now_ + static_cast<std::uint64_t>(pace_.end_badly());
 }
 
 Aabb SpaceTimeSchedule::box_of_flight(Index index, const Aabb& reached) const {
@@ -113,7 +173,7 @@ std::span<const IndexPair> SpaceTimeSchedule::pairs_of_step(std::span<const Inde
   due_.clear();
   for (const Appointment& at : appointments_[now_ - begin_])
     if (numbers_[at.pair.first] == at.flight_a && numbers_[at.pair.second] == at.flight_b) due_.push_back(at.pair);
-  std::sort(due_.begin(), due_.end());
+  if (!std::is_sorted(due_.begin(), due_.end())) std::sort(due_.begin(), due_.end());
   if (count_flying_ == count && starting_.empty()) return due_;
   // No pair comes twice: appointments are of bodies that fly.
   const auto flies = [&](Index index) { return states_[index] == State::flying; };

@@ -36,14 +36,10 @@ class SpaceTimeSchedule {
   std::span<const Index> begin_step(std::span<const Body> bodies, std::span<const Index> moved);
   /// Whether bodies are to fly from this step on.
   [[nodiscard]] bool is_start() const { return now_ == start_; }
-  /// Lets fly what can, of the bodies that are there and not on their way.
-  template <class IsThere>
-  std::span<const Index> start(std::span<const Body> bodies, const IsThere& is_there) {
-    std::vector<Index> there;
-    for (Index i = 0; i < states_.size(); ++i)
-      if (is_there(i)) there.push_back(i);
-    return start_flights(bodies, there);
-  }
+  /// Lets fly what can, of these bodies, if by a guess it may pay. `reached`: their boxes, in which are all that may
+  /// make a pair with them. Returns who flies.
+  std::span<const Index> start(std::span<const Body> bodies, std::span<const Index> there,
+                               std::span<const Aabb> reached);
   /// Of a body that has just begun to fly: around where it can be in the whole stretch.
   [[nodiscard]] Aabb box_of_flight(Index index, const Aabb& reached) const;
 
@@ -79,7 +75,9 @@ class SpaceTimeSchedule {
     std::uint32_t flight_a, flight_b;
   };
 
-  std::span<const Index> start_flights(std::span<const Body> bodies, std::span<const Index> there);
+  void prepare_flights(std::span<const Body> bodies, std::span<const Index> there);
+  void start_flights();
+  void put_off_start();
   void see(std::span<const Body> bodies);
   /// When the stretch ends, and the next begins.
   void plan(const StepWork& work);
@@ -101,8 +99,8 @@ class SpaceTimeSchedule {
   std::vector<std::uint64_t> put_;  ///< when the body came
   std::vector<Sight> before_, earlier_;
   // Of the stretch.
-  std::vector<Index> moving_;    ///< what flies, or has flown, and does not rest
-  std::vector<Index> starting_;  ///< ascending
+  std::vector<Index> moving_;                           ///< what flies, or has flown, and does not rest
+  std::vector<Index> starting_;                         ///< ascending
   std::vector<std::vector<Appointment>> appointments_;  ///< by step of the stretch
   std::size_t count_flying_ = 0;
   // Memory to work in.

@@ -124,8 +124,7 @@ void World::State::place(std::span<const Index> indices) {
   }
   reached_boxes_.clear();
   for (const Index index : indices) reached_boxes_.push_back(reached_box(index));
-  phase_.move(indices, reached_boxes_);
-  work_.placed += indices.size();
+  give_to_phase(indices);
 }
 
 void World::State::mark_changed(Index index) {

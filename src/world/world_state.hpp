@@ -99,6 +99,8 @@ class World::State {
   void end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided);
   [[nodiscard]] Aabb reached_box(Index index) const;
   void let_fly();
+  /// Moves them to `reached_boxes_` there.
+  void give_to_phase(std::span<const Index> indices);
   [[nodiscard]] std::vector<PairReport> reports() const;
   void tell(std::vector<PairReport> now);
 

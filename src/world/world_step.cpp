@@ -57,8 +57,7 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
     const bool is_known = was_looked_at && !slots_[pair.first].has_changed && !slots_[pair.second].has_changed;
     if (!is_known) {
       undecided.push_back({found.size(), *margin});
-      if (schedule_ && !(was_looked_at && is_told(known->nearness)))
-        want_beyond(pair, was_looked_at, undecided.back());
+      if (schedule_ && !(was_looked_at && is_told(known->nearness))) want_beyond(pair, was_looked_at, undecided.back());
     }
     found.push_back(is_known ? *known : DecidedPair{pair});
   }

@@ -56,8 +56,8 @@ TEST(ProofConstants, BoxesThatAreHardlyFartherApartThanTheirErrorsMayMeetSoon) {
   EXPECT_LE(earliest_meeting(a, b), 0.1);
 }
 
-// The velocities part the two by 1 and half a last place, rounded up, in a unit of time; their errors bring them together
-// by 1 and one and a half, rounded down.
+// The velocities part the two by 1 and half a last place, rounded up, in a unit of time; their errors bring them
+// together by 1 and one and a half, rounded down.
 TEST(ProofConstants, BoxesThatPartHardlySlowerThanTheirErrorsMayMeet) {
   const double unit = 0x1p-52;
   const SpaceTimeBox a{interval(-1, 0), {.velocity = {-0.51 * unit, 0, 0}, .velocity_error = 1 + unit}};

@@ -35,8 +35,8 @@ Rational exact_error(const SpaceTimeMotion& motion, const Rational& time) {
 }
 
 bool are_apart(const SpaceTimeBall& a, const SpaceTimeBall& b, const Rational& time) {
-  const auto apart = exact(b.ball.centre) - exact(a.ball.centre) +
-                     time * (exact(b.motion.velocity) - exact(a.motion.velocity));
+  const auto apart =
+      exact(b.ball.centre) - exact(a.ball.centre) + time * (exact(b.motion.velocity) - exact(a.motion.velocity));
   const Rational reach =
       exact(a.ball.radius) + exact(b.ball.radius) + exact_error(a.motion, time) + exact_error(b.motion, time);
   return oracle::dot(apart, apart) > reach * reach;
@@ -91,7 +91,7 @@ TEST(EarliestMeeting, OfBallsNoneMeetsBeforeInExactArithmetic) {
     const double told = earliest_meeting(a, b);
     EXPECT_EQ(told, earliest_meeting(b, a));
     expect_apart_until(told, a, b);
-    if (told == 0) EXPECT_FALSE(are_apart(a, b, 0));
+    EXPECT_TRUE(told > 0 || !are_apart(a, b, 0));
     // And a little later their horns do meet.
     if (told > 0 && told < 1e6 && !are_apart(a, b, exact(told) * exact(1.001))) ++later;
   }

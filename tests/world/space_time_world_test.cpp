@@ -28,6 +28,7 @@ struct Manners {
   double promised = -1;   ///< as max_acceleration; negative: nothing
   double share_wild = 0;  ///< of bodies that jump in a step
   double room = 12;
+  double spin = 3;  ///< degrees in a step, at most
 };
 
 void fly(Course& course, const Manners& manners, Random& random) {
@@ -42,9 +43,9 @@ void fly(Course& course, const Manners& manners, Random& random) {
 bool same_pairs(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PairReport& x, const PairReport& y) {
     const bool same_details =
-        !x.details == !y.details && (!x.details || (x.details->distance == y.details->distance &&
-                                                    x.details->first_contact.has_value() ==
-                                                        y.details->first_contact.has_value()));
+        !x.details == !y.details &&
+        (!x.details || (x.details->distance == y.details->distance &&
+                        x.details->first_contact.has_value() == y.details->first_contact.has_value()));
     return x.a.index == y.a.index && x.b.index == y.b.index && x.in_contact == y.in_contact && same_details;
   });
 }
@@ -97,7 +98,7 @@ std::vector<Course> random_courses(std::size_t count, const Manners& manners, do
   std::vector<Course> courses;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 at = vector_in(random, 0, manners.room), velocity = vector_in(random, -speed, speed);
-    courses.push_back({at, velocity, vector_in(random, -1, 1), 0, random.between(-3, 3)});
+    courses.push_back({at, velocity, vector_in(random, -1, 1), 0, manners.spin * random.between(-1, 1)});
   }
   return courses;
 }
@@ -118,7 +119,7 @@ Body rod_at(const Course& course) { return {Capsule({-1, -1, 0}, {1, 1, 0}, 0.05
 
 TEST(SpaceTime, AsksAThirdOrLessWhereLittleHappens) {
   Random random(1);
-  const Manners manners{.room = 20};
+  const Manners manners{.room = 20, .spin = 0.1};
   std::vector<Course> courses = random_courses(150, manners, 0.01, random);
   Twins twins({});
   for (const Course& course : courses) twins.add(rod_at(course));
@@ -134,7 +135,9 @@ TEST_P(SpaceTimeLives, TellTheSameAsPlainOnes) {
   Random random(100 + number);
   // Who promises little and moves wildly lies.
   const Manners manners{.jitter = number % 3 == 0 ? 0 : 0.01,
-                        .promised = number % 2 == 0 ? -1 : number % 4 == 1 ? 0.001 : 0.05,
+                        .promised = number % 2 == 0   ? -1
+                                    : number % 4 == 1 ? 0.001
+                                                      : 0.05,
                         .share_wild = number % 5 == 4 ? 0.02 : 0};
   std::vector<Course> courses = random_courses(40, manners, number % 4 == 0 ? 0.3 : 0.03, random);
   Twins twins({.distance = number % 2 == 0}, 1 + GetParam() % 2);

@@ -287,7 +287,8 @@ class WorldLife {
     const Truth now = truth();
     const WorldStep& found = world_.step();
     std::string wrong = wrong_in(found, pairs_, now);
-    if (wrong.empty() && !same(found, other_.step(), other_.options().space_time)) wrong = "the other World tells something else";
+    if (wrong.empty() && !same(found, other_.step(), other_.options().space_time))
+      wrong = "the other World tells something else";
     for (const PairReport& report : world_.pairs())
       if (wrong.empty()) wrong = wrong_details(report);
     pairs_ = now;

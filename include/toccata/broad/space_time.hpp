@@ -24,7 +24,8 @@ struct SpaceTimeMotion {
 /// How far points may be from where the velocity takes them, rounded up.
 [[nodiscard]] double greatest_error(const SpaceTimeMotion& motion, double time);
 
-/// The same motion for who starts the clock `time` later and sees the body then: of its points as they are at that time.
+/// The same motion for who starts the clock `time` later and sees the body then: of its points as they are at that
+/// time.
 [[nodiscard]] SpaceTimeMotion seen_later(const SpaceTimeMotion& motion, double time);
 
 /// A body within a ball, whose horn has round sections.
