@@ -106,15 +106,15 @@ Scene traffic(std::size_t count, Random& random) {
   Scene scene;
   for (std::size_t i = 0; i < count; ++i) {
     const double along = 12 * static_cast<double>(i % in_lane), aside = 3.5 * static_cast<double>(i / in_lane);
-    const Vec3 way = random.between(0.2, 0.21) * Vec3{1, 0, 0};
+    const Vec3 way = random.between(0.2, 0.205) * Vec3{1, 0, 0};
     scene.courses.push_back({turn * Vec3{along, aside, 0}, turn * way, {0, 0, 1}, 40, 0});
     Body body{Box({2.2, 0.9, 0.7})};
-    body.max_acceleration = 0.01;
+    body.max_acceleration = 0.005;
     scene.bodies.push_back(body);
   }
   scene.go_on = [turn](Course& course, Random& dice) {
     course.at += course.velocity;
-    if (dice.below(100) == 0) course.velocity = turn * (dice.between(0.2, 0.21) * Vec3{1, 0, 0});
+    if (dice.below(100) == 0) course.velocity = turn * (dice.between(0.2, 0.205) * Vec3{1, 0, 0});
   };
   return scene;
 }

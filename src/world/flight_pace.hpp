@@ -7,11 +7,12 @@ namespace toccata {
 
 /// What a step of a World did, counted.
 struct StepWork {
-  std::size_t bodies = 0;  ///< that there are
-  std::size_t placed = 0;  ///< given to the broad phase anew
-  std::size_t tested = 0;  ///< whether they left their bounds
-  std::size_t looked = 0;  ///< pairs
-  std::size_t asked = 0;   ///< pairs of which the shapes were looked at
+  std::size_t bodies = 0;   ///< that there are
+  std::size_t placed = 0;   ///< given to the broad phase anew
+  std::size_t started = 0;  ///< bodies that begin to fly
+  std::size_t tested = 0;   ///< whether they left their bounds
+  std::size_t looked = 0;   ///< pairs
+  std::size_t asked = 0;    ///< pairs of which the shapes were looked at
 };
 
 /// How long stretches of steps are in which bodies fly, and how many steps are taken the plain way between them.
@@ -44,6 +45,10 @@ class FlightPace {
  private:
   /// In nanoseconds, on a machine of about 2024. Only ratios matter.
   [[nodiscard]] static double cost_of(const StepWork& work);
+  /// Of the next stretch.
+  void choose_steps();
+  /// The length that was tried was no better.
+  void end_trial();
 
   static constexpr int least_steps = 4, most_steps = 64;
   static constexpr int first_pause = 100, most_pause = 1600;
@@ -53,9 +58,11 @@ class FlightPace {
   int steps_ = 16;
   int pause_ = first_pause;
   int in_a_row_ = 0;
-  int flown_ = 0;  ///< steps of this stretch
   double plain_pairs_ = 0;
-  double plain_ = 0, spent_ = 0, first_ = 0;  ///< a plain step; this stretch, and its first step
+  double plain_ = 0, spent_ = 0;  ///< a plain step; this stretch
+  int kept_steps_ = 16, until_trial_ = 0;
+  double kept_cost_ = 0;  ///< of a step, in the last stretch of that length
+  bool tries_longer_ = true;
 };
 
 }  // namespace toccata

@@ -22,6 +22,7 @@ void World::State::let_fly() {
   std::vector<Aabb> reached;
   for (const Index index : there) reached.push_back(reached_box(index));
   const std::span<const Index> starting = schedule_->start(bodies_, there, reached);
+  work_.started = starting.size();
   reached_boxes_.clear();
   for (const Index index : starting) reached_boxes_.push_back(schedule_->box_of_flight(index, reached_box(index)));
   give_to_phase(starting);
