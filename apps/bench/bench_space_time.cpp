@@ -77,14 +77,15 @@ Scene rods(std::size_t count, Random& random) {
   return scene;
 }
 
-/// Around a planet at the origin, each as fast as its orbit demands, which tells its acceleration.
+/// Panels around a planet at the origin that do not turn, each as fast as its orbit demands, which tells its
+/// acceleration.
 Scene satellites(std::size_t count, Random& random) {
   Scene scene;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 at = random.between(20, 60) * normalized(vector_between(random, -1, 1));
     const double pull = 0.02 / dot(at, at);
     const Vec3 velocity = std::sqrt(pull * length(at)) * normalized(cross(at, vector_between(random, -1, 1)));
-    scene.courses.push_back({at, velocity, vector_between(random, -1, 1), 0, random.between(-0.1, 0.1)});
+    scene.courses.push_back({at, velocity, vector_between(random, -1, 1), random.between(0, 360), 0});
     Body body{Box({4, 1, 0.02})};
     body.max_acceleration = 2 * pull;
     scene.bodies.push_back(body);
