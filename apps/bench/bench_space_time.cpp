@@ -86,7 +86,7 @@ Scene satellites(std::size_t count, Random& random) {
     const double pull = 0.02 / dot(at, at);
     const Vec3 velocity = std::sqrt(pull * length(at)) * normalized(cross(at, vector_between(random, -1, 1)));
     scene.courses.push_back({at, velocity, vector_between(random, -1, 1), random.between(0, 360), 0});
-    Body body{Box({4, 1, 0.02})};
+    Body body{Box({2, 0.5, 0.02})};
     body.max_acceleration = 2 * pull;
     scene.bodies.push_back(body);
   }

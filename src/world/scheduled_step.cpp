@@ -29,7 +29,7 @@ void World::State::let_fly() {
 }
 
 void World::State::give_to_phase(std::span<const Index> indices) {
-  if (schedule_)
+  if (schedule_ && schedule_->counts_work())
     for (std::size_t i = 0; i < indices.size(); ++i)
       if (phase_.box(indices[i]) != reached_boxes_[i]) ++work_.placed;
   phase_.move(indices, reached_boxes_);

@@ -60,6 +60,8 @@ class SpaceTimeSchedule {
   /// Whether the step is one of an odd number.
   [[nodiscard]] bool is_odd() const { return now_ % 2 == 1; }
 
+  /// Whether what is done now says something about stretches: in one, and just before it.
+  [[nodiscard]] bool counts_work() const { return now_ < end_ || now_ + 4 >= start_; }
   /// What the step has done.
   void end_step(std::span<const Body> bodies, const StepWork& work);
 
