@@ -142,6 +142,9 @@ struct BroadArguments {
 };
 
 struct WorldArguments {
+  std::string task = "peers";
+  std::string scene;  ///< of the task space-time; empty: all
+  int rounds = 3;     ///< of the task space-time; the least times count
   std::size_t count = 50000;
   double contact = 0.05;  ///< the share of bodies in contact
   int frames = 20;
@@ -236,6 +239,7 @@ int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);
 int run_world(const WorldArguments& arguments);
+int run_space_time(const WorldArguments& arguments);
 int run_parts(const PartsArguments& arguments);
 int run_world_queries(const WorldQueriesArguments& arguments);
 int run_process(const ProcessArguments& arguments);

@@ -306,6 +306,13 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
 
 void add_world(CLI::App& app, WorldArguments& arguments) {
   CLI::App* world = app.add_subcommand("world", "which bodies of a moving crowd are in contact, step by step");
+  world
+      ->add_option("--task", arguments.task,
+                   "peers: beside other libraries; space-time: with and without WorldOptions::space_time")
+      ->check(CLI::IsMember({"peers", "space-time"}))
+      ->capture_default_str();
+  world->add_option("--scene", arguments.scene, "of the task space-time: one of its scenes, by name; else all");
+  add_number(*world, "--rounds", arguments.rounds, "of the task space-time; the least times count");
   add_number(*world, "--count", arguments.count, "boxes, spheres, capsules and hulls, as many of each");
   world->add_option("--contact", arguments.contact, "about the share of them that is in contact")
       ->check(CLI::Range(0.001, 1.0))
@@ -320,7 +327,9 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
       ->check(whole_number())
       ->capture_default_str();
   add_json(*world, arguments.json);
-  world->footer("Example:\n  ./toccata bench world --count 10000 --peer bullet,fcl");
+  world->footer(
+      "Examples:\n  ./toccata bench world --count 10000 --peer bullet,fcl\n"
+      "  ./toccata bench world --task space-time --count 5000 --frames 200");
 }
 
 void add_parts(CLI::App& app, PartsArguments& arguments) {
@@ -495,7 +504,8 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("build")) return run_build(options.build);
   if (app.got_subcommand("nearest")) return run_nearest(options.nearest);
   if (app.got_subcommand("broad")) return run_broad(options.broad);
-  if (app.got_subcommand("world")) return run_world(options.world);
+  if (app.got_subcommand("world"))
+    return options.world.task == "space-time" ? run_space_time(options.world) : run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
   if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);

@@ -8,6 +8,7 @@
 #include "toccata/bounds/volume.hpp"
 #include "toccata/broad/bound_pairs.hpp"
 #include "toccata/broad/box_bvh.hpp"
+#include "toccata/broad/space_time.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/core/simd.hpp"

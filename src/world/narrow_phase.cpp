@@ -52,7 +52,10 @@ struct PlaceConvex {
   std::optional<PosedPolytope>& placed;
 };
 
-BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, double margin, SimplexCache& workspace) {
+BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const UndecidedPair& wanted,
+                         SimplexCache& workspace) {
+  const double margin = wanted.margin;
+  if (!std::isinf(wanted.beyond) && certainly_beyond(a, b, wanted.beyond, &workspace)) return BodyNearness::beyond;
   if (margin > 0 && !std::isinf(margin) && !nearby(a, b, WantedDistance::within(margin), &workspace))
     return BodyNearness::apart;
   if (overlap(a, b, &workspace)) return BodyNearness::contact;
@@ -60,12 +63,15 @@ BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, double 
 }
 
 /// What `within_distance` and `overlap` answer.
-BodyNearness nearness_of(const Body& a, const Body& b, double margin, Workspace& workspace) {
+BodyNearness nearness_of(const Body& a, const Body& b, const UndecidedPair& wanted, Workspace& workspace) {
   std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
-  if (placed_b) return nearness_of(*placed_a, *placed_b, margin, cleared(workspace).scratch().convex);
+  if (placed_b) return nearness_of(*placed_a, *placed_b, wanted, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
+  if (!std::isinf(wanted.beyond) && !within_distance(a.model, b.model, wanted.beyond, query, cleared(workspace)))
+    return BodyNearness::beyond;
+  const double margin = wanted.margin;
   if (margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace))) return BodyNearness::apart;
   if (overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
   return margin > 0 ? BodyNearness::near : BodyNearness::apart;
@@ -94,18 +100,19 @@ void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (i + ahead < some.size()) fetch(bodies[pairs[some[i + ahead].number].pair.second]);
         DecidedPair& pair = pairs[some[i].number];
-        decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i].margin, pair, workspace);
+        decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i], pair, workspace);
         if (!on_the_way.empty()) add_first_contact(bodies, on_the_way, pair, workspace);
       }
     });
   });
 }
 
-void NarrowPhase::decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const {
-  pair.nearness = nearness_of(a, b, margin, workspace);
+void NarrowPhase::decide(const Body& a, const Body& b, const UndecidedPair& wanted, DecidedPair& pair,
+                         Workspace& workspace) const {
+  pair.nearness = nearness_of(a, b, wanted, workspace);
   const bool is_asked =
       options_.relation || options_.distance || options_.contacts || options_.manifold || options_.penetration;
-  if (is_asked && pair.nearness != BodyNearness::apart)
+  if (is_asked && is_told(pair.nearness))
     pair.details = std::make_shared<const PairDetails>(
         details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace)));
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "math/constants.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
@@ -16,7 +17,13 @@ enum class BodyNearness : std::uint8_t {
   near,
   contact,
   passed,  ///< they have met on the way, and are neither near nor in contact now
+  beyond,  ///< apart, and farther than was asked
 };
+
+/// They are a pair.
+[[nodiscard]] constexpr bool is_told(BodyNearness nearness) {
+  return nearness != BodyNearness::apart && nearness != BodyNearness::beyond;
+}
 
 /// Two bodies whose boxes overlap, and what was found out about them.
 struct DecidedPair {
@@ -29,6 +36,8 @@ struct DecidedPair {
 struct UndecidedPair {
   std::size_t number = 0;  ///< in the list of pairs
   double margin = 0;
+  double beyond = infinity;  ///< not less than the margin: nothing more is wanted of the two if they are farther apart
+  int steps = 1;             ///< after which they are looked at again if they are
 };
 
 /// Decides pairs of bodies. What it keeps is memory to work in.
@@ -44,7 +53,7 @@ class NarrowPhase {
               std::span<DecidedPair> pairs);
 
  private:
-  void decide(const Body& a, const Body& b, double margin, DecidedPair& pair, Workspace& workspace) const;
+  void decide(const Body& a, const Body& b, const UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
   /// Of two bodies of which one at least has been on its way.
   void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
                          Workspace& workspace) const;

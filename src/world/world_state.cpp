@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -30,9 +31,15 @@ std::string name_in_brackets(const std::string& name) { return name.empty() ? ""
 
 std::string name_of_id(const BodyId& id) { return fmt::format("body {} (generation {})", id.index, id.generation); }
 
-void require_length(double margin, const FunctionRef<std::string()>& who) {
-  if (!(margin >= 0))
-    throw Error(fmt::format("{}: its margin is {}; it has to be a length of 0 or more", who(), margin));
+void require_length(double length, const char* name, const FunctionRef<std::string()>& who) {
+  if (!(length >= 0))
+    throw Error(fmt::format("{}: its {} is {}; it has to be a length of 0 or more", who(), name, length));
+}
+
+void require_lengths(const Body& body, const FunctionRef<std::string()>& who) {
+  require_length(body.margin, "margin", who);
+  require_length(body.max_acceleration, "max_acceleration", who);
+  require_length(body.max_speed, "max_speed", who);
 }
 
 void require_as_many(std::size_t ids, std::size_t others, const char* noun) {
@@ -102,14 +109,22 @@ const Aabb& World::State::box_on_the_way(Index index) const {
   return found == on_the_way_.end() ? boxes_[index] : found->second.box;
 }
 
+Aabb World::State::reached_box(Index index) const {
+  const double by = reach(index, slots_[index].margin);
+  const Aabb& box = box_on_the_way(index);
+  return by > 0 ? offset_outward(box, by) : box;
+}
+
 void World::State::place(std::span<const Index> indices) {
-  reached_boxes_.clear();
-  for (const Index index : indices) {
-    const double by = reach(index, slots_[index].margin);
-    const Aabb& box = box_on_the_way(index);
-    reached_boxes_.push_back(by > 0 ? offset_outward(box, by) : box);
+  if (schedule_ && schedule_->count_flying() > 0) {
+    not_flying_.clear();
+    std::copy_if(indices.begin(), indices.end(), std::back_inserter(not_flying_),
+                 [&](Index index) { return !schedule_->is_flying(index); });
+    indices = not_flying_;
   }
-  phase_.move(indices, reached_boxes_);
+  reached_boxes_.clear();
+  for (const Index index : indices) reached_boxes_.push_back(reached_box(index));
+  give_to_phase(indices);
 }
 
 void World::State::mark_changed(Index index) {
@@ -127,6 +142,7 @@ void World::State::put(Index index, Body&& body, const Aabb& box) {
   on_the_way_.erase(index);
   bodies_[index] = std::move(body);
   mark_changed(index);
+  if (schedule_) schedule_->put(index, bodies_[index]);
 }
 
 std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
@@ -134,7 +150,7 @@ std::vector<BodyId> World::State::add(std::span<const Body> bodies) {
     const auto who = [&] {
       return fmt::format("body {} of the {} to add{}", i, bodies.size(), name_in_brackets(bodies[i].name));
     };
-    require_length(bodies[i].margin, who);
+    require_lengths(bodies[i], who);
     return body_box(bodies[i], bodies[i].pose, who);
   });
   std::vector<Body> copies(bodies.begin(), bodies.end());
@@ -179,6 +195,7 @@ void World::State::remove(std::span<const BodyId> ids) {
     slots_[index].has_changed = has_changed;
     bodies_[index] = Body{Point{}};
     boxes_[index] = {};
+    if (schedule_) schedule_->put(index, bodies_[index]);
     on_the_way_.erase(index);
     mark_changed(index);
   }
@@ -228,6 +245,7 @@ void World::State::move_along(std::span<const BodyId> ids, std::span<const Rigid
   std::vector<Aabb> swept = new_boxes_;
   move(ids, ends);
   for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (schedule_) schedule_->land(indices[i]);
     on_the_way_.insert_or_assign(indices[i], BodyOnTheWay{motions[i], swept[i]});
     mark_changed(indices[i]);
   }
@@ -249,7 +267,7 @@ void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bo
   const std::vector<Index> indices = required(ids);
   make_boxes(ids.size(), options_.threads, new_boxes_, [&](std::size_t i) {
     const auto who = [&] { return name_of_id(ids[i]) + name_in_brackets(bodies[i].name); };
-    require_length(bodies[i].margin, who);
+    require_lengths(bodies[i], who);
     return body_box(bodies[i], bodies[i].pose, who);
   });
   std::vector<Body> copies(bodies.begin(), bodies.end());
@@ -271,6 +289,7 @@ void World::State::follow_rules(std::vector<Index>& indices) {
   for (const Index index : indices) {
     slots_[index].has_rules = rules_.has_any(index);
     slots_[index].rule_margin = rules_.largest_margin(index);
+    if (schedule_) schedule_->land(index);
   }
   place(indices);
 }
@@ -281,7 +300,7 @@ void World::State::set_rules(std::span<const PairRule> rules) {
     indices.push_back(require(rule.a));
     indices.push_back(require(rule.b));
     if (rule.a == rule.b) throw Error(fmt::format("a rule is given for {} with itself", name_of_body(rule.a.index)));
-    require_length(rule.margin.value_or(0),
+    require_length(rule.margin.value_or(0), "margin",
                    [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); });
   }
   for (const PairRule& rule : rules) apply(rule);

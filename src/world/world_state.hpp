@@ -8,6 +8,7 @@
 #include "world/bodies_on_the_way.hpp"
 #include "world/narrow_phase.hpp"
 #include "world/pair_rules.hpp"
+#include "world/space_time_schedule.hpp"
 
 namespace toccata {
 
@@ -17,7 +18,9 @@ class World::State {
       : options_(options),
         number_(number_of_new_world()),
         phase_({options.broad_phase, options.threads}),
-        narrow_(options) {}
+        narrow_(options) {
+    if (options.space_time) schedule_.emplace(options.threads);
+  }
 
   std::vector<BodyId> add(std::span<const Body> bodies);
   void remove(std::span<const BodyId> ids);
@@ -83,7 +86,21 @@ class World::State {
   [[nodiscard]] bool may_meet(const Slot& a, const Slot& b) const;
   /// How near the two have to be; none where they are not compared.
   [[nodiscard]] std::optional<double> margin_of(const IndexPair& pair) const;
-  [[nodiscard]] std::vector<DecidedPair> candidates(std::vector<UndecidedPair>& undecided);
+  /// Out of all pairs.
+  [[nodiscard]] std::span<const IndexPair> pairs_to_look_at();
+  /// Whose boxes overlap, as far as the pair's margin says.
+  [[nodiscard]] bool may_be_near(const IndexPair& pair, double margin) const;
+  [[nodiscard]] std::vector<DecidedPair> candidates(std::span<const IndexPair> looked,
+                                                    std::vector<UndecidedPair>& undecided);
+  /// With space_time, of a pair that was apart at the step before, or was not looked at: how far apart it has to be for
+  /// it not to be looked at for some steps.
+  void want_beyond(const IndexPair& pair, bool was_apart, UndecidedPair& wanted) const;
+  /// With space_time: when the pairs that were decided are looked at again.
+  void end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided);
+  [[nodiscard]] Aabb reached_box(Index index) const;
+  void let_fly();
+  /// Moves them to `reached_boxes_` there.
+  void give_to_phase(std::span<const Index> indices);
   [[nodiscard]] std::vector<PairReport> reports() const;
   void tell(std::vector<PairReport> now);
 
@@ -100,12 +117,15 @@ class World::State {
   std::vector<DecidedPair> decided_;  ///< by the last step, ascending
   std::vector<PairReport> pairs_;
   WorldStep last_;
+  std::optional<SpaceTimeSchedule> schedule_;  ///< with space_time
+  StepWork work_;                              ///< since the last step
   std::size_t count_ = 0;
   std::uint64_t revision_ = 0;
   // Memory to work in.
   std::vector<Aabb> new_boxes_;
   std::vector<Aabb> reached_boxes_;
   std::vector<std::uint8_t> differs_;
+  std::vector<Index> not_flying_;
 };
 
 }  // namespace toccata

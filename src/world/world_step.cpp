@@ -33,20 +33,32 @@ std::optional<double> World::State::margin_of(const IndexPair& pair) const {
   return margin;
 }
 
+/// Other pairs of the two may have larger margins than this one.
+bool World::State::may_be_near(const IndexPair& pair, double margin) const {
+  const Aabb &a = box_on_the_way(pair.first), &b = box_on_the_way(pair.second);
+  return overlap(a, b) || (margin != 0 && overlap(offset_outward(a, margin), b));
+}
+
 /// The pairs to be decided, of which what is known already is filled in.
-std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& undecided) {
+std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> looked,
+                                                  std::vector<UndecidedPair>& undecided) {
   std::vector<DecidedPair> found;
   auto known = decided_.begin();
-  for (const IndexPair& pair : phase_.pairs()) {
+  for (const IndexPair& pair : looked) {
     const std::optional<double> margin = margin_of(pair);
     if (!margin) continue;
-    // Other pairs of the two may have larger margins.
-    const Aabb &a = box_on_the_way(pair.first), &b = box_on_the_way(pair.second);
-    if (!overlap(a, b) && (*margin == 0 || !overlap(offset_outward(a, *margin), b))) continue;
+    if (!may_be_near(pair, *margin)) {
+      if (schedule_ && schedule_->are_flying(pair))
+        schedule_->look_when_near(pair, reached_box(pair.first), reached_box(pair.second));
+      continue;
+    }
     while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
-    const bool is_known = known != decided_.end() && known->pair == pair && !slots_[pair.first].has_changed &&
-                          !slots_[pair.second].has_changed;
-    if (!is_known) undecided.push_back({found.size(), *margin});
+    const bool was_looked_at = known != decided_.end() && known->pair == pair;
+    const bool is_known = was_looked_at && !slots_[pair.first].has_changed && !slots_[pair.second].has_changed;
+    if (!is_known) {
+      undecided.push_back({found.size(), *margin});
+      if (schedule_ && !(was_looked_at && is_told(known->nearness))) want_beyond(pair, was_looked_at, undecided.back());
+    }
     found.push_back(is_known ? *known : DecidedPair{pair});
   }
   return found;
@@ -55,7 +67,7 @@ std::vector<DecidedPair> World::State::candidates(std::vector<UndecidedPair>& un
 std::vector<PairReport> World::State::reports() const {
   std::vector<PairReport> now;
   for (const DecidedPair& decided : decided_)
-    if (decided.nearness != BodyNearness::apart)
+    if (is_told(decided.nearness))
       now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == BodyNearness::contact,
                      decided.details});
   return now;
@@ -77,16 +89,17 @@ void World::State::tell(std::vector<PairReport> now) {
 }
 
 const WorldStep& World::State::step() {
-  phase_.update();
+  const std::span<const IndexPair> looked = pairs_to_look_at();
   std::vector<UndecidedPair> undecided;
-  std::vector<DecidedPair> found = candidates(undecided);
+  std::vector<DecidedPair> found = candidates(looked, undecided);
   narrow_.decide(bodies_, on_the_way_, undecided, found);
   decided_ = std::move(found);
+  last_.candidates = decided_.size();
+  last_.asked = undecided.size();
+  if (schedule_) end_scheduled_step(looked.size(), undecided);
   for (const Index index : changed_) slots_[index].has_changed = false;
   changed_.clear();
   arrive();
-  last_.candidates = decided_.size();
-  last_.asked = undecided.size();
   tell(reports());
   return last_;
 }

@@ -6,6 +6,7 @@
 #include "broad/own_bounds.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/broad/space_time.hpp"
 
 namespace toccata {
 namespace {
@@ -42,6 +43,47 @@ TEST(ProofConstants, AxesThatAreNotOfLengthOneAreRefused) {
   const auto box_along = [](double x) { return Obb{{}, {{Vec3{x, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {1, 1, 1}}; };
   EXPECT_NE(complaint_about(box_along(1 + 0x1p-45)), "");
   EXPECT_EQ(complaint_about(box_along(1 + 0x1p-47)), "");
+}
+
+Aabb interval(double lower, double upper) { return {{lower, 0, 0}, {upper, 1, 1}}; }
+
+// The distance is a fiftieth of a last place more than both errors; it is rounded up, and their sum down, to a whole
+// one. The gap closes by a last place in a unit of time, so that the two may meet at a fiftieth of it.
+TEST(ProofConstants, BoxesThatAreHardlyFartherApartThanTheirErrorsMayMeetSoon) {
+  const double unit = 0x1p-52;
+  const SpaceTimeBox a{interval(-1, -0.51 * unit), {.velocity = {unit, 0, 0}, .position_error = 1}};
+  const SpaceTimeBox b{interval(1, 2), {.position_error = 0.49 * unit}};
+  EXPECT_LE(earliest_meeting(a, b), 0.1);
+}
+
+// The velocities part the two by 1 and half a last place, rounded up, in a unit of time; their errors bring them
+// together by 1 and one and a half, rounded down.
+TEST(ProofConstants, BoxesThatPartHardlySlowerThanTheirErrorsMayMeet) {
+  const double unit = 0x1p-52;
+  const SpaceTimeBox a{interval(-1, 0), {.velocity = {-0.51 * unit, 0, 0}, .velocity_error = 1 + unit}};
+  const SpaceTimeBox b{interval(1, 2), {.velocity = {1, 0, 0}, .velocity_error = 0.49 * unit}};
+  EXPECT_LT(earliest_meeting(a, b), 0x1p60);
+}
+
+// A quarter of a last place of 1 is lost when it is added to 1.
+TEST(ProofConstants, TheErrorOfAMotionIsRoundedUp) {
+  EXPECT_GE(exact(greatest_error({.position_error = 1, .velocity_error = 0x1p-54}, 1)), exact(1) + exact(0x1p-54));
+  EXPECT_GE(exact(seen_later({.velocity_error = 1, .max_acceleration = 0x1p-54}, 1).velocity_error),
+            exact(1) + exact(0x1p-54));
+}
+
+// Three times this velocity is 1 + 2^-53, which rounds to 1, and nothing is left of the place where the box begins.
+TEST(ProofConstants, ABoxAroundAHornHoldsAWayThatIsRounded) {
+  const double third = 0x1.5555555555556p-2;
+  ASSERT_EQ(3 * third, 1);
+  const Aabb box = box_until({interval(1, 2), {.velocity = {-third, 0, 0}}}, 3);
+  EXPECT_LE(exact(box.lower.x), exact(1) - exact(3) * exact(third));
+}
+
+// The way is half a last place of the place itself, which it does not change when it is added.
+TEST(ProofConstants, ABoxAroundAHornHoldsAPlaceThatIsRounded) {
+  const Aabb box = box_until({interval(1, 2), {.velocity = {0x1p-54, 0, 0}}}, 1);
+  EXPECT_GE(exact(box.upper.x), exact(2) + exact(0x1p-54));
 }
 
 }  // namespace

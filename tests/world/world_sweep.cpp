@@ -48,11 +48,13 @@ bool same(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
                     [](const PairReport& one, const PairReport& other) { return same(one, other); });
 }
 
-bool same(const WorldStep& a, const WorldStep& b) {
-  return same(a.begin, b.begin) && same(a.persist, b.persist) && same(a.end, b.end) && a.candidates == b.candidates;
+/// With space_time (b) there may be fewer candidates.
+bool same(const WorldStep& a, const WorldStep& b, bool space_time) {
+  return same(a.begin, b.begin) && same(a.persist, b.persist) && same(a.end, b.end) &&
+         (space_time ? a.candidates >= b.candidates : a.candidates == b.candidates);
 }
 
-WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads) {
+WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads, bool space_time) {
   WorldOptions options;
   options.relation = (seed & 1) != 0;
   options.distance = (seed & 2) != 0;
@@ -62,19 +64,33 @@ WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads
   options.kinematic_pairs = (seed & 16) == 0;
   options.broad_phase = method;
   options.threads = threads;
+  options.space_time = space_time;
   return options;
+}
+
+/// Of every three lives two: in one of these most bodies glide on, in the other they do what they please.
+bool is_space_time(std::uint64_t seed) { return seed % 3 != 0; }
+bool is_gliding(std::uint64_t seed) { return seed % 3 == 1; }
+
+Body random_living_body(std::string_view family, Random& random) {
+  Body body = random_body(family, random);
+  // Mostly lies.
+  if (random.below(3) == 0) body.max_acceleration = random.between(0, 0.01);
+  if (random.below(4) == 0) body.max_speed = random.between(0, 0.1);
+  return body;
 }
 
 /// A World whose bodies live: some move a little, some teleport, some come and go, rules and margins change. What it
 /// should tell is kept in the plainest way: all pairs are asked about, one by one. A second World by another method, on
-/// two threads, has to tell the same; now and then it is made anew from the first.
+/// two threads and with space_time, has to tell the same; now and then it is made anew from the first.
 class WorldLife {
  public:
   WorldLife(std::string_view family, std::uint64_t seed)
       : family_(family),
-        world_(options_of(seed, BroadPhaseMethod::automatic, 1)),
-        other_(options_of(seed, seed % 2 == 0 ? BroadPhaseMethod::dynamic_tree : BroadPhaseMethod::sort_and_sweep, 2)) {
-  }
+        is_gliding_(is_gliding(seed)),
+        world_(options_of(seed, BroadPhaseMethod::automatic, 1, false)),
+        other_(options_of(seed, seed % 2 == 0 ? BroadPhaseMethod::dynamic_tree : BroadPhaseMethod::sort_and_sweep, 2,
+                          is_space_time(seed))) {}
 
   /// Says what is wrong; empty when nothing is.
   std::string live(int frame, Random& random) {
@@ -82,9 +98,10 @@ class WorldLife {
     if (frame % 12 == 7) remove(some(random, 0.9));
     std::string wrong;
     if (frame % 3 == 0) wrong = add(frame == 0 ? 30 : random.below(8), random);
-    move(some(random, frame % 3 == 1 ? 1 : 0.2), frame % 5 == 0, random);
+    if (is_gliding_) glide();
+    move(some(random, is_gliding_ ? 0.05 : frame % 3 == 1 ? 1 : 0.2), frame % 5 == 0, random);
     replace(some(random, 0.05), random);
-    for (int i = 0; i < 4; ++i) set_rule(random);
+    for (int i = 0; i < (is_gliding_ ? 1 : 4); ++i) set_rule(random);
     if (frame % 6 == 5) restore();
     return wrong.empty() ? step() : wrong;
   }
@@ -92,7 +109,7 @@ class WorldLife {
  private:
   std::string add(std::size_t count, Random& random) {
     std::vector<Body> bodies;
-    while (bodies.size() < count) bodies.push_back(random_body(family_, random));
+    while (bodies.size() < count) bodies.push_back(random_living_body(family_, random));
     const std::vector<BodyId> ids = world_.add(bodies);
     const std::vector<BodyId> others = other_.add(bodies);
     if (!std::equal(ids.begin(), ids.end(), others.begin(), others.end(), same_body))
@@ -134,9 +151,26 @@ class WorldLife {
     other_.move(in_other(ids), poses);
   }
 
+  /// Each goes on in its own way, or rests, and turns.
+  void glide() {
+    std::vector<BodyId> ids;
+    std::vector<Pose> poses;
+    for (auto& [id, body] : bodies_) {
+      Random own(id.index);
+      if (own.below(4) == 0) continue;
+      const Vec3 way = vector_in(own, -0.02, 0.02);
+      const Mat3 turn = family_ == "whole" ? Mat3{} : rotation_about(vector_in(own, -1, 1), own.between(0, 2));
+      body.pose = {turn * body.pose.linear, body.pose.offset + way};
+      ids.push_back(id);
+      poses.push_back(body.pose);
+    }
+    world_.move(ids, poses);
+    other_.move(in_other(ids), poses);
+  }
+
   void replace(const std::vector<BodyId>& ids, Random& random) {
     std::vector<Body> bodies;
-    for (const BodyId id : ids) bodies.push_back(bodies_.at(id) = random_body(family_, random));
+    for (const BodyId id : ids) bodies.push_back(bodies_.at(id) = random_living_body(family_, random));
     world_.replace(ids, bodies);
     other_.replace(in_other(ids), bodies);
   }
@@ -253,7 +287,8 @@ class WorldLife {
     const Truth now = truth();
     const WorldStep& found = world_.step();
     std::string wrong = wrong_in(found, pairs_, now);
-    if (wrong.empty() && !same(found, other_.step())) wrong = "the other World tells something else";
+    if (wrong.empty() && !same(found, other_.step(), other_.options().space_time))
+      wrong = "the other World tells something else";
     for (const PairReport& report : world_.pairs())
       if (wrong.empty()) wrong = wrong_details(report);
     pairs_ = now;
@@ -261,6 +296,7 @@ class WorldLife {
   }
 
   std::string_view family_;
+  bool is_gliding_;
   World world_;
   World other_;
   std::uint32_t number_of_other_ = 0;  ///< in the ids that it gives out

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "toccata/core/index.hpp"
@@ -52,6 +53,12 @@ struct Body {
   /// In world units, 0 or more, also +∞: two bodies are a pair when their exact distance is at most the sum of their
   /// margins (as rounded to nearest), or what a PairRule says. 0 and 0: when they have a point in common.
   double margin = 0;
+  /// What its owner expects of its motion, for WorldOptions::space_time: by how much at most the way of one of its
+  /// points in a step differs from that in the step before, and how far at most a point moves in a step. In world
+  /// units, 0 or more; +∞: not known. They save time where they are kept and cost time where not; no answer depends on
+  /// them.
+  double max_acceleration = std::numeric_limits<double>::infinity();
+  double max_speed = std::numeric_limits<double>::infinity();
   std::uint64_t user_data = 0;  ///< for the owner; the World does not look at it
   std::string name{};           ///< for messages
 };

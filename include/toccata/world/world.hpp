@@ -32,6 +32,12 @@ struct WorldOptions {
   bool penetration = false;  ///< of two solids in contact, where it is defined
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
+  /// Pairs that cannot meet for some steps are not looked at in these
+  /// (docs/methods/space-partitions.md#bounds-in-space-and-time): from how bodies moved last, and what they promise
+  /// (Body::max_acceleration, max_speed), follows the first step at which two can meet. Whoever moves otherwise is
+  /// looked at anew, so pairs and events are the same bits; and where it does not pay, steps go the plain way. Only
+  /// `candidates` and `asked` are fewer.
+  bool space_time = false;
   BroadPhaseMethod broad_phase = BroadPhaseMethod::automatic;
   int threads = own_thread;
 };
@@ -63,7 +69,8 @@ struct WorldStep {
   std::vector<PairReport> persist;  ///< there at both; told as it is now
   std::vector<PairReport> end;      ///< there at the step before only; told as it was then. Bodies removed since are
                                     ///< named by the ids that they had
-  std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out
+  std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out; with
+                                    ///< `space_time` none that was known to be apart until later
   std::size_t asked = 0;            ///< of them, those that could not be taken over from the step before
 };
 
