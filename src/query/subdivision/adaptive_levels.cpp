@@ -57,7 +57,7 @@ std::vector<FaceBound> bounds_of_whole(const LevelMesh& mesh) {
   return bounds;
 }
 
-std::size_t count_of(const std::vector<char>& marks) {
+std::size_t marked_count(const std::vector<char>& marks) {
   return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
 }
 
@@ -74,15 +74,15 @@ AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOpti
     levels.bounds.push_back(bounds_of_whole(mesh));
     std::vector<char> chosen =
         Selection(mesh, levels.bounds.back(), options.tolerance).chosen(mesh.level < options.levels);
-    const std::size_t count = count_of(chosen);
-    const std::size_t later = leaves + count_of(mesh.whole) + 3 * count;
+    const std::size_t count = marked_count(chosen);
+    const std::size_t later = leaves + marked_count(mesh.whole) + 3 * count;
     const bool is_too_much = later > options.max_triangles / triangles_of_face || mesh.level >= deepest_useful_level;
     if (count == 0 || is_too_much) {
       levels.are_complete = count == 0;
       levels.refined.emplace_back(mesh.face_count(), 0);
       return levels;
     }
-    leaves += count_of(mesh.whole) - count;
+    leaves += marked_count(mesh.whole) - count;
     levels.refined.push_back(std::move(chosen));
     levels.meshes.push_back(subdivided(mesh, levels.refined.back()));
   }

@@ -8,7 +8,7 @@
 namespace toccata {
 namespace {
 
-constexpr std::size_t across = 0, twist = 1, along = 2;
+constexpr std::size_t by_edges = 0, by_faces = 1, by_creases = 2;
 
 DifferenceGrowth loop_smooth(double n, double weight, bool is_dart) {
   // An edge of a dart may be sharp, and then its share of an eighth is missing.
@@ -18,8 +18,8 @@ DifferenceGrowth loop_smooth(double n, double weight, bool is_dart) {
   const double inner_edge = 2 * beside + (n - 2) * weight + 0.125;
   DifferenceGrowth growth;
   growth.shift = {n * weight, 0, 0};
-  growth.rows[across] = {std::max(half_edge, inner_edge), 0, 0};
-  if (is_dart) growth.rows[along] = {2 * n * weight, 0, 0.25};
+  growth.rows[by_edges] = {std::max(half_edge, inner_edge), 0, 0};
+  if (is_dart) growth.rows[by_creases] = {2 * n * weight, 0, 0.25};
   return growth;
 }
 
@@ -40,7 +40,7 @@ DifferenceGrowth loop_growth(const VertexKind& kind) {
   return growth;
 }
 
-/// Opposite edges of a smooth vertex of four have the same difference across, so shares of both add up before they are
+/// Opposite edges of a smooth vertex of four have the same difference by_edges, so shares of both add up before they are
 /// bounded.
 DifferenceGrowth catmull_clark_of_four(bool is_dart) {
   DifferenceGrowth growth;
@@ -58,11 +58,11 @@ DifferenceGrowth catmull_clark_smooth(double n, bool is_dart) {
   const double of_face = 2 * beside(0.0625, q) + (n - 2) * q + 0.125;
   DifferenceGrowth growth;
   growth.shift = {1 / n, 0.25 / n, 0};
-  growth.rows[across] = {std::max(at_vertex, at_edge), 0.5 / n, 0};
-  growth.rows[twist] = {of_face, 0.25 + 0.25 / n, 0};
+  growth.rows[by_edges] = {std::max(at_vertex, at_edge), 0.5 / n, 0};
+  growth.rows[by_faces] = {of_face, 0.25 + 0.25 / n, 0};
   if (is_dart) {
-    growth.rows[across][across] = std::max(growth.rows[across][across], 2 / n);
-    growth.rows[along] = {2 / n, 0.5 / n, 0.25};
+    growth.rows[by_edges][by_edges] = std::max(growth.rows[by_edges][by_edges], 2 / n);
+    growth.rows[by_creases] = {2 / n, 0.5 / n, 0.25};
   }
   return growth;
 }
@@ -120,7 +120,7 @@ DifferenceGrowth growth_at_new_vertices(SubdivisionScheme scheme, bool has_creas
   DifferenceGrowth growth = growth_at(scheme, {.rule = VertexRule::smooth, .valence = regular});
   if (has_creases)
     growth.include(growth_at(scheme, {.rule = VertexRule::crease, .valence = regular, .is_even = true}));
-  growth.shift[across] = std::max(growth.shift[across], 0.125);  // points of edges
+  growth.shift[by_edges] = std::max(growth.shift[by_edges], 0.125);  // points of edges
   return growth;
 }
 
