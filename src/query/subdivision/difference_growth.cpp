@@ -40,7 +40,7 @@ DifferenceGrowth loop_growth(const VertexKind& kind) {
   return growth;
 }
 
-/// Opposite edges of a smooth vertex of four have the same difference by_edges, so shares of both add up before they are
+/// Opposite edges of a smooth vertex of four have the same difference across, so shares of both add up before they are
 /// bounded.
 DifferenceGrowth catmull_clark_of_four(bool is_dart) {
   DifferenceGrowth growth;
