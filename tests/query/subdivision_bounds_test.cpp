@@ -1,7 +1,9 @@
 // The rules of refinement against rationals, and the bounds against what levels that follow do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "oracle/subdivision.hpp"
 #include "query/subdivision/limit_bound.hpp"
