@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "math/constants.hpp"
-#include "query/semantics.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/signed_distance.hpp"
 
@@ -29,7 +28,7 @@ LimitSearch::LimitSearch(const SubdivisionCage& cage, const Model& model, const 
     : model_(model), query_(query), goal_(goal), mesh_(first_level(cage)) {
   query_.pair.pose_a = {};
   query_.pair.solid_a = Solid::automatic;
-  is_solid_ = taken_as_solid(model, query.pair.pose_b, query.pair.solid_b, "the model");
+  is_solid_ = taken_as_solid(model, query.pair.solid_b);
 }
 
 LimitFinding LimitSearch::found() {
