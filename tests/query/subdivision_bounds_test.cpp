@@ -16,8 +16,7 @@ oracle::RationalCage exact_cage(const LevelMesh& mesh) {
   oracle::RationalCage cage;
   cage.is_loop = mesh.scheme == SubdivisionScheme::loop;
   for (const Vec3& p : mesh.points) cage.points.push_back(oracle::exact(p));
-  for (Index f = 0; f < mesh.face_count(); ++f)
-    cage.faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+  for (Index f = 0; f < mesh.face_count(); ++f) cage.faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
   for (const LevelEdge& edge : mesh.edges)
     if (edge.sharpness > 0)
       cage.creases[std::minmax(edge.ends[0], edge.ends[1])] = oracle::exact(std::min(edge.sharpness, sharp_for_ever));
@@ -150,6 +149,18 @@ TEST(LimitBounds, FallByAQuarterEachLevelWhereAllIsRegularAndElseByHalf) {
   EXPECT_LT(fall({torus_cage(5, 4, false), SubdivisionScheme::catmull_clark}), 0.3);
   EXPECT_LT(fall({cube_cage(), SubdivisionScheme::catmull_clark}), 0.75);
   EXPECT_LT(fall({bipyramid_cage(5), SubdivisionScheme::loop}), 0.75);
+}
+
+// All sums of two coordinates round to 2, so all differences to 0; a pole moves by Loop's sixteenth of 2⁻⁵².
+TEST(LimitBounds, CountWhatRoundingHidesOfDifferences) {
+  PolygonMesh points = bipyramid_cage(6);
+  for (Vec3& v : points.vertices) v = {1, 0, 0};
+  points.vertices[2].x = 1 + 0x1p-52;
+  const LevelMesh mesh = first_level({points, SubdivisionScheme::loop});
+  const oracle::RationalCage exact = oracle::refined(exact_cage(mesh));
+  EXPECT_EQ(exact.points[0].x, oracle::exact(1) + oracle::exact(0x1p-56));
+  LimitBounds bounds(mesh);
+  for (Index f = 0; f < mesh.face_count(); ++f) EXPECT_GE(bounds.of(f).to_limit, 0x1p-56);
 }
 
 TEST(DifferenceGrowth, ShrinksAtEveryValence) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "toccata/core/random.hpp"
@@ -21,8 +24,9 @@ inline PolygonMesh polygons_of(std::vector<Vec3> vertices, const std::vector<std
 }
 
 inline PolygonMesh cube_cage() {
-  return polygons_of({{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
-                     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+  return polygons_of(
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
 /// Two poles with `valence` triangles each.
@@ -91,11 +95,14 @@ inline CageFeatures random_features(const PolygonMesh& mesh, bool for_ever, Rand
     constexpr std::array<double, 4> some{0.375, 1, 2.25, 3};
     return for_ever ? std::numeric_limits<double>::infinity() : some[random.below(4)];
   };
+  std::set<std::pair<Index, Index>> seen;
   CageFeatures features{.border = random.below(2) == 0 ? CageBorder::smooth : CageBorder::sharp_corner};
   for (std::size_t f = 0; f + 1 < mesh.first.size(); ++f)
     for (Index i = mesh.first[f]; i < mesh.first[f + 1]; ++i) {
       const Index next = i + 1 == mesh.first[f + 1] ? mesh.first[f] : i + 1;
-      if (random.below(5) == 0) features.creases.push_back({mesh.corners[i], mesh.corners[next], sharpness()});
+      const bool is_seen = !seen.insert(std::minmax(mesh.corners[i], mesh.corners[next])).second;
+      if (!is_seen && random.below(5) == 0)
+        features.creases.push_back({mesh.corners[i], mesh.corners[next], sharpness()});
     }
   for (Index v = 0; v < mesh.vertices.size(); ++v)
     if (random.below(12) == 0) features.corners.push_back({v, sharpness()});

@@ -108,8 +108,7 @@ TEST(Refine, OfRegularQuadranglesIsAsNearAsTheSplineAllows) {
     const auto i = static_cast<Index>(random.below(around)), j = static_cast<Index>(random.below(across));
     Vec3 p{};
     for (Index k = 0; k < 4; ++k)
-      for (Index l = 0; l < 4; ++l)
-        p += bu[k] * bv[l] * torus.vertices[((i + k) % around) * across + (j + l) % across];
+      for (Index l = 0; l < 4; ++l) p += bu[k] * bv[l] * torus.vertices[((i + k) % around) * across + (j + l) % across];
     const double off = nearest_point(p, mesh).lower;
     EXPECT_LE(off, refined.distance_to_limit);
     farthest = std::max(farthest, off);

@@ -22,9 +22,9 @@ enum class SubdivisionScheme : std::uint8_t {
                   ///< arbitrary topological meshes", 1978)
 };
 
-/// An edge of the cage that is to stay sharp: for ever where the sharpness is `sharp_for_ever` or more, else for as many
-/// levels, and blended in the last where it is no whole number (T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in
-/// character animation", 1998; uniform, as OpenSubdiv has it).
+/// An edge of the cage that is to stay sharp: for ever where the sharpness is `sharp_for_ever` or more, else for as
+/// many levels, and blended in the last where it is no whole number (T. DeRose, M. Kass, T. Truong, "Subdivision
+/// surfaces in character animation", 1998; uniform, as OpenSubdiv has it). Of several for one edge the sharpest counts.
 struct CageCrease {
   Index first = 0;
   Index second = 0;
@@ -135,7 +135,8 @@ struct LimitDistance {
 
 /// Only where the surface may be nearest it is refined, until the interval is no wider than the tolerance. What lies
 /// within a closed cage that is taken as a solid, or the surface within a solid, is at distance 0. Throws Error as
-/// `overlap` of models does, when the tolerance is not positive, and when a cage is asked about as a solid that is open.
+/// `overlap` of models does, when the tolerance is not positive, and when a cage is asked about as a solid that is
+/// open.
 [[nodiscard]] LimitDistance distance(const SubdivisionCage& surface, const Model& model, const LimitQuery& query = {});
 
 /// Whether a limit surface and a model have a point in common.

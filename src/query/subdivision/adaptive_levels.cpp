@@ -13,7 +13,11 @@ constexpr int deepest_useful_level = 60;
 class Selection {
  public:
   Selection(const LevelMesh& mesh, const std::vector<FaceBound>& bounds, double tolerance)
-      : mesh_(mesh), bounds_(bounds), tolerance_(tolerance), chosen_(mesh.face_count(), 0), moved_(mesh.points.size()) {}
+      : mesh_(mesh),
+        bounds_(bounds),
+        tolerance_(tolerance),
+        chosen_(mesh.face_count(), 0),
+        moved_(mesh.points.size()) {}
 
   std::vector<char> chosen(bool take_all) {
     for (Index f = 0; f < mesh_.face_count(); ++f)

@@ -100,7 +100,8 @@ void check_cage_vertex(const LevelMesh& mesh, Index vertex) {
 }
 
 void check_sharpness(double sharpness, const std::string& what) {
-  if (!(sharpness >= 0)) throw Error("the sharpness of " + what + " of the cage must be at least 0; infinite is sharp for ever");
+  if (!(sharpness >= 0))
+    throw Error("the sharpness of " + what + " of the cage must be at least 0; infinite is sharp for ever");
 }
 
 void check_features(const LevelMesh& mesh, const CageFeatures& features) {

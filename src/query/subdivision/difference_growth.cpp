@@ -52,7 +52,9 @@ DifferenceGrowth catmull_clark_of_four(bool is_dart) {
 
 DifferenceGrowth catmull_clark_smooth(double n, bool is_dart) {
   const double q = 1 / (n * n);
-  const auto beside = [&](double share, double of) { return is_dart ? std::max(of, std::fabs(share - of)) : std::fabs(share - of); };
+  const auto beside = [&](double share, double of) {
+    return is_dart ? std::max(of, std::fabs(share - of)) : std::fabs(share - of);
+  };
   const double at_vertex = std::fabs(0.5 - 2 * q) + 2 * beside(0.0625, 2 * q) + (n - 3) * 2 * q + 0.125;
   const double at_edge = 2 * (std::fabs(q - 0.125) + (n - 1) * q);
   const double of_face = 2 * beside(0.0625, q) + (n - 2) * q + 0.125;
@@ -118,8 +120,7 @@ DifferenceGrowth growth_at(SubdivisionScheme scheme, const VertexKind& kind) {
 DifferenceGrowth growth_at_new_vertices(SubdivisionScheme scheme, bool has_creases) {
   const Index regular = scheme == SubdivisionScheme::loop ? 6 : 4;
   DifferenceGrowth growth = growth_at(scheme, {.rule = VertexRule::smooth, .valence = regular});
-  if (has_creases)
-    growth.include(growth_at(scheme, {.rule = VertexRule::crease, .valence = regular, .is_even = true}));
+  if (has_creases) growth.include(growth_at(scheme, {.rule = VertexRule::crease, .valence = regular, .is_even = true}));
   growth.shift[by_edges] = std::max(growth.shift[by_edges], 0.125);  // points of edges
   return growth;
 }

@@ -92,8 +92,7 @@ void LevelTriangles::add_leaf(std::size_t level, Index face) {
   const double distance = up_by_distances * (bound.to_limit + bound.from_triangles + moved + slack);
   if (border_.size() > mesh.corner_count(face)) return add_fan(level, face, distance);
   if (border_.size() == 4) return add_quadrangle(mesh.cage_face[face], distance);
-  triangles_.push_back(
-      {{border_[0].point, border_[1].point, border_[2].point}, mesh.cage_face[face], distance});
+  triangles_.push_back({{border_[0].point, border_[1].point, border_[2].point}, mesh.cage_face[face], distance});
 }
 
 }  // namespace toccata

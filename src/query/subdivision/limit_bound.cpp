@@ -22,7 +22,8 @@ double difference_slack(const LevelMesh& mesh) {
 bool will_end(double sharpness) { return sharpness > 0 && !is_for_ever(sharpness); }
 
 Index sharp_count(const Spokes& spokes) {
-  return static_cast<Index>(std::count_if(spokes.sharpness.begin(), spokes.sharpness.end(), [](double s) { return s > 0; }));
+  return static_cast<Index>(
+      std::count_if(spokes.sharpness.begin(), spokes.sharpness.end(), [](double s) { return s > 0; }));
 }
 
 /// The neighbour of the vertex in a face other than that along the side, which begins or ends at it.
@@ -57,7 +58,8 @@ double face_twist(const LevelMesh& mesh, Index face) {
 
 double LimitBounds::across(Index vertex, const LevelEdge& edge) const {
   const auto beside = [&](std::size_t i) { return mesh_.points[neighbour_beside(mesh_, vertex, edge.sides[i])]; };
-  if (mesh_.scheme == SubdivisionScheme::catmull_clark) return length((beside(0) + beside(1)) - 2 * mesh_.points[vertex]);
+  if (mesh_.scheme == SubdivisionScheme::catmull_clark)
+    return length((beside(0) + beside(1)) - 2 * mesh_.points[vertex]);
   return length((beside(0) + beside(1)) - (mesh_.points[edge.ends[0]] + mesh_.points[edge.ends[1]]));
 }
 

@@ -123,8 +123,6 @@ class LevelBuilder {
 
 }  // namespace
 
-LevelMesh subdivided(LevelMesh& parent, std::span<const char> refined) {
-  return LevelBuilder(parent, refined).built();
-}
+LevelMesh subdivided(LevelMesh& parent, std::span<const char> refined) { return LevelBuilder(parent, refined).built(); }
 
 }  // namespace toccata

@@ -33,7 +33,8 @@ struct WorldQuestion {
 /// It is connected and reaches out of the box of the cage, so it lies not within.
 bool reaches_out(const WorldQuestion& world) {
   const Model& model = world.model;
-  const bool is_connected = model.parts().empty() && (!model.has_mesh() || model.mesh_parts().first_triangle.size() == 1);
+  const bool is_connected =
+      model.parts().empty() && (!model.has_mesh() || model.mesh_parts().first_triangle.size() == 1);
   if (!is_connected) return false;
   Aabb box;
   double largest = 0;
