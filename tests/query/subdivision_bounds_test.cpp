@@ -124,6 +124,52 @@ TEST(LimitBounds, HoldWhatLaterLevelsMove) {
     }
 }
 
+/// The greatest of what grew in a level over what the growth of the face allows, and likewise of points that moved.
+std::array<double, 2> expect_growth_holds(LevelMesh mesh) {
+  const LevelMesh finer = subdivided(mesh, std::vector<char>(mesh.face_count(), 1));
+  LimitBounds before(mesh), after(finer);
+  const auto product = [](const SecondDifferences& a, const SecondDifferences& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  std::array<double, 2> most{};
+  Descent descent(mesh);
+  descent.descend();
+  const std::vector<double> moved = descent.moved(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto around = before.differences_around(f);
+    if (!around.is_settled) continue;
+    most[1] = std::max(most[1], moved[f] / product(around.growth.shift, around.differences));
+    for (Index child = 4 * f; child < 4 * f + 4; ++child) {
+      const SecondDifferences grown = after.differences_around(child).differences;
+      for (std::size_t i = 0; i < 3; ++i)
+        most[0] = std::max(most[0], (grown[i] - 1e-12) / (product(around.growth.rows[i], around.differences) + 1e-300));
+    }
+  }
+  EXPECT_LE(most[0], 1 + 1e-9);
+  EXPECT_LE(most[1], 1 + 1e-9);
+  return most;
+}
+
+/// Coordinates of −1, 0 and 1 at random come near the signs that grow most.
+TEST(LimitBounds, DifferencesGrowByNoMoreThanTheMatrix) {
+  Random random(8);
+  std::array<double, 2> most{};
+  for (int round = 0; round < 4; ++round)
+    for (const CageCase& c : cage_cases(random)) {
+      PolygonMesh signs = c.polygons;
+      for (Vec3& v : signs.vertices) v = {double(random.below(3)) - 1, 0, 0};
+      const CageFeatures features = round % 2 == 0 ? CageFeatures{} : random_features(signs, true, random);
+      LevelMesh mesh = first_level({signs, c.scheme, features});
+      for (Vec3& v : mesh.points) v = {double(random.below(3)) - 1, 0, 0};
+      const std::array<double, 2> found = expect_growth_holds(mesh);
+      const LevelMesh finer = subdivided(mesh, std::vector<char>(mesh.face_count(), 1));
+      expect_growth_holds(finer);
+      most = {std::max(most[0], found[0]), std::max(most[1], found[1])};
+    }
+  EXPECT_GT(most[0], 0.5);
+  EXPECT_GT(most[1], 0.5);
+}
+
 TEST(LimitBounds, OfRegularFacesAreTwoToTenTimesWhatIsMoved) {
   for (const SubdivisionScheme scheme : {SubdivisionScheme::loop, SubdivisionScheme::catmull_clark}) {
     const SubdivisionCage torus(torus_cage(8, 6, scheme == SubdivisionScheme::loop), scheme);

@@ -114,25 +114,27 @@ double LimitBounds::by_hull(Index face) const {
   return farthest + difference_slack(mesh_);
 }
 
-FaceBound LimitBounds::of(Index face) {
-  bool is_settled = true, is_regular = true, has_creases = false;
-  SecondDifferences differences{};
+LimitBounds::FaceDifferences LimitBounds::differences_around(Index face) {
+  FaceDifferences all;
+  bool has_creases = false;
   for (const Index corner : mesh_.face(face)) {
     const Surroundings& found = around(corner);
-    is_settled = is_settled && found.is_settled;
-    is_regular = is_regular && found.is_regular;
+    all.is_settled = all.is_settled && found.is_settled;
+    all.is_regular = all.is_regular && found.is_regular;
     has_creases = has_creases || found.has_creases;
-    for (std::size_t i = 0; i < 3; ++i) differences[i] = std::max(differences[i], found.differences[i]);
+    for (std::size_t i = 0; i < 3; ++i) all.differences[i] = std::max(all.differences[i], found.differences[i]);
+    all.growth.include(found.growth);
   }
-  for (double& difference : differences) difference += difference_slack(mesh_);
+  for (double& difference : all.differences) difference += difference_slack(mesh_);
+  all.growth.include(growth_at_new_vertices(mesh_.scheme, has_creases));
+  return all;
+}
 
+FaceBound LimitBounds::of(Index face) {
+  const FaceDifferences found = differences_around(face);
   FaceBound bound{.to_limit = infinity};
-  if (is_settled) {
-    DifferenceGrowth growth = growth_at_new_vertices(mesh_.scheme, has_creases);
-    for (const Index corner : mesh_.face(face)) growth.include(around(corner).growth);
-    bound.to_limit = moved_by_all_levels(growth, differences);
-  }
-  if (!is_regular) bound.to_limit = std::min(bound.to_limit, by_hull(face));
+  if (found.is_settled) bound.to_limit = moved_by_all_levels(found.growth, found.differences);
+  if (!found.is_regular) bound.to_limit = std::min(bound.to_limit, by_hull(face));
   // A vector is less than twice as long as its largest coordinate.
   bound.to_limit = bound.to_limit * up_by_lengths + 2 * mesh_.rounding;
   if (mesh_.scheme == SubdivisionScheme::catmull_clark)

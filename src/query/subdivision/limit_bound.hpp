@@ -24,10 +24,19 @@ class LimitBounds {
 
   [[nodiscard]] FaceBound of(Index face);
 
+  /// What of the points around a face bounds what later levels move.
+  struct FaceDifferences {
+    bool is_settled = true;  ///< no sharpness ends at a later level: if one does, only hulls bound what follows
+    bool is_regular = true;
+    SecondDifferences differences{};
+    DifferenceGrowth growth;
+  };
+  [[nodiscard]] FaceDifferences differences_around(Index face);
+
  private:
   struct Surroundings {
     bool is_known = false;
-    bool is_settled = true;  ///< no sharpness ends at a later level: if one does, only hulls bound what follows
+    bool is_settled = true;
     bool is_regular = false;
     bool has_creases = false;
     SecondDifferences differences{};
