@@ -228,6 +228,12 @@ TEST(SubdivisionCage, RefusesWhatIsNoSurface) {
   expect([&] { cage(four, {{0, 1, 2, 3}}, SubdivisionScheme::loop); }, "Loop's scheme is for triangles");
   expect([&] { cage(three, {{0, 1, 3}}); }, "names vertex 3");
   expect([&] { cage(three, {}); }, "at least one face");
+  expect([&] { SubdivisionCage({three, {0, 1, 2}, {0, 9, 3}}, SubdivisionScheme::loop); }, "falls after face 1");
+  expect(
+      [&] {
+        SubdivisionCage({three, {0, 1, 2}, {0, 2}}, SubdivisionScheme::loop);
+      },
+      "end with the number of corners");
   expect([&] { cage(four, {{0, 1, 2}}); }, "vertex 3 of the cage is of no face");
   expect([&] { cage(three, {{0, 1, 2, 1}}); }, "twice");
   expect([&] { cage(five, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}); }, "more than two faces");

@@ -81,7 +81,7 @@ struct RefinementOptions {
   double tolerance = std::numeric_limits<double>::infinity();
   /// Every face is refined at least so often. 0 … 30; of Catmull–Clark 0 counts as 1.
   int levels = 0;
-  /// Refining ends before the mesh has more.
+  /// Refining ends before there were more, not counting what faces beside finer ones are cut into for their sake.
   std::size_t max_triangles = std::size_t{1} << 22;
 };
 

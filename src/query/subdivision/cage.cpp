@@ -46,11 +46,10 @@ void check_cage_faces(const PolygonMesh& polygons, SubdivisionScheme scheme) {
   if (polygons.corners.size() >= no_index / 8) throw Error("a cage has at most 536870911 corners of faces");
   if (polygons.first.front() != 0 || polygons.first.back() != polygons.corners.size())
     throw Error("`first` of a cage's faces must begin with 0 and end with the number of corners");
-  for (std::size_t f = 0; f + 1 < polygons.first.size(); ++f) {
+  for (std::size_t f = 0; f + 1 < polygons.first.size(); ++f)
     if (polygons.first[f + 1] < polygons.first[f])
       throw Error("`first` of a cage's faces falls after face " + std::to_string(f) + "; it must ascend");
-    check_cage_face(polygons, static_cast<Index>(f), scheme);
-  }
+  for (Index f = 0; f + 1 < polygons.first.size(); ++f) check_cage_face(polygons, f, scheme);
 }
 
 /// Two sides from one vertex to the same other are of three faces, or of two that are turned differently.
