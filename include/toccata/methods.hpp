@@ -1,8 +1,8 @@
 #pragma once
 
 // The methods by themselves, for who compares or teaches them: pairs of posed shapes, bounds, trees, partitions, broad
-// phases, convex parts, costs, scenes in one tree, and generated meshes. Of what toccata.hpp leaves out, all but
-// reports.hpp.
+// phases, convex parts, subdivision surfaces, costs, scenes in one tree, and generated meshes. Of what toccata.hpp
+// leaves out, all but reports.hpp.
 
 #include "toccata/bounds/all_volumes.hpp"
 #include "toccata/bounds/volume.hpp"
@@ -46,6 +46,7 @@
 #include "toccata/query/distance_cache.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/scene_hierarchy.hpp"
+#include "toccata/query/subdivision.hpp"
 #include "toccata/trees/builders.hpp"
 #include "toccata/trees/bvh.hpp"
 #include "toccata/trees/walk.hpp"

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "query/subdivision/level_mesh.hpp"
+#include "query/subdivision/limit_bound.hpp"
+
+namespace toccata {
+
+/// The levels of a cage, each of what of the one before was refined. What is whole and not refined are leaves: together
+/// they cover the surface once.
+struct AdaptiveLevels {
+  std::vector<LevelMesh> meshes;
+  std::vector<std::vector<char>> refined;      ///< which faces of each level; of the last none
+  std::vector<std::vector<FaceBound>> bounds;  ///< of the whole faces of each level
+  bool are_complete = true;                    ///< tolerance and levels were reached
+};
+
+/// Refines until every leaf has the levels and, with what a finer neighbour may move on its border, the tolerance.
+[[nodiscard]] AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options);
+
+}  // namespace toccata
