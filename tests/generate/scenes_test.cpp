@@ -105,7 +105,7 @@ TEST(HardScenes, AlignedBoxes) {
 TEST(HardScenes, BoxesAreApartForAGapAndOverlapWithoutOne) {
   for (const double gap : {1e-3, 1e-5, 1e-8})
     for (const Placement& placement : placements)
-      for (const int per_side : {1, 5}) {
+      for (const int per_side : {1, 3}) {
         SCOPED_TRACE(testing::Message() << gap << " scale " << placement.scale << " offset " << placement.offset);
         EXPECT_EQ(only_relation(fields_of_boxes(gap, per_side, placement)).kind, RelationKind::apart);
         EXPECT_EQ(only_relation(fields_of_boxes(0, per_side, placement)).kind, RelationKind::touching);
