@@ -180,8 +180,9 @@ TEST(Builders, EqualRegionsAreEqualAndTheBoxesInThemNot) {
     triangles.push_back({{p - Vec3{size, size, 0}, p + Vec3{2 * size, -size, 0}, p + Vec3{-size, 2 * size, 0}}});
   };
   // Centroids from (0, 0) to (9, 8): in x cut at 4.5, and each half in y, the longer axis then, at 4.
-  for (const Vec2& p : std::vector<Vec2>{{0, 0}, {3, 2}, {3.9, 3.9}, {5, 1}, {9, 0}, {0, 8}, {7, 8}, {4.6, 4.1}})
-    add(p.x, p.y, 0.125);
+  for (const auto& [x, y] :
+       std::vector<std::pair<double, double>>{{0, 0}, {3, 2}, {3.9, 3.9}, {5, 1}, {9, 0}, {0, 8}, {7, 8}, {4.6, 4.1}})
+    add(x, y, 0.125);
   const auto tree = build_bvh<Aabb, 4>(triangles, {.method = BvhMethod::equal_regions, .leaf_size = 3});
   ASSERT_EQ(tree.nodes.size(), 5U);
   std::vector<std::vector<Index>> groups;
