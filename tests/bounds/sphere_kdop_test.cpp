@@ -147,9 +147,9 @@ void compare_distance_with_oracle(std::uint64_t cases) {
 
 TEST(SphereKdop, DistanceIsThatOfTheOracle) {
   compare_distance_with_oracle<6>(200);
-  compare_distance_with_oracle<14>(60);
-  compare_distance_with_oracle<18>(40);
-  compare_distance_with_oracle<26>(20);
+  compare_distance_with_oracle<14>(24);
+  compare_distance_with_oracle<18>(12);
+  compare_distance_with_oracle<26>(6);
   EXPECT_THROW((void)distance(PosedSphere({0, 0, 0}, 1), Kdop<14>{}), Error);
 }
 

@@ -1,4 +1,3 @@
-#include "narrow/convex/convex_of.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "toccata/narrow/primitives.hpp"
 
@@ -42,7 +41,10 @@ Distance meeting_at(const Vec3& point) { return {0, 0, point, point, Status::exa
 
 }  // namespace
 
-Distance distance(const PosedSphere& a, const Plane& b) { return distance(convex_of(a), b); }
+Distance distance(const PosedSphere& a, const Plane& b) {
+  if (side(b, a.centre) == Sign::zero) return meeting_at(a.centre);
+  return rounded_distance(point_and_foot(b, a.centre), a.radius, 0);
+}
 
 Distance distance(const PosedPolytope& a, const Plane& b) {
   const Sign first = side(b, a.vertex(0));
