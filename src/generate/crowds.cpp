@@ -92,6 +92,10 @@ Crowd::Crowd(std::string_view scene, std::size_t count, std::uint64_t seed) {
                       : vector_between(random, 0.25, 0.75);
     body.velocity = speed * times(body.half, vector_between(random, -2, 2));
     if (on_ground_) body.half.z = 0.75 + 0.5 * body.half.z;
+    if (gravity_ > 0) {  // on its way up or down from a height between its own and the room's
+      const double rise = random.unit() * (side - body.centre.z);
+      body.velocity.z = (number % 2 == 0 ? 1 : -1) * std::sqrt(2 * gravity_ * rise);
+    }
     if (scene == "pile") put_into_pile(body, number, per_side);
     bodies_.push_back(body);
     if (scene != "static" || random.below(20) == 0) moving_.push_back(number);

@@ -24,7 +24,7 @@ namespace {
 /// the half-space when their product is not positive.
 using WholeVector4 = std::array<Integer, 4>;
 
-Integer product(const WholeVector4& a, const WholeVector4& b) {
+Integer whole_product(const WholeVector4& a, const WholeVector4& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
@@ -37,7 +37,7 @@ WholeVector4 in_lowest_terms(WholeVector4 v) {
   return v;
 }
 
-WholeVector4 plane_of(const HalfSpace& half_space) {
+WholeVector4 homogeneous_plane(const HalfSpace& half_space) {
   const RationalPoint normal = to_rational(half_space.normal());
   const std::array<Rational, 4> numbers{normal.x, normal.y, normal.z, -dot(normal, to_rational(half_space.point()))};
   Integer unit = 1;  // all denominators are powers of two
@@ -48,7 +48,7 @@ WholeVector4 plane_of(const HalfSpace& half_space) {
 }
 
 /// What has a product of 0 with all three, in either direction; 0 when they depend on each other.
-WholeVector4 across(const WholeVector4& a, const WholeVector4& b, const WholeVector4& c) {
+WholeVector4 across_three(const WholeVector4& a, const WholeVector4& b, const WholeVector4& c) {
   const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) -> Integer {
     return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) + a[k] * (b[i] * c[j] - b[j] * c[i]);
   };
@@ -57,7 +57,7 @@ WholeVector4 across(const WholeVector4& a, const WholeVector4& b, const WholeVec
 
 const WholeVector4 behind_infinity{0, 0, 0, -1};
 
-bool is_null(const WholeVector4& v) {
+bool is_null_vector(const WholeVector4& v) {
   return std::all_of(v.begin(), v.end(), [](const Integer& number) { return number == 0; });
 }
 
@@ -75,9 +75,9 @@ class HalfSpaceCone {
   HalfSpaceCone(const std::array<WholeVector4, 3>& first, std::size_t more) : words_((4 + more + 63) / 64) {
     planes_ = {behind_infinity, first[0], first[1], first[2]};
     for (std::size_t i = 0; i < 4; ++i) {
-      Ray ray{in_lowest_terms(across(planes_[(i + 1) % 4], planes_[(i + 2) % 4], planes_[(i + 3) % 4])),
+      Ray ray{in_lowest_terms(across_three(planes_[(i + 1) % 4], planes_[(i + 2) % 4], planes_[(i + 3) % 4])),
               std::vector<std::uint64_t>(words_)};
-      if (product(planes_[i], ray.at) > 0)
+      if (whole_product(planes_[i], ray.at) > 0)
         for (Integer& number : ray.at) number = -number;
       ray.planes[0] = std::uint64_t{15} & ~bit(i);
       rays_.push_back(std::move(ray));
@@ -99,7 +99,7 @@ class HalfSpaceCone {
     planes_.push_back(plane);
     std::vector<Integer> heights;
     for (Ray& ray : rays_) {
-      heights.push_back(product(plane, ray.at));
+      heights.push_back(whole_product(plane, ray.at));
       if (heights.back() == 0) ray.planes[word(number)] |= bit(number);
     }
     std::vector<Ray> kept;
@@ -165,14 +165,14 @@ FirstThree first_three(std::span<const WholeVector4> planes, std::span<const Ind
       first.numbers.push_back(*found);
   };
   const WholeVector4& p = first.planes[0];
-  const auto across_both = [&](const WholeVector4& q) { return across(p, q, behind_infinity); };
+  const auto across_both = [&](const WholeVector4& q) { return across_three(p, q, behind_infinity); };
   const WholeVector4 along_x = across_both({1, 0, 0, 0});
   next(
-      1, [&](const WholeVector4& q) { return !is_null(across_both(q)); },
-      is_null(along_x) ? across_both({0, 1, 0, 0}) : along_x);
+      1, [&](const WholeVector4& q) { return !is_null_vector(across_both(q)); },
+      is_null_vector(along_x) ? across_both({0, 1, 0, 0}) : along_x);
   const WholeVector4 last = across_both(first.planes[1]);
   next(
-      2, [&](const WholeVector4& r) { return product(last, r) != 0; }, last);
+      2, [&](const WholeVector4& r) { return whole_product(last, r) != 0; }, last);
   return first;
 }
 
@@ -222,7 +222,7 @@ std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std
   return among;
 }
 
-Vec3 as_doubles(const WholeVector4& direction) {
+Vec3 direction_in_doubles(const WholeVector4& direction) {
   const Integer greatest =
       std::max({Integer(abs(direction[0])), Integer(abs(direction[1])), Integer(abs(direction[2]))});
   const auto number = [&](std::size_t i) { return nearest_double(direction[i], greatest, 0); };
@@ -230,14 +230,14 @@ Vec3 as_doubles(const WholeVector4& direction) {
 }
 
 [[noreturn]] void refuse_unbounded(const WholeVector4& direction) {
-  const Vec3 d = as_doubles(direction);
+  const Vec3 d = direction_in_doubles(direction);
   throw Error(
       fmt::format("what the half-spaces have in common goes on without end in the direction ({}, {}, {}); add one "
                   "whose normal points there",
                   d.x, d.y, d.z));
 }
 
-void require_solid(const CommonSet& common) {
+void refuse_flat(const CommonSet& common) {
   std::vector<Index> flat;
   for (std::size_t i = 0; i < common.numbers.size(); ++i)
     if (common.cone.lies_in_plane(i)) flat.push_back(common.numbers[i]);
@@ -250,7 +250,7 @@ void require_solid(const CommonSet& common) {
 }
 
 /// In an order that depends on nothing but them.
-std::vector<Vec3> rounded_vertices(const HalfSpaceCone& cone) {
+std::vector<Vec3> vertices_of_cone(const HalfSpaceCone& cone) {
   std::vector<Vec3> vertices;
   for (const HalfSpaceCone::Ray& ray : cone.rays()) {
     const auto number = [&](std::size_t i) { return nearest_double(ray.at[i], ray.at[3], 0); };
@@ -271,7 +271,7 @@ ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces) {
   if (half_spaces.size() < 4)
     throw Error(fmt::format("{} half-spaces enclose nothing; give at least four", half_spaces.size()));
   std::vector<WholeVector4> planes;
-  for (const HalfSpace& half_space : half_spaces) planes.push_back(plane_of(half_space));
+  for (const HalfSpace& half_space : half_spaces) planes.push_back(homogeneous_plane(half_space));
   std::vector<Index> order(planes.size());
   std::iota(order.begin(), order.end(), Index{0});
   // One after the other along a shape, as they are often given, each would cut away much of what those before it made.
@@ -284,8 +284,8 @@ ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces) {
   if (!common.free.empty()) refuse_unbounded(common.free.front());
   for (const HalfSpaceCone::Ray& ray : common.cone.rays())
     if (ray.at[3] == 0) refuse_unbounded(ray.at);
-  require_solid(common);
-  ConvexHull hull(rounded_vertices(common.cone));
+  refuse_flat(common);
+  ConvexHull hull(vertices_of_cone(common.cone));
   if (hull.dimension() < 3)
     throw Error(
         "what the half-spaces have in common is thinner than doubles tell apart there; choose an origin nearby");

@@ -5,7 +5,7 @@ namespace toccata {
 namespace {
 
 /// The sign of (height of q) − (height of p) above the plane.
-Sign rise(const Plane& plane, const Vec3& p, const Vec3& q) {
+Sign rise_over_plane(const Plane& plane, const Vec3& p, const Vec3& q) {
   return triple_product_sign({plane.b(), plane.a()}, {plane.c(), plane.a()}, {q, p});
 }
 
@@ -14,7 +14,7 @@ Vec3 nearest_vertex(const PosedPolytope& a, const Plane& plane, Sign side) {
   Vec3 nearest = a.vertex(0);
   for (Index i = 1; i < a.vertex_count(); ++i) {
     const Vec3 vertex = a.vertex(i);
-    const Sign higher = rise(plane, nearest, vertex);
+    const Sign higher = rise_over_plane(plane, nearest, vertex);
     if (higher == Sign::zero ? lexicographically_less(vertex, nearest) : higher != side) nearest = vertex;
   }
   return nearest;
