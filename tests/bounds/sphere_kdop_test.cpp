@@ -146,7 +146,7 @@ void compare_distance_with_oracle(std::uint64_t cases) {
 }
 
 TEST(SphereKdop, DistanceIsThatOfTheOracle) {
-  compare_distance_with_oracle<6>(200);
+  compare_distance_with_oracle<6>(60);
   compare_distance_with_oracle<14>(24);
   compare_distance_with_oracle<18>(12);
   compare_distance_with_oracle<26>(6);
