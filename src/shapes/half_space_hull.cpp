@@ -155,7 +155,9 @@ struct FirstThree {
 };
 
 FirstThree first_three(std::span<const WholeVector4> planes, std::span<const Index> order) {
-  FirstThree first{{planes[order[0]]}, {order[0]}};
+  FirstThree first;
+  first.planes[0] = planes[order[0]];
+  first.numbers = {order[0]};
   const auto next = [&](std::size_t place, const auto& is_new, const WholeVector4& otherwise) {
     const auto found = std::find_if(order.begin(), order.end(), [&](Index i) { return is_new(planes[i]); });
     first.planes[place] = found == order.end() ? otherwise : planes[*found];
