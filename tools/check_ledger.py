@@ -8,7 +8,9 @@ open. Every reference must lead somewhere:
   api          a name declared in include/            command    a subcommand of the command
   oracle_test  FILE:Suite.Test or FILE:sweep          the others a file, docs with or without #heading
 
-docs/design/traps.md names tests in the same way. With --write the table docs/methods.md is made anew; without, it must be what would be written.
+docs/design/traps.md names tests in the same way. In docs/methods/questions.md every row has a number, a link to an answer under a
+heading of that number, and tests that exist; every such heading has its row; and every `Suite.Test` that a page of docs/ names exists.
+With --write the table docs/methods.md is made anew; without, it must be what would be written.
 """
 import json
 import pathlib
@@ -19,6 +21,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEDGER = ROOT / "docs/evidence/ledger.json"
 TABLE = ROOT / "docs/methods.md"
 TRAPS = ROOT / "docs/design/traps.md"
+QUESTIONS = ROOT / "docs/methods/questions.md"
+QUESTION_ROW = re.compile(r"^\| Q(\d+) \|.*\]\(([\w-]+)\.md#q(\d+)-[^)]*\) \| (.*) \|$", re.MULTILINE)
+ANSWER = re.compile(r"^### Q(\d+):.*$", re.MULTILINE)
+NAMED_TEST = re.compile(r"`([A-Z]\w+\.[A-Z]\w+)`")
 CELLS = ["api", "command", "oracle_test", "benchmark", "docs", "picture"]
 IDS = [*(f"A{i}" for i in range(1, 15)), *(f"B{i}" for i in range(1, 14)), *(f"C{i}" for i in range(1, 19))]
 
@@ -79,6 +85,36 @@ def check_traps():
             yield f"docs/design/traps.md: no test springs this: {row}"
 
 
+def known_tests():
+    """Suite.Test of all tests, and the names of the sweeps."""
+    text = text_of("tests")
+    tests = re.findall(r"\b(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", text)
+    sweeps = re.findall(r'"([a-z][a-z-]+)"', "\n".join(p.read_text() for p in (ROOT / "tests").rglob("*_sweep.cpp")))
+    return {f"{suite}.{case}" for suite, case in tests} | set(sweeps)
+
+
+def check_questions(known):
+    rows = QUESTION_ROW.findall(QUESTIONS.read_text())
+    numbers = sorted(int(number) for number, *_ in rows)
+    if numbers != list(range(1, len(numbers) + 1)) or len(rows) != QUESTIONS.read_text().count("\n| Q"):
+        yield "docs/methods/questions.md: the questions are not Q1, Q2 … each once with a link to an answer of its number"
+    for number, page, of_link, tests in rows:
+        named = re.findall(r"`([^`]*)`", tests)
+        if number != of_link or not named:
+            yield f"docs/methods/questions.md: Q{number} links to the answer of Q{of_link} or names no test"
+        yield from (f"docs/methods/questions.md: Q{number}: there is no test {t}" for t in named if t not in known)
+    answers = sorted((number, path.stem) for path in QUESTIONS.parent.glob("*.md") for number in ANSWER.findall(path.read_text()))
+    if answers != sorted((number, page) for number, page, *_ in rows):
+        yield "docs/methods/questions.md: its links are not the answers that the pages have under ### Q…"
+
+
+def check_named_tests(known):
+    for path in sorted((ROOT / "docs").rglob("*.md")):
+        for test in NAMED_TEST.findall(path.read_text()):
+            if test not in known:
+                yield f"{path.relative_to(ROOT)}: there is no test {test}"
+
+
 def is_open(row):
     return "missing" in row or any(not row[kind] for kind in CELLS)
 
@@ -118,7 +154,8 @@ def table(rows):
 
 def main():
     rows = json.loads(LEDGER.read_text())["rows"]
-    complaints = [*check_rows(rows), *check_traps()]
+    known = known_tests()
+    complaints = [*check_rows(rows), *check_traps(), *check_questions(known), *check_named_tests(known)]
     if "--write" in sys.argv:
         TABLE.write_text(table(rows))
     elif not TABLE.exists() or TABLE.read_text() != table(rows):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 #include "arguments.hpp"
 #include "measure.hpp"
@@ -102,6 +103,65 @@ double growth_exponent(const DeformingRow& least, const DeformingRow& greatest) 
          std::log(static_cast<double>(greatest.triangles) / static_cast<double>(least.triangles));
 }
 
+/// Two balls that fly through each other: all that meets is many thousand pairs, the first of which is soon found.
+struct PassingRow {
+  std::size_t triangles = 0;  ///< of each
+  double separation = 0;
+  double all_ms = 0;
+  double first_ms = 0;
+  double free_step_ms = 0;
+  std::size_t impacts = 0;
+  bool same = true;  ///< the first is the first of all, and the free step ends there
+};
+
+PassingRow passing(int subdivisions, double separation, int rounds) {
+  const TriangleMesh ball = icosphere_mesh(1, subdivisions);
+  const auto flying = [&](double from, double to) {
+    std::vector<Vec3> start(ball.vertices().begin(), ball.vertices().end()), end = start;
+    for (Vec3& v : start) v.x += from;
+    for (Vec3& v : end) v.x += to;
+    return DeformingMesh(ball.with_vertices(std::move(start)), end);
+  };
+  const DeformingMesh a = flying(-3, 3), b = flying(0.25, -0.25);
+  const ImpactOptions options{.separation = separation};
+  PassingRow row{.triangles = ball.triangle_count(), .separation = separation};
+  std::vector<MeshImpact> all;
+  std::optional<MeshImpact> first;
+  FreeStep free;
+  row.all_ms = least_ms(1, [&] { all = impacts(a, b, options); });
+  row.first_ms = least_ms(rounds, [&] { first = first_impact(a, b, options); });
+  row.free_step_ms = least_ms(rounds, [&] { free = free_step(a, b, options); });
+  row.impacts = all.size();
+  row.same = !all.empty() && first == all.front() && free.limited_by == first;
+  return row;
+}
+
+std::vector<PassingRow> all_passing(const DeformingArguments& arguments) {
+  std::vector<PassingRow> rows;
+  for (int subdivisions = 3; 20ULL << (2 * subdivisions) <= std::min<std::size_t>(arguments.most, 25'000);
+       ++subdivisions)
+    for (const double separation : {0.0, 1e-3}) rows.push_back(passing(subdivisions, separation, arguments.rounds));
+  return rows;
+}
+
+nlohmann::ordered_json json_of(const PassingRow& row) {
+  return {{"triangles", row.triangles},
+          {"separation", row.separation},
+          {"all_ms", row.all_ms},
+          {"first_ms", row.first_ms},
+          {"free_step_ms", row.free_step_ms},
+          {"impacts", row.impacts},
+          {"same", row.same}};
+}
+
+void print(const std::vector<PassingRow>& rows) {
+  std::cout << "\ntwo balls pass through each other\n"
+               "triangles  separation     all ms   first ms  free step ms   impacts   same\n";
+  for (const PassingRow& row : rows)
+    std::cout << fmt::format("{:>9} {:>11} {:>10.1f} {:>10.2f} {:>13.2f} {:>9}   {}\n", row.triangles, row.separation,
+                             row.all_ms, row.first_ms, row.free_step_ms, row.impacts, row.same ? "yes" : "NO");
+}
+
 void print(const std::vector<DeformingRow>& rows) {
   std::cout << "triangles  threads   build ms   refit ms  impacts ms   step ms  free steps ms   impacts   same\n";
   for (const DeformingRow& row : rows)
@@ -129,10 +189,17 @@ int run_deforming(const DeformingArguments& arguments) {
     report["results"].push_back(json_of(row));
     are_same = are_same && row.same && row.impacts > 0;
   }
-  if (arguments.json)
+  const std::vector<PassingRow> balls = all_passing(arguments);
+  for (const PassingRow& row : balls) {
+    report["passing"].push_back(json_of(row));
+    are_same = are_same && row.same;
+  }
+  if (arguments.json) {
     std::cout << report.dump(2) << "\n";
-  else
+  } else {
     print(rows);
+    print(balls);
+  }
   return are_same ? 0 : 1;
 }
 

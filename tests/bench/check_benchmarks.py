@@ -343,12 +343,15 @@ def check_swept_volumes():
 
 
 def check_deforming():
-    """One step of a cloth is told alike on any number of threads."""
+    """One step of a cloth is told alike on any number of threads; the first of all impacts is the first."""
     made = report("deforming", "--most", "3200", "--threads", "1,2", "--rounds", "1")
     assert {(r["triangles"], r["threads"]) for r in made["results"]} == {(1058, 1), (3200, 1), (1058, 2), (3200, 2)}, made["results"]
     for row in made["results"]:
         assert row["same"] and row["impacts"] > 0 and row["step_ms"] > 0, row
     assert {row["threads"] for row in made["growth"]} == {1, 2}
+    assert {(r["triangles"], r["separation"]) for r in made["passing"]} == {(1280, 0), (1280, 0.001)}, made["passing"]
+    for row in made["passing"]:
+        assert row["same"] and row["impacts"] > 0 and row["first_ms"] > 0 and row["free_step_ms"] > 0, row
 
 
 def check_walker():

@@ -51,5 +51,36 @@ TEST(Rectangle, AgreesWithTheOracle) {
   }
 }
 
+/// Boxes by their upper left corners, with y upwards: the rows of each go from y − height to y.
+bool overlap_by_upper_left_corners(const Rectangle& a, const Rectangle& b) {
+  using oracle::exact;
+  return exact(a.x) <= exact(b.x) + exact(b.width) && exact(b.x) <= exact(a.x) + exact(a.width) &&
+         exact(a.y) - exact(a.height) <= exact(b.y) && exact(b.y) - exact(b.height) <= exact(a.y);
+}
+
+/// The same rows seen from above: −y is exact, and the upper left corner is the one of least coordinates.
+Rectangle of_upper_left(double x, double y, double width, double height) { return {x, -y, width, height}; }
+
+TEST(Rectangle, OfUpperLeftCornersIsTheQuizWithYTurnedRound) {
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto number = [&] {
+      const double coarse = static_cast<double>(random.below(5)) - 2;
+      return random.below(3) == 0 ? coarse + std::ldexp(random.between(-1, 1), -50) : coarse;
+    };
+    const auto rectangle = [&] {
+      const double x = number(), y = number(), width = std::fabs(number()), height = std::fabs(number());
+      return Rectangle{x, y, width, height};
+    };
+    const Rectangle a = rectangle(), b = rectangle();
+    EXPECT_EQ(overlap(of_upper_left(a.x, a.y, a.width, a.height), of_upper_left(b.x, b.y, b.width, b.height)),
+              overlap_by_upper_left_corners(a, b));
+  }
+  // Which way y points has to be said: the same eight numbers, with y down and with y up.
+  EXPECT_FALSE(overlap(Rectangle{0, 0, 1, 1}, Rectangle{0, 2, 1, 2}));
+  EXPECT_TRUE(overlap(of_upper_left(0, 0, 1, 1), of_upper_left(0, 2, 1, 2)));
+}
+
 }  // namespace
 }  // namespace toccata

@@ -110,10 +110,10 @@ void compare_with_oracle(std::uint64_t cases) {
 }
 
 TEST(SphereKdop, OverlapIsThatOfTheOracle) {
-  compare_with_oracle<6>(600);
-  compare_with_oracle<14>(150);
-  compare_with_oracle<18>(90);
-  compare_with_oracle<26>(45);
+  compare_with_oracle<6>(300);
+  compare_with_oracle<14>(60);
+  compare_with_oracle<18>(60);
+  compare_with_oracle<26>(30);
 }
 
 template <std::size_t k>

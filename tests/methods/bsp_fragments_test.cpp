@@ -102,12 +102,12 @@ void cut_mesh(const TriangleMesh& mesh, Random& random) {
 
 TEST(BspFragments, OfLargeTrianglesInAllDirectionsAreThoseOfRationals) {
   Random random(1);
-  for (int i = 0; i < 30; ++i) cut_mesh(test::random_soup(random, 40, 0.7, 0), random);
+  for (int i = 0; i < 10; ++i) cut_mesh(test::random_soup(random, 40, 0.7, 0), random);
 }
 
 TEST(BspFragments, OfTrianglesOnAGridWherePlanesShareLinesAndPointsAreThoseOfRationals) {
   Random random(2);
-  for (int i = 0; i < 60; ++i) cut_mesh(test::random_soup(random, 40, 0.7, 4), random);
+  for (int i = 0; i < 20; ++i) cut_mesh(test::random_soup(random, 40, 0.7, 4), random);
 }
 
 TEST(BspFragments, OfTinyHugeAndFarTrianglesAreThoseOfRationals) {
@@ -124,7 +124,7 @@ TEST(BspFragments, OfTinyHugeAndFarTrianglesAreThoseOfRationals) {
 
 TEST(BspFragments, OfNeedlesAndNearlyParallelPlanesAreThoseOfRationals) {
   Random random(4);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 10; ++i) {
     const TriangleMesh soup = test::random_soup(random, 30, 0.7, 0);
     std::vector<Vec3> flat(soup.vertices().begin(), soup.vertices().end());
     for (Vec3& v : flat) v.z = 0.25 * v.x + std::ldexp(v.z, -static_cast<int>(random.below(60)));

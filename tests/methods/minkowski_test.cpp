@@ -93,7 +93,7 @@ TEST(MinkowskiSum, MergesParallelFacesOfPrisms) {
 
 TEST(MinkowskiSum, IsThatOfTheOracleForAllKindsAndRegimes) {
   for (const std::string& kind : test::convex_kinds())
-    for (std::uint64_t number = 0; number < 105; ++number) {
+    for (std::uint64_t number = 0; number < 42; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
       const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
@@ -150,7 +150,7 @@ std::vector<Vec3> questions_to(const MinkowskiSum& sum, Random& random) {
 TEST(MinkowskiSum, TellsTheSideOfAPointAsTheOracleDoes) {
   std::array<int, 3> seen{};
   for (const std::string& kind : test::convex_kinds())
-    for (std::uint64_t number = 0; number < 105; ++number) {
+    for (std::uint64_t number = 0; number < 42; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
       const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
@@ -163,13 +163,13 @@ TEST(MinkowskiSum, TellsTheSideOfAPointAsTheOracleDoes) {
         ++seen[static_cast<std::size_t>(static_cast<int>(sum.side_of(p)) + 1)];
       }
     }
-  for (const int count : seen) EXPECT_GT(count, 1000);
+  for (const int count : seen) EXPECT_GT(count, 400);
 }
 
 TEST(SumLocator, AnswersAsTheSumDoes) {
   std::array<int, 3> seen{};
   for (const std::string& kind : test::convex_kinds())
-    for (std::uint64_t number = 0; number < 210; ++number) {
+    for (std::uint64_t number = 0; number < 84; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
       const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
@@ -181,14 +181,14 @@ TEST(SumLocator, AnswersAsTheSumDoes) {
           ++seen[static_cast<std::size_t>(static_cast<int>(sum.side_of(p)) + 1)];
         }
     }
-  for (const int count : seen) EXPECT_GT(count, 1000);
+  for (const int count : seen) EXPECT_GT(count, 400);
   const MinkowskiSum sum = minkowski_sum(PosedPolytope(Box{{1, 1, 1}}), PosedPolytope(Box{{1, 1, 1}}));
   EXPECT_THROW(static_cast<void>(SumLocator(sum).side_of({0, HUGE_VAL, 0})), Error);
 }
 
 TEST(MinkowskiDifference, HoldsTheOriginExactlyWhenTheShapesMeet) {
   for (const std::string& kind : test::convex_kinds())
-    for (std::uint64_t number = 0; number < 210; ++number) {
+    for (std::uint64_t number = 0; number < 84; ++number) {
       Random random(number);
       const test::ConvexCase pair = test::numbered_case(kind, number, random);
       const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);

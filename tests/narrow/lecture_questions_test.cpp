@@ -1,15 +1,18 @@
-// The questions of the lectures about shapes of a few numbers, each shown (docs/methods/*.md name these tests).
+// The questions of the lectures about shapes of a few numbers, each shown (docs/methods/questions.md lists them).
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "support/convex_cases.hpp"
+#include "support/mesh_soups.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/methods/sphere_ways.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/plane.hpp"
 #include "toccata/narrow/primitives.hpp"
+#include "toccata/narrow/triangle_triangle.hpp"
 
 namespace toccata {
 namespace {
@@ -129,6 +132,157 @@ TEST(LectureQuestion, OverlapIsAPointInTheMinkowskiSum) {
   // Grown planes alone would say otherwise at a corner: the sum is round there.
   EXPECT_FALSE(overlap(PosedPolytope(sum), PosedPolytope(Point({1.4, 1.4, 1.4}))));
   EXPECT_TRUE(overlap(PosedPolytope(Box({1.5, 1.5, 1.5})), PosedPolytope(Point({1.4, 1.4, 1.4}))));
+}
+
+TEST(LectureQuestion, ACubesBoxIsAtMostRootThreeTimesAsWide) {
+  Random random(10);
+  double widest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Aabb box = box_around(PosedPolytope(Box({0.5, 0.5, 0.5}), Pose{test::random_rotation(random), {}}));
+    widest = std::max(widest, box.upper.x - box.lower.x);
+  }
+  EXPECT_GT(widest, 1.7);
+  EXPECT_LE(widest, std::sqrt(3.0) * (1 + 1e-12));
+  // √2 at 45° about an axis, √3 where a diagonal is turned along x.
+  const auto width = [](const Mat3& turn) {
+    return 2 * box_around(PosedPolytope(Box({0.5, 0.5, 0.5}), {turn, {}})).upper.x;
+  };
+  EXPECT_NEAR(width(rotation_about({0, 0, 1}, 45)), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(width(rotation_about({0, 1, 0}, std::atan(std::sqrt(0.5)) * 180 / std::acos(-1.0)) *
+                    rotation_about({0, 0, 1}, -45)),
+              std::sqrt(3.0), 1e-12);
+}
+
+/// The point as the box's own edges see it: |(p − c) · u| ≤ e along each.
+bool goes_into(const Vec3& point, const Vec3& half, const Pose& pose) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::fabs(dot(point - pose.offset, pose.linear.column(axis))) > half[axis]) return false;
+  return true;
+}
+
+TEST(LectureQuestion, TwoBoxesMayMeetWithoutACornerOfEitherInTheOther) {
+  // Two bars laid across each other: their edges cross, and every corner is outside of the other.
+  const Vec3 long_half{3, 0.5, 0.5};
+  const Pose one{rotation_about({0, 0, 1}, 20), {}}, other{rotation_about({0, 0, 1}, 100), {0.25, 0, 0.25}};
+  const PosedPolytope a(Box(long_half), one), b(Box(long_half), other);
+  for (Index i = 0; i < 8; ++i) {
+    EXPECT_FALSE(goes_into(a.vertex(i), long_half, other));
+    EXPECT_FALSE(goes_into(b.vertex(i), long_half, one));
+  }
+  EXPECT_TRUE(overlap(a, b));
+  EXPECT_TRUE(overlap_by_separating_axes(a, b));
+  // Whether a point goes into a box the coordinates do tell.
+  Random random(12);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p{random.between(-3, 3), random.between(-3, 3), random.between(-1, 1)};
+    EXPECT_EQ(goes_into(p, long_half, one), overlap(a, PosedPolytope(Point(p))));
+  }
+}
+
+TEST(LectureQuestion, BothSidesOfABoxsEdgesAreLookedAt) {
+  // The slide's (V2 − V1) · (W − V1) < 0 says "left of V1 V4"; what lies to the right is not seen by that sign, but by
+  // > |V2 − V1|².
+  const Vec3 v1{0, 0, 0}, v2{2, 0, 0};
+  const PosedPolytope v(Box({1, 1, 1}), Pose::translation(1, 1, 0));
+  const auto left = [&](const PosedPolytope& w) {
+    bool all = true;
+    for (Index i = 0; i < 8; ++i) all &= dot(v2 - v1, w.vertex(i) - v1) < 0;
+    return all;
+  };
+  const auto right = [&](const PosedPolytope& w) {
+    bool all = true;
+    for (Index i = 0; i < 8; ++i) all &= dot(v2 - v1, w.vertex(i) - v1) > dot(v2 - v1, v2 - v1);
+    return all;
+  };
+  for (const double x : {-3.0, 1.0, 5.0}) {
+    const PosedPolytope w(Box({0.5, 0.5, 0.5}), Pose{rotation_about({0, 0, 1}, 30), {x, 1, 0}});
+    EXPECT_EQ(left(w), x < 0);
+    EXPECT_EQ(right(w), x > 2);
+    EXPECT_EQ(overlap(v, w), !left(w) && !right(w));
+  }
+}
+
+TEST(LectureQuestion, AConvexPolygonIsAskedLikeATriangleAndAConcaveOneIsCut) {
+  // An arrowhead in the plane z = 0, with its notch at (1, 0, 0), and a needle through the notch, and one beside it.
+  const Vec3 tip{3, 0, 0}, left{0, 2, 0}, notch{1, 0, 0}, right{0, -2, 0};
+  const std::vector<Triangle> cut{{{tip, left, notch}}, {{tip, notch, right}}};
+  const auto needle = [](double x) { return PosedPolytope(Segment({x, 0, -1}, {x, 0, 1})); };
+  const auto meets_a_triangle = [&](const PosedPolytope& shape) {
+    return overlap(PosedPolytope(cut[0]), shape) || overlap(PosedPolytope(cut[1]), shape);
+  };
+  EXPECT_FALSE(meets_a_triangle(needle(0.5)));
+  EXPECT_TRUE(meets_a_triangle(needle(2)));
+  const ConvexHull filled({tip, left, notch, right});  // has no notch
+  EXPECT_TRUE(overlap(PosedPolytope(filled), needle(0.5)));
+  // A convex pentagon against the same of its triangles, edge on edge and corner on face included.
+  const ConvexHull pentagon({{0, 0, 0}, {2, 0, 0}, {3, 2, 0}, {1, 3, 0}, {-1, 2, 0}});
+  Random random(27);
+  int met = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto corner = [&] {
+      const double x = static_cast<double>(random.below(6)) - 1, y = static_cast<double>(random.below(4));
+      return Vec3{x, y, static_cast<double>(random.below(3)) - 1};
+    };
+    const PosedPolytope other{Triangle{{corner(), corner(), corner()}}};
+    bool any = false;
+    for (Index k = 2; k < pentagon.vertex_count(); ++k)
+      any |= overlap(PosedPolytope(Triangle{{pentagon.vertex(0), pentagon.vertex(k - 1), pentagon.vertex(k)}}), other);
+    EXPECT_EQ(overlap(PosedPolytope(pentagon), other), any);
+    met += any;
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_LT(met, 450);
+}
+
+TEST(LectureQuestion, ShadowsThatOverlapAlongBothNormalsAreNoCollision) {
+  // Two triangles each of which crosses the other's plane: no normal parts them, and the cross product of two edges
+  // does.
+  const Triangle a{{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}}}, b{{Vec3{3, 3, -1}, Vec3{3, 3, 1}, Vec3{6, 6, 0}}};
+  const auto shadows_overlap = [&](const Vec3& axis) {
+    double least_a = 1e9, most_a = -1e9, least_b = 1e9, most_b = -1e9;
+    for (std::size_t i = 0; i < 3; ++i) {
+      least_a = std::min(least_a, dot(axis, a.vertex[i]));
+      most_a = std::max(most_a, dot(axis, a.vertex[i]));
+      least_b = std::min(least_b, dot(axis, b.vertex[i]));
+      most_b = std::max(most_b, dot(axis, b.vertex[i]));
+    }
+    return least_a <= most_b && least_b <= most_a;
+  };
+  const auto edge = [](const Triangle& t, std::size_t i) { return t.vertex[(i + 1) % 3] - t.vertex[i]; };
+  EXPECT_TRUE(shadows_overlap(cross(edge(a, 0), edge(a, 1))));
+  EXPECT_TRUE(shadows_overlap(cross(edge(b, 0), edge(b, 1))));
+  int separating = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) separating += !shadows_overlap(cross(edge(a, i), edge(b, j)));
+  EXPECT_GT(separating, 0);
+  EXPECT_LT(separating, 9);
+  EXPECT_FALSE(overlap_by_separating_axes(a, b));
+  EXPECT_FALSE(overlap(a, b));
+}
+
+TEST(LectureQuestion, TheCutOfASegmentIsThatOfTheFormula) {
+  const Vec3 v1{1, 0, 0}, v2{0, 2, 0}, v3{0, 0, 4};
+  const Plane plane(v1, v2, v3);
+  const Vec3 n = cross(v2 - v1, v3 - v1);
+  Random random(63);
+  int cuts = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto end = [&] {
+      const double x = random.between(-4, 4), y = random.between(-4, 4), z = random.between(-4, 4);
+      return Vec3{x, y, z};
+    };
+    const Vec3 w1 = end(), w2 = end();
+    const double t = dot(n, v1 - w1) / dot(n, w2 - w1);
+    const PlaneCut cut = cut_segment(plane, w1, w2);
+    EXPECT_EQ(cut.kind == PlaneCutKind::point, t >= 0 && t <= 1);
+    if (cut.kind != PlaneCutKind::point) continue;
+    ++cuts;
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(cut.point[axis], (w1 + t * (w2 - w1))[axis], 1e-12);
+  }
+  EXPECT_GT(cuts, 50);
+  // The denominator is 0 where the segment is parallel to the plane: contained or disjoint, and there is no t.
+  EXPECT_EQ(cut_segment(plane, v1, v2).kind, PlaneCutKind::whole);
+  EXPECT_EQ(cut_segment(plane, v1 + n, v2 + n).kind, PlaneCutKind::none);
 }
 
 }  // namespace

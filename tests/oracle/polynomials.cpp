@@ -93,14 +93,31 @@ AlgebraicNumber halved(const AlgebraicNumber& t) {
   return {t.polynomial, middle, t.upper};
 }
 
+/// So narrow that most questions about it need no more.
+AlgebraicNumber narrowed(AlgebraicNumber t) {
+  for (int i = 0; i < 32; ++i) t = halved(t);
+  return t;
+}
+
 void isolate(const Polynomial& a, const RootCounter& counter, const Rational& lower, const Rational& upper,
              std::vector<AlgebraicNumber>& found) {
   const int count = counter.within(lower, upper);
-  if (count == 1) found.push_back({a, lower, upper});
+  if (count == 1) found.push_back(narrowed({a, lower, upper}));
   if (count < 2) return;
   const Rational middle = (lower + upper).scaled(-1);
   isolate(a, counter, lower, middle, found);
   isolate(a, counter, middle, upper, found);
+}
+
+/// The sign of the polynomial in the whole interval of a number, from bounds of its values there (Horner's scheme in
+/// interval arithmetic); 0 where they do not tell. Not for intervals that begin below 0.
+int sign_within(const Polynomial& a, const AlgebraicNumber& t) {
+  Rational least = 0, most = 0;
+  for (std::size_t i = a.coefficients().size(); i-- > 0;) {
+    least = least * (least.sign() < 0 ? t.upper : t.lower) + a.coefficients()[i];
+    most = most * (most.sign() < 0 ? t.lower : t.upper) + a.coefficients()[i];
+  }
+  return least.sign() == most.sign() ? least.sign() : 0;
 }
 
 /// Whether the two numbers are one.
@@ -178,6 +195,7 @@ std::vector<AlgebraicNumber> roots_in_unit_interval(const Polynomial& a) {
 
 int sign_at(const Polynomial& a, const AlgebraicNumber& t) {
   if (a.degree() <= 0) return a.at(0).sign();
+  if (const int sign = t.lower.sign() < 0 ? 0 : sign_within(a, t)) return sign;
   if (t.polynomial.at(t.upper).is_zero()) return a.at(t.upper).sign();
   const Polynomial divisor = common_divisor(a, t.polynomial);
   if (divisor.degree() > 0 && roots_within(divisor, t.lower, t.upper) > 0) return 0;
@@ -190,7 +208,8 @@ int sign_at(const Polynomial& a, const AlgebraicNumber& t) {
 int compared(const AlgebraicNumber& t, const Rational& value) { return sign_at(Polynomial({-value, 1}), t); }
 
 bool operator<(const AlgebraicNumber& s, const AlgebraicNumber& t) {
-  if (are_equal(s, t)) return false;
+  if (s.upper <= t.lower) return true;
+  if (t.upper <= s.lower || are_equal(s, t)) return false;
   AlgebraicNumber a = s, b = t;
   while (true) {
     if (a.upper <= b.lower) return true;

@@ -119,7 +119,7 @@ TEST(ConvexParts, OfPrismsAreAsFewAsThereCanBe) {
   expect_exact_parts(slotted_prism(), 3);
 }
 
-TEST(ConvexParts, ContainSolidsOfManyKinds) {
+TEST(ConvexPartsSlow, ContainSolidsOfManyKinds) {
   for (const char* name : {"torus", "helix", "gear", "cavity-box", "tetrahedron"}) {
     SCOPED_TRACE(name);
     checked(generate_mesh(name), {.max_parts = 10});
@@ -145,7 +145,7 @@ TEST(ConvexParts, OfAMeshThatCrossesItselfContainIt) {
   checked(joined({box_between({0, 0, 0}, {2, 2, 2}), box_between({1, 1, 1}, {3, 3, 3})}), {.max_parts = 6});
 }
 
-TEST(ConvexParts, ContainRealMeshes) {
+TEST(ConvexPartsSlow, ContainRealMeshes) {
   const auto data = data_folder();
   if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
   for (const char* name : {"spot", "cow"}) {

@@ -81,7 +81,9 @@ template <std::size_t dimension>
   return round;
 }
 
-/// A closed box of the plane, given by its corner of least coordinates and its size, which is not negative.
+/// A closed box of the plane, given by its corner of least coordinates and its size, which is not negative. That is the
+/// upper left corner where y points downwards. Where y points upwards, {x, -y, width, height} is the mirror image of
+/// the box with the upper left corner (x, y), and mirror images overlap as the boxes do.
 struct Rectangle {
   double x = 0;
   double y = 0;
