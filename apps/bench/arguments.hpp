@@ -102,7 +102,7 @@ struct RefitArguments {
 struct PartitionsArguments {
   std::string mesh;
   std::vector<std::string> peers;
-  std::string task = "box";  ///< or "pairs", "cells"
+  std::string task = "box";  ///< or "pairs", "cells", "solid"
   std::size_t queries = 1000;
   std::uint64_t seed = 1;
   int rounds = 3;
@@ -237,6 +237,7 @@ int run_self(const SelfArguments& arguments);
 int run_refit(const RefitArguments& arguments);
 int run_partitions(const PartitionsArguments& arguments);
 int run_partition_cells(const PartitionsArguments& arguments);
+int run_partition_solid(const PartitionsArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);

@@ -227,9 +227,9 @@ void add_partitions(CLI::App& app, PartitionsArguments& arguments) {
   add_mesh_file(*partitions, "--mesh", arguments.mesh)->required();
   partitions
       ->add_option("--task", arguments.task,
-                   "the triangles whose boxes reach into a box, all pairs of boxes, or the cells that boxes are in as "
-                   "they move")
-      ->check(CLI::IsMember({"box", "pairs", "cells"}))
+                   "the triangles whose boxes reach into a box, all pairs of boxes, the cells that boxes are in as "
+                   "they move, or of a closed mesh a BSP tree beside the mesh's own")
+      ->check(CLI::IsMember({"box", "pairs", "cells", "solid"}))
       ->capture_default_str();
   add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about; with cells, how many ways");
   partitions->add_option("--seed", arguments.seed, "another seed, other boxes")->capture_default_str();
@@ -423,6 +423,11 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
   motion->footer("Example:\n  ./toccata bench motion\n  ./toccata bench motion --task bodies --peer bullet,fcl");
 }
 
+int run_partitions_task(const PartitionsArguments& arguments) {
+  if (arguments.task == "cells") return run_partition_cells(arguments);
+  return arguments.task == "solid" ? run_partition_solid(arguments) : run_partitions(arguments);
+}
+
 /// Features have a peer of their own.
 int run_motion_task(const MotionArguments& arguments) {
   const bool of_features = arguments.task == "features";
@@ -509,9 +514,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("world")) return run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
-  if (app.got_subcommand("partitions"))
-    return options.partitions.task == "cells" ? run_partition_cells(options.partitions)
-                                              : run_partitions(options.partitions);
+  if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
   if (app.got_subcommand("motion")) return run_motion_task(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);

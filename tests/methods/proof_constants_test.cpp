@@ -10,6 +10,8 @@
 #include "oracle/convex.hpp"
 #include "oracle/penetration.hpp"
 #include "oracle/rational.hpp"
+#include "support/mesh_soups.hpp"
+#include "toccata/methods/bsp_tree.hpp"
 #include "toccata/methods/minkowski.hpp"
 #include "toccata/methods/sphere_ways.hpp"
 #include "toccata/methods/voronoi.hpp"
@@ -141,6 +143,16 @@ TEST(ProofConstants, ASphereBesideThePlaneOfATriangleIsDecidedExactly) {
   const oracle::Rational height = oracle::dot(normal, exact(centre) - exact(triangle[0]));
   ASSERT_GT(height * height, exact(radius) * exact(radius) * oracle::dot(normal, normal));
   EXPECT_TRUE(plane_rejects(PosedSphere(Sphere(radius), {{}, centre}), triangle));
+}
+
+// The ray touches an edge, where it leaves one side of the box and enters another: at the same time, of which one is
+// rounded down and the other up.
+TEST(ProofConstants, ARayThatTouchesTheBoxOfAMeshInAnEdgeIsNotSaidToMissIt) {
+  const double small = 7 * 0x1p-56;
+  const BspTree tree(Model(test::box_between({-1, 3, -1}, {1, 8, 1})));
+  const Vec3 origin{-small, -3 * small, 0}, motion{2, 6, 0};
+  ASSERT_EQ((exact(1) - exact(origin.x)) * exact(motion.y), (exact(3) - exact(origin.y)) * exact(motion.x));
+  EXPECT_TRUE(tree.cast_ray(origin, motion).hit);
 }
 
 /// Whether x √square is at most y.

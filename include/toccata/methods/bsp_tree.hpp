@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toccata/core/index.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/signed_distance.hpp"
@@ -45,6 +46,20 @@ struct BspFragment {
   std::span<const Vec3> corners;  ///< convex, turning as the triangle; rounded, to draw. Lives as long as the tree
 };
 
+/// Planes that a trace looks at beside those of the tree, moved out likewise.
+enum class BspBevels {
+  none,
+  edges_and_corners,  ///< at a cell, across what up to eight of its planes make with each other
+};
+
+/// What a shape that moves meets when it is a point that moves among planes which have been moved out.
+struct BspTrace {
+  bool hit = false;  ///< false is proved: nothing of the solid is met. True is not
+  double time = 1;   ///< of the way: no part of the solid is met before it, which is proved; 1 where nothing is met
+  Vec3 normal{};     ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
+  friend constexpr bool operator==(const BspTrace&, const BspTrace&) = default;
+};
+
 /// A binary space partitioning tree of a closed mesh: space is cut by a plane, each half by another, until no surface
 /// is left in a cell, which then lies inside or outside as a whole (H. Fuchs, Z. M. Kedem, B. F. Naylor, "On visible
 /// surface generation by a priori tree structures", 1980; W. C. Thibault, B. F. Naylor, "Set operations on polyhedra
@@ -72,6 +87,25 @@ class BspTree {
   /// Whether the closed segment has a point in common with the solid. Exact. Throws Error when a number is not finite,
   /// and when the ends are farther apart along an axis than the greatest double.
   [[nodiscard]] bool overlap(const Vec3& from, const Vec3& to) const;
+
+  /// Whether the shape, in the mesh's own frame, has a point in common with the solid. Exact, as `overlap` of the
+  /// model.
+  [[nodiscard]] bool overlap(const PosedPolytope& shape) const;
+
+  /// Expanded planes (S. Melax, "Dynamic plane shifting BSP traversal", 2000; Quake's traces): the shape, in the mesh's
+  /// own frame, moves by `motion` without turning; every plane is moved out by how far the shape reaches across it, to
+  /// either side, and the shape is a point that goes through the cells. In front of a face that is exact, but where
+  /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
+  /// mesh allows, which is moved out too. So it tells of hits that are none, but never of none where there is one: what
+  /// is free is proved. With bevels it tells of fewer such hits. Throws Error when the motion is not finite.
+  [[nodiscard]] BspTrace trace(const PosedPolytope& shape, const Vec3& motion,
+                               BspBevels bevels = BspBevels::none) const;
+
+  /// The accurate form: `cast_shape` of the model, with the same answer (only `lower` may be another bound, and of
+  /// triangles that are met at the start the least is named). The cells are visited as a trace visits them, and the
+  /// triangles in the planes that are met are cast exactly, until one is met. Throws Error when the motion is not
+  /// finite.
+  [[nodiscard]] ShapeHit cast_shape(const PosedPolytope& shape, const Vec3& motion) const;
 
   /// All fragments in an order in which one may be painted over those before it: seen from the eye, none hides a later
   /// one. Exact. Throws Error when the eye is not finite.
