@@ -222,6 +222,12 @@ struct WalkerArguments {
   bool json = false;
 };
 
+struct ProximityArguments {
+  std::string task = "gap";  ///< or "size"
+  int rounds = 11;           ///< of size: the least time counts
+  bool json = false;
+};
+
 // Exit codes: 0, or 1 when Toccata was wrong somewhere. Trouble is thrown.
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
@@ -242,6 +248,7 @@ int run_world(const WorldArguments& arguments);
 int run_space_time(const WorldArguments& arguments);
 int run_parts(const PartsArguments& arguments);
 int run_world_queries(const WorldQueriesArguments& arguments);
+int run_proximity(const ProximityArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
 int run_motion(const MotionArguments& arguments);

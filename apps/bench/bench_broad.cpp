@@ -75,6 +75,7 @@ int run_scene(const BroadArguments& arguments) {
 int run_broad(const BroadArguments& arguments) {
   if (arguments.task == "table") return run_broad_table(arguments);
   if (arguments.task == "cell-size") return run_broad_cell_size(arguments);
+  if (arguments.task == "swaps") return run_broad_swaps(arguments);
   return run_scene(arguments);
 }
 

@@ -68,7 +68,7 @@ std::vector<Builder> all_builders(const std::shared_ptr<const TriangleMesh>& mes
                                   const std::vector<Triangle>& triangles) {
   std::vector<Builder> builders{of_model(mesh)};
   for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median, BvhMethod::heuristic, BvhMethod::agglomeration,
-                                 BvhMethod::insertion, BvhMethod::morton}) {
+                                 BvhMethod::insertion, BvhMethod::morton, BvhMethod::equal_regions}) {
     builders.push_back(of_method<Aabb>(triangles, method, cost_volume<Aabb>));
     builders.push_back(of_method<Obb>(triangles, method, cost_volume<Obb>));
   }

@@ -52,6 +52,7 @@ bool is_sensible(BroadPhaseMethod method, std::size_t count);
 
 /// What cells of the spatial hash cost, by their size; and each claim about the broad phase, with what was measured.
 int run_broad_cell_size(const BroadArguments& arguments);
+int run_broad_swaps(const BroadArguments& arguments);
 int run_broad_table(const BroadArguments& arguments);
 
 }  // namespace toccata::bench

@@ -42,6 +42,7 @@ struct Options {
   MotionArguments motion;
   DeformingArguments deforming;
   WalkerArguments walker;
+  ProximityArguments proximity;
 };
 
 /// CLI11's own tells the range of all doubles.
@@ -277,8 +278,8 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
       ->add_option(
           "--task", arguments.task,
           "frames: methods and peers in one scene; table: in all scenes, with what is asked of them; cell-size: "
-          "the spatial hash")
-      ->check(CLI::IsMember({"frames", "table", "cell-size"}))
+          "the spatial hash; swaps: what coherence saves, and how it grows with the number of boxes")
+      ->check(CLI::IsMember({"frames", "table", "cell-size", "swaps"}))
       ->capture_default_str();
   broad->add_option("--scene", arguments.scene, "the crowd")->check(CLI::IsMember(scenes))->capture_default_str();
   broad->add_option("--count", arguments.count, "boxes")->check(CLI::PositiveNumber)->capture_default_str();
@@ -302,6 +303,20 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
   broad->add_flag("--json", arguments.json, "write JSON (docs/guide/benchmarks.md)");
   broad->footer(
       "Example:\n  ./toccata bench broad --scene clustered --count 10000 --method auto,grid --peer bullet,fcl");
+}
+
+void add_proximity(CLI::App& app, ProximityArguments& arguments) {
+  CLI::App* proximity = app.add_subcommand("proximity", "how cost grows as two meshes come near, or get larger");
+  proximity
+      ->add_option(
+          "--task", arguments.task,
+          "gap: helices, boxes, shells and a mould, free by less and less, for each volume; size: every pair of "
+          "triangles against trees")
+      ->check(CLI::IsMember({"gap", "size"}))
+      ->capture_default_str();
+  add_number(*proximity, "--rounds", arguments.rounds, "of size: how often each is asked; the least time counts");
+  add_json(*proximity, arguments.json);
+  proximity->footer("Example:\n  ./toccata bench proximity --task size");
 }
 
 void add_world(CLI::App& app, WorldArguments& arguments) {
@@ -486,6 +501,7 @@ int main_of(int argc, char** argv) {
   add_motion(app, options.motion);
   add_deforming(app, options.deforming);
   add_walker(app, options.walker);
+  add_proximity(app, options.proximity);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {
@@ -513,6 +529,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("motion")) return run_motion_task(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);
   if (app.got_subcommand("walker")) return run_walker(options.walker);
+  if (app.got_subcommand("proximity")) return run_proximity(options.proximity);
   return run_process(options.process);
 }
 

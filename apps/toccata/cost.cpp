@@ -138,7 +138,8 @@ Subcommand add_cost(CLI::App& app) {
       ->capture_default_str();
   list("--workloads", words.workloads, "rigid, refit, rebuild (default: all)");
   list("--volumes", words.volumes, "aabb, obb, 26-dop, … (default: all)");
-  list("--builders", words.builders, "heuristic, mean, median, morton, agglomeration, insertion (default: all)");
+  list("--builders", words.builders,
+       "heuristic, mean, median, equal-regions, morton, agglomeration, insertion (default: all)");
   cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
       ->delimiter(',')
       ->allow_extra_args(false)

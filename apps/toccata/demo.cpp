@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "check_table.hpp"
 #include "demo_cloth.hpp"
+#include "demo_mould.hpp"
 #include "demo_readme.hpp"
 #include "demo_text.hpp"
 #include "file_text.hpp"
@@ -29,6 +31,8 @@ struct DemoArguments {
   std::string scene;         ///< empty: all that do not move
   std::string write_folder;  ///< empty: run the demo
   int steps = 1000;          ///< of what moves
+  std::string mesh;          ///< that stands in a wall
+  double factor = 1;         ///< by which it is scaled there
   Format format = Format::table;
   int threads = 0;
 };
@@ -128,8 +132,24 @@ int show_cloth(const DemoArguments& arguments) {
   return answer.is_clean ? 0 : 1;
 }
 
+int show_mould(const DemoArguments& arguments) {
+  if (!arguments.write_folder.empty()) require_free(arguments.write_folder);
+  const Scene scene = mould_scene(arguments.mesh, arguments.factor);
+  const std::vector<SceneInstance> models = scene_models(scene, arguments.threads);
+  const CheckReport report = demo_report(models, arguments.threads);
+  std::string text = check_table(scene, report);
+  if (!arguments.write_folder.empty()) {
+    write_folder(arguments.write_folder, [&](const std::filesystem::path& folder) { write_scene(scene, folder); });
+    text += fmt::format("Written to {0}, to be looked at with\n  {1} view {0}/scene.json\n", arguments.write_folder,
+                        called_as());
+  }
+  print_answer(arguments.format == Format::json ? report_json(scene, models, report) : text);
+  return 0;
+}
+
 int run_demo(const DemoArguments& arguments) {
   if (arguments.scene == "cloth") return show_cloth(arguments);
+  if (arguments.scene == "mould") return show_mould(arguments);
   return arguments.write_folder.empty() ? show_scenes(arguments) : write_scenes(arguments.write_folder);
 }
 
@@ -139,18 +159,30 @@ Subcommand add_demo(CLI::App& app) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
   CLI::Option* scene =
-      demo->add_option("scene", arguments->scene, "cloth: a cloth that falls, step by step; else all scenes at rest")
-          ->check(CLI::IsMember({"cloth"}));
+      demo->add_option("scene", arguments->scene,
+                       "cloth: a cloth that falls, step by step; mould: a mesh in the hole that it leaves in a wall; "
+                       "else all scenes at rest")
+          ->check(CLI::IsMember({"cloth", "mould"}));
   demo->add_option("--steps", arguments->steps, "of the cloth")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str()
       ->needs(scene);
+  arguments->mesh = "gen:noise-sphere";
+  demo->add_option("--mesh", arguments->mesh, "of the mould: a file, or a generated mesh")
+      ->capture_default_str()
+      ->needs(scene);
+  demo->add_option("--factor", arguments->factor, "scales the mesh in its mould about the middle of its box: try 0.999")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->capture_default_str()
+      ->needs(scene);
   add_text(*demo, "--write", arguments->write_folder,
-           "write the scenes as files to play with, or the cloth as it lies at last, into this folder",
+           "write the scenes as files to play with, the cloth as it lies at last, or the mould, into this folder",
            "a folder must be named");
   add_threads(*demo, arguments->threads, "answer");
   add_json(*demo, arguments->format, "write the answers as JSON");
-  demo->footer(with_name("Example:\n  {0} demo\n  {0} demo --write scenes\n  {0} demo cloth"));
+  demo->footer(
+      with_name("Example:\n  {0} demo\n  {0} demo --write scenes\n  {0} demo cloth\n"
+                "  {0} demo mould --mesh part.stl --factor 0.999"));
   return {demo, [arguments] { return run_demo(*arguments); }};
 }
 

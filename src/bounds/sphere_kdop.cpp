@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "math/wide_integer.hpp"
+#include "narrow/exact/exact_distance.hpp"
+#include "toccata/core/error.hpp"
 
 // Let h_j be the height of the centre above plane j, scaled by the length of its normal n_j. The nearest point of the
 // intersection of planes S is the centre less Σ λ_i n_i, where G λ = h and G_ij = n_i · n_j; the square of its distance
@@ -209,6 +211,21 @@ bool overlap_exactly(const PosedSphere& sphere, const Kdop<k>& kdop) {
   return s && s->square <= radius * radius * s->determinant;
 }
 
+/// The centre, which is outside, and the nearest point, as far from it as the planes tell.
+template <std::size_t k>
+ExactNearest centre_and_nearest(const Vec3& centre, const ActivePlanes<WideInteger>& s, int exponent) {
+  static constexpr auto normals = plane_normals<k>();
+  ExactNearest nearest;
+  nearest.exponent = exponent;
+  for (std::size_t i = 0; i < s.count; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) nearest.direction[axis] += normals[s.plane[i]][axis] * s.lambda[i];
+  nearest.on_a = {scaled_wide(centre, exponent), 1};
+  nearest.on_b = {WideInteger(s.determinant) * nearest.on_a.numerator - nearest.direction, s.determinant};
+  nearest.squared_numerator = s.square;
+  nearest.squared_denominator = s.determinant;
+  return nearest;
+}
+
 template <std::size_t k>
 std::optional<bool> overlap_fast(const PosedSphere& sphere, const Kdop<k>& kdop) {
   const auto h = heights<double>(sphere.centre, kdop, [](double value) { return value; });
@@ -250,6 +267,19 @@ bool overlap_by_regions(const PosedSphere& sphere, const Kdop<k>& kdop) {
   return overlap_exactly(sphere, kdop);
 }
 
+template <std::size_t k>
+Distance distance(const PosedSphere& sphere, const Kdop<k>& kdop) {
+  if (is_empty(kdop)) throw Error("the k-DOP is empty, and nothing has a distance to it; fit it to something first");
+  const Distance inside{0, 0, sphere.centre, sphere.centre, Status::exact};
+  const int exponent = exponent_of(sphere.centre, kdop, 0);
+  const auto h = exact_heights(sphere.centre, kdop, exponent);
+  const std::optional<std::size_t> first = farthest_plane(h);
+  if (!first) return inside;
+  const auto s = nearest(ExactHeights{}, h, *first);
+  if (!s) throw Error("the slabs of the k-DOP have no point in common; fit it to something, or merge such ones");
+  return rounded_distance(centre_and_nearest<k>(sphere.centre, *s, exponent), sphere.radius, 0);
+}
+
 template std::uint32_t kdop_region(const Vec3&, const Kdop<6>&);
 template std::uint32_t kdop_region(const Vec3&, const Kdop<14>&);
 template std::uint32_t kdop_region(const Vec3&, const Kdop<18>&);
@@ -258,5 +288,9 @@ template bool overlap_by_regions(const PosedSphere&, const Kdop<6>&);
 template bool overlap_by_regions(const PosedSphere&, const Kdop<14>&);
 template bool overlap_by_regions(const PosedSphere&, const Kdop<18>&);
 template bool overlap_by_regions(const PosedSphere&, const Kdop<26>&);
+template Distance distance(const PosedSphere&, const Kdop<6>&);
+template Distance distance(const PosedSphere&, const Kdop<14>&);
+template Distance distance(const PosedSphere&, const Kdop<18>&);
+template Distance distance(const PosedSphere&, const Kdop<26>&);
 
 }  // namespace toccata

@@ -39,10 +39,10 @@ double ground_at(double x, double y) {
   return 6 * wave(x / 97) + 5 * wave(y / 113 + 0.3 * wave(x / 211));
 }
 
-double reflected(double& velocity, double value, double room) {
-  if (value < 0 && velocity < 0) velocity = -velocity;
-  if (value > room && velocity > 0) velocity = -velocity;
-  return std::clamp(value, 0.0, room);
+double reflected(double& velocity, double value, double least, double most) {
+  if (value < least && velocity < 0) velocity = -velocity;
+  if (value > most && velocity > 0) velocity = -velocity;
+  return std::clamp(value, least, most);
 }
 
 }  // namespace
@@ -55,6 +55,8 @@ std::span<const NamedScene> crowd_scenes() {
       {"static", "as uniform, but only one in twenty moves"},
       {"terrain", "a crowd that walks on hills"},
       {"fast", "as uniform, but each moves by its size a frame"},
+      {"bounce", "as uniform, but they fall, bounce off the floor and rise again"},
+      {"pile", "boxes of one size lie on and beside each other, and each trembles in its place"},
   };
   return scenes;
 }
@@ -72,13 +74,16 @@ Crowd::Crowd(std::string_view scene, std::size_t count, std::uint64_t seed) {
   const double boxes_per_volume = sizes ? 37.7 : clustered ? 0.00075 : 0.75;
   const auto all = static_cast<double>(std::max<std::size_t>(count, 1));
   const double side = on_ground_ ? std::sqrt(all / 1.5) : std::cbrt(all / boxes_per_volume);
-  room_ = {side, side, on_ground_ ? 0 : side};
+  const Vec3 room{side, side, on_ground_ ? 0 : side};
+  gravity_ = scene == "bounce" ? 0.001 : 0;
+  const auto per_side = static_cast<Index>(std::ceil(std::cbrt(all)));
   std::vector<Vec3> heaps(std::max<std::size_t>(1, count / 2000));
   for (Vec3& heap : heaps) heap = vector_between(random, 0.05 * side, 0.95 * side);
   const double speed = scene == "fast" ? 1 : 0.01;
   for (Index number = 0; number < count; ++number) {
     Body body;
-    body.centre = times(vector_between(random, 0, 1), room_);
+    body.centre = times(vector_between(random, 0, 1), room);
+    body.most = room;
     if (clustered) {
       const Vec3 by{bell(random), bell(random), bell(random)};
       body.centre = heaps[number % heaps.size()] + 4.0 * by;
@@ -87,11 +92,29 @@ Crowd::Crowd(std::string_view scene, std::size_t count, std::uint64_t seed) {
                       : vector_between(random, 0.25, 0.75);
     body.velocity = speed * times(body.half, vector_between(random, -2, 2));
     if (on_ground_) body.half.z = 0.75 + 0.5 * body.half.z;
+    if (gravity_ > 0) {  // on its way up or down from a height between its own and the room's
+      const double rise = random.unit() * (side - body.centre.z);
+      body.velocity.z = (number % 2 == 0 ? 1 : -1) * std::sqrt(2 * gravity_ * rise);
+    }
+    if (scene == "pile") put_into_pile(body, number, per_side);
     bodies_.push_back(body);
     if (scene != "static" || random.below(20) == 0) moving_.push_back(number);
   }
   boxes_.resize(count);
   for (Index number = 0; number < count; ++number) place(number);
+}
+
+/// In layers of one height, so that of each layer all ends lie within the way that a box trembles.
+void Crowd::put_into_pile(Body& body, Index number, Index per_side) {
+  const Vec3 place{static_cast<double>(number % per_side), static_cast<double>(number / per_side % per_side),
+                   static_cast<double>(number / per_side / per_side)};
+  const Vec3 reach{0.02, 0.02, 0.02}, size_before = body.half;
+  body.half = {0.5, 0.5, 0.5};
+  body.least = place - reach;
+  body.most = place + reach;
+  // Sizes and velocities of the other scenes are random enough for where and how it begins.
+  body.centre = body.least + times(2 * reach, 2 * (size_before - Vec3{0.25, 0.25, 0.25}));
+  body.velocity = 0.25 * body.velocity;
 }
 
 void Crowd::place(Index number) {
@@ -103,9 +126,11 @@ void Crowd::place(Index number) {
 std::span<const Index> Crowd::step() {
   for (const Index number : moving_) {
     Body& body = bodies_[number];
+    body.velocity.z -= gravity_;
     const Vec3 to = body.centre + body.velocity;
-    body.centre = {reflected(body.velocity.x, to.x, room_.x), reflected(body.velocity.y, to.y, room_.y),
-                   reflected(body.velocity.z, to.z, room_.z)};
+    body.centre = {reflected(body.velocity.x, to.x, body.least.x, body.most.x),
+                   reflected(body.velocity.y, to.y, body.least.y, body.most.y),
+                   reflected(body.velocity.z, to.z, body.least.z, body.most.z)};
     place(number);
   }
   return moving_;

@@ -1,3 +1,4 @@
+#include "generate/mesh_building.hpp"
 #include "generate/scene_building.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
@@ -27,6 +28,34 @@ SharedMesh cube_cut_otherwise() {
   return shared({std::move(vertices), std::move(triangles)});
 }
 
+/// per_side² unit boxes beside each other, whose near faces have the x coordinate `near` and the far ones `far`.
+TriangleMesh wall_of_boxes(double near, double far, int per_side) {
+  constexpr double spacing = 1.5;
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> faces;
+  const TriangleMesh unit = box_mesh({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
+  for (int row = 0; row < per_side; ++row)
+    for (int column = 0; column < per_side; ++column) {
+      const Index first = static_cast<Index>(vertices.size());
+      for (const Vec3& v : unit.vertices())
+        vertices.push_back({v.x == 0 ? near : far, spacing * column + v.y, spacing * row + v.z});
+      const Index first_face = faces.empty() ? 0 : faces.back() + 1;
+      for (Index t = 0; t < unit.triangle_count(); ++t) {
+        const auto& [a, b, c] = unit.triangles()[t];
+        triangles.push_back({first + a, first + b, first + c});
+        faces.push_back(first_face + unit.face_of(t));
+      }
+    }
+  return {std::move(vertices), std::move(triangles), std::move(faces)};
+}
+
+/// Where a copy goes that is scaled about a point of its own. The point stays to the bit where the factor is 1.
+Pose placed_copy(const MouldShape& shape, const Placement& placement) {
+  const Vec3 offset = placed(placement, (1 - shape.factor) * shape.about).offset;
+  return {scaled(Pose{}, placement.scale * shape.factor).linear, offset};
+}
+
 }  // namespace
 
 Scene interleaved_helices(double gap, const Placement& placement) {
@@ -42,10 +71,14 @@ Scene interleaved_helices(double gap, const Placement& placement) {
 }
 
 Scene inside_negative_image(std::uint64_t seed, const Placement& placement) {
-  const TriangleMesh ball = noise_sphere_mesh({1, 0.3, 3, seed});
+  return inside_negative_image(noise_sphere_mesh({1, 0.3, 3, seed}), {}, placement);
+}
+
+Scene inside_negative_image(const TriangleMesh& mesh, const MouldShape& shape, const Placement& placement) {
+  require_range("the factor", shape.factor, 1e-3, 1e3);
   Scene scene;
-  add(scene, "bumpy ball", shared(ball), placed(placement));
-  add(scene, "its mould", shared(negative_image(ball, 0.5)), placed(placement));
+  add(scene, "mesh", shared(mesh), placed_copy(shape, placement));
+  add(scene, "its mould", shared(negative_image(mesh, shape.margin)), placed(placement));
   return scene;
 }
 
@@ -53,14 +86,18 @@ Scene nested_shells(double factor, std::uint64_t seed, const Placement& placemen
   const SharedMesh ball = shared(noise_sphere_mesh({1, 0.3, 3, seed}));
   Scene scene;
   add(scene, "bumpy ball", ball, placed(placement));
-  add(scene, factor < 1 ? "smaller copy" : "larger copy", ball, placed({placement.scale * factor, placement.offset}));
+  add(scene, factor < 1 ? "smaller copy" : "larger copy", ball, placed_copy({factor}, placement));
   return scene;
 }
 
-Scene boxes_face_to_face(const Placement& placement) {
+Scene boxes_face_to_face(double gap, const Placement& placement) { return fields_of_boxes(gap, 1, placement); }
+
+Scene fields_of_boxes(double gap, int per_side, const Placement& placement) {
+  require_range("the gap", gap, -1, 1e300);
+  require_range("the number of boxes on a side", per_side, 1, 1000);
   Scene scene;
-  add(scene, "left box", box_from({0, 0, 0}, {1, 1, 1}), placed(placement));
-  add(scene, "right box", box_from({1, 0, 0}, {1, 1, 1}), placed(placement));
+  add(scene, "left boxes", shared(wall_of_boxes(0, 1, per_side)), placed(placement));
+  add(scene, "right boxes", shared(wall_of_boxes(1 + gap, 2 + gap, per_side)), placed(placement));
   return scene;
 }
 

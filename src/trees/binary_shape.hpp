@@ -14,6 +14,8 @@ struct Fork {
   Index left = no_index;
   Index right = no_index;
   Index item = no_index;
+  /// Of `equal_regions`: with its parent it makes one node, whose region both cut.
+  bool goes_on = false;
 
   [[nodiscard]] bool is_leaf() const { return item != no_index; }
 };
@@ -24,11 +26,11 @@ struct BinaryShape {
   Index root = no_index;
 
   [[nodiscard]] Index add_leaf(Index item) {
-    forks.push_back({no_index, no_index, item});
+    forks.push_back({no_index, no_index, item, false});
     return static_cast<Index>(forks.size() - 1);
   }
   [[nodiscard]] Index add_fork(Index left, Index right) {
-    forks.push_back({left, right, no_index});
+    forks.push_back({left, right, no_index, false});
     return static_cast<Index>(forks.size() - 1);
   }
 };
@@ -40,8 +42,9 @@ struct ShapeItems {
   std::vector<Vec3> centroids;
 };
 
-/// On up to `threads` threads; none of the shapes depends on how many.
-[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const BvhOptions& options);
+/// On up to `threads` threads; none of the shapes depends on how many. Of `equal_regions` alone the arity tells into
+/// how many each is cut.
+[[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const BvhOptions& options, int arity);
 [[nodiscard]] BinaryShape shape_by_heuristic(const ShapeItems& items);
 [[nodiscard]] BinaryShape shape_by_agglomeration(const ShapeItems& items, int threads);
 [[nodiscard]] BinaryShape shape_by_insertion(const ShapeItems& items);

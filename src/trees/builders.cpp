@@ -32,11 +32,12 @@ ShapeItems items_of(std::span<const Triangle> triangles, int threads) {
   return items;
 }
 
-BinaryShape binary_shape(const ShapeItems& items, const BvhOptions& options) {
+BinaryShape binary_shape(const ShapeItems& items, const BvhOptions& options, int arity) {
   switch (options.method) {
     case BvhMethod::mean:
     case BvhMethod::median:
-      return shape_from_top(items, options);
+    case BvhMethod::equal_regions:
+      return shape_from_top(items, options, arity);
     case BvhMethod::heuristic:
       return shape_by_heuristic(items);
     case BvhMethod::agglomeration:
@@ -72,8 +73,12 @@ std::vector<Index> counts_below(const BinaryShape& shape) {
 /// Gives a binary shape its arity and leaf size, and puts it into the order of trees.
 class Arranger {
  public:
-  Arranger(const BinaryShape& binary, Index arity, Index leaf_size)
-      : binary_(binary), counts_(counts_below(binary)), arity_(arity), leaf_size_(std::max<Index>(leaf_size, 1)) {}
+  Arranger(const BinaryShape& binary, Index arity, const BvhOptions& options)
+      : binary_(binary),
+        counts_(counts_below(binary)),
+        arity_(arity),
+        leaf_size_(std::max<Index>(options.leaf_size, 1)),
+        by_regions_(options.method == BvhMethod::equal_regions) {}
 
   BvhShape arrange() {
     add_node();
@@ -106,16 +111,17 @@ class Arranger {
   void add_node() { shape_.nodes.emplace_back(); }
 
   /// Of a fork with more items than a leaf may have: the child with most items gives way to its own children, as long
-  /// as there is room.
+  /// as there is room. Of regions those do that are cut further into the same parts.
   [[nodiscard]] std::vector<Index> children_of(Index fork) const {
     std::vector<Index> children{binary_.forks[fork].left, binary_.forks[fork].right};
+    const auto rank = [&](Index i) { return by_regions_ && !binary_.forks[i].goes_on ? 0 : counts_[i]; };
     while (children.size() < arity_) {
-      const auto largest =
-          std::max_element(children.begin(), children.end(), [&](Index i, Index j) { return counts_[i] < counts_[j]; });
-      if (counts_[*largest] <= leaf_size_) break;
-      const Fork& opened = binary_.forks[*largest];
-      *largest = opened.left;
-      children.insert(largest + 1, opened.right);
+      const auto opened =
+          std::max_element(children.begin(), children.end(), [&](Index i, Index j) { return rank(i) < rank(j); });
+      if (rank(*opened) <= leaf_size_) break;
+      const Fork& parts = binary_.forks[*opened];
+      *opened = parts.left;
+      children.insert(opened + 1, parts.right);
     }
     return children;
   }
@@ -141,6 +147,7 @@ class Arranger {
   std::vector<Index> counts_;
   Index arity_;
   Index leaf_size_;
+  bool by_regions_;
   BvhShape shape_;
 };
 
@@ -150,8 +157,8 @@ BvhShape build_bvh_shape(std::span<const Triangle> triangles, int arity, const B
   if (arity < 2 || arity > 8)
     throw Error("a tree has 2 to 8 children a node, not " + std::to_string(arity) + "; choose another arity");
   if (triangles.empty()) return {};
-  const BinaryShape binary = binary_shape(items_of(triangles, options.threads), options);
-  return Arranger(binary, static_cast<Index>(arity), options.leaf_size).arrange();
+  const BinaryShape binary = binary_shape(items_of(triangles, options.threads), options, arity);
+  return Arranger(binary, static_cast<Index>(arity), options).arrange();
 }
 
 std::vector<ItemRun> item_runs(const BvhShape& shape) {

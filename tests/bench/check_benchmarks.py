@@ -208,9 +208,18 @@ def check_builders():
     """Every builder makes the same tree on any number of threads."""
     made = check(2, "build", "--mesh", "gen:torus?around=12&sides=6", "--threads", "1,2,3", "--rounds", "2")
     variants = {r["variant"] for r in made["results"]}
-    assert len(variants) == 13 and len(made["results"]) == 39, variants
+    assert len(variants) == 15 and len(made["results"]) == 45, variants
     gains = made["question"]["gains"]
-    assert len(gains) == 39 and all(g["gain"] > 0 for g in gains), gains
+    assert len(gains) == 45 and all(g["gain"] > 0 for g in gains), gains
+
+
+def check_proximity():
+    """Balls of any number of triangles are apart in every way; boxes that bounce swap more ends than those that float."""
+    sizes = report("proximity", "--task", "size", "--rounds", "1")["results"]
+    assert len(sizes) == 11 and not any(r["meet"] for r in sizes), sizes
+    rows = {r["scene"]: r for r in report("broad", "--task", "swaps", "--count", "1000", "--frames", "3")["results"]}
+    assert rows["bounce"]["swaps_per_box"] > rows["uniform"]["swaps_per_box"] > rows["static"]["swaps_per_box"], rows
+    assert rows["pile"]["swaps_per_box"] > rows["uniform"]["swaps_per_box"], rows
 
 
 def check_process():
@@ -365,6 +374,7 @@ def main():
     check_triangles(peers)
     check_convex(peers)
     check_process()
+    check_proximity()
     check_builders()
     check_world(peers)
     check_parts(peers)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "oracle/rational.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/narrow/primitives.hpp"
 
@@ -113,6 +114,43 @@ TEST(SphereKdop, OverlapIsThatOfTheOracle) {
   compare_with_oracle<14>(60);
   compare_with_oracle<18>(60);
   compare_with_oracle<26>(30);
+}
+
+template <std::size_t k>
+void compare_distance_with_oracle(std::uint64_t cases) {
+  for (std::uint64_t seed = 0; seed < cases; ++seed) {
+    SCOPED_TRACE(testing::Message() << "k " << k << " seed " << seed);
+    Random random(seed);
+    const int kind = static_cast<int>(seed % 3);
+    std::vector<Vec3> points;
+    for (std::uint64_t i = 0; i < 1 + seed % 6; ++i) points.push_back(random_place(random, kind));
+    const Kdop<k> kdop = fit<Kdop<k>>(points);
+    const Vec3 centre = random_place(random, kind);
+    const auto planes = half_spaces(kdop);
+    const Rational square = squared_distance(oracle::exact(centre), planes);
+    const Distance found = distance(PosedSphere(centre, 0), kdop);
+    const Rational lower = oracle::exact(found.lower), upper = oracle::exact(found.upper);
+    ASSERT_TRUE(lower * lower <= square && square <= upper * upper);
+    ASSERT_LE(found.upper, std::nextafter(found.lower, HUGE_VAL));
+    ASSERT_EQ(found.on_a, centre);
+    // The point is as near as is told, and as near to every plane's inner side as rounding lets it be.
+    const Vec3 way = found.on_b - centre;
+    const double size = kind == 2 ? 1e6 : 10;
+    ASSERT_NEAR(std::sqrt(dot(way, way)), found.upper, 1e-12 * size);
+    for (const auto& plane : planes)
+      ASSERT_LT(height_above(plane, oracle::exact(found.on_b)).to_double(), 1e-12 * size);
+    const Distance grown = distance(PosedSphere(centre, 0.5), kdop);
+    ASSERT_NEAR(grown.upper, std::max(0.0, found.upper - 0.5), 1e-12 * size);
+    ASSERT_EQ(grown.upper == 0, overlap_by_regions(PosedSphere(centre, 0.5), kdop));
+  }
+}
+
+TEST(SphereKdop, DistanceIsThatOfTheOracle) {
+  compare_distance_with_oracle<6>(60);
+  compare_distance_with_oracle<14>(24);
+  compare_distance_with_oracle<18>(12);
+  compare_distance_with_oracle<26>(6);
+  EXPECT_THROW((void)distance(PosedSphere({0, 0, 0}, 1), Kdop<14>{}), Error);
 }
 
 TEST(SphereKdop, OfSixPlanesIsThatOfABox) {

@@ -17,7 +17,7 @@ using test::run_command;
 using Json = nlohmann::json;
 
 TEST(CrowdCommand, ComparesAllMethodsOnEveryScene) {
-  for (const std::string scene : {"uniform", "clustered", "sizes", "static", "terrain", "fast"}) {
+  for (const std::string scene : {"uniform", "clustered", "sizes", "static", "terrain", "fast", "bounce", "pile"}) {
     const auto run = run_command({"crowd", "--count", "300", "--frames", "4", "--scene", scene, "--compare", "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json json = Json::parse(run.out);

@@ -112,6 +112,25 @@ TEST(Demo, NoFrameOfTheClothMeetsAnything) {
   EXPECT_EQ(run_command({"demo", "silk"}).exit_code, 2);
 }
 
+/// A ring is not star-shaped: its tube cuts the hole that it is too small for.
+TEST(Demo, AnyMeshStandsInTheHoleThatItLeavesInAWall) {
+  const TemporaryFolder folder;
+  const auto relation_in = [&](const std::string& mesh, const std::string& factor) {
+    const auto result = run_command({"demo", "mould", "--mesh", mesh, "--factor", factor, "--json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Json pairs = Json::parse(result.out)["pairs"];
+    return pairs.empty() ? std::string("apart") : pairs[0]["relation"].get<std::string>();
+  };
+  EXPECT_EQ(relation_in("gen:icosphere?subdivisions=2", "1"), "touching");
+  EXPECT_EQ(relation_in("gen:icosphere?subdivisions=2", "0.999"), "apart");
+  EXPECT_EQ(relation_in("gen:torus", "0.999"), "overlapping");
+  const auto written = run_command({"demo", "mould", "--factor", "0.999", "--write", "wall"}, folder.path());
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_EQ(run_command({"check", "wall/scene.json"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_command({"demo", "mould", "--factor", "0"}).exit_code, 2);
+  EXPECT_EQ(run_command({"demo", "mould", "--mesh", "none.obj"}, folder.path()).exit_code, 2);
+}
+
 TEST(Demo, LeavesAFolderNamedPartialAlone) {
   const TemporaryFolder folder;
   folder.write("scenes.partial/mine.txt", "precious");

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 
 namespace toccata {
@@ -51,6 +53,38 @@ TEST(HardScenes, NegativeImageTouchesAllOver) {
     EXPECT_EQ(only_relation(inside_negative_image(1, placement)).kind, RelationKind::touching);
 }
 
+TEST(HardScenes, AShrunkMeshIsApartFromItsMouldAndAGrownOneIsNot) {
+  const TriangleMesh ball = noise_sphere_mesh({1, 0.3, 2, 5});
+  for (const Placement& placement : placements) {
+    SCOPED_TRACE(testing::Message() << "scale " << placement.scale << " offset " << placement.offset);
+    EXPECT_EQ(only_relation(inside_negative_image(ball, {}, placement)).kind, RelationKind::touching);
+    EXPECT_EQ(only_relation(inside_negative_image(ball, {.factor = 0.999}, placement)).kind, RelationKind::apart);
+    EXPECT_EQ(only_relation(inside_negative_image(ball, {.factor = 1.001}, placement)).kind, RelationKind::overlapping);
+  }
+  EXPECT_THROW((void)inside_negative_image(ball, {.factor = 0}), Error);
+  EXPECT_THROW((void)inside_negative_image(ball, {.margin = -1}), Error);
+}
+
+/// A ball that lies elsewhere is star-shaped about another point than the origin.
+TEST(HardScenes, AMeshShrinksAboutThePointThatIsTold) {
+  std::vector<Vec3> vertices;
+  const TriangleMesh ball = noise_sphere_mesh({1, 0.3, 2, 5});
+  for (const Vec3& v : ball.vertices()) vertices.push_back(v + Vec3{8, 0, 0});
+  const TriangleMesh moved(std::move(vertices), {ball.triangles().begin(), ball.triangles().end()});
+  const auto kind = [&](const Vec3& about) {
+    return only_relation(inside_negative_image(moved, {.factor = 0.999, .about = about})).kind;
+  };
+  EXPECT_EQ(kind({8, 0, 0}), RelationKind::apart);
+  EXPECT_EQ(kind({0, 0, 0}), RelationKind::overlapping);
+}
+
+/// Neither convex nor star-shaped, as the bunny: the shrunk tube of a ring leaves its hole on the inner side.
+TEST(HardScenes, AShrunkRingCutsItsMould) {
+  const TriangleMesh ring = torus_mesh({1, 0.25, 24, 8});
+  EXPECT_EQ(only_relation(inside_negative_image(ring)).kind, RelationKind::touching);
+  EXPECT_EQ(only_relation(inside_negative_image(ring, {.factor = 0.999})).kind, RelationKind::overlapping);
+}
+
 TEST(HardScenes, ShellsAreNested) {
   for (const Placement& placement : placements) {
     const Relation smaller = only_relation(nested_shells(0.999, 2, placement));
@@ -62,10 +96,33 @@ TEST(HardScenes, ShellsAreNested) {
 
 TEST(HardScenes, AlignedBoxes) {
   for (const Placement& placement : placements) {
-    EXPECT_EQ(only_relation(boxes_face_to_face(placement)).kind, RelationKind::touching);
+    EXPECT_EQ(only_relation(boxes_face_to_face(0, placement)).kind, RelationKind::touching);
     EXPECT_EQ(only_relation(boxes_sharing_half(placement)).kind, RelationKind::overlapping);
     EXPECT_EQ(only_relation(equal_boxes(placement)).containment, Containment::equal);
   }
+}
+
+TEST(HardScenes, BoxesAreApartForAGapAndOverlapWithoutOne) {
+  for (const double gap : {1e-3, 1e-5, 1e-8})
+    for (const Placement& placement : placements)
+      for (const int per_side : {1, 3}) {
+        SCOPED_TRACE(testing::Message() << gap << " scale " << placement.scale << " offset " << placement.offset);
+        EXPECT_EQ(only_relation(fields_of_boxes(gap, per_side, placement)).kind, RelationKind::apart);
+        EXPECT_EQ(only_relation(fields_of_boxes(0, per_side, placement)).kind, RelationKind::touching);
+        EXPECT_EQ(only_relation(fields_of_boxes(-gap, per_side, placement)).kind, RelationKind::overlapping);
+      }
+  EXPECT_THROW((void)boxes_face_to_face(-1.5), Error);
+  EXPECT_THROW((void)fields_of_boxes(1e-3, 0), Error);
+}
+
+TEST(HardScenes, EveryBoxOfAFieldFacesOneOfTheOther) {
+  const Scene scene = fields_of_boxes(-1e-6, 3);
+  const Model left(scene.objects[0].mesh()), right(scene.objects[1].mesh());
+  std::set<std::pair<Index, Index>> boxes;
+  for (const auto& contact : contacts(left, right)) boxes.insert({contact.triangle_a / 12, contact.triangle_b / 12});
+  EXPECT_EQ(boxes, (std::set<std::pair<Index, Index>>{
+                       {0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}, {8, 8}}));
+  EXPECT_EQ(scene.objects[0].mesh()->face_count(), 54U);
 }
 
 TEST(DemoScenes, Gears) {

@@ -194,6 +194,65 @@ TEST(SpherePlane, TouchesExactlyAndFromBothSides) {
   EXPECT_TRUE(overlap(PosedSphere({1, 1, 1}, std::nextafter(root, 2)), slanted));
 }
 
+TEST(SpherePlane, NearestPointsLieOnTheWayStraightDown) {
+  const Plane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  for (const double side : {1.0, -1.0}) {
+    const Distance found = distance(PosedSphere({5, 7, side * 3}, 2), plane);
+    EXPECT_EQ(found.lower, 1);
+    EXPECT_EQ(found.upper, 1);
+    EXPECT_EQ(found.on_a, (Vec3{5, 7, side}));
+    EXPECT_EQ(found.on_b, (Vec3{5, 7, 0}));
+  }
+  EXPECT_EQ(distance(PosedSphere({5, 7, 1}, 2), plane).on_a, (Vec3{5, 7, 0}));  // reaches through
+  // √3 is no double: the two around it.
+  const Plane slanted({1, -1, 0}, {0, 1, -1}, {-1, 0, 1});
+  const Distance root = distance(PosedSphere({1, 1, 1}, 0), slanted);
+  EXPECT_EQ(root.lower, std::sqrt(3));
+  EXPECT_EQ(root.upper, std::nextafter(std::sqrt(3), 2));
+  EXPECT_EQ(root.on_b, Vec3{});
+}
+
+/// Against the least height of a vertex, exactly; planes and shapes coarse and fine.
+TEST(ConvexPlane, DistanceIsTheLeastHeightOverTheNormalsLength) {
+  int apart = 0, together = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto number = [&] {
+      return seed % 2 == 0 ? static_cast<double>(random.below(9)) - 4 : random.between(-4, 4);
+    };
+    const auto point = [&] {
+      const double x = number(), y = number(), z = number();
+      return Vec3{x, y, z};
+    };
+    const Vec3 a = point(), b = point(), c = point();
+    const std::vector<Vec3> vertices{point(), point(), point(), point(), point()};
+    if (cross(b - a, c - a) == Vec3{}) continue;
+    const ConvexHull hull(vertices);
+    const PosedPolytope shape(hull);
+    const Distance found = distance(shape, Plane(a, b, c));
+    const oracle::RationalPoint at = oracle::exact(a);
+    const oracle::RationalPoint n = oracle::cross(oracle::exact(b) - at, oracle::exact(c) - at);
+    std::vector<oracle::Rational> heights;
+    for (const Vec3& v : vertices) heights.push_back(oracle::dot(n, oracle::exact(v) - at));
+    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+    const bool meets = *least <= 0 && *most >= 0;
+    ASSERT_EQ(found.upper == 0, meets);
+    ++(meets ? together : apart);
+    const double height_of_b = oracle::dot(n, oracle::exact(found.on_b) - at).to_double();
+    EXPECT_NEAR(height_of_b / std::sqrt(oracle::dot(n, n).to_double()), 0, 1e-13);
+    if (meets) continue;
+    const oracle::Rational height = *least > 0 ? *least : *most, squared = oracle::dot(n, n);
+    const oracle::Rational lower = oracle::exact(found.lower), upper = oracle::exact(found.upper);
+    EXPECT_LE(lower * lower * squared, height * height);
+    EXPECT_GE(upper * upper * squared, height * height);
+    EXPECT_LE(found.upper, std::nextafter(found.lower, HUGE_VAL));
+    EXPECT_EQ(oracle::dot(n, oracle::exact(found.on_a) - at), height);
+  }
+  EXPECT_GT(apart, 20);
+  EXPECT_GT(together, 20);
+}
+
 TEST(TrianglePlane, IsCutWhenItsVerticesLieOnBothSides) {
   const Plane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(overlap(PosedPolytope(Triangle{{Vec3{0, 0, 1}, Vec3{1, 0, -1e-300}, Vec3{0, 1, 1}}}), plane));

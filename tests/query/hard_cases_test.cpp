@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "query/meshes/posed_mesh.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"
@@ -87,6 +88,24 @@ TEST_P(HardCase, MeshInsideItsNegativeImage) {
   const Relation answer = relation_of(inside_negative_image(1), GetParam().pose);
   EXPECT_EQ(answer.kind, RelationKind::touching);
   EXPECT_EQ(answer.containment, Containment::none);
+}
+
+TEST_P(HardCase, AShrunkMeshInItsMould) {
+  const Scene scene = inside_negative_image(noise_sphere_mesh({1, 0.3, 2, 3}), {.factor = 0.999});
+  EXPECT_EQ(relation_of(scene, GetParam().pose).kind, RelationKind::apart);
+  expect_surfaces_like_brute_force(scene, GetParam().pose);
+}
+
+TEST_P(HardCase, BoxesAtAGap) {
+  const Pose& pose = GetParam().pose;
+  for (const double gap : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8})
+    for (const int per_side : {1, 3}) {
+      SCOPED_TRACE(gap);
+      EXPECT_EQ(relation_of(fields_of_boxes(gap, per_side), pose).kind, RelationKind::apart);
+      EXPECT_EQ(relation_of(fields_of_boxes(-gap, per_side), pose).kind, RelationKind::overlapping);
+    }
+  expect_surfaces_like_brute_force(fields_of_boxes(1e-8, 3), pose);
+  expect_surfaces_like_brute_force(fields_of_boxes(-1e-8, 3), pose);
 }
 
 TEST_P(HardCase, ShellsScaledByAThousandth) {

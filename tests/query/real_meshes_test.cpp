@@ -6,9 +6,11 @@
 #include "support/data.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
+#include "toccata/generate/scenes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"
+#include "toccata/query/relation.hpp"
 
 namespace toccata {
 namespace {
@@ -41,6 +43,19 @@ TEST(RealMeshes, TheBunnyIntersectsItsScaledCopy) {
     EXPECT_TRUE(overlap(bunny, bunny, query)) << factor;
     const auto crosses = [](const auto& contact) { return contact.intersection.crossing; };
     EXPECT_TRUE(std::ranges::any_of(contacts(bunny, bunny, query), crosses)) << factor;
+  }
+}
+
+/// The second lecture's scene, told of this bunny. It is open, so a surface, and so is the wall with its hole.
+TEST(RealMeshes, TheBunnyInTheHoleThatItLeavesInAWall) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const TriangleMesh bunny = read_mesh(*data / "meshes/stanford-bunny.obj");
+  for (const double factor : {1.0, 0.999}) {
+    const Scene scene = inside_negative_image(bunny, {.factor = factor, .margin = 0.01});
+    const SceneObject &a = scene.objects[0], &b = scene.objects[1];
+    const Relation found = relation(Model(a.mesh()), Model(b.mesh()), {a.pose, b.pose});
+    EXPECT_EQ(found.kind, factor == 1 ? RelationKind::touching : RelationKind::crossing) << factor;
   }
 }
 

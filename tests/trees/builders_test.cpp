@@ -16,7 +16,8 @@ namespace toccata {
 namespace {
 
 constexpr std::array all_methods{BvhMethod::mean,          BvhMethod::median,    BvhMethod::heuristic,
-                                 BvhMethod::agglomeration, BvhMethod::insertion, BvhMethod::morton};
+                                 BvhMethod::agglomeration, BvhMethod::insertion, BvhMethod::morton,
+                                 BvhMethod::equal_regions};
 
 const std::vector<std::string> regimes = {"random", "same", "line", "grid", "graded", "huge"};
 
@@ -133,7 +134,7 @@ TEST(Builders, WalksFindTheSamePairsInAllOfThem) {
 
 TEST(Builders, TheRecursiveAndTheIterativeDriverMakeTheSameTree) {
   for (const std::string& regime : regimes)
-    for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median}) {
+    for (const BvhMethod method : {BvhMethod::mean, BvhMethod::median, BvhMethod::equal_regions}) {
       SCOPED_TRACE(text_of(method, regime));
       Random random(5);
       const std::vector<Triangle> triangles = triangles_of(regime, random, 200);
@@ -169,6 +170,46 @@ TEST(Builders, MakeTheSameTreeOnAnyNumberOfThreads) {
         }
       }
     }
+}
+
+/// The lecture's four: parts of one size, and boxes of any.
+TEST(Builders, EqualRegionsAreEqualAndTheBoxesInThemNot) {
+  std::vector<Triangle> triangles;
+  const auto add = [&](double x, double y, double size) {
+    const Vec3 p{x, y, 0};
+    triangles.push_back({{p - Vec3{size, size, 0}, p + Vec3{2 * size, -size, 0}, p + Vec3{-size, 2 * size, 0}}});
+  };
+  // Centroids from (0, 0) to (9, 8): in x cut at 4.5, and each half in y, the longer axis then, at 4.
+  for (const auto& [x, y] :
+       std::vector<std::pair<double, double>>{{0, 0}, {3, 2}, {3.9, 3.9}, {5, 1}, {9, 0}, {0, 8}, {7, 8}, {4.6, 4.1}})
+    add(x, y, 0.125);
+  const auto tree = build_bvh<Aabb, 4>(triangles, {.method = BvhMethod::equal_regions, .leaf_size = 3});
+  ASSERT_EQ(tree.nodes.size(), 5U);
+  std::vector<std::vector<Index>> groups;
+  for (Index k = 0; k < 4; ++k) {
+    const auto& node = tree.nodes[tree.nodes[0].first + k];
+    const auto first = tree.items.begin() + node.first;
+    groups.emplace_back(first, first + node.count);
+    std::sort(groups.back().begin(), groups.back().end());
+  }
+  EXPECT_EQ(groups, (std::vector<std::vector<Index>>{{0, 1, 2}, {5}, {3, 4}, {6, 7}}));
+  EXPECT_LT(half_area(tree.nodes[2].volume), 0.1 * half_area(tree.nodes[1].volume));
+}
+
+/// For every number of children a node may have, by the definition: the parts of one box have one volume, each child
+/// holds the centroids of one of them, and all of them.
+TEST(Builders, EqualRegionsAreAsManyAsANodeMayHaveChildren) {
+  Random random(21);
+  const std::vector<Triangle> triangles = triangles_of("random", random, 2000);
+  for (int arity = 2; arity <= 8; ++arity) {
+    SCOPED_TRACE(arity);
+    const BvhShape shape = build_bvh_shape(triangles, arity, {.method = BvhMethod::equal_regions});
+    const std::vector<ItemRun> runs = item_runs(shape);
+    ASSERT_EQ(shape.nodes[0].child_count, static_cast<Index>(arity));
+    // So many centroids, evenly spread, are shared about evenly by parts of one volume.
+    for (Index k = 0; k < shape.nodes[0].child_count; ++k)
+      EXPECT_NEAR(runs[shape.nodes[0].first + k].count, 2000.0 / arity, 5 * std::sqrt(2000.0 / arity));
+  }
 }
 
 TEST(Builders, ReportBalance) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "toccata/bounds/volume.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/posed_shapes.hpp"
 
 namespace toccata {
@@ -135,5 +136,10 @@ template <std::size_t k>
 /// convex quadratic programs", 1983): in doubles with a bound on the error, and where that leaves a doubt, in integers.
 template <std::size_t k>
 [[nodiscard]] bool overlap_by_regions(const PosedSphere& sphere, const Kdop<k>& kdop);
+
+/// The nearest points of a sphere and a k-DOP, found as above, in integers; a sphere of radius 0 is a point. Where the
+/// centre is inside, it is the point of both. Throws Error for a k-DOP that is empty.
+template <std::size_t k>
+[[nodiscard]] Distance distance(const PosedSphere& sphere, const Kdop<k>& kdop);
 
 }  // namespace toccata

@@ -27,19 +27,21 @@ class Crowd {
   std::span<const Index> step();
 
  private:
-  void place(Index number);
-
   struct Body {
     Vec3 centre, half, velocity;  ///< a frame
+    Vec3 least{}, most{};         ///< the centre stays between them
   };
+  static void put_into_pile(Body& body, Index number, Index per_side);
+  void place(Index number);
+
   std::vector<Body> bodies_;
   std::vector<Aabb> boxes_;
   std::vector<Index> moving_;
-  Vec3 room_;               ///< centres stay between 0 and this
+  double gravity_ = 0;      ///< a frame and frame
   bool on_ground_ = false;  ///< z follows x and y
 };
 
-/// uniform, clustered, sizes, static, terrain and fast.
+/// uniform, clustered, sizes, static, terrain, fast, bounce and pile.
 [[nodiscard]] std::span<const NamedScene> crowd_scenes();
 
 /// Pairs in one number, whatever their order: other pairs have another one, but for one chance in 2^64.

@@ -27,10 +27,30 @@ struct Placement {
 /// A star-shaped noise sphere within its own negative image: the surfaces coincide, the solids touch everywhere.
 [[nodiscard]] Scene inside_negative_image(std::uint64_t seed, const Placement& placement = {});
 
+/// How a mesh stands in the wall that has a hole of its form.
+struct MouldShape {
+  double factor = 1;    ///< of the mesh that stands in the hole, 1e-3 … 1e3; the hole is that of the mesh itself
+  Vec3 about = {};      ///< the point, in the mesh's coordinates, that stays where it is when it is scaled
+  double margin = 0.5;  ///< the wall around the mesh, more than 0, in the mesh's units
+};
+
+/// Any mesh in the hole that it leaves in a wall thicker than itself. With the factor 1 every triangle lies on its
+/// twin. With 0.999 a closed mesh is apart from the wall if it is star-shaped about `about`, as a noise sphere is about
+/// the origin; one that is not, as the bunny, cuts the wall. Throws Error for numbers out of range.
+[[nodiscard]] Scene inside_negative_image(const TriangleMesh& mesh, const MouldShape& shape = {},
+                                          const Placement& placement = {});
+
 /// A star-shaped noise sphere and its copy scaled by `factor` about the centre: 0.999 lies inside, 1.001 around.
 [[nodiscard]] Scene nested_shells(double factor, std::uint64_t seed, const Placement& placement = {});
 
-[[nodiscard]] Scene boxes_face_to_face(const Placement& placement = {});
+/// Two unit boxes side by side with `gap` between their faces, which is at least −1: positive is apart, 0 touches to
+/// the bit, negative overlaps. The sign survives rounding while |gap| · scale is above 4 units in the last place of
+/// offset + 2 · scale.
+[[nodiscard]] Scene boxes_face_to_face(double gap = 0, const Placement& placement = {});
+/// The same of two fields: each is one mesh of `per_side`² unit boxes, half an edge apart from each other, and every
+/// box of the one faces a box of the other over the gap. `per_side` is 1 … 1000; the sign survives while |gap| · scale
+/// is above 4 units in the last place of offset + 2 · scale · per_side.
+[[nodiscard]] Scene fields_of_boxes(double gap, int per_side, const Placement& placement = {});
 /// Two aligned boxes that share half their volume, and whose triangles nowhere cross.
 [[nodiscard]] Scene boxes_sharing_half(const Placement& placement = {});
 [[nodiscard]] Scene equal_boxes(const Placement& placement = {});

@@ -54,8 +54,9 @@ enum class CostTask {
 };
 
 /// The usual one first.
-inline constexpr std::array all_bvh_methods{BvhMethod::heuristic, BvhMethod::mean,          BvhMethod::median,
-                                            BvhMethod::morton,    BvhMethod::agglomeration, BvhMethod::insertion};
+inline constexpr std::array all_bvh_methods{BvhMethod::heuristic,     BvhMethod::mean,   BvhMethod::median,
+                                            BvhMethod::equal_regions, BvhMethod::morton, BvhMethod::agglomeration,
+                                            BvhMethod::insertion};
 
 // As the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
 [[nodiscard]] std::string_view name_of(CostVolume volume);

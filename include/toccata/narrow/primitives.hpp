@@ -40,6 +40,11 @@ namespace toccata {
 /// A plane against any bounded convex shape: has it vertices on both sides, or one nearer than its radius? Exact.
 [[nodiscard]] bool overlap(const PosedPolytope& a, const Plane& b);
 
+/// The nearest points of a shape and a plane, from whichever side; in exact arithmetic, so in microseconds. Where the
+/// shape reaches the plane, a point of both.
+[[nodiscard]] Distance distance(const PosedSphere& a, const Plane& b);
+[[nodiscard]] Distance distance(const PosedPolytope& a, const Plane& b);
+
 }  // namespace toccata
 
 // A capsule is all that is near a segment: its questions are about nearest points of the segment. Exact as for spheres.

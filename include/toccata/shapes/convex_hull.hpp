@@ -31,6 +31,7 @@ struct HullTopology {
   [[nodiscard]] Index target(Index half_edge) const { return origin[twin[half_edge]]; }
 };
 
+class HalfSpace;
 class TriangleMesh;
 
 /// The points given to a hull are refused when there are more.
@@ -80,5 +81,31 @@ class ConvexHull {
 /// it is not: throws Error when the mesh is open, inside out (its faces turn clockwise seen from outside), or not
 /// convex, naming the face.
 [[nodiscard]] ConvexHull hull_of_convex_mesh(const TriangleMesh& mesh);
+
+/// The solid that half-spaces have in common. Its vertices are found exactly, by whole numbers, and rounded to the
+/// nearest doubles; the hull is that of the rounded ones. So no point of the one lies farther from the other than a
+/// vertex is moved: half a unit in the last place of each coordinate. Half-spaces that add nothing, or are there twice,
+/// do no harm, and the order does not show. Throws Error when the half-spaces have no point in common, naming at most
+/// four that have none; when what they have in common goes on without end, telling a direction; when it is flat, naming
+/// in which planes it lies; and when it is flat only by rounding.
+///
+/// Time grows with the number of half-spaces times that of vertices.
+[[nodiscard]] ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces);
+
+/// What a camera sees, in perspective.
+struct View {
+  Vec3 eye{};
+  Vec3 direction{0, 0, -1};   ///< into the picture, of any length
+  Vec3 up{0, 1, 0};           ///< any that is not parallel to the direction: what of it is across that points up
+  double field_of_view = 60;  ///< from the bottom of the picture to its top, in degrees, above 0 and below 180
+  double aspect = 1;          ///< the picture's width over its height
+  double nearest = 0.1;       ///< planes across the direction between which something is seen, by their distance
+  double farthest = 1000;     ///< from the eye: 0 < nearest < farthest
+};
+
+/// The solid that a camera sees, six planes around eight corners, which are rounded: of each the error is a few units
+/// in the last place of its distance from the eye and of the eye's coordinates. What it overlaps is in view, and
+/// `overlapping` of SceneIndex and WorldQueries tells of it exactly. Throws Error that names a number out of range.
+[[nodiscard]] ConvexHull view_frustum(const View& view);
 
 }  // namespace toccata

@@ -35,6 +35,10 @@ enum class BvhMethod {
   /// construction on
   /// GPUs", 2009).
   morton,
+  /// From the top down: the box of the centroids is cut into as many parts of one volume as a node may have children
+  /// (four: in halves, and these in halves again; always across the longest axis). Each that holds a centroid is a
+  /// child, of whatever size its triangles are; in halves by number where the centroids coincide.
+  equal_regions,
 };
 
 /// From the top down by a stack of tasks or by functions that call themselves: the same tree.
@@ -44,8 +48,8 @@ struct BvhOptions {
   BvhMethod method = BvhMethod::heuristic;
   Index leaf_size = 1;  ///< at most this many triangles in a leaf; at least 1
   BvhDriver driver = BvhDriver::iterative;
-  /// Volumes are fitted by all of them, and `mean`, `median`, `agglomeration` and `morton` find their shape so too, but
-  /// for the last one's sort.
+  /// Volumes are fitted by all of them, and all but `heuristic` and `insertion` find their shape so too, except for the
+  /// sort of `morton`.
   int threads = own_thread;
 };
 

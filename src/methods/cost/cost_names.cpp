@@ -20,8 +20,8 @@ std::string_view name_of(CostTask task) {
 }
 
 std::string_view name_of(BvhMethod method) {
-  constexpr std::array<std::string_view, all_bvh_methods.size()> names{"mean",          "median",    "heuristic",
-                                                                       "agglomeration", "insertion", "morton"};
+  constexpr std::array<std::string_view, all_bvh_methods.size()> names{
+      "mean", "median", "heuristic", "agglomeration", "insertion", "morton", "equal-regions"};
   return names[static_cast<std::size_t>(method)];
 }
 

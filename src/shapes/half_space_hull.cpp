@@ -1,0 +1,297 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "core/no_index.hpp"
+#include "math/exact.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/core/random.hpp"
+#include "toccata/shapes/convex_hull.hpp"
+#include "toccata/shapes/primitives.hpp"
+
+namespace toccata {
+namespace {
+
+/// Of a half-space n · p ≤ d it is (n, −d); of a point p, or a direction, (w p, w) with w > 0, or w = 0. A point is in
+/// the half-space when their product is not positive.
+using WholeVector4 = std::array<Integer, 4>;
+
+Integer whole_product(const WholeVector4& a, const WholeVector4& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+/// The same direction in the least whole numbers.
+WholeVector4 in_lowest_terms(WholeVector4 v) {
+  Integer common = 0;
+  for (const Integer& number : v) common = gcd(common, number);
+  if (common > 1)
+    for (Integer& number : v) number /= common;
+  return v;
+}
+
+WholeVector4 homogeneous_plane(const HalfSpace& half_space) {
+  const RationalPoint normal = to_rational(half_space.normal());
+  const std::array<Rational, 4> numbers{normal.x, normal.y, normal.z, -dot(normal, to_rational(half_space.point()))};
+  Integer unit = 1;  // all denominators are powers of two
+  for (const Rational& number : numbers) unit = std::max(unit, denominator(number));
+  WholeVector4 plane;
+  for (std::size_t i = 0; i < 4; ++i) plane[i] = numerator(numbers[i]) * (unit / denominator(numbers[i]));
+  return in_lowest_terms(plane);
+}
+
+/// What has a product of 0 with all three, in either direction; 0 when they depend on each other.
+WholeVector4 across_three(const WholeVector4& a, const WholeVector4& b, const WholeVector4& c) {
+  const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) -> Integer {
+    return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) + a[k] * (b[i] * c[j] - b[j] * c[i]);
+  };
+  return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
+}
+
+const WholeVector4 behind_infinity{0, 0, 0, -1};
+
+bool is_null_vector(const WholeVector4& v) {
+  return std::all_of(v.begin(), v.end(), [](const Integer& number) { return number == 0; });
+}
+
+/// What half-spaces have in common, as the extreme rays of a cone in four dimensions: the double description method (T.
+/// S. Motzkin, H. Raiffa, G. L. Thompson, R. M. Thrall, 1953; K. Fukuda, A. Prodon, "Double description method
+/// revisited", 1996). Every vertex is a ray with w > 0; one with w = 0 is a direction without end.
+class HalfSpaceCone {
+ public:
+  struct Ray {
+    WholeVector4 at;
+    std::vector<std::uint64_t> planes;  ///< those it lies in, a bit each
+  };
+
+  /// Of three half-spaces with independent normals; so many may be cut off later.
+  HalfSpaceCone(const std::array<WholeVector4, 3>& first, std::size_t more) : words_((4 + more + 63) / 64) {
+    planes_ = {behind_infinity, first[0], first[1], first[2]};
+    for (std::size_t i = 0; i < 4; ++i) {
+      Ray ray{in_lowest_terms(across_three(planes_[(i + 1) % 4], planes_[(i + 2) % 4], planes_[(i + 3) % 4])),
+              std::vector<std::uint64_t>(words_)};
+      if (whole_product(planes_[i], ray.at) > 0)
+        for (Integer& number : ray.at) number = -number;
+      ray.planes[0] = std::uint64_t{15} & ~bit(i);
+      rays_.push_back(std::move(ray));
+    }
+  }
+
+  [[nodiscard]] const std::vector<Ray>& rays() const { return rays_; }
+  [[nodiscard]] bool has_a_point() const {
+    return std::any_of(rays_.begin(), rays_.end(), [](const Ray& ray) { return ray.at[3] > 0; });
+  }
+  /// Whether all of it lies in the plane of the half-space that was given as the i-th, from 0.
+  [[nodiscard]] bool lies_in_plane(std::size_t i) const {
+    const auto is_in = [&](const Ray& ray) { return (ray.planes[word(i + 1)] & bit(i + 1)) != 0; };
+    return std::all_of(rays_.begin(), rays_.end(), is_in);
+  }
+
+  void cut(const WholeVector4& plane) {
+    const std::size_t number = planes_.size();
+    planes_.push_back(plane);
+    std::vector<Integer> heights;
+    for (Ray& ray : rays_) {
+      heights.push_back(whole_product(plane, ray.at));
+      if (heights.back() == 0) ray.planes[word(number)] |= bit(number);
+    }
+    std::vector<Ray> kept;
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+      for (std::size_t j = 0; heights[i] > 0 && j < rays_.size(); ++j) {
+        if (heights[j] >= 0 || !are_neighbours(rays_[i], rays_[j])) continue;
+        kept.push_back(between(i, heights[i], j, heights[j]));
+        kept.back().planes[word(number)] |= bit(number);
+      }
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+      if (heights[i] <= 0) kept.push_back(std::move(rays_[i]));
+    rays_ = std::move(kept);
+  }
+
+ private:
+  static std::size_t word(std::size_t plane) { return plane / 64; }
+  static std::uint64_t bit(std::size_t plane) { return std::uint64_t{1} << (plane % 64); }
+
+  /// They are when no third ray lies in all planes that both lie in.
+  [[nodiscard]] bool are_neighbours(const Ray& a, const Ray& b) const {
+    int shared = 0;
+    for (std::size_t w = 0; w < words_; ++w) shared += std::popcount(a.planes[w] & b.planes[w]);
+    if (shared < 2) return false;
+    return std::none_of(rays_.begin(), rays_.end(), [&](const Ray& third) {
+      if (&third == &a || &third == &b) return false;
+      for (std::size_t w = 0; w < words_; ++w)
+        if ((a.planes[w] & b.planes[w] & ~third.planes[w]) != 0) return false;
+      return true;
+    });
+  }
+
+  /// Where the edge between a ray outside and one inside goes through the plane that is cut along.
+  [[nodiscard]] Ray between(std::size_t outside, const Integer& above, std::size_t inside, const Integer& below) const {
+    const Ray &a = rays_[outside], &b = rays_[inside];
+    Ray ray{{}, std::vector<std::uint64_t>(words_)};
+    for (std::size_t i = 0; i < 4; ++i) ray.at[i] = above * b.at[i] - below * a.at[i];
+    ray.at = in_lowest_terms(ray.at);
+    for (std::size_t w = 0; w < words_; ++w) ray.planes[w] = a.planes[w] & b.planes[w];
+    return ray;
+  }
+
+  std::size_t words_;
+  std::vector<WholeVector4> planes_;
+  std::vector<Ray> rays_;
+};
+
+/// Three half-spaces with independent normals. Where the given ones have none, all that they hold in common goes on
+/// without end in the directions that are `free`; half-spaces across these take the places.
+struct FirstThree {
+  std::array<WholeVector4, 3> planes;
+  std::vector<Index> numbers;  ///< of those that are given
+  std::vector<WholeVector4> free{};
+};
+
+FirstThree first_three(std::span<const WholeVector4> planes, std::span<const Index> order) {
+  FirstThree first;
+  first.planes[0] = planes[order[0]];
+  first.numbers = {order[0]};
+  const auto next = [&](std::size_t place, const auto& is_new, const WholeVector4& otherwise) {
+    const auto found = std::find_if(order.begin(), order.end(), [&](Index i) { return is_new(planes[i]); });
+    first.planes[place] = found == order.end() ? otherwise : planes[*found];
+    if (found == order.end())
+      first.free.push_back(otherwise);
+    else
+      first.numbers.push_back(*found);
+  };
+  const WholeVector4& p = first.planes[0];
+  const auto across_both = [&](const WholeVector4& q) { return across_three(p, q, behind_infinity); };
+  const WholeVector4 along_x = across_both({1, 0, 0, 0});
+  next(
+      1, [&](const WholeVector4& q) { return !is_null_vector(across_both(q)); },
+      is_null_vector(along_x) ? across_both({0, 1, 0, 0}) : along_x);
+  const WholeVector4 last = across_both(first.planes[1]);
+  next(
+      2, [&](const WholeVector4& r) { return whole_product(last, r) != 0; }, last);
+  return first;
+}
+
+/// Half-spaces cut with each other in an order, until nothing is left or all were.
+struct CommonSet {
+  HalfSpaceCone cone;
+  std::vector<Index> numbers;  ///< of the cone's half-spaces; `no_index` for those across a free direction
+  std::vector<WholeVector4> free;
+};
+
+CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index> order) {
+  FirstThree first = first_three(planes, order);
+  CommonSet common{HalfSpaceCone(first.planes, order.size() + 2), first.numbers, first.free};
+  common.numbers.resize(3, no_index);
+  for (WholeVector4 opposite : first.free) {
+    for (Integer& number : opposite) number = -number;
+    common.cone.cut(opposite);
+    common.numbers.push_back(no_index);
+  }
+  for (const Index i : order) {
+    if (!common.cone.has_a_point()) break;
+    if (std::find(first.numbers.begin(), first.numbers.end(), i) != first.numbers.end()) continue;
+    common.cone.cut(planes[i]);
+    common.numbers.push_back(i);
+  }
+  std::erase(common.numbers, no_index);
+  return common;
+}
+
+/// Of half-spaces without a common point at most four that have none, of which none can be left out (E. Helly, 1923).
+/// The last that is cut belongs to every such choice among those before it. It goes first in the next round, whose last
+/// is another, until those in front are all that there are.
+std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std::vector<Index> among) {
+  for (int round = 0; round < 6; ++round) {
+    among = common_set(planes, among).numbers;
+    std::rotate(among.begin(), among.end() - 1, among.end());
+  }
+  for (std::size_t i = 0; i < among.size() && among.size() > 1;) {
+    std::vector<Index> fewer = among;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (common_set(planes, fewer).cone.has_a_point())
+      ++i;
+    else
+      among = std::move(fewer);
+  }
+  std::sort(among.begin(), among.end());
+  return among;
+}
+
+Vec3 direction_in_doubles(const WholeVector4& direction) {
+  const Integer greatest =
+      std::max({Integer(abs(direction[0])), Integer(abs(direction[1])), Integer(abs(direction[2]))});
+  const auto number = [&](std::size_t i) { return nearest_double(direction[i], greatest, 0); };
+  return {number(0), number(1), number(2)};
+}
+
+[[noreturn]] void refuse_unbounded(const WholeVector4& direction) {
+  const Vec3 d = direction_in_doubles(direction);
+  throw Error(
+      fmt::format("what the half-spaces have in common goes on without end in the direction ({}, {}, {}); add one "
+                  "whose normal points there",
+                  d.x, d.y, d.z));
+}
+
+void refuse_flat(const CommonSet& common) {
+  std::vector<Index> flat;
+  for (std::size_t i = 0; i < common.numbers.size(); ++i)
+    if (common.cone.lies_in_plane(i)) flat.push_back(common.numbers[i]);
+  if (flat.empty()) return;
+  std::sort(flat.begin(), flat.end());
+  throw Error(
+      fmt::format("all that the half-spaces have in common lies in the planes of half-spaces {}: it is flat, and "
+                  "no solid; move one of them",
+                  fmt::join(flat, ", ")));
+}
+
+/// In an order that depends on nothing but them.
+std::vector<Vec3> vertices_of_cone(const HalfSpaceCone& cone) {
+  std::vector<Vec3> vertices;
+  for (const HalfSpaceCone::Ray& ray : cone.rays()) {
+    const auto number = [&](std::size_t i) { return nearest_double(ray.at[i], ray.at[3], 0); };
+    const Vec3 vertex{number(0), number(1), number(2)};
+    if (!is_finite(vertex))
+      throw Error("a vertex of the half-spaces lies farther away than any double; choose a larger unit of length");
+    vertices.push_back(vertex);
+  }
+  std::sort(vertices.begin(), vertices.end(), [](const Vec3& a, const Vec3& b) {
+    return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+  });
+  return vertices;
+}
+
+}  // namespace
+
+ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces) {
+  if (half_spaces.size() < 4)
+    throw Error(fmt::format("{} half-spaces enclose nothing; give at least four", half_spaces.size()));
+  std::vector<WholeVector4> planes;
+  for (const HalfSpace& half_space : half_spaces) planes.push_back(homogeneous_plane(half_space));
+  std::vector<Index> order(planes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  // One after the other along a shape, as they are often given, each would cut away much of what those before it made.
+  Random random(1);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  const CommonSet common = common_set(planes, order);
+  if (!common.cone.has_a_point())
+    throw Error(fmt::format("half-spaces {} have no point in common; move or turn one of them",
+                            fmt::join(least_without_point(planes, order), ", ")));
+  if (!common.free.empty()) refuse_unbounded(common.free.front());
+  for (const HalfSpaceCone::Ray& ray : common.cone.rays())
+    if (ray.at[3] == 0) refuse_unbounded(ray.at);
+  refuse_flat(common);
+  ConvexHull hull(vertices_of_cone(common.cone));
+  if (hull.dimension() < 3)
+    throw Error(
+        "what the half-spaces have in common is thinner than doubles tell apart there; choose an origin nearby");
+  return hull;
+}
+
+}  // namespace toccata
