@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "query/posed_shape.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/query/model.hpp"
+
+namespace toccata {
+
+/// A convex thing of the level: an object, a part of one, or a triangle of it.
+using LevelSet = std::variant<PosedPolytope, PosedHalfSpace, PosedQuadric>;
+
+/// How far a body is from a convex thing.
+struct MoverGap {
+  double distance = 0;  ///< not more than the true one; where they overlap, the negative depth along the normal
+  Vec3 normal{};        ///< unit, from the thing to the body; zero where none is told
+  Vec3 point{};         ///< of the thing
+  double witness = 0;   ///< how far apart the points are that tell the normal
+};
+
+/// The shape of a character, which is moved without being turned. A position is the offset of its pose.
+class MoverBody {
+ public:
+  /// The model has to outlive it. Throws Error when it is not convex and bounded, or for its pose.
+  MoverBody(const Model& shape, const Pose& pose);
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] Pose pose_at(const Vec3& position) const { return {pose_.linear, position}; }
+
+  /// Around it, rounded outward.
+  [[nodiscard]] Aabb box_at(const Vec3& position) const;
+  /// The longest side of its box.
+  [[nodiscard]] double size() const { return size_; }
+  /// A point of it.
+  [[nodiscard]] Vec3 point_at(const Vec3& position) const { return position + point_; }
+
+  /// How far below its position its lowest point is.
+  [[nodiscard]] double depth_below(const Vec3& up) const;
+
+  [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelSet& set) const;
+
+ private:
+  template <class Body>
+  [[nodiscard]] std::optional<MoverGap> core_gap(const Body& core, const LevelSet& set) const;
+  template <class Body>
+  [[nodiscard]] MoverGap gap_of(const Body& core, const Body& whole, const LevelSet& set) const;
+
+  using Set = std::variant<PosedPolytope, PosedQuadric>;
+  [[nodiscard]] Set at(const Set& set, const Vec3& position) const;
+
+  const Model& model_;
+  Pose pose_;
+  double radius_ = 0;  ///< by which the core is grown
+  Shape core_shape_;   ///< what `core_` refers to
+  Set whole_, core_;   ///< where the pose has it
+  Aabb box_;           ///< there
+  Vec3 point_;         ///< from the position
+  double size_ = 0;
+};
+
+}  // namespace toccata

@@ -1,0 +1,201 @@
+#include "world/character_mover/mover_surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "query/casts/swept_view.hpp"
+#include "query/meshes/world_search.hpp"
+#include "query/relation/relation_locality.hpp"
+#include "toccata/core/error.hpp"
+#include "world/character_mover/level_parts.hpp"
+
+namespace toccata {
+namespace {
+
+/// Witness points are off by no more than this times the greatest coordinate (convex_convex.hpp).
+constexpr double witness_error = 1e-12;
+
+/// A motion within this of parallel to a plane does not go into it.
+constexpr double parallel = 0x1p-36;
+
+double greatest_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Aabb swept_box(const Aabb& box, const Vec3& motion) {
+  return merge(box, Aabb{box.lower + motion, box.upper + motion});
+}
+
+}  // namespace
+
+void MoverSurroundings::look_around(const Aabb& box) {
+  if (!is_empty(region_) && contains(region_, box)) return;
+  const Aabb both = is_empty(region_) ? box : merge(region_, box);
+  region_ = is_long(both.upper - both.lower) ? box : both;
+  gather();
+}
+
+void MoverSurroundings::gather() {
+  elements_.clear();
+  solids_.clear();
+  std::vector<Index> near;
+  objects_.tree.visit_overlapping(region_, [&](Index object) {
+    if (objects_.accepts(object)) near.push_back(object);
+    return true;
+  });
+  std::sort(near.begin(), near.end());
+  for (const Index object : near) gather_object(object);
+}
+
+void MoverSurroundings::gather_object(Index object) {
+  std::vector<Index> triangles;
+  for (const PosedPart& part : level_parts(objects_, object)) {
+    if (const auto* mesh = std::get_if<PosedTriangles>(&part.shape)) {
+      triangles.clear();
+      visit_triangles_near(mesh->mesh, region_, [&](Index i) {
+        triangles.push_back(i);
+        return true;
+      });
+      std::sort(triangles.begin(), triangles.end());
+      for (const Index i : triangles) elements_.push_back(element_of(mesh->mesh, i, part.first_element, object));
+      if (mesh->solid) solids_.push_back({object, mesh->mesh});
+    } else if (overlap(world_box(part.shape), region_)) {
+      elements_.push_back(element_of(part, object));
+    }
+  }
+}
+
+std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
+  const Aabb box = widened(body_.box_at(position), distance);
+  look_around(box);
+  std::vector<NearThing> near;
+  for (const LevelElement& element : elements_) {
+    if (!overlap(element.box, box)) continue;
+    const MoverGap gap = body_.gap_at(position, element.set);
+    if (gap.distance <= distance) near.push_back({gap, &element});
+  }
+  return near;
+}
+
+std::optional<MoverSurroundings::Holder> MoverSurroundings::holder_of(const Vec3& position) {
+  look_around(body_.box_at(position));
+  const Vec3 point = body_.point_at(position);
+  for (const Holder& solid : solids_)
+    if (overlap(solid.mesh.box(), Aabb{point, point}) && is_interior(point, solid.mesh)) return solid;
+  return {};
+}
+
+double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 * skin_ / length(motion); }
+
+/// A way so long that it is better to go along it than to look up all around it.
+bool MoverSurroundings::is_long(const Vec3& motion) const {
+  return greatest_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
+}
+
+std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& position, const Vec3& motion,
+                                                             std::optional<Index> without) {
+  if (motion == Vec3{}) return {};
+  return is_long(motion) ? first_far_on(position, motion, without) : first_around(position, motion, without);
+}
+
+/// When the body comes as near as it may, by conservative advancement (B. V. Mirtich, "Impulse-based dynamic simulation
+/// of rigid body systems", 1996): the plane across the shortest way between two convex things bounds how soon they can
+/// be nearer. Along a straight way the distance is a convex function of time, so these are the steps of Newton's method
+/// from the left, which never pass the first root.
+std::optional<double> MoverSurroundings::meeting_time(const LevelSet& set, const Vec3& position, const Vec3& motion,
+                                                      double limit) const {
+  const double speed = length(motion);
+  const double tolerance = 0x1p-28 * skin_;
+  MoverGap gap = body_.gap_at(position, set);
+  const double wanted = std::min(least_gap_, gap.distance);
+  double time = 0;
+  for (int round = 0; round < 100; ++round) {
+    const double approach = -dot(gap.normal, motion);
+    const bool is_leaving = approach <= parallel * speed;
+    const double excess = gap.distance - wanted;
+    if (!is_leaving && excess <= tolerance) return time;
+    if (gap.normal == Vec3{}) return time;
+    if (is_leaving && gap.distance <= 0) return {};
+    // So far the plane is known, but for an error of a 64th of the skin.
+    const Vec3 at = position + time * motion;
+    const double extent = std::max(greatest_coordinate(at), greatest_coordinate(gap.point)) + body_.size();
+    const double known = (0x1p-6 * skin_ / witness_error) * (gap.witness / (extent * speed));
+    time += is_leaving ? known : std::min(known, excess / approach);
+    if (!(time <= limit)) return {};
+    gap = body_.gap_at(position + time * motion, set);
+  }
+  return time;
+}
+
+/// Of what is met at a time, the nearest then: of several elements that lie in one plane that over which the body is.
+/// So an edge between two of them is no obstacle.
+std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> met, double time, const Vec3& position,
+                                                          const Vec3& motion) const {
+  std::optional<MoverMeeting> nearest;
+  for (const Met& one : met) {
+    if (one.time > time + same_time(motion)) continue;
+    const MoverGap gap = body_.gap_at(position + time * motion, one.thing->set);
+    const auto rank = [](const MoverGap& g, const LevelElement& e) { return std::tuple(g.distance, e.object, e.element); };
+    if (!nearest || rank(gap, *one.thing) < rank(nearest->gap, nearest->thing))
+      nearest = MoverMeeting{time, gap, *one.thing};
+  }
+  return nearest;
+}
+
+std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) {
+  const Aabb way = widened(swept_box(body_.box_at(position), motion), skin_);
+  look_around(way);
+  std::vector<Met> met;
+  double first = 1;
+  for (const LevelElement& element : elements_) {
+    if (element.object == without || !overlap(element.box, way)) continue;
+    const auto time = meeting_time(element.set, position, motion, std::min(1.0, first + same_time(motion)));
+    if (!time) continue;
+    met.push_back({*time, &element});
+    first = std::min(first, *time);
+  }
+  return nearest_of(met, first, position, motion);
+}
+
+std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) const {
+  const Aabb box = widened(body_.box_at(position), skin_);
+  const Vec3 half = 0.5 * (box.upper - box.lower);
+  const PosedPolytope moving(Box(half + 0x1p-20 * half, 0.5 * (box.lower + box.upper)));
+  std::deque<LevelElement> seen;  // what is in it stays where it is
+  std::vector<Met> met;
+  double first = 1;
+  const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
+  const auto look_at = [&](LevelElement element) {
+    const auto time = meeting_time(element.set, position, motion, limit());
+    if (!time) return limit();
+    seen.push_back(std::move(element));
+    met.push_back({*time, &seen.back()});
+    first = std::min(first, *time);
+    return limit();
+  };
+  SweptFrontier frontier;
+  objects_.tree.visit_along(box, motion, 1, [&](Index object) {
+    if (object == without || !objects_.accepts(object)) return limit();
+    for (const PosedPart& part : level_parts(objects_, object)) {
+      const auto* triangles = std::get_if<PosedTriangles>(&part.shape);
+      if (triangles == nullptr) {
+        look_at(element_of(part, object));
+        continue;
+      }
+      const PosedMesh& mesh = triangles->mesh;
+      if (mesh.model().mesh().triangle_count() == 0) continue;
+      const SweptView view(moving, motion, mesh);
+      const SweptWalk walk({nullptr, &mesh.model().wide_bvh()}, view.directions());
+      walk.run(frontier, limit(),
+               [&](ItemPair items) { return look_at(element_of(mesh, items.second, part.first_element, object)); });
+    }
+    return limit();
+  });
+  return nearest_of(met, first, position, motion);
+}
+
+}  // namespace toccata
